@@ -10,18 +10,18 @@
 
 namespace assay::verify {
 
-// The variables of a step's certificate, and its expressions over them, read back from their texts.
+// The variables of a step's certificate and its expressions over them, parsed from their texts.
 class CertificateAlgebra {
  public:
-  // `file`: where the plan comes from, for errors. Throws InputError if the certificate's variables
-  // have no proper names, or a range holds no number.
+  // `file` is the plan's path, for error messages. Throws InputError if a variable of the
+  // certificate has no proper name, or if a range holds no number.
   CertificateAlgebra(const plan::PlannedStep& step, const std::string& file);
 
-  // Throws InputError if the text is no expression over the variables.
+  // Parses an expression. Throws InputError if the text is no expression over the variables.
   algebra::Expression Read(const std::string& text) const;
 
   const algebra::ExpressionPool& pool() const { return *pool_; }
-  const algebra::ConstraintSet& box() const { return box_; }  // the variables' ranges
+  const algebra::ConstraintSet& box() const { return box_; }  // ranges of the variables
 
  private:
   std::string place_;

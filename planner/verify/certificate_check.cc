@@ -20,11 +20,13 @@ using algebra::VariableId;
 using plan::CertifiedPrecondition;
 using plan::Relation;
 
-// Numbers are computed from others of the file again, in doubles: metres and radians.
+// The tolerance for numbers that are computed from other numbers of the file in doubles, in metres
+// or radians.
 constexpr double kDifference = 1e-9;  // absolute below 1, relative above
-constexpr double kRounding = 1e-12;   // of an expression at a point
+constexpr double kRounding = 1e-12;   // of an expression's value at a point
 
-// Infinite numbers are the same only if they are equal; a number that is none is never.
+// Returns whether two numbers agree. Infinite numbers agree only if they are equal, and NaN never
+// does.
 bool AreSame(double a, double b) {
   return a == b ||
          std::abs(a - b) <= kDifference * std::max(1.0, std::min(std::abs(a), std::abs(b)));
@@ -34,7 +36,7 @@ const char* NameOfBound(const CertifiedPrecondition& claim) {
   return claim.relation == Relation::kLess ? "SUP" : "INF";
 }
 
-// One claim of a certificate against its expression.
+// Checks one claim of a certificate against its expression.
 class ClaimCheck {
  public:
   ClaimCheck(const CertifiedPrecondition& claim, const CertificateAlgebra& algebra)
@@ -52,7 +54,7 @@ class ClaimCheck {
   double MarginOf(double bound) const {
     return is_less() ? claim_.limit - bound : bound - claim_.limit;
   }
-  // The expression attains `value`: whether the stated bound says that it does not.
+  // Returns whether a value that the expression attains contradicts the stated bound.
   bool IsCrossedBy(double value) const {
     return is_less() ? value > claim_.bound + kRounding : value < claim_.bound - kRounding;
   }
@@ -83,7 +85,7 @@ class ClaimCheck {
     }
   }
 
-  // By VariableId; none if it is no point of the ranges.
+  // Returns the worst corner by VariableId, or nothing if it is not a point of the ranges.
   std::optional<std::vector<double>> Corner() {
     std::vector<std::optional<double>> given(algebra_.box().box.size());
     for (const auto& [name, value] : claim_.worst) {
@@ -103,7 +105,8 @@ class ClaimCheck {
     return point;
   }
 
-  // A glance sees some things that the ladder, which looks at normal forms, does not.
+  // A glance proves some claims that the bounding methods, which work on normal forms, do not
+  // prove.
   void CheckProof() {
     const std::vector<Interval>& box = algebra_.box().box;
     const algebra::Bound bound = BoundAnew();
@@ -122,7 +125,7 @@ class ClaimCheck {
         NameOfBound(claim_), bound.value, is_less() ? '<' : '>', claim_.limit);
   }
 
-  // As tight as it takes to tell on which side of the limit it is.
+  // Bounds the expression as tightly as needed to tell on which side of the limit it is.
   algebra::Bound BoundAnew() const {
     algebra::BoundRequest request = {.gap = 0};
     request.limit = claim_.limit;
@@ -146,8 +149,8 @@ class ClaimCheck {
   std::vector<std::string> flaws_;
 };
 
-// What is absorbed is so for the errors that the strategy takes for granted: at every step that has
-// one these must be proved.
+// A strategy absorbs errors only within the tip errors that it is certain for. Each step with a
+// strategy must therefore have claims about the tip errors.
 bool LacksTipErrors(const plan::PlannedStep& step) {
   if (!step.strategy || step.certificate == plan::Certificate{}) return false;
   const auto is_claimed = [&](const char* condition) {
@@ -157,7 +160,7 @@ bool LacksTipErrors(const plan::PlannedStep& step) {
   return !is_claimed("tip shift") || !is_claimed("tip turn");
 }
 
-// Each axis in turn has two claims, of either sign.
+// Each axis in turn has two claims, one for each sign.
 bool IsProvedWithin(const plan::PlannedStep& step, const char* condition,
                     const geometry::Vector3& most) {
   int claims = 0;
@@ -168,7 +171,7 @@ bool IsProvedWithin(const plan::PlannedStep& step, const char* condition,
   });
 }
 
-// What is proved of the tip must be what the strategy is certain for.
+// The tip errors that are proved must be within those that the strategy is certain for.
 bool ExceedsTipErrors(const plan::PlannedStep& step) {
   if (!step.strategy) return false;
   const plan::StrategyCertificate& certificate = step.strategy->certificate;

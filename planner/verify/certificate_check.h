@@ -8,24 +8,32 @@
 
 namespace assay::verify {
 
-// Whether any step has a certificate: else the plan was made without regard to uncertainty.
+// Returns whether any step has a certificate. If none has, the plan was made without regard to
+// uncertainty.
 bool IsCertified(const plan::Plan& plan);
 
-// Whether some precondition of the step is not proved, and not absorbed by its strategy.
+// Returns whether a precondition of the step is neither proved nor absorbed by its strategy.
 bool IsUnproved(const plan::PlannedStep& step);
 
-// What in a plan's certificates contradicts itself, found out from the plan alone: each expression
-// is bounded anew over its certificate's variables. Found are preconditions that are said to be
-// proved and are not; margins that are not from the bound to the limit; bounds that the expression
-// crosses, or is further from at the worst corner than the gap says; corners outside of the ranges;
-// an error count that is not the number of steps with unproved preconditions; and strategies of
-// whose errors nothing is claimed, or with wider limits than they are certain for. What a strategy
-// absorbs need not be proved. None for a plan without certificates.
+// Returns the contradictions within a plan's certificates, found from the plan alone. Each
+// expression is bounded anew over its certificate's variables. The flaws found are:
 //
-// Whether sets and expressions are those that the step needs: certificate_comparison.h.
+// - a precondition that is said to be proved and is not; one that a strategy absorbs need not be
+// - a margin that is not the distance from the bound to the limit
+// - a bound that the expression crosses, or from which it is farther at the worst corner than the
+//   gap says
+// - a corner outside of the ranges
+// - an error count that is not the number of steps with unproved preconditions
+// - a strategy of whose errors nothing is claimed, or with wider limits than those that it is
+//   certain for
 //
-// `file`: where the plan comes from. Throws InputError if an expression or a variable of a
-// certificate does not read.
+// A plan without certificates has no flaws.
+//
+// Whether sets and expressions are those that the step needs is checked in
+// certificate_comparison.h.
+//
+// `file` is the plan's path. Throws InputError if an expression or a variable of a certificate
+// cannot be read.
 std::vector<plan::Flaw> CertificateFlaws(const plan::Plan& plan, const std::string& file);
 
 }  // namespace assay::verify

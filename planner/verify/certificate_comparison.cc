@@ -25,16 +25,16 @@ using plan::Certificate;
 using plan::Flaw;
 using plan::PlannedStep;
 
-constexpr double kSameNumber = 1e-9;  // of numbers: absolute below 1, relative above
-constexpr double kFarthest = 1e3;     // metres and radians: where ranges are infinite
-constexpr int kPoints = 32;           // at which expressions are compared
+constexpr double kSameNumber = 1e-9;  // for numbers: absolute below 1, relative above
+constexpr double kFarthest = 1e3;     // metres and radians, used where ranges are infinite
+constexpr int kPoints = 32;           // number of points at which expressions are compared
 
 bool AreClose(double a, double b) {
   return a == b ||
          std::abs(a - b) <= kSameNumber * std::max(1.0, std::min(std::abs(a), std::abs(b)));
 }
 
-// Two trees of the same form.
+// Compares two JSON trees of the same form.
 class Comparison {
  public:
   void Compare(const std::string& at, const Json& given, const Json& anew) {
@@ -77,7 +77,7 @@ class Comparison {
   std::vector<std::string> differences_;
 };
 
-// Points of the box that the variables span, by VariableId.
+// Returns points of the box that the variables span, by VariableId.
 std::vector<std::vector<double>> PointsIn(const std::vector<Interval>& box) {
   RandomStream random(1, "points at which expressions are compared");
   std::vector<std::vector<double>> points(kPoints, std::vector<double>(box.size()));
@@ -90,8 +90,8 @@ std::vector<std::vector<double>> PointsIn(const std::vector<Interval>& box) {
   return points;
 }
 
-// Whether the certificate of a step and the one computed anew, over the same variables, mean the
-// same functions.
+// Compares the functions in a step's certificate with those in the one computed anew, over the same
+// variables.
 class Functions {
  public:
   Functions(const PlannedStep& given, const PlannedStep& anew, const std::string& file)
@@ -111,7 +111,7 @@ class Functions {
   std::vector<std::vector<double>> points_;
 };
 
-// Of one step.
+// Compares the certificate of one step with the one computed anew.
 class CertificateComparison {
  public:
   CertificateComparison(const domain::Problem& problem, const PlannedStep& step,
@@ -172,7 +172,7 @@ Json VerificationsToJson(const plan::Plan& plan) {
   return json;
 }
 
-// What follows steps that are not proved.
+// Returns the differences in the verifications that follow steps that are not proved.
 std::vector<Flaw> DifferencesOfVerifications(const domain::Problem& problem,
                                              const plan::Plan& plan) {
   plan::Plan anew = plan;
@@ -191,7 +191,7 @@ std::vector<Flaw> DifferencesOfVerifications(const domain::Problem& problem,
   return flaws;
 }
 
-// A mating of which nothing could be proved, in a step that makes it.
+// Returns the steps that make a mating about which nothing could be proved.
 std::vector<Flaw> FlawsOfMatings(const domain::Problem& problem, const plan::Plan& plan) {
   std::vector<Flaw> flaws;
   for (std::size_t i = 0; i < plan.steps.size(); ++i) {

@@ -17,8 +17,8 @@ using algebra::Expression;
 using plan::CertifiedPrecondition;
 using plan::Relation;
 
-// The questions are many, and asked of the cheap rungs: what they say of a remedy is proved, but a
-// milder one may do.
+// There are many questions, so that only the cheap bounding methods answer them. A remedy that they
+// find is proved, but a milder one may exist.
 constexpr BoundRequest kCheap = {.highest = algebra::Rung::kMonotone};
 
 double MiddleOf(const Interval& range) {

@@ -13,38 +13,40 @@ namespace assay::verify {
 struct VariableInProof {
   std::string name;
   Interval range;
-  std::optional<double> worst;  // its value at the worst corner
-  double cost = 0;              // by how much the bound would improve, were its value known
+  std::optional<double> worst;  // value at the worst corner
+  double cost = 0;              // improvement of the bound if the value were known
 };
 
-// A variable's range, before and after it is narrowed enough.
+// A variable's range, before and after it is narrowed enough for a proof.
 struct NarrowedVariable {
   std::string name;
   Interval range;
   Interval enough;
 };
 
-// What can be computed from a certified precondition and the variables of its certificate.
+// The facts that can be computed from a certified precondition and the variables of its
+// certificate.
 struct Proof {
   const plan::CertifiedPrecondition& claim;
-  double nominal = 0;                           // value in the middle of all ranges
-  std::optional<double> at_worst = {};          // value at the worst corner, if one is stated
-  std::vector<std::string> terms = {};          // of the expression, those that vary most first
-  std::vector<VariableInProof> variables = {};  // those that cost anything, by cost
-  std::optional<NarrowedVariable> remedy = {};  // the mildest that proves it alone; none if proved
+  double nominal = 0;                   // value in the middle of all ranges
+  std::optional<double> at_worst = {};  // value at the worst corner, if one is stated
+  std::vector<std::string> terms = {};  // terms of the expression; those that vary most come first
+  std::vector<VariableInProof> variables = {};  // those with a cost, by cost
+  // The mildest narrowing of one variable that proves the precondition; missing if it is proved.
+  std::optional<NarrowedVariable> remedy = {};
 
-  // Whether the worst corner shows that the precondition is false.
+  // Returns whether the worst corner shows that the precondition is false.
   bool IsRefuted() const;
 };
 
-// The expressions of one certificate, read back.
+// The expressions of one certificate, parsed from their texts.
 class CertificateProofs {
  public:
-  // `file`: where the plan comes from. Throws InputError as CertificateAlgebra does.
+  // `file` is the plan's path. Throws InputError as CertificateAlgebra does.
   CertificateProofs(const plan::PlannedStep& step, const std::string& file);
 
   Proof Of(const plan::CertifiedPrecondition& claim) const;
-  // Its expression as a sum, in full.
+  // Returns the precondition's expression as a sum, in full.
   std::string ExpressionText(const plan::CertifiedPrecondition& claim) const;
 
  private:

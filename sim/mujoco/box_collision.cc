@@ -17,9 +17,11 @@ using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
 constexpr double kOutside = 1e-4;    // m
 constexpr double kSamePlace = 1e-6;  // m
 constexpr double kFlush = 1e-6;      // m, between pieces that lie against each other
-constexpr double kBeside = 2e-5;     // m: a face that is covered so far around is no surface
+// Metres. A face is inside the body if it is covered this far around a point.
+constexpr double kBeside = 2e-5;
 constexpr double kSameNormal = 1 - 1e-9;
-constexpr double kAcross = 0.2;  // cosine: a normal with less of a face's has nothing to do with it
+// Cosine. A contact's normal must have at least this much of a face's normal to concern the face.
+constexpr double kAcross = 0.2;
 
 mjfCollision engine_box_box = nullptr;
 
@@ -48,7 +50,7 @@ bool Collide(const mjModel* m, int a, int b) {
          (m->geom_contype[b] & m->geom_conaffinity[a]) != 0;
 }
 
-// Another piece of the geom's body is there, with which `other` collides as well.
+// Returns whether the point lies in another piece of the geom's body with which `other` collides.
 bool IsInAnotherPiece(const mjModel* m, const mjData* d, int geom, int other, const Vector3& p) {
   const int body = m->geom_bodyid[geom];
   const int first = m->body_geomadr[body];
@@ -60,8 +62,9 @@ bool IsInAnotherPiece(const mjModel* m, const mjData* d, int geom, int other, co
   return false;
 }
 
-// Whether the geom's face across an axis, on the side to which `side` points, lies against other
-// pieces of its body, where p is (in the geom's frame) and as far as it goes a little beside it.
+// Returns whether one of the geom's faces lies against other pieces of its body around p, which is
+// in the geom's frame. The face is across `axis`, on the side to which `side` points. Points a
+// little beside p must be covered as well.
 bool IsCovered(const mjModel* m, const mjData* d, int geom, int other, const Vector3& p,
                Eigen::Index axis, double side) {
   const Vector3 half_extents = HalfExtents(m, geom);
@@ -77,8 +80,9 @@ bool IsCovered(const mjModel* m, const mjData* d, int geom, int other, const Vec
   return true;
 }
 
-// Whether the way out along a normal goes through a face that is inside of the geom's body: faces,
-// edges and corners of a piece that lies against another are none of the body's.
+// Returns whether the way out along a normal goes through a face that is inside of the geom's body.
+// Where one piece lies against another, its faces, edges and corners are not part of the body's
+// surface.
 bool LeadsInside(const mjModel* m, const mjData* d, int geom, int other, const Vector3& p,
                  const Vector3& outward) {
   const Vector3 normal = Axes(d, geom).transpose() * outward;
@@ -92,14 +96,14 @@ bool LeadsInside(const mjModel* m, const mjData* d, int geom, int other, const V
   return false;
 }
 
-// A normal leads from the first geom to the second.
+// The contact's normal points from the first geom to the second.
 bool IsInside(const mjModel* m, const mjData* d, int g1, int g2, const mjContact& contact) {
   const Eigen::Map<const Vector3> p(contact.pos);
   const Eigen::Map<const Vector3> normal(contact.frame);
   return LeadsInside(m, d, g1, g2, p, normal) || LeadsInside(m, d, g2, g1, p, -normal);
 }
 
-// Whether the engine gives contacts of both geoms the same parameters, and moves both as one.
+// Returns whether both geoms move as one body and their contacts have the same parameters.
 bool AreOneBody(const mjModel* m, int a, int b) {
   return m->geom_bodyid[a] == m->geom_bodyid[b] && m->geom_condim[a] == m->geom_condim[b] &&
          std::equal(m->geom_friction + 3 * a, m->geom_friction + 3 * a + 3,

@@ -10,8 +10,7 @@ namespace {
 using geometry::Vector3;
 using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
 
-// The normal points from geom1 to geom2 and the engine's force, in the contact's frame, acts on
-// geom2.
+// The engine's normal points from geom1 to geom2. Its force, in the contact's frame, acts on geom2.
 Contact ContactAt(const Data& data, int index) {
   const mjContact& engine = data.get()->contact[index];
   mjtNum force[6];

@@ -37,9 +37,9 @@ void CopyBack(const std::vector<T>& from, int count, U* to) {
   std::copy(from.begin(), from.end(), to);
 }
 
-// The engine's kinematics normalises the quaternions in qpos in place. That is not idempotent in
-// the last bit, so a state that was restored, normalised once more than the state that was saved,
-// would go another way.
+// Keeps qpos as it is during a computation. The engine's kinematics normalises the quaternions in
+// qpos in place, which is not idempotent in the last bit. A restored state would be normalised once
+// more than the saved one, and its simulation would differ.
 class KeepPosition {
  public:
   explicit KeepPosition(std::span<double> qpos) : qpos_(qpos), kept_(qpos.begin(), qpos.end()) {}
@@ -69,7 +69,7 @@ double Data::timestep() const { return own_model_->opt.timestep; }
 void Data::SetTimestep(double seconds) {
   if (seconds == timestep()) return;
   own_model_->opt.timestep = seconds;
-  BeginStep();  // how stiff contacts are depends on it
+  BeginStep();  // the stiffness of contacts depends on it
 }
 
 std::span<double> Data::qpos() { return SpanOf(data_->qpos, own_model_->nq); }
@@ -84,14 +84,15 @@ std::span<const double> Data::sensordata() const {
   return SpanOf(data_->sensordata, own_model_->nsensordata);
 }
 
-// The engine's step in two: its second half ends the step that the first began, so that after it
-// everything belongs to the present, as a controller needs it, and nothing is computed twice.
+// The engine's step is done in two halves, the second half first. The second half ends the step
+// that the first half began. After it, the first half of the next step brings all quantities to the
+// present, as a controller needs them, and nothing is computed twice.
 //
-// The engine moves a free body along the tangent of the arc that the arm carries it on, so that a
-// part which is held by friction wanders outward in the pads by J' qd dt / 2 a second: half a
-// millimetre on a way across the table. With half a step of acceleration added to every position,
-// contacts are evaluated in the middle of the way to the next position, as in the leapfrog scheme,
-// and the first-order error is gone.
+// The engine moves a free body along the tangent of the arc on which the arm carries it. A part
+// that is held by friction therefore wanders outward in the pads by J' qd dt / 2 each second, which
+// is half a millimetre on a way across the table. With half a step of acceleration added to every
+// position, contacts are evaluated in the middle of the way to the next position, as in the
+// leapfrog scheme, and the first-order error is gone.
 void Data::Step() {
   std::ranges::copy(qvel(), gain_.begin());
   mj_step2(own_model_.get(), data_.get());
@@ -144,8 +145,9 @@ void Data::Deactivate(EqualityId constraint) {
   BeginStep();
 }
 
-// eq_data of a weld: anchor in the second body (3), pose of the second body in the first's frame
-// (position 3, quaternion 4), torque scale. The anchor is the second body's origin here.
+// The values in eq_data for a weld are the anchor in the second body (3), the pose of the second
+// body in the first body's frame (position 3, quaternion 4), and the torque scale. The anchor is
+// the second body's origin here.
 void Data::ActivateWeldHere(EqualityId weld) {
   const int i = weld.index();
   ASSAY_CHECK(own_model_->eq_type[i] == mjEQ_WELD);
@@ -197,7 +199,7 @@ void Data::Restore(const State& state) {
   CopyBack(state.eq_data, mjNEQDATA * m.neq, m.eq_data);
   CopyBack(state.geom_pos, 3 * m.ngeom, m.geom_pos);
   Forward();
-  // Last, because Forward leaves its own accelerations there.
+  // The warm start comes last, because Forward leaves its own accelerations there.
   CopyBack(state.qacc_warmstart, m.nv, d.qacc_warmstart);
 }
 

@@ -13,30 +13,30 @@ struct mjData_;
 
 namespace assay::mujoco {
 
-// A warning of the engine about a simulation: it overflowed, or its numbers went bad.
+// A warning of the engine about a simulation: a buffer overflowed, or the numbers went bad.
 struct EngineWarning {
-  std::string text;  // the engine's words, about the last occurrence
+  std::string text;  // the engine's message about the last occurrence
   int count = 0;
 };
 
 // One simulation. Between calls of its methods, poses, contacts, inertia, velocities and qfrc_bias
-// belong to the present qpos and qvel. What accelerations are needed for, readings of force and
-// torque sensors, belongs to the start of the last step; to the present after Forward and
-// Restore, and only there forces of contacts can be had. Who writes into qpos or qvel calls
-// Forward before the next step.
+// belong to the present qpos and qvel. Readings of force and torque sensors need accelerations, and
+// belong to the start of the last step. After Forward and Restore they belong to the present, and
+// only then are the contacts' forces valid. Code that writes into qpos or qvel must call Forward
+// before the next step.
 class Data {
  public:
   explicit Data(const Model& model);
 
   const Model& model() const { return model_; }
-  // The engine's structures; `own_model` differs from model() in the equality constraints,
-  // the heights of geoms and the timestep only.
+  // The engine's structures. `own_model` differs from model() only in the equality constraints, the
+  // heights of geoms and the timestep.
   mjData_* get() { return data_.get(); }
   const mjData_* get() const { return data_.get(); }
   const mjModel_* own_model() const { return own_model_.get(); }
 
   double time() const;      // seconds
-  double timestep() const;  // seconds; the model's at the start
+  double timestep() const;  // seconds; at the start, the model's
   void SetTimestep(double seconds);
   std::span<double> qpos();
   std::span<const double> qpos() const;
@@ -49,38 +49,38 @@ class Data {
   std::span<const double> sensordata() const;
 
   void Step();     // one timestep
-  void Forward();  // everything that follows from qpos, qvel and controls, at the present time
+  void Forward();  // computes all that follows from qpos, qvel and controls, at the present time
 
-  // Adds a force on a body at a point, newtons and metres in the world's axes, to qfrc_applied.
+  // Adds to qfrc_applied the force on a body at a point, in newtons and metres in the world's axes.
   void AddForce(BodyId body, const geometry::Vector3& p_World,
                 const geometry::Vector3& force_World);
-  // The generalized force that gives accelerations `qacc` to what is at rest and free; both of
-  // the length of qvel.
+  // Computes the generalized force that gives accelerations `qacc` to a free system at rest. Both
+  // have the length of qvel.
   void MultiplyByInertia(std::span<const double> qacc, std::span<double> force) const;
 
   geometry::Pose BodyPose(BodyId body) const;  // X_WorldBody
   geometry::Pose SitePose(SiteId site) const;  // X_WorldSite
 
-  // z of a geom's origin in the frame of its body, metres.
+  // Returns the z coordinate of a geom's origin in the frame of its body, in metres.
   double GeomHeight(GeomId geom) const;
   void SetGeomHeight(GeomId geom, double z);
 
   bool IsActive(EqualityId constraint) const;
   void Deactivate(EqualityId constraint);
-  // Activates a weld that holds its second body where it is now, seen from its first body.
+  // Activates a weld that holds its second body where it is now, relative to its first body.
   void ActivateWeldHere(EqualityId weld);
 
-  // Steps after Restore give the same bits as the steps after Save did.
+  // Steps after Restore give the same bits as the steps after Save gave.
   State Save() const;
-  void Restore(const State& state);  // of a Data of the same model (checked)
+  void Restore(const State& state);  // of a Data with the same model (checked)
 
-  // What the engine warned about since the start. Steps after a warning mean nothing: the engine
+  // Returns the engine's warnings since the start. Steps after a warning are worthless: the engine
   // may have left out contacts, or set the simulation back to its start.
   std::vector<EngineWarning> Warnings() const;
-  bool HasWarnings() const;  // the same, faster
+  bool HasWarnings() const;  // whether Warnings() is not empty, but faster
 
  private:
-  // All that the next step needs but the controls.
+  // Computes all that the next step needs except the controls.
   void BeginStep();
 
   Model model_;

@@ -5,13 +5,14 @@
 
 namespace assay::mujoco {
 
-// Takes over the engine's error and warning handlers, whose defaults write MUJOCO_LOG.TXT into the
-// working directory, and end the program on an error. From then on an engine error is a broken
-// invariant: it stops the program with the engine's message (check.h). A warning is kept for the
-// thread that caused it. Called by everything here that calls the engine; calling again is free.
+// Replaces the engine's error and warning handlers. The default handlers write MUJOCO_LOG.TXT into
+// the working directory, and end the program on an error. With the new ones, an engine error is a
+// broken invariant: it stops the program with the engine's message (check.h). A warning is kept for
+// the thread that caused it. All code here that calls the engine calls this first; more calls have
+// no effect.
 void HandleEngineMessages();
 
-// The warnings of the engine on this thread since the last call.
+// Returns the engine's warnings on this thread since the last call.
 std::vector<std::string> TakeEngineWarnings();
 
 }  // namespace assay::mujoco

@@ -14,7 +14,7 @@ namespace {
 
 constexpr char kFileName[] = "model.xml";
 
-// A file of the engine's virtual file system, which is large: it lives on the heap.
+// A file of the engine's virtual file system, which is on the heap because it is large.
 class VirtualFile {
  public:
   explicit VirtualFile(const std::string& text) : vfs_(std::make_unique<mjVFS>()) {
@@ -60,7 +60,7 @@ Model Model::FromMjcf(const std::string& mjcf) {
   const std::shared_ptr<mjModel> owner(model, [](mjModel* m) {
     if (m != nullptr) mj_deleteModel(m);
   });
-  std::string complaint = message.data();  // of a model that compiled: a warning
+  std::string complaint = message.data();  // for a model that compiled: a warning
   for (const std::string& warning : TakeEngineWarnings()) complaint += warning;
   if (model == nullptr || !complaint.empty()) throw MjcfError(complaint);
   return Model(owner);

@@ -11,7 +11,7 @@ struct mjModel_;  // mjModel of mujoco.h, which only source files include
 
 namespace assay::mujoco {
 
-// The engine's own indices, one type for each kind of thing.
+// The engine's own indices, with one type for each kind of object.
 using BodyId = Id<struct BodyTag>;
 using JointId = Id<struct JointTag>;
 using GeomId = Id<struct GeomTag>;
@@ -21,22 +21,22 @@ using ActuatorId = Id<struct ActuatorTag>;
 using SensorId = Id<struct SensorTag>;
 using EqualityId = Id<struct EqualityTag>;
 
-// The engine's compiler does not accept an MJCF text, or warns about it.
+// Thrown if the engine's compiler does not accept an MJCF text, or warns about it.
 class MjcfError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-// A compiled model. Immutable, so threads may share it: what a simulation changes in the engine's
-// model (the activity of equality constraints) it changes in the copy that its Data owns.
+// A compiled model. It is immutable, so that threads may share it. What a simulation changes in the
+// engine's model, such as the activity of equality constraints, it changes in its Data's own copy.
 class Model {
  public:
-  // Throws MjcfError with the engine's message.
+  // Compiles a model. Throws MjcfError with the engine's message.
   static Model FromMjcf(const std::string& mjcf);
 
   const mjModel_* get() const { return model_.get(); }
   double timestep() const;  // seconds
 
-  // The thing of this name, which must exist (checked).
+  // Each function returns the object of this name, which must exist (checked).
   BodyId Body(std::string_view name) const;
   JointId Joint(std::string_view name) const;
   GeomId Geom(std::string_view name) const;
@@ -46,10 +46,10 @@ class Model {
   SensorId Sensor(std::string_view name) const;
   EqualityId Equality(std::string_view name) const;
 
-  // None if there is no camera of this name: cameras are named by users.
+  // Returns None if there is no camera of this name, because users name cameras.
   CameraId FindCamera(std::string_view name) const;
 
-  std::string Name(BodyId id) const;  // empty if it has none; the world's is "world"
+  std::string Name(BodyId id) const;  // empty if it has none; the world is "world"
   std::string Name(GeomId id) const;
   std::string Name(CameraId id) const;
 

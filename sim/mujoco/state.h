@@ -5,8 +5,8 @@
 
 namespace assay::mujoco {
 
-// All that a step reads: two simulations of one model in the same state go the same way, to the
-// bit. Plain data, in the engine's layout.
+// All data that a step reads. Two simulations of one model in the same state stay the same, to the
+// bit. The data are in the engine's layout.
 struct State {
   double time = 0;
   double timestep = 0;
@@ -19,9 +19,11 @@ struct State {
   std::vector<double> xfrc_applied;
   std::vector<double> mocap_pos;
   std::vector<double> mocap_quat;
-  std::vector<std::uint8_t> eq_active;  // of the equality constraints, which the engine keeps in
-  std::vector<double> eq_data;          // its model
-  std::vector<double> geom_pos;         // of all geoms, likewise
+  // The engine keeps the following three arrays in its model: two for the equality constraints, one
+  // for the positions of all geoms.
+  std::vector<std::uint8_t> eq_active;
+  std::vector<double> eq_data;
+  std::vector<double> geom_pos;
 
   bool operator==(const State&) const = default;
 };

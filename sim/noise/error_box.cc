@@ -54,7 +54,7 @@ class BoxBuilder {
   }
 
  private:
-  // What a sensor does not measure, it cannot measure wrongly.
+  // A coordinate that a sensor does not measure has no error of measurement.
   static Interval Measured(const Interval& promise) {
     return std::isfinite(promise.low) && std::isfinite(promise.high) ? promise : kNothing;
   }

@@ -12,42 +12,47 @@ using domain::PartId;
 using geometry::Pose;
 using plan::StepId;
 
-// What a bounded error does.
+// The effect of a bounded error.
 enum class Effect {
-  kPartX,  // a part lies elsewhere than believed: its origin along the world's axes, metres
+  kPartX,  // displacement of a part's origin from where it is believed, world's axes, metres
   kPartY,
-  kPartYaw,      // and it is turned about the world's z through its origin, radians
-  kTableHeight,  // the table under a part is higher, metres
-  kHandX,        // the hand goes elsewhere than told: along its own axes, metres
+  kPartYaw,      // turn of a part about the world's z axis through its origin, radians
+  kTableHeight,  // height of the table under a part above its nominal height, metres
+  kHandX,        // displacement of the hand from where it was told to go, hand's axes, metres
   kHandY,
   kHandZ,
-  kHandYaw,  // and turned about its own z, radians
-  kSensedX,  // a sensor tells a place beside the true one: true minus told, metres, world's axes
+  kHandYaw,  // turn of the hand about its own z axis, radians
+  kSensedX,  // error of a sensor: true minus measured place, world's axes, metres
   kSensedY,
   kSensedZ,
-  kSensedYaw,    // radians
-  kClearance,    // on each side of a mated shaft, metres more than the problem says
-  kFriction,     // of parts, more than their files say
-  kPadFriction,  // of the pads, more than the workcell says
+  kSensedYaw,    // error of a sensor: true minus measured yaw, radians
+  kClearance,    // clearance on each side of a mated shaft minus the problem's, metres
+  kFriction,     // the parts' friction minus that in their files
+  kPadFriction,  // the pads' friction minus the workcell's value
 };
 
 // One bounded variable that the planner assumes.
 struct Channel {
   std::string name;  // "dx_block", "dz_hand@action_3"
   Effect effect = Effect::kPartX;
-  PartId part = PartId::None();  // None: the hand's, or of the whole workcell
-  // Of the step whose hand, sensor or table it is; None: it is there from the start.
+  PartId part = PartId::None();  // None: the hand, or the whole workcell
+  // The step whose hand, sensor or table it concerns; None if it exists from the start.
   StepId step = StepId::None();
   Interval range;
 
   bool operator==(const Channel&) const = default;
 };
 
-// Every variable that the planner assumes when it certifies the plan, with the very bounds that it
-// takes from the problem: errors of parts at the start; errors of the hand, drawn afresh for each
-// step that manipulates; errors of a sensor within its promise, for each look; the table's height
-// where a part is put down; tolerances. Channels without width are left out. Those that are there
-// from the start come first, the others in the order of execution.
+// Returns every variable that the planner assumes when it certifies the plan, with the bounds that
+// the planner takes from the problem:
+//
+// - errors of parts at the start, and tolerances
+// - errors of the hand, drawn anew for each step that manipulates
+// - errors of a sensor within its promise, for each look
+// - the table's height where a part is put down
+//
+// Channels without width are left out. Channels that exist from the start come first, the others in
+// the order of execution.
 std::vector<Channel> ErrorBox(const domain::Problem& problem, const plan::Plan& plan);
 
 }  // namespace assay::noise

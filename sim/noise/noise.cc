@@ -12,7 +12,8 @@
 namespace assay::noise {
 namespace {
 
-// Numbers that a person rounded when copying them may lie this much, of the range's width, outside.
+// Numbers that a person rounded when copying them may lie outside by this share of the range's
+// width.
 constexpr double kRounding = 1e-6;
 
 [[noreturn]] void Refuse(const std::string& what, const std::string& allowed) {

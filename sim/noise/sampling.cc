@@ -11,7 +11,7 @@
 namespace assay::noise {
 namespace {
 
-// The generalized golden ratio: the positive root of x^(d + 1) = x + 1 (Roberts 2018, "The
+// Returns the generalized golden ratio, the positive root of x^(d + 1) = x + 1 (Roberts 2018, "The
 // unreasonable effectiveness of quasirandom sequences").
 double GoldenRatio(int dimensions) {
   double x = 2;
@@ -19,7 +19,7 @@ double GoldenRatio(int dimensions) {
   return x;
 }
 
-// In which a symmetric range's ends come out exactly.
+// Interpolates in a form that gives the ends of a symmetric range exactly.
 double At(const Interval& range, double t) { return (1 - t) * range.low + t * range.high; }
 
 std::vector<double> UniformPoint(int dimensions, std::uint64_t seed, int number) {

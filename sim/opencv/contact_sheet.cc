@@ -13,7 +13,7 @@ using render::CaptionedImage;
 using render::Image;
 using render::LegendEntry;
 
-// Layout of a contact sheet, in pixels, for images of one width.
+// The layout of a contact sheet, in pixels, for images of one width.
 struct SheetLayout {
   int margin = 0;
   int caption = 0;  // height
@@ -27,7 +27,7 @@ struct SheetLayout {
         thickness(std::max(1, caption / 30)) {}
 };
 
-constexpr int kWidest = 2400;  // pixels, of a sheet
+constexpr int kWidest = 2400;  // pixels; the greatest width of a sheet
 
 constexpr int kFont = cv::FONT_HERSHEY_SIMPLEX;
 const cv::Scalar kInk(40, 40, 40);
@@ -65,7 +65,7 @@ void DrawLegendEntry(const LegendEntry& entry, const cv::Point& corner, const Sh
               layout.thickness, cv::LINE_AA);
 }
 
-// Images of a sheet that would be too wide are made smaller.
+// Makes the images smaller if the sheet would be too wide.
 std::vector<CaptionedImage> Fitting(std::vector<CaptionedImage> images, int columns) {
   const Image& first = images.front().image;
   const double scale = static_cast<double>(kWidest) / (columns * first.width);

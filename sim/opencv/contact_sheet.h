@@ -5,7 +5,7 @@
 
 namespace assay::opencv {
 
-// render::ContactSheet, whose arguments have been checked.
+// Implements render::ContactSheet. The arguments must have been checked.
 render::Image ContactSheet(const std::vector<render::CaptionedImage>& images, int columns,
                            const std::vector<render::LegendEntry>& legend);
 

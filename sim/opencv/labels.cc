@@ -13,7 +13,7 @@ namespace {
 using render::Label;
 
 constexpr int kLabelFont = cv::FONT_HERSHEY_SIMPLEX;
-constexpr int kBeside = 14;  // pixels, of a text from what it is about
+constexpr int kBeside = 14;  // pixels between a text and the point that it labels
 constexpr int kPadding = 3;
 
 double LabelScale(const cv::Mat& picture) { return std::max(0.35, picture.cols / 1300.0); }
@@ -24,7 +24,8 @@ cv::Size BoxSize(const std::string& text, double scale) {
   return {size.width + 2 * kPadding, size.height + baseline + 2 * kPadding};
 }
 
-// Beside the point, on the side where there is more room, below the labels that are there already.
+// Returns a place beside the point, on the side with more room, below the labels that are already
+// there.
 cv::Rect PlaceBeside(const cv::Point& at, const cv::Size& size, const cv::Size& picture,
                      const std::vector<cv::Rect>& taken) {
   const int x = at.x < picture.width / 2 ? at.x + kBeside : at.x - kBeside - size.width;

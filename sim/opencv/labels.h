@@ -7,7 +7,7 @@
 
 namespace assay::opencv {
 
-// render::WithLabels.
+// Implements render::WithLabels.
 render::Image WithLabels(const render::Image& image, std::span<const render::Label> labels);
 
 }  // namespace assay::opencv

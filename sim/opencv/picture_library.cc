@@ -13,7 +13,7 @@ namespace {
 using render::HueSaturationValue;
 using render::Image;
 
-// Red, green and blue from 0 to 1.
+// Converts an image whose red, green and blue are between 0 and 1.
 std::vector<HueSaturationValue> InHsv(const cv::Mat& rgb) {
   cv::Mat hsv;
   cv::cvtColor(rgb, hsv, cv::COLOR_RGB2HSV);
@@ -85,7 +85,7 @@ class OpenCv : public render::PictureLibrary {
 }  // namespace
 }  // namespace assay::opencv
 
-// What render::Pictures asks the module for.
+// render::Pictures gets the library from the module by this function.
 extern "C" const assay::render::PictureLibrary* AssayPictureLibrary() {
   static const assay::opencv::OpenCv library;
   return &library;

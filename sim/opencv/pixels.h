@@ -8,10 +8,11 @@ class Mat;
 
 namespace assay::opencv {
 
-// The image's own bytes, which must outlive what is returned and not be written to: OpenCV has no
-// type for memory that is only read.
+// Returns a matrix over the image's own bytes. They must outlive the matrix, and must not be
+// written through it: OpenCV has no type for read-only memory.
 cv::Mat PixelsOf(const render::Image& image);
 
+// Returns an image with a copy of the matrix's bytes.
 render::Image ImageOf(const cv::Mat& rgb);
 
 }  // namespace assay::opencv

@@ -15,7 +15,8 @@ bool Has(const fs::path& folder, const char* kind) {
   return fs::is_directory(folder / kind, error);
 }
 
-// `models` with workcells in it, beside the file or above it; empty: there is none.
+// Returns the nearest `models` with workcells in it, beside the file or above it; empty if there is
+// none.
 fs::path AboveOf(const fs::path& file) {
   std::error_code error;
   fs::path folder = fs::weakly_canonical(fs::absolute(file), error).parent_path();
@@ -26,7 +27,8 @@ fs::path AboveOf(const fs::path& file) {
   }
 }
 
-// Those that were installed with this program, or those of the tree in which it was built.
+// Returns the models that were installed with this program, or else those of the tree in which it
+// was built.
 fs::path OfTheProgram() {
   std::error_code error;
   const fs::path executable = fs::read_symlink("/proc/self/exe", error);

@@ -12,8 +12,8 @@
 namespace assay::scenario {
 namespace {
 
-// Contacts are tuned for half a millisecond; twice that is the longest with which a held part still
-// slips by less than the clearances that are usual.
+// Contacts are tuned for half a millisecond. Twice that is the longest timestep with which a held
+// part slips by less than the usual clearances.
 constexpr domain::Range kTimesteps = {1e-5, 0.001};
 
 std::vector<std::string> ReadCameras(const Value& value) {
@@ -35,7 +35,8 @@ scene::GraspMode ReadGrasp(const Value& value) {
                                                 : scene::GraspMode::kWeld;
 }
 
-// For those who plan for one world: open poses are told apart by looking, and a plan is a tree.
+// Refuses open poses where a plan is made for one world. They are told apart by looking, so that a
+// plan for them is a tree.
 void RequireKnownPoses(const Document& document, const domain::Problem& problem,
                        const Overrides& overrides) {
   for (const domain::OpenPose& open : problem.open_poses) {
@@ -82,7 +83,7 @@ Scenario Load(const std::filesystem::path& file, const domain::ModelPath& models
 
 std::vector<domain::Problem> ReadWorlds(const Document& document, const domain::ModelPath& models,
                                         const Overrides& overrides) {
-  ReadSimulation(document);  // must be right
+  ReadSimulation(document);  // throws if the key is wrong
   return domain::ReadWorlds(document, FindModels(document.file(), models), overrides);
 }
 

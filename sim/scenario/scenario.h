@@ -10,38 +10,39 @@
 
 namespace assay::scenario {
 
-// The camera that is none of the scene's: it shows the parts that are worked on and the hand,
-// wherever they are.
+// The name of a camera that is not in the scene. It follows the hand and the parts that are worked
+// on.
 inline constexpr const char* kWorkCamera = "work";
 
-// What a scenario says about its simulation. The planner does not know it.
+// A scenario's settings for its simulation, which the planner does not know.
 struct Simulation {
-  std::uint64_t seed = 0;                 // of all that is random
-  scene::SceneOptions scene = {};         // keys grasp and timestep
+  std::uint64_t seed = 0;                 // of all random streams
+  scene::SceneOptions scene = {};         // from the keys grasp and timestep
   std::vector<std::string> cameras = {};  // for pictures, in this order
 };
 
-// A scenario file as a whole.
+// The content of a scenario file.
 struct Scenario {
   domain::Problem problem;
   Simulation simulation;
 };
 
-// Reads a scenario ("assay-scenario/1") with the models of FindModels, if none are given. Its key
-// `simulation`: {seed: 0 or more, grasp: friction or weld, timestep: seconds, cameras: [names]},
-// all of which may be left out. Throws InputError. Overrides are a sweep's: {.clearance: metres
-// instead of the file's, .error_scale: a factor}.
+// Reads a scenario ("assay-scenario/1"). `models` are the given folders for FindModels. The key
+// `simulation` has the form {seed: 0 or more, grasp: friction or weld, timestep: seconds, cameras:
+// [names]}; each of its keys may be left out. `overrides` come from a sweep: {.clearance: metres
+// instead of the file's, .error_scale: a factor}. Throws InputError, also if a pose is open.
 using domain::Overrides;
 Scenario Read(const Document& document, const domain::ModelPath& models = {},
               const Overrides& overrides = {});
-// The same of a file.
+// Reads a scenario from a file, as Read does.
 Scenario Load(const std::filesystem::path& file, const domain::ModelPath& models = {},
               const Overrides& overrides = {});
-// The problems alone, one for each world (domain::ReadWorlds). The others throw InputError if a
-// pose is open.
+// Reads only the problems, one for each world (domain::ReadWorlds). Open poses are allowed. Throws
+// InputError.
 std::vector<domain::Problem> ReadWorlds(const Document& document,
                                         const domain::ModelPath& models = {},
                                         const Overrides& overrides = {});
+// Reads the key `simulation` alone. Throws InputError.
 Simulation ReadSimulation(const Document& document);
 
 }  // namespace assay::scenario

@@ -41,10 +41,11 @@ class CertificateCheck {
     if (!first.IsNone()) steps.erase(steps.begin(), std::ranges::find(steps, first));
     return steps;
   }
-  // The steps of the trace that came to their ends.
+  // Returns how many steps of the trace came to their ends.
   std::size_t Ended() const { return trace_.All<exec::StepEnd>().size(); }
 
-  // To the steps on whose ways or in whose work they happened; on the way home to the last one.
+  // Assigns each collision to the step on whose way or in whose work it happened. A collision on
+  // the way home belongs to the last step.
   void SortCollisions() {
     std::size_t ended = 0;
     for (const exec::TraceEvent& event : trace_.events) {
@@ -97,10 +98,10 @@ class CertificateCheck {
     }
   }
 
-  // Preconditions of one name are one claim, or two: what was proved of them, and what was not. A
+  // Preconditions of one name make one claim, or two if only some of them were proved. A
   // precondition that was not proved may fail in a trial, or nothing may measure whether it does.
-  // Then neither the other preconditions of its step nor anything later is claimed: a finger that
-  // comes down on the part has moved it before the next precondition is measured.
+  // In both cases neither the other preconditions of its step nor anything later is claimed: a
+  // finger that comes down on the part has moved it before the next precondition is measured.
   void CheckPreconditions(const plan::PlannedStep& step, const StepEvents& events) {
     std::vector<Claim> claims;
     std::set<std::string> done;
@@ -143,16 +144,17 @@ class CertificateCheck {
         of_one_name, {}, [](const Claim& claim) { return claim.observed - claim.predicted.low; }));
   }
 
-  // The certified margin, less a tenth of it or, of lengths, of the clearance if that is less. The
-  // arm yields under load by a micrometre, which an execution without noise does not tell.
+  // Returns the certified margin less a tenth of it. For lengths, a tenth of the clearance is
+  // subtracted if that is less. The arm yields under load by a micrometre, which an execution
+  // without noise does not show.
   double Tested(double margin, Unit unit) const {
     const bool has_clearance = unit == Unit::kMetre && problem_.clearance > 0;
     const double known = has_clearance ? std::min(margin, problem_.clearance) : margin;
     return std::max(0.0, margin - kLeftToTheEngine * known);
   }
 
-  // By how much the condition holds for the subject whatever errs; for all of its subjects, if it
-  // does not tell them apart.
+  // Returns the margin by which the condition holds for the subject under all errors. If the
+  // certificate does not name the subject, it is the margin for all subjects of the condition.
   static double MarginOf(const std::string& condition, const std::string& subject,
                          const plan::Certificate& certificate) {
     double of_all = std::numeric_limits<double>::infinity();
@@ -165,9 +167,9 @@ class CertificateCheck {
     return std::isfinite(of_subject) ? of_subject : of_all;
   }
 
-  // A step whose preconditions hold comes to its end; that the arm reaches everything is one of
-  // them (assembly::WayConditions), if the plan was made with them. What the engine does when its
-  // numbers go bad, no certificate says.
+  // A step whose preconditions hold comes to its end. One of its preconditions is that the arm
+  // reaches everything, if the plan was made with assembly::WayConditions. No certificate says what
+  // the engine does when its numbers go bad.
   void CheckStopped() {
     const auto* end = std::get_if<exec::ExecutionEnd>(&trace_.events.back());
     if (end == nullptr) return;
@@ -202,8 +204,8 @@ class CertificateCheck {
   const plan::Plan& plan_;
   const exec::Trace& trace_;
   const HonestyGate& gate_;
-  std::vector<plan::StepId> steps_;     // that the trace may tell of, in the order of execution
-  std::vector<plan::StepId> collided_;  // once for each collision
+  std::vector<plan::StepId> steps_;     // that the trace may contain, in the order of execution
+  std::vector<plan::StepId> collided_;  // the step of each collision
   plan::StepId step_;
   bool assumed_ = true;
   std::vector<Claim> claims_;

@@ -11,51 +11,53 @@
 
 namespace assay::check {
 
-// How a claim of a certificate came out in one trial.
+// The verdict on a claim of a certificate in one trial.
 enum class ClaimVerdict {
-  kContained,     // what was observed is where the certificate says
-  kInconclusive,  // outside, but by less than the engine can tell from nothing
+  kContained,     // the observed value is where the certificate says
+  kInconclusive,  // outside, but by less than the engine can resolve
   kViolated,      // outside by more than that
-  kNotClaimed,    // an assumption that the certificate had left unproved did not hold
+  kNotClaimed,    // an assumption that the certificate left unproved did not hold
 };
 std::string_view Name(ClaimVerdict verdict);  // "not-claimed"
 
-// 0 for the worst, kViolated, and then in the order violated, inconclusive, contained, not claimed.
+// Returns the place in the order violated, inconclusive, contained, not claimed. The worst,
+// kViolated, has rank 0.
 int Rank(ClaimVerdict verdict);
 
-// What a claim is about.
+// The subject of a claim.
 enum class Claimed {
   kBefore,        // a component of an input error set
-  kPrecondition,  // by how much the geometric meaning of a precondition holds
+  kPrecondition,  // the margin by which a precondition's geometric meaning holds
   kAfter,         // a component of an output error set
 };
 std::string_view Name(Claimed claimed);  // "before", "precondition", "after"
 
-// One thing that a certificate says, and what was observed of it.
+// One statement of a certificate, and what was observed of it.
 struct Claim {
   plan::StepId step;
   Claimed about = Claimed::kAfter;
   std::string name;  // "x of block", "between fingers: contact 1 of block"
   Unit unit = Unit::kNone;
-  // That the observed value lies in: what the certificate says, and what is known of the engine
-  // (HonestyGate). An end may be infinite.
+  // The interval that must hold the observed value: what the certificate says, widened by what is
+  // known of the engine (HonestyGate). An end may be infinite.
   Interval predicted;
   bool proved = true;  // false: a precondition that the planner could not prove
   double observed = 0;
-  double margin = 0;  // to the nearer end; negative: outside
-  double gate = 0;    // what the engine cannot tell from 0, in the same unit
+  double margin = 0;  // distance to the nearer end; negative outside
+  double gate = 0;    // the deviation that the engine cannot resolve, in the same unit
   ClaimVerdict verdict = ClaimVerdict::kContained;
 
   bool IsViolated() const { return verdict == ClaimVerdict::kViolated; }
 };
 
-// The verdict on what was observed: violated beyond the gate, inconclusive within it.
+// Returns the claim with margin and verdict set from the observed value. A value outside is
+// inconclusive within the gate and violated beyond it.
 Claim Judged(Claim claim);
 
-// Whether both are about the same.
+// Returns whether both claims are about the same step, subject and name.
 bool IsSame(const Claim& a, const Claim& b);
 
-// How many came out how.
+// The number of claims with each verdict.
 struct VerdictCounts {
   std::int64_t contained = 0, inconclusive = 0, violated = 0, not_claimed = 0;
 
@@ -67,10 +69,10 @@ struct VerdictCounts {
   std::int64_t Total() const { return contained + inconclusive + violated + not_claimed; }
 };
 
-// Whether a is worse than b: by verdict, then by margin (AsLength).
+// Returns whether `a` is worse than `b`: first by verdict, then by margin (AsLength).
 bool IsWorse(const Claim& a, const Claim& b);
 
-// Of all claims about one step the worst.
+// The verdict on one step's certificate, which is that of its worst claim.
 struct CertificateVerdict {
   plan::StepId step;
   ClaimVerdict verdict = ClaimVerdict::kNotClaimed;

@@ -5,8 +5,8 @@
 namespace assay::check {
 namespace {
 
-// What is observed when the timestep goes to 0, if that is farther inside; no farther than to the
-// other end of what is predicted.
+// Replaces the observed value by its limit for a timestep of 0, if that is farther inside. The
+// value is not moved beyond the other end of the prediction.
 Claim Extrapolated(Claim claim, const Claim& finer) {
   if (finer.margin <= claim.margin) return claim;
   const double limit = 2 * finer.observed - claim.observed;

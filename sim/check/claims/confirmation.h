@@ -8,18 +8,20 @@
 
 namespace assay::check {
 
-// The same scene with half the timestep: what changes is the engine's, not the world's.
+// Returns the same scene with half the timestep. What changes with the timestep is an error of the
+// engine, not of the world.
 scene::SceneOptions Finer(scene::SceneOptions options);
 
-// No claim is called violated before the same was executed with half the timestep: `finer` does
-// so, and is called only if something is violated.
+// Returns the claims after every violated one was compared with an execution at half the timestep.
+// `finer` makes that execution, and is called only if a claim is violated.
 //
-// Errors of an engine of first order in the timestep are halved, so that what is left of a margin
-// when the timestep goes to 0 is as much beyond the finer one as that is beyond the coarse one
-// (Richardson). So much is known of the engine in this very case, and subtracted. It does not
-// matter whether the finer execution still claims what it observes: outside is outside. What it
-// does not observe, since it did not come there or it did not happen, is inconclusive, unless it
-// violates something else.
+// If the engine's error is of first order in the timestep, half the timestep halves it. The limit
+// for a timestep of 0 then differs from the finer value by as much as the finer value differs from
+// the coarse one (Richardson extrapolation). This gives the engine's share in this very case, which
+// is subtracted. It does not matter whether the finer execution claims its observation: a value
+// outside is outside. The finer execution may not observe the claim at all, because it did not come
+// there or nothing happened. The claim is then inconclusive, unless the finer execution violates
+// another claim.
 std::vector<Claim> Confirmed(std::vector<Claim> claims,
                              const std::function<std::vector<Claim>()>& finer);
 

@@ -21,7 +21,7 @@ constexpr double kOnPlane = 1e-9;   // metres
 bool IsHole(const Feature& feature) { return !feature.mouths.empty(); }
 bool IsShaft(const Feature& feature) { return !IsHole(feature) && !feature.is_plain_face(); }
 
-// What of a convex outline is behind the plane of a face.
+// Returns the part of a convex outline that lies behind the plane of a face.
 std::vector<Vector3> Behind(const domain::Face& face, const std::vector<Vector3>& outline) {
   std::vector<Vector3> behind;
   for (std::size_t i = 0; i < outline.size(); ++i) {
@@ -37,8 +37,9 @@ std::vector<Vector3> Behind(const domain::Face& face, const std::vector<Vector3>
   return behind;
 }
 
-// The corners of a shaft's faces, in the frame of the feature: z = 0 at the tip. Of a face that
-// goes on beyond the shaft, as the tips of shaft and key are one face, what is between its sides.
+// Returns the corners of a shaft's faces in the frame of the feature, where z = 0 at the tip. A
+// face that goes on beyond the shaft is cut off at the shaft's sides. An example is a face that is
+// the tip of both shaft and key.
 std::vector<Vector3> Corners(const PartModel& model, const Feature& shaft) {
   const Pose X_FeaturePart = shaft.X_PartFeature.inverse();
   const Vector3 axis = shaft.X_PartFeature.linear().col(2);
@@ -60,7 +61,7 @@ std::vector<Vector3> Corners(const PartModel& model, const Feature& shaft) {
   return corners;
 }
 
-// A shaft and its hole, whichever part moves.
+// A shaft and its hole. Either part may be the one that moves.
 class Fit {
  public:
   Fit(const PartModel& hole_model, const Feature& hole, const PartModel& shaft_model,
@@ -73,17 +74,18 @@ class Fit {
     }
   }
 
-  // How far the tip is behind the mouth: X_HoleShaft takes the shaft's part to the hole's.
+  // Returns how far the tip is behind the mouth. X_HoleShaft maps the shaft part's frame to the
+  // hole part's.
   double Depth(const Pose& X_HoleShaft) const {
     return -(hole_.X_PartFeature.inverse() * X_HoleShaft * shaft_.X_PartFeature).translation().z();
   }
 
-  // Of the corners that are no more than `engaged` behind the tip.
+  // Returns how far the corners that are at most `engaged` behind the tip are inside the walls.
   double InsideWalls(const Pose& X_HoleShaft, double engaged) const {
     double worst = kInfinity;
     for (const Vector3& corner : corners_) {
       if (corner.z() < -kTipLayer && engaged <= 0) continue;
-      // What stands out of the hole is as far off as where the shaft passes the mouth.
+      // A corner outside the hole counts as the point on its edge where the shaft passes the mouth.
       const Vector3 inside(corner.x(), corner.y(), std::max(corner.z(), -engaged));
       const Vector3 p = X_HoleShaft * shaft_.X_PartFeature * inside;
       for (const domain::Face* wall : walls_) {
@@ -99,7 +101,7 @@ class Fit {
   const Feature& hole_;
   const Feature& shaft_;
   std::vector<Vector3> corners_;
-  std::vector<const domain::Face*> walls_;  // the sides
+  std::vector<const domain::Face*> walls_;  // the sides of the hole
 };
 
 Pose MovedOn(const Motion& motion, double distance) {

@@ -10,26 +10,28 @@ namespace assay::check {
 
 inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-// How a held part truly moves to its seat, in the frame of the fixed part.
+// The true motion of a held part to its seat, in the fixed part's frame.
 struct Motion {
-  geometry::Pose X_FixedHeld;   // where it starts
-  geometry::Vector3 direction;  // unit
+  geometry::Pose X_FixedHeld;   // pose at the start
+  geometry::Vector3 direction;  // unit vector
 };
 
-// By how much shafts fit into their holes in this motion, the worst of all pairs of a mating;
-// infinite if it has none. Metres.
+// The margins by which shafts fit into their holes in a motion, in metres: the least over all pairs
+// of a mating. They are infinite if the mating has no shaft in a hole.
 struct FitMargins {
-  double entry = 0;     // of the tip's corners inside the walls, in the plane of the mouth
-  double slide_in = 0;  // of the engaged shaft's corners inside the walls, at the seat and with the
-                        // tip in the mouth, without bevels
+  // How far the corners of the tip are inside the walls, in the plane of the mouth.
+  double entry = 0;
+  // How far the corners of the engaged shaft are inside the walls, without bevels. It is the lesser
+  // of the values at the seat and with the tip in the mouth.
+  double slide_in = 0;
 };
 FitMargins MarginsOfFits(const domain::Problem& problem, const domain::Mating& mating,
                          const Motion& motion);
 
-// How far shafts lean across the slots of their holes.
+// The lean of a shaft across one slot of its hole.
 struct Lean {
-  std::string slot;  // domain::NameOf
-  double sine = 0;   // of the angle between the shaft's axis and the slot's walls
+  std::string slot;  // the name from domain::NameOf
+  double sine = 0;   // sine of the angle between the shaft's axis and the slot's walls
 };
 std::vector<Lean> LeansInSlots(const domain::Problem& problem, const domain::Mating& mating,
                                const Motion& motion);

@@ -21,7 +21,7 @@ using geometry::Pose;
 using geometry::Vector2;
 using geometry::Vector3;
 
-// What a step does with which part.
+// The part that a step handles, and how the hand holds it.
 struct Handling {
   PartId part;
   const plan::Hold* hold;
@@ -37,13 +37,13 @@ struct HandlingOf {
   Handling operator()(const auto& action) const { return {action.part, &action.hold}; }
 };
 
-// Nothing is to be told of what is infinitely far.
+// A distance that is infinite has no subject to report.
 void AddInMetres(std::string subject, double observed, std::vector<GeometricMeaning>& meanings) {
   if (std::isfinite(observed)) meanings.push_back({std::move(subject), Unit::kMetre, observed});
 }
 
-// How far bodies are from each other. Shapes that overlap are at no distance; what only just keeps
-// clear is at some.
+// Adds a clearance between two bodies. The distance of shapes that overlap is 0, their depth
+// unknown, so that they get a fixed negative value.
 void AddClearance(std::string subject, double distance, std::vector<GeometricMeaning>& meanings) {
   constexpr double kOverlap = 1e-3;  // metres, of unknown depth
   if (!std::isfinite(distance)) return;
@@ -62,7 +62,7 @@ class Meaning {
         gripper_(problem.workcell->gripper()),
         handling_(std::visit(HandlingOf{problem}, step.action)) {}
 
-  // The grasp frame of the true part in the frame of the true tool.
+  // Returns the grasp frame of the true part in the frame of the true tool.
   Pose GraspInTool(const exec::Moment& moment) const {
     return moment.tool.truth.inverse() * PartAt(moment) * handling_.hold->X_PartTool;
   }
@@ -123,10 +123,10 @@ class Meaning {
     return meanings;
   }
 
-  // How far from where it was expected the guarded motion met something, at most the guarded travel
-  // off; beyond it, if it met nothing. X_WorldExpected, X_WorldEnd: where the part is believed to
-  // come to its end, and where it truly does. Pads that bear less than what stops the motion slide
-  // down on the part: then it met something where the part stopped.
+  // Returns the margin by which the guarded motion met something within the guarded travel of where
+  // that was expected; negative if it met nothing. X_WorldExpected and X_WorldEnd are the believed
+  // and the true pose of the part at its end. Pads that bear less than the stop force slide down on
+  // the part. The motion has then met something where the part stopped.
   double MetOnGuardedWay(const exec::Moment& reached, const Pose& X_WorldExpected,
                          const Pose& X_WorldEnd, const Vector3& direction) const {
     const double travel = problem_.workcell->rules().guarded_travel;
@@ -174,8 +174,8 @@ class Meaning {
     return meanings;
   }
 
-  // Where the hand acts, where it was stopped on its way, and where it goes straight to its work or
-  // from it with open fingers.
+  // Measures the hand where it acts, where it was stopped on its way, and with open fingers along
+  // the straight line to its work or from it.
   std::vector<GeometricMeaning> HandClear() const {
     std::vector<GeometricMeaning> meanings;
     for (std::size_t p = 0; p < problem_.parts.size(); ++p) {
@@ -197,7 +197,8 @@ class Meaning {
     return geometry::Distance(problem_.workcell->HandShape(opening), at.tool.truth,
                               problem_.part(part).model->shape(), at.parts[part.index()].truth);
   }
-  // All along the straight line on which the hand comes to its work, or leaves it.
+  // Returns the least distance of the open hand from the part along the straight line on which the
+  // hand comes to its work or leaves it.
   double Opened(PartId part, const exec::Moment& at) const {
     const geometry::CollisionShape hand = problem_.workcell->HandShape(gripper_.max_opening());
     double nearest = kInfinity;
@@ -210,8 +211,8 @@ class Meaning {
     }
     return nearest;
   }
-  // Of the hand from the part between its pads, and of each finger from what of that stands out of
-  // the plane in which its pad is to touch.
+  // Returns the least of two distances: of the hand from the part between its pads, and of each
+  // finger from the boxes of that part that stand out of the plane in which its pad is to touch.
   double BesidePads(const exec::Moment& at) const {
     const double opening = std::clamp(at.opening, 0.0, gripper_.max_opening());
     const std::vector<geometry::Box> fingers = gripper_.FingerBoxes(opening);
@@ -241,8 +242,9 @@ class Meaning {
     }
     return beyond;
   }
-  // Along the mating motion, from where the held part was poised: past the fixed part until shafts
-  // come to the mouths of their holes, past others to the end.
+  // Measures clearances along the mating motion from where the held part was poised. They are from
+  // the fixed part until the shafts come to the mouths of their holes, and from other parts to the
+  // end.
   std::vector<GeometricMeaning> PassingClear(const exec::Moment& poised) const {
     double depth = 0;
     for (const domain::ShaftFit& fit : domain::FitsOf(problem_, mating())) {
@@ -272,18 +274,18 @@ class Meaning {
   const domain::Mating& mating() const {
     return problem_.mating(std::get<plan::Assemble>(step_.action).mating);
   }
-  // Along which the held part goes, world frame, as it is believed.
+  // Returns the direction in which the held part is believed to move, in the world frame.
   Vector3 MatingDirection(const exec::Moment& at) const {
     return (at.parts[mating().fixed.index()].believed.linear() * mating().mating_vector)
         .normalized();
   }
-  // The true pose of the held part in the fixed one's frame, and the direction in which it moves.
+  // Returns the true pose of the held part in the fixed part's frame, and its direction of motion.
   Motion MatingMotion(const exec::Moment& poised) const {
     const Pose X_FixedWorld = poised.parts[mating().fixed.index()].truth.inverse();
     return {X_FixedWorld * poised.parts[mating().held.index()].truth,
             X_FixedWorld.linear() * MatingDirection(poised)};
   }
-  // Where the strategy starts: the true tip against the believed one, as the fixed part sees both.
+  // Compares the true tip with the believed one at the strategy's start, in the fixed part's frame.
   GeometricMeaning TipError(const exec::Moment& poised, bool of_turn) const {
     const plan::Strategy& strategy = *step_.strategy;
     const Pose X_HandTip = handling_.hold->X_PartTool.inverse() * strategy.X_HeldTip;
@@ -296,7 +298,8 @@ class Meaning {
     if (!of_turn) return {{}, Unit::kMetre, (absorbed.d - shift.cwiseAbs()).minCoeff()};
     return {{}, Unit::kRadian, (absorbed.w - (turn.angle() * turn.axis()).cwiseAbs()).minCoeff()};
   }
-  // Shafts that are alike may share a precondition: then the least limit of all is theirs.
+  // Shafts that are alike may share a precondition, and the least of its limits then holds for
+  // each.
   std::vector<GeometricMeaning> Tilts(const exec::Moment& poised) const {
     std::vector<GeometricMeaning> meanings;
     for (const Lean& lean : LeansInSlots(problem_, mating(), MatingMotion(poised))) {
@@ -316,13 +319,13 @@ class Meaning {
     return std::isfinite(of_subject) ? of_subject : of_all;
   }
 
-  // Along the tool's y, as the grasp numbers them.
+  // Positions along the tool's y axis, as the grasp numbers contacts and fingers.
   static constexpr double kFirstContact = 0.5;  // of the width
   static constexpr double kFirstFinger = -1;    // of half the opening
   static constexpr double kStandsOn = 1e-3;     // metres above the table
   static constexpr double kFlush = 1e-6;        // metres by which a face may stand out of its plane
   static constexpr double kBeforeMouth = 1e-3;  // metres
-  static constexpr int kPlaces = 16;            // along a straight line
+  static constexpr int kPlaces = 16;            // points along a straight line
 
  private:
   const Pose& PartAt(const exec::Moment& moment) const {
@@ -344,7 +347,8 @@ Meanings InMetres(double observed) {
   return meanings;
 }
 
-// A wrist that yields makes room that is not there before the walls push.
+// A wrist that yields makes room that is not there before the walls push, so that the certified
+// margin cannot be expected of the observed value.
 Meanings InsideWalls(double observed, const domain::Problem& problem) {
   Meanings meanings = InMetres(observed);
   for (GeometricMeaning& meaning : meanings) {

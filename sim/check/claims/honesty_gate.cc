@@ -6,9 +6,9 @@
 namespace assay::check {
 namespace {
 
-constexpr double kRounding = 1e-9;  // metres, radians: products of dozens of poses
+constexpr double kRounding = 1e-9;  // metres or radians, after products of dozens of poses
 
-// What goes either way.
+// Returns the engine's error that widens a prediction at both ends.
 double EitherWay(Unit unit, const StepGate& gate) {
   if (unit == Unit::kNone) return 0;
   const double shift = unit == Unit::kMetre ? gate.lag + gate.penetration

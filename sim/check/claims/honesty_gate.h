@@ -9,40 +9,42 @@
 
 namespace assay::check {
 
-// What the engine makes of a plan that is executed without any error: what is known of it is
-// subtracted from what is observed under noise, and what is not known says nothing about a
-// prediction.
+// The noise floor: what the engine makes of a plan that is executed without any error. Known errors
+// of the engine are subtracted from what is observed under noise. Observations within the engine's
+// unknown errors prove nothing about a prediction.
 
-// Of one claim, in its unit.
+// The part of the noise floor that belongs to one claim, in the claim's unit.
 struct ComponentGate {
   Claimed about = Claimed::kAfter;
-  std::string name;      // as in Claim
-  double offset = 0;     // what is observed without noise; of a precondition 0
-  double step_size = 0;  // by how much that is more than with half the timestep; has a sign
+  std::string name;   // the name as in Claim
+  double offset = 0;  // the observed value without noise; 0 for a precondition
+  double step_size = 0;
 };
 
-// Of one step. Lengths are metres, angles radians.
+// The part of the noise floor that belongs to one step. Lengths are in metres, angles in radians.
 struct StepGate {
   std::vector<ComponentGate> components = {};
-  double arm = 1;          // over which penetration turns a part: the pads' smaller half extent
-  double penetration = 0;  // the deepest contact of a hand that is kept still
-  double lag = 0;          // of the hand behind what it was told
+  double arm = 1;
+  double penetration = 0;  // depth of the deepest contact while the hand is kept still
+  double lag = 0;          // distance of the hand from where it was told to be
   double lag_turn = 0;
 };
 
 struct HonestyGate {
   std::vector<StepGate> steps = {};  // by StepId; empty: nothing is known but rounding
 
-  // The claim with what is known of the engine in its prediction, and with its gate. Penetration
-  // and lag go either way. What the timestep does has a sign, and vanishes in proportion to the
-  // timestep or faster: it is once to twice as much as half the timestep takes of it, so that once
-  // is known, and once more cannot be told from nothing.
+  // Returns the claim with what is known of the engine added to its prediction, and with its gate
+  // set. Penetration and lag widen the prediction at both ends. What the timestep does has a sign,
+  // and vanishes in proportion to the timestep or faster. It is therefore one to two times the
+  // change that half the timestep makes: that change counts as known, and as much again is the
+  // gate.
   Claim Passed(Claim claim) const;
-  // By how much a false prediction may be left unnoticed: all of that at one end.
+  // Returns how wrong a prediction may be at one end without being noticed.
   double Floor(const Claim& claim) const;
-  // Of a claim that has passed: whether that is more than the width of what the certificate says.
-  // What has no width, preconditions and sets that are narrower than what goes either way, is held
-  // against the clearance (metres; of angles: over the arm).
+  // Returns whether the floor of a claim from Passed is greater than the width of its certified
+  // interval. Preconditions have no width, and a set narrower than penetration and lag counts as
+  // one without. Their floor is compared with the clearance instead, in metres, or with the
+  // clearance over the arm for angles.
   bool Hides(const Claim& passed, double clearance) const;
 };
 

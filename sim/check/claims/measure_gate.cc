@@ -41,7 +41,8 @@ class NoiselessExecution {
   std::vector<Claim> Claims() { return CheckCertificates(problem_, plan_, trace(), {}); }
 
  private:
-  // The first look is after the steps that the empty hand went with, in which contacts are deeper.
+  // The first look follows the larger timesteps of the empty hand's motion, in which contacts are
+  // deeper.
   void HoldStill(plan::StepId id) {
     const exec::Checkpoint checkpoint = execution_.Save();
     const double end = data_.time() + kHold;
@@ -74,7 +75,7 @@ void AddComponent(const Claim& coarse, const std::vector<Claim>& fine, StepGate&
   gate.components.push_back({coarse.about, coarse.name, of_set ? coarse.observed : 0, change});
 }
 
-// Without noise the hand is to be where it was told to go.
+// Without noise the hand should be where it was told to go, so that its error is the arm's lag.
 void AddLag(const exec::Moment& moment, StepGate& gate) {
   const geometry::Pose off = moment.tool.believed.inverse() * moment.tool.truth;
   gate.lag = std::max(gate.lag, off.translation().norm());

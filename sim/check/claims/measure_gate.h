@@ -4,7 +4,7 @@
 
 namespace assay::check {
 
-// Executes the plan twice without noise, once with half the timestep.
+// Measures the noise floor by executing the plan twice without noise, once with half the timestep.
 HonestyGate MeasureGate(const domain::Problem& problem, const plan::Plan& plan,
                         const scene::SceneOptions& scene);
 

@@ -7,18 +7,18 @@
 
 namespace assay::check {
 
-// What is wrong with a plan before any error is drawn.
+// The defects of a plan that show before any error is drawn.
 struct Noiseless {
-  std::vector<Claim> violated;  // claims that do not even hold without noise
-  // Claims that nobody can test: what the engine makes of them without noise is wider than what the
-  // certificate says (HonestyGate::Hides).
+  std::vector<Claim> violated;  // claims that do not hold even without noise
+  // Claims that nobody can test: the noise floor is wider than what the certificate says
+  // (HonestyGate::Hides).
   std::vector<Claim> hidden;
 
   bool Holds() const { return violated.empty() && hidden.empty(); }
 };
 
-// Executes the plan without noise. Attempts and trials under noise say something only of a plan
-// that holds there.
+// Executes the plan without noise. Attempts and trials under noise prove something only about a
+// plan whose result Holds().
 Noiseless ExecuteWithoutNoise(const Experiment& experiment);
 
 }  // namespace assay::check

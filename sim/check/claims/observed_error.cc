@@ -33,7 +33,7 @@ class Components {
 
 void AddInHand(const plan::ErrorSet& set, const Pose& X_ToolGrasp, Components& components) {
   const Vector3 p = X_ToolGrasp.translation();
-  // R = R_z(theta) R_x(tip) R_y(twist).
+  // The order of rotations is R = R_z(theta) R_x(tip) R_y(twist).
   const Matrix3 R = X_ToolGrasp.linear();
   components.Add("x", Unit::kMetre, set.x, p.x());
   components.Add("y", Unit::kMetre, set.y, p.y());

@@ -9,7 +9,7 @@
 
 namespace assay::check {
 
-// One component of an error set, and what it truly was.
+// One component of an error set, and its true value.
 struct ObservedError {
   std::string name;  // "x of block"
   Unit unit = Unit::kMetre;
@@ -17,16 +17,17 @@ struct ObservedError {
   double observed = 0;
 };
 
-// The components of what a certificate says of a part, measured at a moment at which that is to
-// hold.
+// Returns the components of an error set with their true values at `moment`, a snapshot at which
+// the set is to hold.
 std::vector<ObservedError> ObservedErrors(const domain::Problem& problem,
                                           const plan::Action& action, const plan::ErrorSet& set,
                                           const exec::Moment& moment);
 
-// How the action holds its part; not for a look, which holds none.
+// Returns how the action holds its part. The action must not be a look, which holds none.
 const plan::Hold& HoldOf(const plan::Action& action);
 
-// The angle about the world's vertical by which a nearly upright rotation turns.
+// Returns the angle, in radians, by which a nearly upright rotation turns about the world's
+// vertical.
 double YawOf(const geometry::Matrix3& rotation);
 
 }  // namespace assay::check

@@ -7,20 +7,24 @@
 
 namespace assay::check {
 
-// What a trace says of one step. Null, or false: it did not come to that.
+// The events of one step in a trace. A pointer is null, or a flag false, if the event did not
+// happen.
 struct StepEvents {
   plan::StepId step;
-  const exec::Moment* poised = nullptr;   // before the first attempt
-  const exec::Moment* reached = nullptr;  // of the first attempt
-  const exec::Moment* acted = nullptr;    // likewise
+  const exec::Moment* poised = nullptr;  // snapshot before the first attempt
+  // Snapshot of the first attempt, where the tool acts.
+  const exec::Moment* reached = nullptr;
+  // Snapshot of the first attempt, after gripper or sensor acted.
+  const exec::Moment* acted = nullptr;
   const exec::Moment* end = nullptr;
-  const exec::Moment* stopped = nullptr;  // where the execution broke off before the step's end
+  // Snapshot where the execution broke off before the step's end.
+  const exec::Moment* stopped = nullptr;
   const exec::LookRecord* look = nullptr;
-  std::optional<bool> resisted = {};  // of the first attempt's guarded move
-  bool recovered = false;             // it was tried more than once
+  std::optional<bool> resisted = {};  // whether the first attempt's guarded move met resistance
+  bool recovered = false;             // the step was tried more than once
 };
 
-// Of the steps that were begun, in the order of execution.
+// Returns the events of all steps that were begun, in the order of execution.
 std::vector<StepEvents> EventsByStep(const exec::Trace& trace);
 
 }  // namespace assay::check

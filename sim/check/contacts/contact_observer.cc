@@ -12,22 +12,24 @@ namespace {
 
 using finemotion::PrimitiveContact;
 
-// What touches is in the other part by less than a micrometre; positions are in the middle.
+// Parts that touch overlap by less than a micrometre. The engine's contact points are in the middle
+// of the overlap.
 constexpr double kTouching = 2e-5;  // metres of gap
 constexpr double kNear = 1e-4;      // metres between the points
-constexpr double kAlike = 0.99;     // cosine between the normals
-constexpr double kReach = 2e-4;     // metres, of contacts that are looked at
-// Rotations by which a feature that lies on another may have sunk into it.
+constexpr double kAlike = 0.99;     // cosine of the angle between the normals
+constexpr double kReach = 2e-4;     // metres; contacts within this gap are considered
+// Radians by which a feature that lies on another may have turned as it sank into it.
 constexpr double kSunkTurn = 2e-3;
 
-// A primitive contact that a point may be of.
+// A primitive contact that may bear a point's force.
 struct Candidate {
   ContactKey key;
-  Vector3 at;           // relative to the point
-  double distance = 0;  // metres; wanted ones are given kNear
+  Vector3 at;           // position relative to the point
+  double distance = 0;  // metres; reduced by kNear for wanted contacts
 };
 
-// The nearest first; of those at one place the first only.
+// Returns the candidates with the nearest first. If several are at one place, only the first is
+// kept.
 std::vector<Candidate> CandidatesFor(const ContactPoint& point,
                                      const std::vector<PrimitiveContact>& contacts,
                                      const Pose& X_FixedTip,
@@ -50,16 +52,20 @@ std::vector<Candidate> CandidatesFor(const ContactPoint& point,
   return apart;
 }
 
-// The point as a mean of the candidates', their weights adding up to 1.
+// Returns nonnegative weights that add up to 1 and make the point the mean of the candidates'
+// places.
 Eigen::VectorXd Shares(const std::vector<Candidate>& candidates) {
-  constexpr double kSum = 1;  // metres that an error of the sum counts as; more than parts are long
+  // An error in the sum of the weights counts as this many metres, which is more than parts are
+  // long.
+  constexpr double kSum = 1;
   Eigen::MatrixXd a(4, std::ssize(candidates));
   for (Eigen::Index i = 0; i < a.cols(); ++i)
     a.col(i) << candidates[static_cast<std::size_t>(i)].at, kSum;
   return finemotion::NonnegativeLeastSquares(a, Eigen::Vector4d(0, 0, 0, kSum));
 }
 
-// It is there and not farther off, nor past an end, than `most` metres.
+// Returns whether the contact exists with a gap of at most `most` metres, and lies past none of its
+// ends by more than `most` metres.
 bool StillTouches(const PrimitiveContact* contact, double most) {
   if (contact == nullptr || contact->offset > most) return false;
   return std::ranges::all_of(contact->limits, [&](const finemotion::HalfSpace& limit) {
@@ -112,7 +118,7 @@ void ContactObserver::operator()(const mujoco::Data& data, int motion) {
   }
 }
 
-// Those of the present that bear a force.
+// Returns the present contact points that bear a force.
 std::vector<ContactPoint> ContactObserver::PointsOf(const mujoco::Data& data) {
   const mujoco::BodyId fixed = scene_.Body(mating_.fixed);
   const mujoco::BodyId held = scene_.Body(mating_.held);

@@ -16,44 +16,46 @@ using geometry::Vector3;
 
 // A point at which the engine lets two parts press on each other.
 struct ContactPoint {
-  Vector3 at = Vector3::Zero();      // fixed part's frame, metres
-  Vector3 normal = Vector3::Zero();  // from the fixed part to the held one, unit
+  Vector3 at = Vector3::Zero();      // metres, in the fixed part's frame
+  Vector3 normal = Vector3::Zero();  // unit vector from the fixed part to the held one
   double force = 0;                  // newtons, along the normal
 };
 
-// A force that a primitive contact bears.
+// A primitive contact and the force that it bears.
 struct ContactLoad {
   ContactKey contact;
-  double force = 0;  // newtons, along its normal
+  double force = 0;  // newtons, along the contact's normal
 };
 
-// What bears a point's force, of the contacts of the true pose (their rows linearized there): what
-// touches, with this normal. That is the contact at this point; where features meet, at a corner or
-// at an edge's end, several are there and no engine tells them apart: then one that is wanted, and
-// else the nearest. Where an edge or a face lies on another one, the engine may press anywhere
-// between the contacts at its ends: they share the force as a lever would have it. Empty: the point
-// is of no contact of the model.
+// Returns the primitive contacts that bear a point's force, with the share of each. `contacts` are
+// those of the true pose X_FixedTip, with their rows linearized there. A contact that touches at
+// the point, with the point's normal, bears all of the force. Where features meet, at a corner or
+// at an edge's end, several contacts are at one place and no engine tells them apart. One that is
+// in `wanted` is then taken, or else the nearest. Where an edge or a face lies on another one, the
+// engine may press anywhere between the contacts at its ends, which share the force by the law of
+// the lever. The result is empty if the point belongs to no contact of the model.
 std::vector<ContactLoad> LoadsOf(const ContactPoint& point,
                                  const std::vector<finemotion::PrimitiveContact>& contacts,
                                  const Pose& X_FixedTip, const PlannedContacts::Motion& wanted);
 
+// The contacts of a trial over time, with counts of the engine's contact points.
 struct ObservedContacts {
   std::vector<ContactSpan> spans = {};
-  int points = 0;    // of the engine, over all samples
-  int unmapped = 0;  // of these: of no contact of the model
+  int points = 0;    // contact points of the engine, over all samples
+  int unmapped = 0;  // points that belong to no contact of the model
   std::string first_unmapped = {};
 };
 
-// Tells by the engine's contacts what touches in a mating (an exec::MotionObserver). Stiff parts
-// that slide on each other do not press all the time: the engine lets them rebound by less than a
-// micrometre, so that most samples find no force. A contact is made when it is pressed on, and
-// lasts as long as its gap stays below kApart. The way on in the crevice is not looked at. All that
-// it is given must outlive it.
+// Observes which contacts a mating makes, from the engine's contact points (see
+// exec::MotionObserver). Stiff parts that slide on each other do not press all the time: the engine
+// lets them rebound by less than a micrometre, so that most samples find no force. A contact is
+// therefore made when it is pressed on, and lasts as long as its gap stays below kApart. The way on
+// in the crevice is not observed. All arguments of the constructor must outlive the observer.
 class ContactObserver {
  public:
   static constexpr double kInterval = 0.002;   // seconds between samples
-  static constexpr double kLeastForce = 0.05;  // newtons, that count as pressing
-  static constexpr double kApart = 2e-5;       // metres; what planned contacts may be off, too
+  static constexpr double kLeastForce = 0.05;  // newtons; the least force that counts as pressing
+  static constexpr double kApart = 2e-5;       // metres; the slack that plans give kept contacts
 
   ContactObserver(const scene::Scene& scene, const domain::Mating& mating,
                   const finemotion::MatingGeometry& geometry, const PlannedContacts& planned);
@@ -73,7 +75,7 @@ class ContactObserver {
   const finemotion::MatingGeometry& geometry_;
   const PlannedContacts& planned_;
   finemotion::ContactFinder finder_;
-  mujoco::Data scratch_;  // forces of the present are to be had by a forward pass only
+  mujoco::Data scratch_;  // for forces, which the engine has after a forward pass only
   double next_ = 0;
   ContactSet touching_;  // at the last sample
   ObservedContacts seen_;

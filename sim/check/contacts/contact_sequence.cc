@@ -20,7 +20,7 @@ void Add(const ContactKey& key, ContactSet& set) {
 
 std::vector<ContactSpan> Bridged(const std::vector<ContactSpan>& spans, double dwell) {
   std::vector<ContactSpan> bridged = spans;
-  std::map<ContactKey, std::size_t> last;  // span in which a contact was there
+  std::map<ContactKey, std::size_t> last;  // the last span with the contact
   for (std::size_t i = 0; i < spans.size(); ++i) {
     ASSAY_CHECK(i == 0 || spans[i].start >= spans[i - 1].start, "spans in their order");
     for (const ContactKey& key : spans[i].contacts) {
@@ -35,7 +35,7 @@ std::vector<ContactSpan> Bridged(const std::vector<ContactSpan>& spans, double d
 }
 
 std::vector<ObservedState> StatesOf(const std::vector<ContactSpan>& bridged, double dwell) {
-  std::vector<ObservedState> phases;  // however short
+  std::vector<ObservedState> phases;  // contact sets of any duration
   for (const ContactSpan& span : bridged) {
     if (phases.empty() || phases.back().contacts != span.contacts)
       phases.push_back({span.contacts, span.start, 0, span.motion});

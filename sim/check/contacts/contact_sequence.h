@@ -8,9 +8,9 @@
 namespace assay::check {
 
 using finemotion::ContactKey;
-using ContactSet = std::vector<ContactKey>;  // ascending, each once
+using ContactSet = std::vector<ContactKey>;  // ascending, each key once
 
-// What touched during some of a trial's time, in one motion of its strategy.
+// The contacts in one interval of a trial, which lies within one motion of its strategy.
 struct ContactSpan {
   int motion = 0;    // index
   double start = 0;  // seconds
@@ -18,12 +18,13 @@ struct ContactSpan {
   ContactSet contacts = {};
 };
 
-// What lasts less is no state, and no loss of one: parts that meet rebound once or twice, within
-// 10 milliseconds, while a motion of a strategy takes 100 to settle.
+// A contact must last this long to belong to a state, and be absent this long to count as lost.
+// Parts that meet rebound once or twice within 10 milliseconds, while a motion of a strategy takes
+// 100 to settle.
 inline constexpr double kLeastDwell = 0.03;  // seconds
 
-// Contacts that are lost for less than `dwell` and made again are there in between, too. Spans
-// follow each other without a break.
+// Returns the spans with short losses removed: a contact that is lost for less than `dwell` and
+// made again counts as there in between. Each span must begin where the one before it ends.
 std::vector<ContactSpan> Bridged(const std::vector<ContactSpan>& spans, double dwell = kLeastDwell);
 
 // A contact state that a trial was in.
@@ -31,30 +32,33 @@ struct ObservedState {
   ContactSet contacts = {};
   double start = 0;  // seconds
   double dwell = 0;  // seconds
-  int motion = 0;    // at its start
+  int motion = 0;    // the motion in which the state begins
 };
 
-// What lasts less than `dwell` is a transition and belongs to no state; a state before it that is
-// the same as that after it goes on.
+// Returns the contact states of a trial in order. A contact set that lasts less than `dwell` is a
+// transition and belongs to no state. If the states before and after a transition are equal, they
+// are one state.
 std::vector<ObservedState> StatesOf(const std::vector<ContactSpan>& bridged,
                                     double dwell = kLeastDwell);
 
-// What a plan says that touches.
+// The contacts that a plan expects.
 struct PlannedContacts {
   struct Motion {
-    ContactSet before = {};  // when it starts
-    ContactSet kept = {};    // of those; the others are let go
+    ContactSet before = {};  // contacts when the motion starts
+    ContactSet kept = {};    // those of `before` that are kept; the others are let go
+    // The contact that ends the motion, if it waits for one.
     std::optional<ContactKey> until = {};
     ContactSet after = {};
 
-    bool Wants(const ContactKey& key) const;  // at any time of it
+    // Returns whether the contact is planned at any time of the motion.
+    bool Wants(const ContactKey& key) const;
   };
   std::vector<Motion> motions = {};
   std::vector<ContactSet> states = {};  // from free space on; neighbours differ
 };
 
-// The way on in the crevice, in which walls may be touched, is none of these motions
-// (finemotion::StrategyOf adds it).
+// Returns the contacts that a plan expects in each of its motions. The way on in the crevice, in
+// which walls may be touched, is not one of these motions (finemotion::StrategyOf adds it).
 PlannedContacts PlannedContactsOf(const finemotion::FineMotionPlan& plan);
 
 }  // namespace assay::check

@@ -14,7 +14,7 @@ namespace {
 
 constexpr int kDraws = 1000;
 constexpr double kTail = 0.025;
-// Radians that the part may be turned by in contacts that count: as in the search.
+// Radians by which the part may be turned in contacts that count, the same value as in the search.
 constexpr double kSearchTurn = finemotion::MotionChecker::Options{}.turn;
 
 using Margins = std::map<ContactEvent, double>;
@@ -45,13 +45,13 @@ Margins MarginsOf(const finemotion::Passage& passage, const finemotion::FineMoti
   return margins;
 }
 
-// What a trial says of margins.
+// The ranked events that one trial shows.
 struct Observation {
-  int last_motion = 0;                     // that counts
+  int last_motion = 0;                     // the last motion that counts
   std::vector<std::size_t> happened = {};  // indices of ranked contacts
 };
 
-// All of them, of no trial yet.
+// Returns all events with no trial counted yet.
 std::vector<RankedContact> Uncounted(const Margins& margins) {
   std::vector<RankedContact> contacts;
   for (const auto& [event, scale] : margins) contacts.push_back({event, scale, 0, 0});
@@ -74,11 +74,11 @@ std::vector<Observation> ObservationsOf(const std::vector<RankedContact>& contac
   return observations;
 }
 
-// How often what happened in the observations with these numbers.
+// Returns the contacts with counts over the observations that have these numbers.
 std::vector<RankedContact> Counted(std::vector<RankedContact> contacts,
                                    const std::vector<Observation>& observations,
                                    std::span<const std::size_t> numbers) {
-  std::map<int, int> ended;  // how many, by their last motions
+  std::map<int, int> ended;  // number of trials by their last motion
   for (const std::size_t number : numbers) {
     ++ended[observations[number].last_motion];
     for (const std::size_t i : observations[number].happened) ++contacts[i].happened;
@@ -101,7 +101,7 @@ std::optional<double> CorrelationOf(const std::vector<RankedContact>& contacts) 
   return RankCorrelation(likely, frequency);
 }
 
-// As many of them, drawn with repetition.
+// Returns as many elements as `from` has, drawn from it with repetition.
 template <class T>
 std::vector<T> DrawnAnew(const std::vector<T>& from, RandomStream& random) {
   std::vector<T> drawn;

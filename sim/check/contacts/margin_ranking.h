@@ -11,36 +11,39 @@
 
 namespace assay::check {
 
-// Something that is not to happen in a motion, by its margin and by trials.
+// A contact or loss that must not happen in a motion, with its margin and how often it happened.
 struct RankedContact {
   ContactEvent event;
-  double scale = 0;  // finemotion::Unwanted; kBeyondLadder: not on the ladder
-  int happened = 0;  // in so many trials
-  int trials = 0;    // of those that came to this motion as planned
+  // The least enlargement of the errors that makes it happen (finemotion::Unwanted); kBeyondLadder
+  // if no enlargement that was checked does.
+  double scale = 0;
+  int happened = 0;  // number of trials in which it happened
+  int trials = 0;    // number of trials that came to this motion as planned
 
   double Frequency() const;  // 0 without trials
 };
 
-// Whether what the planner's margins say is likelier happened more often.
+// The comparison of the planner's margins with how often unwanted contacts happened in trials.
 struct MarginRanking {
-  std::vector<RankedContact> contacts = {};  // of motions that a trial came to; by event
-  // Spearman's coefficient of smallness of margin and frequency; 1: the order is the same. None:
-  // not enough variation, as when nothing happened.
+  std::vector<RankedContact> contacts = {};  // in motions that a trial came to; ordered by event
+  // Spearman's coefficient between smallness of margin and frequency; 1 if the order is the same.
+  // It is missing if there is not enough variation, for instance if nothing happened.
   std::optional<double> correlation = {};
-  // In which it lies with 95 % confidence: by drawing both trials and contacts anew (Efron 1979),
-  // 1000 times; draws without variation are left out. None: too little happened. More draws would
-  // be left out than a tail of the interval has, and it would be one of the others alone. Of n
-  // trials k of which had anything unwanted in them, a draw misses all with probability (1 -
-  // k/n)^n, about e^-k, and so with contacts: it takes four of each at least.
+  // The interval that holds the correlation with 95 % confidence, by a bootstrap over both trials
+  // and contacts (Efron 1979) with 1000 draws. Draws without variation are left out. It is missing
+  // if more draws would be left out than a tail of the interval has, since it would then describe
+  // the other draws alone. If k of n trials had anything unwanted in them, a draw misses all k with
+  // probability (1 - k/n)^n, about e^-k. The same holds for contacts, so that at least four of each
+  // are needed.
   std::optional<Interval> interval = {};
 };
 
 inline constexpr std::uint64_t kRankingSeed = 1;
 
-// Of all contacts that the planner looked at, within `reach` metres of where a motion leads, also
-// of those that no enlargement of the ladder makes, and of the losses of all that it keeps or
-// waits for. A trial counts up to the motion in which it first left the plan: nothing is said of
-// what comes after that.
+// Ranks all contacts that the planner looked at within `reach` metres of where a motion leads.
+// Contacts that no checked enlargement of the errors makes are included, and so are the losses of
+// all contacts that the plan keeps or waits for. A trial counts up to the motion in which it first
+// left the plan, because margins predict nothing after that.
 MarginRanking RankMargins(const finemotion::Passage& passage,
                           const finemotion::FineMotionPlan& plan, double reach,
                           std::span<const SequenceComparison> trials);

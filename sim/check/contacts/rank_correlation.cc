@@ -25,7 +25,8 @@ std::vector<double> RanksOf(std::span<const double> values) {
 
 std::optional<double> RankCorrelation(std::span<const double> x, std::span<const double> y) {
   ASSAY_CHECK(x.size() == y.size());
-  const double mean = (static_cast<double>(x.size()) + 1) / 2;  // of ranks, with ties or without
+  // The mean of the ranks is the same with and without ties.
+  const double mean = (static_cast<double>(x.size()) + 1) / 2;
   const std::vector<double> a = RanksOf(x);
   const std::vector<double> b = RanksOf(y);
   double ab = 0;

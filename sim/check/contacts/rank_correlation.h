@@ -6,11 +6,11 @@
 
 namespace assay::check {
 
-// Places in ascending order from 1 on; equal values share the mean of theirs.
+// Returns the rank of each value in ascending order, from 1 on. Equal values share their mean rank.
 std::vector<double> RanksOf(std::span<const double> values);
 
-// Spearman's coefficient in -1 .. 1: Pearson's, of ranks. None: one of the two does not vary. As
-// many x as y (checked).
+// Returns Spearman's coefficient in -1 .. 1, which is Pearson's coefficient of the ranks. It is
+// missing if `x` or `y` does not vary. Both must have the same length (checked).
 std::optional<double> RankCorrelation(std::span<const double> x, std::span<const double> y);
 
 }  // namespace assay::check

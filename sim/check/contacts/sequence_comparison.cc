@@ -10,15 +10,15 @@ bool IsProperPart(const ContactSet& part, const ContactSet& of) {
   return part.size() < of.size() && std::ranges::includes(of, part);
 }
 
-// The observed state is on the way from one planned state to the next, of which contacts open one
-// after the other.
+// Returns whether the observed state lies on the way between two planned states. Contacts of the
+// first planned state that the second lacks open one after the other.
 bool IsLettingGo(const ContactSet& from, const ContactSet& to, const ContactSet& before,
                  const ContactSet& observed) {
   return IsProperPart(observed, from) && IsProperPart(observed, before) &&
          IsProperPart(to, observed);
 }
 
-// Times of contact within each motion, and the motions that were come to.
+// The times of contact within each motion, and the motions that the trial came to.
 class MotionRecord {
  public:
   explicit MotionRecord(const std::vector<ContactSpan>& bridged) : spans_(bridged) {}
@@ -39,7 +39,8 @@ class MotionRecord {
     return keys;
   }
 
-  // For how long at a time the contact was there (or was not) in the motion, at most; seconds.
+  // Returns the longest unbroken time, in seconds, for which the contact was present in the motion,
+  // or absent if `there` is false.
   double Longest(int motion, const ContactKey& key, bool there) const {
     double longest = 0;
     double time = 0;
@@ -67,7 +68,7 @@ std::vector<ContactEvent> EventsOf(const PlannedContacts::Motion& planned, int m
   for (const ContactKey& key : planned.kept) {
     if (record.Longest(motion, key, false) >= kLeastDwell) events.push_back({motion, key, true});
   }
-  // What stopped at another contact did not miss the one that it waited for.
+  // A motion that stopped at another contact did not miss the contact that it waited for.
   const bool is_over = record.Began(motion + 1) || !is_wrong;
   if (planned.until && is_over && record.Longest(motion, *planned.until, true) < kLeastDwell)
     events.push_back({motion, *planned.until, true});
@@ -104,10 +105,12 @@ std::optional<Divergence> FirstDivergence(const std::vector<ContactSet>& planned
   return missing;
 }
 
-// Wagner and Fischer (1974), with states of letting go for nothing.
+// Uses the algorithm of Wagner and Fischer (1974). States in which contacts are being let go cost
+// nothing.
 int EditDistance(const std::vector<ContactSet>& planned,
                  const std::vector<ObservedState>& observed) {
-  std::vector<int> row(planned.size() + 1);  // from so many planned states to those observed
+  // Entry i is the distance from the first i planned states to the observed states so far.
+  std::vector<int> row(planned.size() + 1);
   for (std::size_t i = 0; i < row.size(); ++i) row[i] = static_cast<int>(i);
   for (std::size_t j = 0; j < observed.size(); ++j) {
     const ContactSet& state = observed[j].contacts;
@@ -131,7 +134,7 @@ SequenceComparison Compare(const PlannedContacts& planned,
   SequenceComparison comparison{.divergence = FirstDivergence(planned.states, observed),
                                 .edit_distance = EditDistance(planned.states, observed),
                                 .events = {}};
-  // A trial may have ended in the midst of a state's motion.
+  // A trial may have ended in a later motion than the one in which its last state began.
   if (comparison.divergence && !comparison.divergence->observed && !bridged.empty())
     comparison.divergence->motion = bridged.back().motion;
   const MotionRecord record(bridged);

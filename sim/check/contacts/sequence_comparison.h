@@ -7,17 +7,20 @@
 
 namespace assay::check {
 
-// Where a trial left its plan.
+// The place where a trial left its plan.
 struct Divergence {
   int motion = 0;  // index
   double time = 0;
-  ContactSet planned = {};                  // the state that was to come, or the last one
-  std::optional<ContactSet> observed = {};  // none: the trial ended before it came
+  // The state that was to come, or the last planned one.
+  ContactSet planned = {};
+  // The state that came; missing if the trial ended first.
+  std::optional<ContactSet> observed = {};
 
   bool operator==(const Divergence&) const = default;
 };
 
-// A contact that was made and not to be, or not made or kept and to be, for kLeastDwell or longer.
+// An unwanted contact or a missing one, for kLeastDwell or longer. A missing contact (`is_loss`)
+// was planned but was not made or not kept.
 struct ContactEvent {
   int motion = 0;
   ContactKey contact;
@@ -26,23 +29,27 @@ struct ContactEvent {
   auto operator<=>(const ContactEvent&) const = default;
 };
 
+// The comparison of a trial's contacts with its plan's.
 struct SequenceComparison {
-  std::optional<Divergence> divergence = {};  // the first; none: the sequences match
-  // Least number of states to put in, take out or exchange.
+  std::optional<Divergence> divergence = {};  // the first; missing if the sequences match
+  // The least number of states to insert, remove or replace.
   int edit_distance = 0;
   std::vector<ContactEvent> events = {};  // ascending
 
   bool matches() const { return !divergence; }
 };
 
-// Contacts that are let go at the same time open one after the other, in an order that no plan
-// tells: from a planned state to the next one, which is a part of it, states that are each a part
-// of the one before and hold the next one are on the way, and are not counted. Nothing else is:
-// made contacts come one at a time in plans, too.
+// Compares a trial's contacts with the plan's. Contacts that are let go at the same time open one
+// after the other, in an order that no plan determines. The states on the way from a planned state
+// to the next, smaller one are therefore not counted: each is a part of the state before it and
+// contains the next planned one. Everything else counts, since contacts are made one at a time in
+// plans as well.
 SequenceComparison Compare(const PlannedContacts& planned, const std::vector<ContactSpan>& bridged);
 
+// Returns the first place where the observed states leave the planned ones.
 std::optional<Divergence> FirstDivergence(const std::vector<ContactSet>& planned,
                                           const std::vector<ObservedState>& observed);
+// Returns the edit distance between the planned states and the observed ones.
 int EditDistance(const std::vector<ContactSet>& planned,
                  const std::vector<ObservedState>& observed);
 

@@ -19,13 +19,13 @@
 namespace assay::check {
 namespace {
 
-// Of the attempts at a step, at most.
-constexpr double kShareOfDesign = 0.4;    // corners, by which effects of errors are told
+// Upper limits, as shares of the attempts at a step.
+constexpr double kShareOfDesign = 0.4;    // corners that show the effects of errors
 constexpr double kShareOfExtremes = 0.3;  // corners at which claims are likely to be extreme
 constexpr double kShareOfEven = 0.1;
-constexpr std::size_t kMostStates = 16;  // that the next step starts from
-constexpr std::size_t kSearches = 8;     // local ones, of a step's least margins
-// Attempts between two looks at whether something is violated, if that is enough.
+constexpr std::size_t kMostStates = 16;  // states that the next step starts from
+constexpr std::size_t kSearches = 8;     // local searches from a step's least margins
+// Number of attempts between two checks for a violation, if one violation is enough.
 constexpr std::size_t kAtOnce = 4;
 
 bool Violates(const Sample& sample) {
@@ -81,7 +81,7 @@ class Attacker {
     }
   }
 
-  // There is nothing to shrink: no errors are left to leave out.
+  // Nothing is shrunk here, since there are no errors to leave out.
   void CountWithoutNoise() {
     const noise::Noise none(box_, std::vector<double>(box_.size(), 0));
     const std::vector<Claim>& violated = result_.noiseless.violated;
@@ -100,7 +100,7 @@ class Attacker {
     }
   }
 
-  // What a step is approached from; null: the start of a trial.
+  // The state from which a step is approached. `from` is null at the start of a trial.
   struct Start {
     const AttackedWorld* world;
     noise::Noise noise;
@@ -133,7 +133,8 @@ class Attacker {
     const auto share = [&](double of_all) {
       return static_cast<std::int64_t>(of_all * static_cast<double>(budget));
     };
-    // Upward: one attempt alone is a corner. More than all of the design tell no more of effects.
+    // The number is rounded up, so that a single attempt is a corner. Corners beyond the whole
+    // design show no more of the effects.
     const std::int64_t left = budget - share(kShareOfExtremes) - share(kShareOfEven);
     const std::int64_t design = std::min(
         {left, static_cast<std::int64_t>(std::ceil(kShareOfDesign * static_cast<double>(budget))),
@@ -152,8 +153,8 @@ class Attacker {
     return options_.until_violated && std::ranges::any_of(step.samples(), Violates);
   }
 
-  // A corner and its opposite after the same start, so that effects of errors are not taken for
-  // those of starts.
+  // A corner and its opposite use the same start, so that effects of starts are not mistaken for
+  // effects of errors.
   std::vector<Sample> Design(AttackedStep& step, std::int64_t count) const {
     std::vector<Sample> samples;
     for (int n = 0; n < count; ++n) {
@@ -177,8 +178,8 @@ class Attacker {
     return samples;
   }
 
-  // At which the claims are likely to be extreme, as the samples up to here have it: those first
-  // whose margins are expected to be least; no corner twice.
+  // Returns the corners at which claims are likely to be extreme, judged by the samples so far.
+  // Corners with the least expected margins come first, and none is repeated.
   static std::vector<Sample> LikelyCorners(AttackedStep& step, std::int64_t count) {
     std::vector<std::pair<double, Sample>> likely;
     for (const auto& [key, responses] : Responses(step)) {
@@ -207,7 +208,7 @@ class Attacker {
     return samples;
   }
 
-  // Of the claims that all samples make of what errors can change.
+  // Returns the responses of claims that all samples make and that errors can change.
   static std::map<ClaimKey, std::vector<CornerResponse>> Responses(AttackedStep& step) {
     std::map<ClaimKey, std::vector<CornerResponse>> responses;
     for (const Sample& sample : step.samples()) {
@@ -242,7 +243,7 @@ class Attacker {
     options_.progress(made);
   }
 
-  // From the least margins of different claims, as many searches side by side.
+  // Searches from the least margins of different claims, with one search for each, side by side.
   void SearchLocally(AttackedStep& step, std::int64_t budget) {
     std::vector<Aim> aims;
     std::vector<const Sample*> starts;
@@ -262,7 +263,8 @@ class Attacker {
     }
   }
 
-  // Those whose errors can matter: sets without width are attained by any sample.
+  // Returns the samples with the least margin of each claim. Claims without width are left out,
+  // since any sample attains them.
   static std::vector<std::pair<ClaimKey, const Sample*>> LeastMargins(AttackedStep& step) {
     std::map<ClaimKey, std::pair<double, const Sample*>> least;
     for (const Sample& sample : step.samples()) {
@@ -300,7 +302,7 @@ class Attacker {
     return samples;
   }
 
-  // Subplex (Rowan 1990): margins have kinks, and a little noise.
+  // Subplex (Rowan 1990) is used because margins have kinks and a little noise.
   static void Minimize(const std::function<double(const std::vector<double>&)>& f,
                        std::vector<double> point, std::int64_t evaluations) {
     nlopt::opt search(nlopt::LN_SBPLX, static_cast<unsigned>(point.size()));
@@ -316,15 +318,15 @@ class Attacker {
     try {
       search.optimize(point, least);
     } catch (const nlopt::roundoff_limited&) {
-      // It cannot be done better than that.
+      // The search cannot do better than that.
     } catch (const nlopt::forced_stop&) {
-      // The attack was stopped, or has found what it is to find.
+      // The falsification was stopped, or has found what it was to find.
     }
   }
 
-  // Counts the step's samples, and chooses those that the next step starts from.
+  // Counts the step's samples, and returns the states that the next step starts from.
   std::vector<Start> Collect(AttackedStep& step) {
-    std::map<ClaimKey, std::pair<const Sample*, const Sample*>> farthest;  // out, each way
+    std::map<ClaimKey, std::pair<const Sample*, const Sample*>> farthest;  // least and greatest
     for (const Sample& sample : step.samples()) {
       Count(sample);
       if (!sample.attempt.end) continue;
@@ -343,7 +345,7 @@ class Attacker {
       choose(ends.first);
       choose(ends.second);
     }
-    // And some of the others, spread over all.
+    // Some of the other samples are added, spread evenly over all.
     const std::size_t stride = std::max<std::size_t>(1, step.samples().size() / kMostStates);
     for (std::size_t i = 0; i < step.samples().size(); i += stride) {
       if (step.samples()[i].attempt.end) choose(&step.samples()[i]);
@@ -385,7 +387,8 @@ class Attacker {
     }
   }
 
-  // Those that need the fewest steps first, then the most negative margins.
+  // Violations that need the fewest steps are shrunk first, then those with the most negative
+  // margins.
   void Shrink() {
     std::vector<const WorstClaim*> violations;
     for (const WorstClaim& worst : result_.worst) {

@@ -11,26 +11,28 @@
 namespace assay::check {
 
 struct AttackOptions {
-  std::int64_t attempts = 1000;  // of single steps, from saved states; in all
+  std::int64_t attempts = 1000;  // attempts at single steps, in all
   std::uint64_t seed = 0;
-  int jobs = 1;                 // threads; they change nothing
-  bool until_violated = false;  // ends soon after the first attempt that violates something
-  int shrunk = 3;               // at most so many violations are shrunk to counterexamples
-  // Told of how many attempts were made so far; from one thread at a time.
+  int jobs = 1;                 // threads; the result does not depend on it
+  bool until_violated = false;  // end soon after the first attempt that violates a claim
+  int shrunk = 3;  // the greatest number of violations that are shrunk to counterexamples
+  // Called with the number of attempts made so far, from one thread at a time.
   std::function<void(std::int64_t)> progress = {};
-  // Asked before each attempt, from any thread: true ends the attack with what it has until then,
-  // whose violations are not shrunk. Empty: never.
+  // Asked before each attempt, from any thread. True ends the falsification with the results so
+  // far, and its violations are not shrunk. An empty function never ends it.
   std::function<bool()> stop = {};
 };
 
-// Tries to break each certificate of a plan in physics. First without noise. Then step after step,
-// from states saved where the tool is poised for it: corners of the error box, then those at which
-// claims are likely to be farthest out by the main effects that errors had up to then, then points
-// that fill the box evenly, then local search (NLopt) on the least margins found. The first corners
-// are attempted to the step's end; every other attempt is made for one claim, and ends when that is
-// decided, which is mostly where the tool is poised. Claims get the same simulated time, so that
-// those that are decided sooner are attempted more often. States for the next step are those whose
-// errors are farthest out, each way. The same for any number of threads.
+// Tries to falsify each certificate of a plan in the engine. The plan is first executed without
+// noise. Then its steps are attempted in order, from states saved where the tool is poised for the
+// step. The points of the error box are tried in this sequence: corners of a design; corners at
+// which claims are likely to be extreme, by the main effects that the design shows; points that
+// fill the box evenly; and a local search (NLopt) from the least margins found. The corners of the
+// design are attempted to the step's end. Every other attempt is made for one claim and ends when
+// that claim is decided, which is mostly where the tool is poised. All claims get the same
+// simulated time, so that claims that are decided sooner are attempted more often. The next step
+// starts from the states whose errors are farthest out in each direction. The result is the same
+// for any number of threads.
 AttackResult Attack(const Experiment& experiment, const AttackOptions& options);
 
 }  // namespace assay::check

@@ -10,11 +10,11 @@
 
 namespace assay::check {
 
-// How points of the error box were chosen.
+// The method by which points of the error box were chosen.
 enum class AttackPhase { kWithoutNoise, kVertices, kLikely, kLowDiscrepancy, kLocalSearch };
 std::string_view Name(AttackPhase phase);
 
-// A claim as it came out at its worst.
+// The worst result of one claim.
 struct WorstClaim {
   Claim claim;
   noise::Noise noise;
@@ -22,24 +22,24 @@ struct WorstClaim {
   std::int64_t attempt = 0;  // from 1
 };
 
-// A violation in as few words as possible: leave out one more error, or halve what is left, and
-// there is none.
+// A violation made as simple as possible: if one more error is left out, or all that are left are
+// made smaller, the claim is no longer violated.
 struct Counterexample {
   Claim claim;
   noise::Noise noise;
-  int steps = 0;          // how far the plan must be executed
-  bool replayed = false;  // also from the start of the plan, not only from a saved state
-  double multiple = 1;    // of its errors, with which it is violated still
+  int steps = 0;  // number of steps for which the plan must be executed
+  bool replayed = false;
+  double multiple = 1;  // the least multiple of its errors, as far as tried, that still violates
 };
 
 struct AttackResult {
-  Noiseless noiseless;  // if it does not hold, nothing is attempted
+  Noiseless noiseless;  // if it does not hold, no step is attempted
   std::int64_t attempts = 0;
-  std::optional<std::int64_t> first_violation = {};  // number of the attempt; 0: without noise
+  std::optional<std::int64_t> first_violation = {};  // number of the attempt; 0 without noise
   std::int64_t failed_approaches = 0;  // trials that did not come to where the next step begins
-  std::vector<VerdictCounts> certificates;  // by StepId; of an attempt: its worst claim
+  std::vector<VerdictCounts> certificates;  // by StepId; counts the worst claim of each attempt
   VerdictCounts claims;
-  std::vector<WorstClaim> worst;  // of each step and claim, in the order of execution
+  std::vector<WorstClaim> worst;  // one for each step and claim, in the order of execution
   std::vector<Counterexample> counterexamples;
 };
 

@@ -14,29 +14,29 @@ namespace assay::check {
 using ClaimKey = std::tuple<plan::StepId, Claimed, std::string>;
 ClaimKey KeyOf(const Claim& claim);
 
-// An attempt at a step: from where, with which errors, how far, and what came of it.
+// An attempt at a step: its start, its errors, how far it goes, and its result.
 struct Sample {
   std::size_t start = 0;      // index of a poised trial
   std::vector<double> point;  // in the unit cube of the free channels
   AttackPhase phase = AttackPhase::kVertices;
   Until until = Until::kEnd;
   StepAttempt attempt = {};
-  bool was_made = false;  // not if the attack was stopped before
+  bool was_made = false;  // false if the falsification was stopped before it
 };
 
-// What an attempt is made for: a claim, that is decided by then.
+// The purpose of an attempt: a claim, and the stage by which it is decided.
 struct Aim {
   ClaimKey claim;
   Until until = Until::kEnd;
-  double seconds = 0;  // simulated, up to there
+  double seconds = 0;  // simulated time up to that stage
 };
 
-// Splits attempts so that aims get the same simulated time: what is decided sooner is attempted
-// more often.
+// Divides attempts among aims so that all get the same simulated time. Claims that are decided
+// sooner are attempted more often.
 std::vector<std::int64_t> Allotted(std::int64_t attempts, const std::vector<Aim>& aims);
 
-// A step that is attacked: the trials that are poised for it, all its samples in their order, and
-// what it is attempted for.
+// A step under falsification: the trials that are poised for it, all its samples in order, and the
+// aims of its attempts.
 class AttackedStep {
  public:
   AttackedStep(const Experiment& experiment, plan::StepId id, const noise::Noise& noise);
@@ -47,12 +47,14 @@ class AttackedStep {
   std::vector<Sample>& samples() { return samples_; }
   const std::vector<Aim>& aims() const { return aims_; }
 
-  // What is made of a step that is broken off counts as far as it is decided.
+  // Makes the attempt. If it ends before the step does, only claims that are decided by then are
+  // kept.
   StepAttempt Attempt(const Sample& sample) const;
 
-  // Aims at the claims that errors can change; each ends when all samples so far had decided it.
+  // Sets an aim for each claim that errors can change. The aim ends at the stage at which all
+  // samples so far had decided the claim.
   void FindAims();
-  // Null: there is none.
+  // Returns the aim for the claim, or null if there is none.
   const Aim* AimAt(const ClaimKey& claim) const;
 
  private:

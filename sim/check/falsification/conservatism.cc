@@ -60,7 +60,7 @@ Interval Times(double factor, const Interval& range) {
   return {factor * range.low, factor * range.high};
 }
 
-// The same problem in which only one variable errs, and by a multiple of its bounds.
+// The same problem with errors in one variable only, by a multiple of its bounds.
 class ScaledProblem {
  public:
   ScaledProblem(const domain::Problem& problem, const std::string& variable)
@@ -97,19 +97,21 @@ class ScaledProblem {
   const std::string& variable_;
 };
 
-// What a sensor promises is not multiplied: it belongs to the workcell.
+// A sensor's promise is not multiplied, because it belongs to the workcell.
 bool IsSensed(const Channel& channel) {
   return channel.effect == Effect::kSensedX || channel.effect == Effect::kSensedY ||
          channel.effect == Effect::kSensedZ || channel.effect == Effect::kSensedYaw;
 }
 
-// Between which multiples something begins to fail; none: not up to the greatest.
+// The multiples between which something begins to fail. `fails` is missing if nothing fails up to
+// the greatest multiple.
 struct Threshold {
   double holds = 0;
   std::optional<double> fails = {};
 };
 
-// Doubling from where it is looked first, then halving, to a relative precision.
+// Doubles the multiple from `first` until it fails, and then halves the interval to a relative
+// precision.
 Threshold FindThreshold(const std::function<bool(double)>& fails, double first, double greatest,
                         double precision) {
   constexpr double kLeast = 1.0 / 64;
@@ -135,7 +137,7 @@ Threshold FindThreshold(const std::function<bool(double)>& fails, double first, 
   return threshold;
 }
 
-// Ends the comparison of a variable from inside.
+// Thrown to end the comparison of a variable.
 struct Stopped {};
 
 class Comparison {
@@ -156,7 +158,7 @@ class Comparison {
     return variables;
   }
 
-  // None: the comparison was stopped before.
+  // Returns the ratio, or nothing if the comparison was stopped.
   std::optional<ConservatismRatio> UnlessStopped(const std::string& variable) const {
     try {
       return Of(variable);
@@ -172,11 +174,13 @@ class Comparison {
       return !Proves(variable, multiple);
     };
     const auto fails = [&](double multiple) { return Fails(variable, multiple); };
-    constexpr double kFinely = 0.1;  // of the trials' precision: to prove costs next to nothing
+    // The share of the trials' precision to which proofs are searched, since a proof costs next to
+    // nothing.
+    constexpr double kFinely = 0.1;
     const double guaranteed =
         FindThreshold(unproved, 1, options_.greatest, kFinely * options_.precision).holds;
-    // Trials begin where the proof ends, less what the engine may make of it (a floor is at most a
-    // tenth of what is certified): still less is only tried if that fails.
+    // Trials begin where the proof ends, less what the engine may add to the errors: a floor is at
+    // most a tenth of what is certified. Smaller multiples are tried only if that one fails.
     constexpr double kInside = 0.9;
     const double first = guaranteed > 0 ? kInside * guaranteed : 1;
     return {.variable = variable,
@@ -205,8 +209,8 @@ class Comparison {
     return true;
   }
 
-  // At the ends of the variable's bounds, or at corners of the box of all, and of the sensors'
-  // promises.
+  // Returns whether a trial fails at the ends of the variable's bounds, or at corners of the whole
+  // box for "all". Sensors' promises are varied in both cases.
   bool Fails(const std::string& variable, double multiple) const {
     std::vector<Channel> box = box_;
     std::vector<std::size_t> varied;

@@ -10,34 +10,37 @@
 
 namespace assay::check {
 
+// Options of a comparison of proofs with trials.
 struct ConservatismOptions {
   std::uint64_t seed = 0;
-  int jobs = 1;                             // threads
-  int corners = 16;                         // trials at each multiple, of several errors together
-  double greatest = 64;                     // multiple that is tried
-  double precision = 0.25;                  // of the multiples, relative
-  std::vector<std::string> variables = {};  // only these; empty: every one, and all together
-  // Asked before each trial, from any thread: true ends the comparison with those variables that
-  // are done. Empty: never.
+  int jobs = 1;             // threads
+  int corners = 16;         // trials at each multiple when several errors vary together
+  double greatest = 64;     // the greatest multiple that is tried
+  double precision = 0.25;  // relative precision of the multiples
+  std::vector<std::string> variables = {};  // empty: each variable, and all together
+  // Asked before each trial, from any thread. True ends the comparison with the variables that are
+  // done. An empty function never ends it.
   std::function<bool()> stop = {};
 };
 
-// How much of what physics forgives the planner guarantees, for one variable alone ("x of peg",
-// "yaw of the hand") or for all together ("all").
+// The bounds that the planner guarantees, compared with those that physics forgives. They are
+// for one variable alone ("x of peg", "yaw of the hand") or for all together ("all").
 struct ConservatismRatio {
   std::string variable;
-  double guaranteed = 0;              // the greatest multiple with which all is proved
-  std::optional<double> broken = {};  // the smallest one with which a trial failed; none: none did
+  double guaranteed = 0;  // the greatest multiple with which all is proved
+  // The smallest multiple with which a trial failed; missing if none failed.
+  std::optional<double> broken = {};
 
-  std::optional<double> ratio() const;  // of broken to guaranteed; none if that is 0
-  // A trial failed with no more than what all is proved for: a false certificate, not only a task
-  // that fails.
+  std::optional<double> ratio() const;  // broken / guaranteed; missing if guaranteed is 0
+  // Returns whether a trial failed with errors for which all is proved. The certificate is then
+  // false; more has failed than the task.
   bool IsFalse() const { return broken && *broken <= guaranteed; }
 };
 
-// Multiplies the bounds of one variable, the others without error, and of all; asks the planner's
-// certificates for the same actions, and executes the plan at the ends of the bounds. Sensors err
-// within their promise in both, since that belongs to the workcell and is not multiplied.
+// Returns a ratio for each variable and for all together. The bounds of the variable are multiplied
+// while the others have no error. The planner certifies the same actions with the multiplied
+// bounds, and the plan is executed at the ends of the bounds. In both cases sensors err within
+// their promise, which belongs to the workcell and is not multiplied.
 std::vector<ConservatismRatio> Conservatism(const Experiment& experiment,
                                             const ConservatismOptions& options);
 

@@ -9,7 +9,8 @@
 namespace assay::check {
 namespace {
 
-constexpr double kNegligible = 1e-3;  // of the greatest effect: the error is left at its low end
+// An error whose effect is below this share of the greatest effect is left at its low end.
+constexpr double kNegligible = 1e-3;
 
 struct Mean {
   double sum = 0;
@@ -22,7 +23,7 @@ struct Mean {
   double value() const { return count == 0 ? 0 : sum / count; }
 };
 
-// 0 for an error that was always at the same end.
+// Returns the main effect of an error, or 0 if the error was always at the same end.
 double EffectOf(std::size_t error, std::span<const CornerResponse> responses) {
   Mean low;
   Mean high;
@@ -63,7 +64,7 @@ LikelyExtremes ByMainEffects(std::span<const CornerResponse> responses) {
   for (std::size_t i = 0; i < responses.front().corner->size(); ++i) {
     effects.push_back(EffectOf(i, responses));
   }
-  std::map<std::size_t, Mean> left;  // by start
+  std::map<std::size_t, Mean> left;  // means after the effects are subtracted, by start
   for (const CornerResponse& response : responses) {
     left[response.start].Add(response.observed - SumAt(*response.corner, effects));
   }

@@ -7,28 +7,28 @@
 
 namespace assay::check {
 
-// What was observed at one corner of an error box, after one of several starts.
+// The observed value at one corner of an error box, after one of several starts.
 struct CornerResponse {
-  const std::vector<double>* corner = nullptr;  // 0 and 1, one for each error
+  const std::vector<double>* corner = nullptr;  // one entry for each error, 0 or 1
   std::size_t start = 0;
   double observed = 0;
 };
 
-// Where an observation may be least or greatest.
+// The corner and the start for which an observation may be least or greatest.
 struct LikelyExtreme {
   std::vector<double> corner;
   std::size_t start = 0;
-  double expected = 0;  // there
+  double expected = 0;  // expected value there
 };
 struct LikelyExtremes {
   LikelyExtreme least, greatest;
 };
 
-// Of responses at the corners of a two-level design (Box, Hunter and Hunter, Statistics for
-// Experimenters): each error's main effect is the difference of the means at its two ends, and an
-// observation that is monotone in each error is extreme where all effects have one sign; the start
-// is the one of which most, or least, is left when the effects are subtracted. At least one
-// response; corners of one length.
+// Returns the likely extremes from responses at the corners of a two-level design (Box, Hunter and
+// Hunter, Statistics for Experimenters). An error's main effect is the difference between the means
+// at its two ends. An observation that is monotone in each error is extreme at the corner that all
+// effects point to. The chosen start is the one with the greatest, or least, mean after the effects
+// are subtracted. There must be at least one response, and all corners must have the same length.
 LikelyExtremes ByMainEffects(std::span<const CornerResponse> responses);
 
 }  // namespace assay::check

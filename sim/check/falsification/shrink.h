@@ -4,12 +4,13 @@
 
 namespace assay::check {
 
-// Makes a violation as simple as possible, by executing the plan again and again from its start up
-// to the step in question: errors are left out one by one where the claim stays violated without
-// them; what is left is made smaller together.
+// Makes a violation as simple as possible. The plan is executed again and again from its start up
+// to the step in question. Errors are left out one by one where the claim stays violated without
+// them; the rest are made smaller together.
 Counterexample Shrunk(const Experiment& experiment, const WorstClaim& violation);
 
-// The claim as it comes out when the plan is executed up to its step. None: it does not come there.
+// Returns the claim's result when the plan is executed up to the claim's step. It is missing if the
+// execution does not observe the claim.
 std::optional<Claim> Replayed(const Experiment& experiment, const Claim& claim,
                               const noise::Noise& noise);
 

@@ -20,7 +20,7 @@ bool IsOfWorld(const Channel& channel) {
          channel.effect == Effect::kPadFriction;
 }
 
-// The parts that an action handles, looks at or touches with what it handles.
+// Returns the parts that an action handles, looks at, or touches with the part that it handles.
 struct TouchedParts {
   const domain::Problem& problem;
 
@@ -46,7 +46,7 @@ std::vector<PartId> UntouchedBefore(const Experiment& experiment, plan::StepId s
   return untouched;
 }
 
-// Nothing more is claimed once something failed that had not been proved, or was mended.
+// Nothing more is claimed once an unproved precondition failed or an error was mended.
 bool StillClaims(const std::vector<Claim>& claims) {
   return std::ranges::none_of(claims, [](const Claim& claim) {
     return claim.about == Claimed::kAfter && claim.verdict == ClaimVerdict::kNotClaimed;
@@ -87,7 +87,7 @@ exec::Stage StageOf(Until until) {
   return exec::Stage::kActed;
 }
 
-// The trace of a step as far as its stage; none: it did not come there.
+// Returns the trace of a step up to a stage, or nothing if the step did not come there.
 std::optional<exec::Trace> UpTo(Until until, const exec::Trace& trace) {
   exec::Trace begun{.problem = trace.problem, .parts = trace.parts};
   for (const exec::TraceEvent& event : trace.events) {
@@ -117,7 +117,8 @@ StepAttack::StepAttack(const Experiment& experiment, plan::StepId step, const no
   }
 }
 
-// What the engine errs on the way adds up, so that the finer trial goes its own way from the start.
+// The engine's errors add up on the way, so that the finer trial is executed from the start as
+// well.
 Approach StepAttack::Poise(const AttackedWorld& world, const noise::Noise& noise,
                            const exec::Checkpoint* from) const {
   Approach approach = PoiseIn(world.scene, world, noise, from);
@@ -161,8 +162,7 @@ exec::Progress StepAttack::ExecuteStepsBefore(exec::Execution& execution) const 
   return std::nullopt;
 }
 
-// What is told of a step that was broken off is not claimed where something fails later that nobody
-// had proved.
+// Claims of an attempt that ends early do not count if an unproved precondition fails later.
 StepAttempt StepAttack::Attempt(const PoisedTrial& poised, const std::vector<double>& values,
                                 Until until) const {
   noise::Noise noise = poised.noise;
@@ -246,7 +246,7 @@ std::vector<Claim> StepAttack::ClaimsOf(const exec::Trace& trace) const {
   return CheckCertificates(experiment_.problem, experiment_.plan, trace, experiment_.gate, step_);
 }
 
-// A claim is decided where what had happened until then already says the same of it.
+// A claim is decided at the earliest stage at which the trace up to there gives it the same result.
 std::vector<Decision> StepAttack::DecisionsOn(const std::vector<Claim>& claims,
                                               const exec::Trace& trace, double start) const {
   const double whole = TimeOf(trace.events.back()) - start;
@@ -270,7 +270,8 @@ std::vector<AttackedWorld> WorldsOf(const Experiment& experiment, const std::vec
     if (IsOfWorld(box[i])) of_world.push_back(i);
   }
   const int dimensions = static_cast<int>(of_world.size());
-  // Two corners of one tolerance, four of two or three that are at both ends in turn.
+  // One tolerance has two corners. With two or three tolerances, four corners put each at both of
+  // its ends in turn.
   const int count = dimensions == 0 ? 1 : dimensions == 1 ? 2 : 4;
   std::vector<AttackedWorld> worlds;
   for (int number = 1; number <= count; ++number) {

@@ -11,78 +11,80 @@
 
 namespace assay::check {
 
-// A world in which a plan is executed, and what is wrong in all of it: clearance and frictions.
+// A world in which a plan is executed, with fixed errors of clearance and frictions.
 struct AttackedWorld {
   scene::Scene scene;
-  scene::Scene finer;  // with half the timestep
-  noise::Noise noise;  // the box of the whole plan; values of what is drawn later are 0
+  scene::Scene finer;  // the scene with half the timestep
+  noise::Noise noise;  // over the box of the whole plan; 0 for values that are drawn later
   std::vector<geometry::Pose> resting;  // exec::RestingPoses
 };
 
-// The same trial with half the timestep all the way from the plan's start; executed when it is
-// first asked for.
+// A trial with half the timestep all the way from the plan's start to the same step. It is executed
+// when it is first asked for.
 struct FinerTrial {
   std::once_flag once;
-  std::optional<exec::Checkpoint> checkpoint;  // none: it does not come there
+  std::optional<exec::Checkpoint> checkpoint;  // missing if the trial does not come there
 };
 
-// A trial on its way, saved where the tool is poised for a step.
+// A trial in progress, saved where the tool is poised for a step.
 struct PoisedTrial {
   const AttackedWorld* world = nullptr;
-  noise::Noise noise;  // up to here
+  noise::Noise noise;  // the values that matter up to here
   exec::Checkpoint checkpoint;
   std::shared_ptr<FinerTrial> finer = std::make_shared<FinerTrial>();
 };
 
-// What became of the way to where the tool is poised for a step: the trial there, or why it does
-// not come there.
+// The result of bringing a trial to where the tool is poised for a step: the poised trial, or the
+// claims that failed on the way.
 struct Approach {
   std::optional<PoisedTrial> poised;
-  std::vector<Claim> claims;  // of this step, that failed on the way
+  std::vector<Claim> claims;  // claims of this step that failed on the way
 };
 
-// Up to where a step is attempted, in the order of time.
+// The stage up to which a step is attempted, in the order of time.
 enum class Until { kPoised, kReached, kActed, kEnd };
 
-// When a claim was decided: nothing that was observed later changed what it says.
+// The stage and time at which a claim was decided: nothing observed later changed its result.
 struct Decision {
   Until until = Until::kEnd;
-  double seconds = 0;  // simulated, from where the attempt began
+  double seconds = 0;  // simulated time since the attempt began
 };
 
-// What became of one step.
+// The result of an attempt at one step.
 struct StepAttempt {
-  noise::Noise noise;         // up to its end
-  std::vector<Claim> claims;  // of this step
-  // Of each claim, if the step was attempted to its end.
+  noise::Noise noise;         // the values that matter up to the step's end
+  std::vector<Claim> claims;  // claims of this step
+  // One entry for each claim, if the step was attempted to its end.
   std::vector<Decision> decisions = {};
-  // The state after it, if it came to its end and all that it was claimed on still holds.
+  // The state after the step, if the step came to its end and all assumptions of its claims still
+  // hold.
   std::optional<exec::Checkpoint> end = {};
 
   bool IsWhole() const { return decisions.size() == claims.size(); }
 };
 
-// Attempts one step of a plan again and again, from saved states, with other errors each time.
+// Attempts one step of a plan repeatedly from saved states, with other errors each time.
 class StepAttack {
  public:
   StepAttack(const Experiment& experiment, plan::StepId step, const noise::Noise& noise);
 
-  // The channels that first matter in this step: its own, and those of parts that no step before
-  // has touched or looked at. Indices in the box.
+  // Returns the channels that first matter in this step, as indices in the box. They are the step's
+  // own channels and those of parts that no earlier step has touched or looked at.
   const std::vector<std::size_t>& free_channels() const { return free_; }
 
-  // The start of a trial, or a trial at the end of the step before, on to where this step is
-  // poised.
+  // Brings a trial to where this step is poised. The trial begins at `from`, at the end of the step
+  // before, or at the start of the plan if `from` is null.
   Approach Poise(const AttackedWorld& world, const noise::Noise& noise,
                  const exec::Checkpoint* from) const;
-  // `values`: of the free channels. Not all claims are made of a step that is not attempted to its
-  // end, and some that are made may still fail. Where one is violated it goes on to its end, if
-  // something may fail there that is not proved.
+  // Attempts the step up to the stage `until`. `values` are those of the free channels. An attempt
+  // that ends before the step does not make all claims, and some of those that it makes may still
+  // fail later. If one of its claims is violated and the step is not fully proved, the attempt is
+  // made again to the step's end, since an unproved assumption may fail there.
   StepAttempt Attempt(const PoisedTrial& poised, const std::vector<double>& values,
                       Until until) const;
 
  private:
-  // `from`: null for the start of the plan.
+  // `from` is null for the start of the plan.
   Approach PoiseIn(const scene::Scene& scene, const AttackedWorld& world, const noise::Noise& noise,
                    const exec::Checkpoint* from) const;
   exec::Progress ExecuteStepsBefore(exec::Execution& execution) const;
@@ -102,7 +104,7 @@ class StepAttack {
   std::vector<std::size_t> free_;
 };
 
-// Worlds at the corners of the tolerances; one world if there are none.
+// Returns worlds at the corners of the tolerances, or one world if there are no tolerances.
 std::vector<AttackedWorld> WorldsOf(const Experiment& experiment,
                                     const std::vector<noise::Channel>& box);
 

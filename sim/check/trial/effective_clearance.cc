@@ -13,13 +13,14 @@ using domain::Problem;
 using geometry::Pose;
 using geometry::Vector3;
 
-constexpr double kPush = 5;        // m/s^2 times the part's mass
-constexpr double kDamping = 1000;  // 1/s times the part's mass, so that it moves at 5 mm/s
-constexpr double kStill = 1e-7;    // m/s
+constexpr double kPush = 5;  // m/s^2; the force is this times the part's mass
+// In 1/s. The damping is this times the part's mass, so that the part moves at 5 mm/s.
+constexpr double kDamping = 1000;
+constexpr double kStill = 1e-7;  // m/s
 constexpr int kStillSteps = 20;
-constexpr double kLongest = 5;  // seconds, 25 mm of way
+constexpr double kLongest = 5;  // seconds, enough for 25 mm
 
-// Where the fixed part is held, in the air beside the arm.
+// The pose at which the fixed part is held, in the air beside the arm.
 const Pose kX_WorldFixed = geometry::Translation(0.6, 0.7, 0.9);
 
 class PlayMeasurement {
@@ -44,14 +45,16 @@ class PlayMeasurement {
   }
 
  private:
-  // The middle between the tip of the shaft and the mouth of the hole, in the held part.
+  // Returns the middle between the tip of the shaft and the mouth of the hole, in the held part's
+  // frame.
   static Vector3 Middle(const domain::ShaftFit& fit, const Mating& mating) {
     const Vector3 tip = fit.X_HoleShaft * fit.shaft.X_PartFeature.translation();
     const Vector3 in_hole = (tip + fit.hole.X_PartFeature.translation()) / 2;
     return fit.shaft_is_held ? mating.X_FixedHeld.inverse() * in_hole : in_hole;
   }
 
-  // Where the middle comes to a stop when pushed that way, in the fixed part.
+  // Returns where the middle comes to a stop when it is pushed in that direction, in the fixed
+  // part's frame.
   Vector3 Stop(const Vector3& direction_Fixed) {
     data_.Restore(start_);
     int still = 0;
@@ -65,8 +68,9 @@ class PlayMeasurement {
            (scene_.TruePose(data_, mating_.held) * middle_);
   }
 
-  // Generalized forces of the free joint: a force at the part's origin in the world, a torque about
-  // it in the part. Weight is taken away, motion damped.
+  // Sets the generalized forces of the free joint: a force at the part's origin in the world frame,
+  // and a torque about the origin in the part's frame. They cancel the weight, damp the motion and
+  // push.
   void Push(const Vector3& direction_World) {
     const geometry::MassProperties& mass = problem_.part(mating_.held).model->mass();
     const geometry::Matrix3 R = scene_.TruePose(data_, mating_.held).linear();

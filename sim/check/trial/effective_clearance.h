@@ -6,23 +6,24 @@
 
 namespace assay::check {
 
-// The play of a mated part across walls of its holes that face each other, metres.
+// The play of a mated part between two walls of its hole that face each other. Lengths are in
+// metres.
 struct Play {
-  geometry::Vector3 axis;  // unit, frame of the fixed part
-  double nominal = 0;      // between walls and shafts, as the parts are drawn
-  double measured = 0;     // in the engine
+  geometry::Vector3 axis;  // unit vector across the walls, in the fixed part's frame
+  double nominal = 0;      // between walls and shaft, as the parts are drawn
+  double measured = 0;     // between walls and shaft, in the engine
 
-  double RelativeDifference() const;  // of measured from nominal
+  double RelativeDifference() const;  // of `measured` from `nominal`
 };
 
-// `assay check` fails beyond this relative difference.
+// `assay check` fails beyond this relative difference between measured and nominal play.
 inline constexpr double kPlayTolerance = 0.05;
 
-// Measures in the engine what clearance a mating really has, across each pair of walls of its holes
-// that face each other, whichever part has the hole: the held part is put at its mated pose,
-// without weight, the fixed part is held fast, and the held part is pushed each way until it stops.
-// The push goes through the middle of the engaged length, so that the part does not tilt. Empty: no
-// shaft of the mating is in a hole.
+// Measures in the engine the true clearance of a mating. Returns one Play for each pair of walls of
+// its holes that face each other, whichever part has the hole; empty if no shaft of the mating is
+// in a hole. The held part is put at its mated pose without weight, the fixed part is held fast,
+// and the held part is pushed each way until it stops. The push goes through the middle of the
+// engaged length, so that the part does not tilt.
 std::vector<Play> EffectiveClearance(const domain::Problem& problem, domain::MatingId mating);
 
 }  // namespace assay::check

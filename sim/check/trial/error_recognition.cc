@@ -12,7 +12,7 @@ bool HasName(const ContactSet& contacts, const std::string& name) {
                              [&](const ContactKey& key) { return finemotion::Name(key) == name; });
 }
 
-// What went on in an error state ends in the same one.
+// A strategy that went on in an error state ends in that same error state, which is counted once.
 std::vector<exec::ErrorState> ErrorStatesOf(const exec::StrategyEnd& end) {
   std::vector<exec::ErrorState> states = end.recovered;
   states.insert(states.end(), end.ignored.begin(), end.ignored.end());

@@ -7,7 +7,8 @@
 
 namespace assay::check {
 
-// How often error states were recognized, and rightly.
+// Counts of error states: all of them, those in which a contact was named, and those in which the
+// named contact was right.
 struct Recognition {
   int errors = 0;
   int named = 0;
@@ -16,20 +17,24 @@ struct Recognition {
   bool operator==(const Recognition&) const = default;
 };
 
+// The counts of error states over many trials.
 struct RecognitionTally {
-  Recognition states = {};    // all error states of trials
-  Recognition unwanted = {};  // trials in which an unwanted contact was made, by their first name
-  int needless = 0;           // error states of the other trials
+  Recognition states = {};  // error states of all trials
+  // One entry for each trial in which an unwanted contact was made: the first contact that was
+  // named.
+  Recognition unwanted = {};
+  int needless = 0;  // error states of trials in which no unwanted contact was made
 };
 
-// Whether a contact that was named in an error state was truly there (of a loss: was not) when it
-// was felt, in the last hundredth of a second before. By bridged spans: what has just rebounded
-// counts as there.
+// Returns whether the contact that was named in an error state truly existed at some time in the
+// hundredth of a second before it was felt. If a loss was named, the contact must have been absent
+// then. `bridged` holds spans from Bridged, so that a contact that has just rebounded counts as
+// there.
 bool IsRight(const exec::RecognizedContact& named, const std::vector<ContactSpan>& bridged);
 
-// Adds the error states of a trial, but for those in motions of which no contacts were observed
-// (the way on in the crevice: what is touched there is not planned). `diverged`: another contact
-// was made than planned (SequenceComparison::events).
+// Adds the error states of one trial to `tally`. Error states in motions whose contacts were not
+// observed are left out: on the way on in the crevice no contact is planned. `diverged` says that
+// another contact was made than planned (SequenceComparison::events).
 void Count(const exec::StrategyEnd& end, const std::vector<ContactSpan>& bridged, bool diverged,
            RecognitionTally& tally);
 

@@ -7,15 +7,16 @@
 
 namespace assay::check {
 
-// How wide a component of an error set must be for its ends to be told apart in a picture.
+// The least width of an error component whose two ends can be told apart in a picture.
 struct Sight {
   double length = 0.0003;  // metres
   double angle = 0.0035;   // radians, 0.2 degrees
 };
 
-// Where the part of an error set is, world frame, at the ends of each component that can be seen:
-// first the low end, then the high one, all others at their middle. At a moment at which the set is
-// to hold, as ObservedErrors measures it. A component without bounds has no ends.
+// Returns extreme poses of the part of an error set, in the world frame, at a snapshot in which the
+// set is to hold (see ObservedErrors). Each component that is wider than `sight` gives two poses:
+// first its low end, then its high end, with all other components at their middle. A component
+// without bounds gives none.
 std::vector<geometry::Pose> ExtremePoses(const plan::Action& action, const plan::ErrorSet& set,
                                          const exec::Moment& moment, const Sight& sight = {});
 

@@ -19,14 +19,16 @@ using noise::Effect;
 using sense::Between;
 using sense::Displacement;
 
-constexpr double kTaken = 1e-9;  // metres or radians, in which what was told is what is believed
+// The sensor's value was taken over if it differs from the believed one by less than this, in
+// metres or radians.
+constexpr double kTaken = 1e-9;
 
 struct Reading {
   std::optional<double> applied = {};
   std::optional<double> measured = {};
 };
 
-// Which coordinate of a displacement an effect is.
+// Returns the index of the displacement's coordinate that an effect changes.
 Eigen::Index CoordinateOf(Effect effect) {
   switch (effect) {
     case Effect::kPartX:
@@ -132,7 +134,7 @@ class Ledger {
     return {};
   }
 
-  // When the first step is poised nothing has been touched yet.
+  // Returns the snapshot in which the first step is poised: nothing has been touched by then.
   const exec::Moment* FirstMoment() const {
     return steps_.empty() ? nullptr : steps_.front().poised;
   }
@@ -141,7 +143,8 @@ class Ledger {
     return found == steps_.end() ? nullptr : &*found;
   }
 
-  // From where the part rests without errors. Heights and tilts of that are the engine's.
+  // Returns the displacement from where the part rests without errors. Measured from there, heights
+  // and tilts that the engine itself causes drop out.
   double FromRest(const Channel& channel, const exec::Moment& moment) const {
     const std::size_t part = channel.part.index();
     return Between(resting_[part], moment.parts[part].truth)[CoordinateOf(channel.effect)];
@@ -172,8 +175,8 @@ class Ledger {
     return reading;
   }
 
-  // Where the part's origin would be without errors: alone in the world, so that no other part is
-  // in its place.
+  // Returns the height of the part's origin on this place without errors. The part is alone in the
+  // world, so that no other part is in its place.
   double RestingHeight(PartId part, const plan::Place& place) const {
     domain::Problem alone = problem_;
     alone.parts = {problem_.part(part)};

@@ -8,36 +8,40 @@
 
 namespace assay::check {
 
-// One channel of a trial's noise: what was drawn, what the engine or the executor was given for it
-// (applied), and what came of it on the bodies (measured).
+// One channel of a trial's noise, with three values. `drawn` was drawn from the error box.
+// `applied` is what the engine or the executor was given for it. `measured` is the resulting error
+// of the bodies. They mean for each kind of channel:
 //
-// - Place and yaw of a part. Applied: its pose in the engine at the start, from the one that the
-//   problem says. Measured: its true pose when the first step is poised, from where it rests
-//   without errors.
-// - Height of a table. Applied: of its geom, when the first step is poised, or the step in which
-//   something is put down there. Measured: of the part's origin, at that time, or at the end of the
-//   step, from what it is without errors.
-// - Hand. Applied: the pose by which the noise tells the executor to err in this step; what the
-//   executor made of it is in no trace. Measured: the true tool in the frame of the believed one,
-//   when the step is poised.
-// - Sensor. Applied: the true pose from the one that was told. Measured: from the one that is
-//   believed when the step has acted.
+// - Place and yaw of a part. Applied: the part's pose in the engine at the start, relative to the
+//   pose in the problem. Measured: the part's true pose when the first step is poised, relative to
+//   where it rests without errors.
+// - Height of a table. Applied: the height of its geom when the first step is poised, or when the
+//   step that puts something down there is poised. Measured: the height of the part's origin at
+//   that first time or at the end of that step, relative to its height without errors.
+// - Hand. Applied: the pose error that the noise gives the executor for this step. No trace holds
+//   what the executor made of it. Measured: the true tool in the believed tool's frame, when the
+//   step is poised.
+// - Sensor. Applied: the true pose relative to the measured pose. Measured: the true pose relative
+//   to the believed pose after the step has acted.
 // - Clearance. Applied: how far the hole's wall is set back in the compiled model. Measured: how
-//   much farther the held part can be moved until it touches.
-// - Frictions. Applied: of a geom in the compiled model. Measured: of a contact.
+//   much farther the held part can be moved until it touches the wall.
+// - Frictions. Applied: the friction of a geom in the compiled model. Measured: the friction of a
+//   contact.
 //
-// None: the trial did not come that far, what was told is not what is believed (the planner knew it
-// better), or there is nothing that it could be read from.
+// A value is missing in three cases: the trial ended before it could be read, the executor did not
+// take the sensor's value because it knew the coordinate better, or the world has nothing to read
+// it from.
 struct LedgerEntry {
   noise::Channel channel;
-  std::string unit;  // "m" or "rad"; of frictions empty
+  std::string unit;  // "m" or "rad"; empty for frictions
   double drawn = 0;
   std::optional<double> applied = {};
   std::optional<double> measured = {};
 };
 
-// All channels of the noise, in their order. `trace` is of a trial with that noise. The world as it
-// was at the start of the trial is made once more.
+// Returns one entry for each channel of the noise, in the order of the channels. `trace` must come
+// from a trial with this noise. The trial's world at its start is built again to read values from
+// it.
 std::vector<LedgerEntry> LedgerOf(const Experiment& experiment, const noise::Noise& noise,
                                   const exec::Trace& trace);
 

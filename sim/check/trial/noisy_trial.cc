@@ -45,7 +45,8 @@ class WithHalfTheTimestep {
   std::optional<exec::Trace> trace_;
 };
 
-// Whose a failure is: the engine's, if it does not happen with half the timestep.
+// Adds to the reason of a failed verdict that the engine is to blame, if the trial succeeds with
+// half the timestep.
 Verdict Attributed(const Experiment& experiment, Verdict verdict, WithHalfTheTimestep& finer) {
   if (verdict.outcome == TrialOutcome::kSucceeded) return verdict;
   if (Judge(experiment.problem, finer.trace(), {}).outcome == TrialOutcome::kSucceeded) {
@@ -70,8 +71,8 @@ NoisyTrial RunNoisyTrial(const Experiment& experiment, const noise::Noise& noise
     if (!check->error.empty()) ++trial.errors_signalled;
   }
   trial.operator_called = trace.end().outcome == exec::ExecutionOutcome::kOperatorCalled;
-  // Every error but one that the operator was called for was followed by another try, and the last
-  // try of a step that went on mended it.
+  // After every error, except one for which the operator was called, the step was tried again. If
+  // such a step came to its end, its last try mended the error.
   std::vector<plan::StepId> mended;
   for (const exec::RecoveryRecord* recovery : trace.All<exec::RecoveryRecord>()) {
     const auto ended = [&](const exec::StepEnd* end) { return end->step == recovery->step; };

@@ -19,13 +19,14 @@ struct Experiment {
   HonestyGate gate = {};
 };
 
-// What became of one trial.
+// The result of one trial.
 struct NoisyTrial {
   noise::Noise noise;
   exec::Trace trace;
-  Verdict verdict;  // of the plan as a whole; its reason tells if the engine's timestep is to blame
+  // Judges the plan as a whole. Its reason says whether the engine's timestep caused a failure.
+  Verdict verdict;
   std::vector<Claim> claims;  // of the certificates of all steps that were executed
-  int errors_signalled = 0;   // by verifications
+  int errors_signalled = 0;   // signalled by verifications
   int recovered = 0;          // errors after which the plan went on
   bool operator_called = false;
 };
@@ -33,8 +34,8 @@ struct NoisyTrial {
 // Executes the plan in a world with this noise. Safe to call from many threads.
 NoisyTrial RunNoisyTrial(const Experiment& experiment, const noise::Noise& noise,
                          exec::ExecutorOptions options);
-// The same, for who does not ask what became of the certificates, so that nothing is executed again
-// with half the timestep.
+// Executes the plan in a world with this noise and returns the verdict alone. Certificates are not
+// checked, so that nothing is executed again with half the timestep.
 Verdict JudgeNoisyTrial(const Experiment& experiment, const noise::Noise& noise,
                         exec::ExecutorOptions options);
 

@@ -15,7 +15,7 @@ using domain::Mating;
 using domain::Part;
 using domain::Problem;
 
-// Not above the limit, and a number.
+// Holds if the value is at most the limit. A value that is not a number does not hold.
 Finding AtMost(Aspect aspect, const std::string& name, double value, double limit,
                const char* unit) {
   return {aspect, name, value, limit, unit, value <= limit};
@@ -27,7 +27,7 @@ const Feature& FeatureOf(const Part& part, domain::FeatureNumber number) {
   return *feature;
 }
 
-// A pair of mating features: where each has its mating frame in its own part.
+// The mating frames of a pair of mating features, each in the frame of its own part.
 struct Pair {
   Pose X_HeldFeature;
   Pose X_FixedFeature;

@@ -17,15 +17,17 @@ using geometry::Vector3;
 
 constexpr double kInside = 0.005;     // metres from the mouth, where the ray starts
 constexpr double kOutOfSeat = 0.005;  // metres
-constexpr double kFarther = 0.001;    // metres: more than any play is greater than the clearance
-constexpr double kPrecision = 1e-8;   // metres
-constexpr double kSqueezed = 1e-5;    // metres, so that the pads touch
+constexpr double kFarther = 0.001;  // metres; every play is less than twice the clearance plus this
+constexpr double kPrecision = 1e-8;  // metres
+// The distance in metres by which the pads are closed further, so that they touch.
+constexpr double kSqueezed = 1e-5;
 
-// A wall of a mating hole that is set back by as much as the clearance is greater.
+// A wall of a mating hole. The wall is set back by as much as the clearance exceeds its nominal
+// value.
 struct HoleWall {
   const Mating* mating;
-  PartId part;        // that has the hole
-  Vector3 on_axis;    // in the hole; frame of that part
+  PartId part;        // the part that has the hole
+  Vector3 on_axis;    // a point in the hole, in that part's frame
   Vector3 direction;  // unit, from the axis to the wall
 };
 
@@ -52,7 +54,8 @@ std::optional<HoleWall> FindWall(const domain::Problem& problem) {
   return std::nullopt;
 }
 
-// The ray meets what is drawn: neither supporting boxes nor the parts' own tables.
+// Returns the distance from the axis to the wall by a ray. The ray meets only what is drawn:
+// neither supporting boxes nor the parts' own tables.
 std::optional<double> DistanceTo(const HoleWall& wall, const scene::Scene& scene,
                                  const mujoco::Data& data) {
   const Pose X_WorldPart = scene.TruePose(data, wall.part);
@@ -67,7 +70,8 @@ std::optional<double> DistanceTo(const HoleWall& wall, const scene::Scene& scene
   return met ? std::optional(distance) : std::nullopt;
 }
 
-// Nothing is simulated: contacts of poses.
+// Returns how far the held part can move to the wall. Nothing is simulated: poses are tested for
+// contact.
 std::optional<double> PlayTo(const HoleWall& wall, double clearance, const scene::Scene& scene,
                              mujoco::Data& data) {
   const Mating& mating = *wall.mating;
@@ -97,7 +101,8 @@ struct Friction {
   double of_contact = 0;
 };
 
-// Of the first contact between a geom of `body` and one of `other`; None: of anything.
+// Returns the friction of the first contact between a geom of `body` and a geom of `other`, or of
+// any body if `other` is None.
 std::optional<Friction> FrictionAt(const mujoco::Data& data, mujoco::BodyId body,
                                    mujoco::BodyId other) {
   const mjModel& m = *data.own_model();

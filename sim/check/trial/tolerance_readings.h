@@ -7,24 +7,26 @@
 
 namespace assay::check {
 
-// What the engine has, in one scene, of the quantities that domain::Tolerances is about: what its
-// compiled model says, and what comes of it where bodies touch. None: there is nothing that it
-// could be read from.
+// The true values, in one scene of the engine, of the quantities that domain::Tolerances is about.
+// For each quantity there is the value in the compiled model and the value that results where
+// bodies touch. A value is missing if the scene has nothing to read it from.
 struct ToleranceReadings {
-  // Of the first mating with a hole that widens with the clearance, metres: how far a wall is from
-  // the hole's axis, found by a ray; and how far the held part, drawn out of its seat a little, can
-  // be moved towards that wall until it touches.
+  // For the first mating with a hole that widens with the clearance, in metres. `wall` is the
+  // distance of a wall from the hole's axis, found by a ray. `play` is how far the held part can be
+  // moved towards that wall until it touches, when it is drawn out of its seat a little.
   std::optional<double> wall;
   std::optional<double> play;
-  // Sliding friction of the first part, where it rests at the start: of its geom, and of the
-  // contact.
+  // Sliding friction of the first part where it rests at the start: the friction of its geom, and
+  // the friction of its contact.
   std::optional<double> part_geom;
   std::optional<double> part_contact;
-  // Likewise of the pads, closed on the part that the plan first picks up.
+  // Sliding friction of the pads, closed on the part that the plan picks up first: the friction of
+  // a pad's geom, and the friction of its contact.
   std::optional<double> pad_geom;
   std::optional<double> pad_contact;
 };
 
+// Reads the tolerances in `scene`, which must be built from `problem`.
 ToleranceReadings ReadTolerances(const domain::Problem& problem, const plan::Plan& plan,
                                  const scene::Scene& scene);
 

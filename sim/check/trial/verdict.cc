@@ -48,7 +48,7 @@ class Judgement {
     ExamineLeftAlone(goal.part);
   }
 
-  // Released and at rest; once for each part.
+  // Judges whether the part is released and at rest, once for each part.
   void ExamineLeftAlone(PartId id) {
     if (std::ranges::find(left_alone_, id) != left_alone_.end()) return;
     left_alone_.push_back(id);

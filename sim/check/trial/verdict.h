@@ -10,18 +10,18 @@
 
 namespace assay::check {
 
-// How a trial ended, judged from the simulator's truth.
+// How a trial ended, judged by the true poses in the simulator.
 enum class TrialOutcome {
   kSucceeded,       // every goal holds
-  kUnreachable,     // the arm cannot go a way that the plan wants
-  kOverload,        // the wrist felt more force than it may, and the arm stopped
-  kEngineWarning,   // the engine's numbers cannot be trusted: the trial tells nothing
-  kNotFound,        // a sensor did not see the part that it was to look at
+  kUnreachable,     // the arm cannot follow a way that the plan asks for
+  kOverload,        // the wrist felt more force than allowed, and the arm stopped
+  kEngineWarning,   // the engine's numbers cannot be trusted, so that the trial proves nothing
+  kNotFound,        // a sensor did not see the part that it was to find
   kOperatorCalled,  // an error was signalled, and no recovery mended it
-  kCollided,        // an arm touched something, or a hand what it does not handle
-  kGraspFailed,     // a goal does not hold, and before that the gripper missed what it was to hold
+  kCollided,        // an arm touched something, or a hand touched what it does not handle
+  kGraspFailed,     // a goal does not hold, and before that a grasp had failed
   kNotSeated,       // a held part is not all the way in
-  kMisaligned,      // it is in, but off to the side, tilted or turned
+  kMisaligned,      // a held part is in, but off to the side, tilted or turned
   kNotLocated,      // a part does not rest in a stable pose that a goal names
   kNotReleased,     // a part is still in the hand
   kNotAtRest,       // a part still moves
@@ -34,8 +34,8 @@ struct Verdict {
   std::vector<Finding> findings = {};  // of all goals, whether they hold or not
 };
 
-// Judges an execution by its trace. Of several reasons for failure the outcome names the first in
-// the order of the enumeration; the findings tell all.
+// Judges an execution by its trace. If there are several reasons for failure, the outcome is the
+// first of them in the order of the enumeration. The findings list all of them.
 Verdict Judge(const domain::Problem& problem, const exec::Trace& trace, const Limits& limits);
 
 }  // namespace assay::check

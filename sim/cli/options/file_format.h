@@ -4,10 +4,10 @@
 
 namespace assay::cli {
 
-// What a file says it is, by its key `format`.
+// The kinds of files that the program reads, as named by a file's key `format`.
 enum class FileFormat { kScenarioFile, kPartFile, kWorkcellFile, kPlanFile, kSweepFile };
 
-// Throws InputError if the key is missing or names none of these.
+// Returns the format of a file. Throws InputError if the key is missing or has another value.
 FileFormat FormatOf(const Document& document);
 
 }  // namespace assay::cli

@@ -6,11 +6,13 @@
 
 namespace assay::cli {
 
-// The option --models of a verb, which may be given more than once. `models` outlives the command.
+// Adds the option --models to a verb; it may be given more than once. `models` must outlive the
+// command.
 void AddModelsOption(CLI::App& command, domain::ModelPath& models);
 
-// For verbs without an input file: the folders given, then the one that belongs to the working
-// directory, else the one that was installed. Throws EnvironmentError if there is none.
+// Returns the model folders for a verb without an input file: the given ones, then the one that
+// belongs to the working directory, or else the installed one. Throws EnvironmentError if there is
+// none.
 domain::ModelPath FindModelsHere(const domain::ModelPath& given);
 
 }  // namespace assay::cli

@@ -10,13 +10,13 @@ namespace assay::cli {
 namespace {
 
 constexpr int kDigits = 4;
-constexpr double kNothing = 1e-9;  // millimetres or degrees: what is below counts as 0
+constexpr double kNothing = 1e-9;  // millimetres or degrees; smaller values count as 0
 
 std::string NumberText(double number) {
   return fmt::format("{:.{}g}", std::abs(number) < kNothing ? 0.0 : number, kDigits);
 }
 
-// The number next to zero that has no more digits than are shown.
+// Returns the nearest number toward zero that has no more digits than are shown.
 double TowardZero(double number) {
   if (std::abs(number) < kNothing) return 0;
   const double last_digit = std::pow(10, std::floor(std::log10(std::abs(number))) - kDigits + 1);

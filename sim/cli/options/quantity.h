@@ -10,31 +10,31 @@
 
 namespace assay::cli {
 
-// Metres are shown to people in millimetres, radians in degrees.
+// Output for people shows lengths in millimetres and angles in degrees.
 using domain::Unit;
 inline constexpr Unit kLengthUnit = domain::kMillimetres;
 inline constexpr Unit kAngleUnit = domain::kDegrees;
 inline constexpr Unit kRatioUnit = domain::kRatio;
 inline constexpr double kDegree = kAngleUnit.factor;  // radians
 
-// Of what an error variable measures: theta, skew, tip, twist and turn are angles, all else
-// lengths.
+// Returns the unit of an error variable. Variables named theta, skew, tip, twist and turn are
+// angles, all others lengths.
 Unit UnitOf(const std::string& variable);
-// Of a precondition's bound, limit, margin and gap.
+// Returns the unit of a precondition's bound, limit, margin and gap.
 Unit UnitOf(const plan::CertifiedPrecondition& precondition);
-// The unit in which people are told the numbers of a claim.
+// Returns the unit in which a claim's numbers are shown to people.
 Unit UnitOf(check::Unit unit);
-// The unit in which people are told what is in "m", "rad", "m/s" or "rad/s"; any other unit stays
-// as it is.
+// Returns the unit in which values in "m", "rad", "m/s" or "rad/s" are shown to people. Any other
+// unit is returned as it is.
 Unit ShownIn(std::string_view unit);
 
-// "-23.01 mm".
+// Returns the value with its unit: "-23.01 mm".
 std::string QuantityText(double value, const Unit& unit);
 
-// "+-2.794", "0", "-1.2 to 3.4", "unknown": without the unit.
+// Returns the range without its unit: "+-2.794", "0", "-1.2 to 3.4", "unknown".
 std::string RangeText(const Interval& range, const Unit& unit);
 
-// The same, rounded so that the range in the text is not wider.
+// Returns the range as RangeText does, but rounded so that the text's range is not wider.
 std::string NarrowRangeText(const Interval& range, const Unit& unit);
 
 }  // namespace assay::cli

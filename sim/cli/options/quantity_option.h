@@ -8,7 +8,8 @@ class Validator;
 
 namespace assay::cli {
 
-// Lets an option have so many of a unit as lie in a range, which is in SI; tells both in the unit.
+// Returns a validator for an option whose value is in `unit`. `range` is in SI units; error
+// messages state value and range in `unit`.
 CLI::Validator Within(const domain::Range& range, const domain::Unit& unit);
 
 }  // namespace assay::cli

@@ -13,10 +13,11 @@ class Option;
 
 namespace assay::cli {
 
-// --resolvers sensing,squeezing,fine-motion: which to use instead of those that the scenario names.
+// Adds the option --resolvers sensing,squeezing,fine-motion, which replaces the scenario's
+// resolvers.
 CLI::Option* AddResolvers(CLI::App& command, std::vector<std::string>& names);
 
-// None: as the scenario says.
+// Returns the named resolvers, or nothing if `names` is empty and the scenario decides.
 std::optional<std::vector<domain::ResolverKind>> ResolversFrom(
     const std::vector<std::string>& names);
 

@@ -17,14 +17,14 @@ using geometry::Vector3;
 constexpr int kPictureWidth = 640;
 constexpr int kPictureHeight = 480;
 constexpr double kDistance = 0.25;  // metres from the eye to the tip
-constexpr double kAngle = 0.35;     // radians, of the whole picture
-constexpr double kArm = 0.003;      // metres, of a cross
+constexpr double kAngle = 0.35;     // radians, over the height of the picture
+constexpr double kArm = 0.003;      // metres; the arm of a cross
 constexpr double kOutOfSight = -2;  // metres
-// On whatever the fixed part is painted with, and in the dark of its hole.
+// Colours that stand out against any colour of the fixed part and in the dark of its hole.
 constexpr render::Colour kHeld{"#ffd24a"};
 constexpr render::Colour kTouching{"#ff5a4d"};
 
-// From the side that the part goes in by, and from above.
+// Returns a camera that looks from the side by which the part goes in, and from above.
 render::FreeCamera CameraOn(const Vector3& tip, const Vector3& out) {
   const Vector3 aside = out.cross(out.unitOrthogonal() + 0.3 * Vector3::UnitZ()).normalized();
   const Vector3 back = (out + 0.7 * aside + 0.3 * Vector3::UnitZ()).normalized();
@@ -35,7 +35,7 @@ render::FreeCamera CameraOn(const Vector3& tip, const Vector3& out) {
   return {X_WorldCamera, kAngle};
 }
 
-// Lines whose face looks at the eye.
+// Returns a cross of lines whose faces are turned to the eye.
 render::Ghost Cross(const Vector3& at, const Vector3& eye) {
   render::Ghost cross{.colour = kTouching};
   for (int axis = 0; axis < 3; ++axis) {
@@ -45,7 +45,7 @@ render::Ghost Cross(const Vector3& at, const Vector3& eye) {
   return cross;
 }
 
-// Where the camera sees a point.
+// Returns a label at the place in the picture where the camera sees a point.
 render::Label LabelAt(const Vector3& point, const render::FreeCamera& camera,
                       const std::string& text) {
   const Vector3 p = camera.X_WorldCamera.inverse() * point;

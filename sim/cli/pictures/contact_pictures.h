@@ -10,16 +10,17 @@
 
 namespace assay::cli {
 
+// A picture file with its caption.
 struct ContactPicture {
-  std::string file;  // in the folder
+  std::string file;  // file name in the folder
   std::string caption;
 };
 
-// Pictures of the contact states that a strategy leads through if there are no errors, one for the
-// end of each motion: the fixed part as it lies, the held one as lines so that what is behind stays
-// in sight, and a cross where the parts touch. Files "03-contacts.png" and so on are written to the
-// folder, and one of all of them, which is the last of those returned. Throws EnvironmentError if
-// there is no renderer.
+// Writes pictures of the contact states that a strategy leads through without errors, one for the
+// end of each motion. A picture shows the fixed part as it lies, the held part as lines, so that
+// what is behind it can be seen, and a cross where the parts touch. The files in `folder` are
+// called "03-contacts.png" and so on. Returns them, followed by one file that shows all of them.
+// Throws EnvironmentError if there is no renderer.
 std::vector<ContactPicture> WriteContactPictures(const std::filesystem::path& folder,
                                                  const domain::Problem& problem,
                                                  const scene::Scene& scene,

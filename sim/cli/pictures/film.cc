@@ -22,7 +22,7 @@ namespace assay::cli {
 namespace {
 
 constexpr const char* kContactSheet = "contact-sheet.png";
-constexpr int kMostPixels = 4096;  // each way
+constexpr int kMostPixels = 4096;  // in each direction
 
 std::optional<int> ReadPixels(std::string_view text) {
   int pixels = 0;
@@ -61,7 +61,7 @@ PictureSize SizeOf(const PictureOptions& options) {
   return *size;
 }
 
-// What the plan's actions are about; without a plan, all.
+// Returns the parts that the plan's actions are about, or all parts if there is no plan.
 std::vector<domain::PartId> WorkedParts(const domain::Problem& problem, const plan::Plan& plan) {
   std::set<domain::PartId> parts;
   for (const plan::PlannedStep& step : plan.steps) {
@@ -75,14 +75,14 @@ std::vector<domain::PartId> WorkedParts(const domain::Problem& problem, const pl
   return {parts.begin(), parts.end()};
 }
 
-// "judge-can1-can2" of "judge(can1, can2)".
+// Returns "judge-can1-can2" for "judge(can1, can2)".
 std::string FileName(const std::string& action) {
   std::string name;
   for (const char c : action) {
     if (c == '(' || c == ',') name += '-';
     if (std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '-' || c == '_') name += c;
   }
-  if (name.ends_with('-')) name.pop_back();  // of an action without arguments
+  if (name.ends_with('-')) name.pop_back();  // for an action without arguments
   return name;
 }
 
@@ -192,7 +192,7 @@ void Film::SeeMilestone(const exec::Milestone& milestone, const mujoco::Data& da
 }
 
 void Film::SeeStepEnd(const exec::StepEnd& end, const mujoco::Data& data) {
-  // After a recovery it rests elsewhere.
+  // After a recovery the part rests in another place than before.
   if (mating_) TakeMating(mating_->LookAtRest(data), data);
   mating_.reset();
   ++ended_;
@@ -203,7 +203,7 @@ void Film::SeeStepEnd(const exec::StepEnd& end, const mujoco::Data& data) {
 }
 
 void Film::Write(const std::filesystem::path& folder) const {
-  if (sheet_.empty()) return;  // interrupted before the start
+  if (sheet_.empty()) return;  // if interrupted before the start
   for (const Picture& picture : pictures_) {
     WriteFile(folder / picture.file, render::EncodedPng(picture.image));
   }

@@ -20,26 +20,26 @@ class App;
 
 namespace assay::cli {
 
-// How pictures are taken.
+// Options for taking pictures.
 struct PictureOptions {
   std::vector<std::string> cameras = {};  // empty: the scenario's
   std::string size = "960x720";           // pixels, WIDTHxHEIGHT
-  int samples = 2;                        // along each side of a pixel
-  bool hides_ghosts = false;              // of the predicted error sets
+  int samples = 2;                        // samples along each side of a pixel
+  bool hides_ghosts = false;              // leave out the ghosts of predicted error sets
 };
 
-// Adds --camera, --size, --samples and --no-ghosts. `with`: an option of the command without which
-// there are no pictures; empty: there always are.
+// Adds --camera, --size, --samples and --no-ghosts. `with` names an option of the command without
+// which no pictures are taken; it is empty if pictures are always taken.
 void AddPictureOptions(CLI::App& command, PictureOptions& options, const std::string& with = "");
 
-// What is executed, and where.
+// The plan that is executed, and its scene.
 struct FilmSubject {
   const domain::Problem& problem;
   const plan::Plan& plan;
   const scene::Scene& scene;
 };
 
-// Pixels.
+// A picture's size in pixels.
 struct PictureSize {
   int width = 0;
   int height = 0;
@@ -47,27 +47,27 @@ struct PictureSize {
   double aspect() const { return static_cast<double>(width) / height; }
 };
 
-// Pictures of one trial: its start and the end of each step, there with the error sets that the
-// step's certificate predicts, as ghosts; and on the way close-ups of what the hand does: pads that
-// have closed on a part, and matings (MatingFilm).
+// Takes the pictures of one trial: its start and the end of each step. The picture of a step's end
+// shows the error sets that the step's certificate predicts, as ghosts. Close-ups show what the
+// hand does on the way: pads that have closed on a part, and matings (MatingFilm).
 class Film : public exec::Observer {
  public:
-  // Throws EnvironmentError if there is no renderer, UsageError if there is no such camera. What
-  // the subject refers to must outlive the film.
+  // Throws EnvironmentError if there is no renderer, and UsageError if there is no such camera. The
+  // objects that `subject` refers to must outlive the film.
   Film(const FilmSubject& subject, const std::vector<std::string>& cameras_of_scenario,
        const PictureOptions& options);
 
   void TakeStart(const mujoco::Data& data);
-  // The end of a step that no plan knows: "grasp(can1)".
+  // Takes a picture of the end of an action that is not in the plan: "grasp(can1)".
   void TakeStepEnd(const std::string& action, const mujoco::Data& data);
 
   void SeeTimestep(const mujoco::Data& data) override;
   void SeeMilestone(const exec::Milestone& milestone, const mujoco::Data& data) override;
   void SeeStepEnd(const exec::StepEnd& end, const mujoco::Data& data) override;
 
-  // One file for each picture: of the second step's close-ups "02-action_3-1-before.png" and so on,
-  // of its end "02-action_3.png" by the first camera, "02-action_3-top.png" by others; and
-  // contact-sheet.png with the close-ups and what the first camera took.
+  // Writes one file for each picture. The second step's close-ups are "02-action_3-1-before.png"
+  // and so on. Its end is "02-action_3.png" by the first camera and "02-action_3-top.png" by
+  // others. contact-sheet.png shows the close-ups and the first camera's pictures.
   void Write(const std::filesystem::path& folder) const;
   std::vector<std::string> FileNames() const;
 
@@ -93,10 +93,10 @@ class Film : public exec::Observer {
   bool has_ghosts_ = false;
   render::Renderer renderer_;
   std::vector<std::string> cameras_;
-  std::vector<domain::PartId> worked_;  // parts that the camera shows that follows the work
-  int ended_ = 0;                       // steps
-  int close_ups_ = 0;                   // of the present step
-  std::optional<MatingFilm> mating_;    // on its way
+  std::vector<domain::PartId> worked_;  // parts shown by the camera that follows the work
+  int ended_ = 0;                       // number of steps that have ended
+  int close_ups_ = 0;                   // number of close-ups in the present step
+  std::optional<MatingFilm> mating_;    // the mating in progress
   plan::StepId mating_step_;
   std::vector<Picture> pictures_;
   std::vector<render::CaptionedImage> sheet_;

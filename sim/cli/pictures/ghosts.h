@@ -9,8 +9,8 @@
 
 namespace assay::cli {
 
-// What the step's certificate says of its end: each part at the extremes of its predicted error
-// set, as seen from what is believed at that moment. None if the step has no certificate.
+// Returns what the step's certificate predicts for the step's end: each part at the extremes of its
+// error set, relative to the believed poses in `moment`. Empty if the step has no certificate.
 std::vector<render::Ghost> GhostsAfter(const domain::Problem& problem,
                                        const plan::PlannedStep& step, const exec::Moment& moment);
 

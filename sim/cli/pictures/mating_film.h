@@ -9,28 +9,28 @@
 
 namespace assay::cli {
 
-// A moment on the way of a step that is worth a picture.
+// An event during a step that is worth a picture.
 struct Moment {
-  std::string name;     // "enters", for files
+  std::string name;     // "enters"; for file names
   std::string caption;  // "peg into block: enters, 2.5 of 25.4 mm"
 };
 
-// Which moments of a mating are worth a picture, from when the held part is before the hole: as far
-// before the mouth as this is wide, as it enters, half way in, and where it comes to rest. All by
-// one camera.
+// Selects the events of a mating that are worth a picture: as far before the mouth as the mouth is
+// wide, as it enters, half way in, and where it comes to rest. All of them are seen by one camera.
+// The film begins when the held part is before the hole.
 class MatingFilm {
  public:
-  // What is referred to must outlive this; `data`: the held part is before the hole.
+  // The arguments must outlive the film. In `data` the held part must be before the hole.
   MatingFilm(const domain::Problem& problem, const scene::Scene& scene,
              const domain::Mating& mating, const mujoco::Data& data, double aspect);
 
   const render::FreeCamera& camera() const { return camera_; }
 
-  // The moment that has come, if one has. Each comes once; of several that have come at once, the
-  // last.
+  // Returns the event that has come, if any. Each event is returned once. If several have come at
+  // once, the last is returned.
   std::optional<Moment> Look(const mujoco::Data& data);
-  // Where it came to rest: "seated", or "stopped" if farther than a twentieth of its depth from
-  // the seat. None if that moment was there already.
+  // Returns the event at rest: "seated", or "stopped" if the part is farther than a twentieth of
+  // its depth from the seat. Returns nothing if that event was returned before.
   std::optional<Moment> LookAtRest(const mujoco::Data& data);
 
  private:
@@ -39,8 +39,8 @@ class MatingFilm {
   std::string parts_;  // "peg into block", "sleeve onto post"
   render::Insertion insertion_;
   render::FreeCamera camera_;
-  std::vector<std::pair<std::string, double>> ahead_;  // moments by their depths, metres
-  std::optional<double> rest_;                         // the depth where it was last seen at rest
+  std::vector<std::pair<std::string, double>> ahead_;  // events to come by their depths, metres
+  std::optional<double> rest_;                         // depth where the part was last seen at rest
 };
 
 }  // namespace assay::cli

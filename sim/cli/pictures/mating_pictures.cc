@@ -20,14 +20,14 @@ std::string ContentsOf(const std::filesystem::path& file) {
   return contents.str();
 }
 
-// "peg into block".
+// Returns "peg into block".
 std::string TitleOf(const PicturedMating& pictured) {
   const domain::Problem& problem = pictured.planned.problem;
   return fmt::format("{} into {}", problem.part(pictured.mating.held).name,
                      problem.part(pictured.mating.fixed).name);
 }
 
-// Those of the plan at a critical point.
+// Returns the plan's motions at a critical point.
 report::MotionRange MotionsAt(const finemotion::FineMotionPlan& plan, std::size_t critical_point) {
   const auto at = [&](const auto& of) {
     return static_cast<std::size_t>(of(plan.motions, static_cast<int>(critical_point), {},
@@ -56,7 +56,7 @@ std::vector<std::string> WriteMatingPictures(const std::filesystem::path& folder
       WriteContactPictures(folder, planned.problem, scene, mating, strategy);
   std::vector<std::string> files;
   for (const ContactPicture& picture : states) files.push_back(picture.file);
-  states.pop_back();  // all of them
+  states.pop_back();  // the last picture shows all states
   report::MatingSubject subject{.title = TitleOf(pictured),
                                 .summary = SummaryOf(geometry, plan),
                                 .graphs = GraphsOf(chain, plan),

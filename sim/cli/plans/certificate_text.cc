@@ -55,7 +55,7 @@ bool AnyStrategy(const plan::Plan& plan) {
       plan.steps, [](const plan::PlannedStep& step) { return step.strategy.has_value(); });
 }
 
-// What the certificates leave open, if they are made as published.
+// Returns what certificates leave open if they are computed as published.
 std::string UnaskedText(const plan::Plan& plan) {
   if (!plan::IsAsPublished(plan)) return "";
   std::vector<std::string_view> unasked;
@@ -65,7 +65,7 @@ std::string UnaskedText(const plan::Plan& plan) {
   return fmt::format(" It does not ask for: {}.", fmt::join(unasked, ", "));
 }
 
-// How great errors the strategy absorbs, and what would be the first to go wrong.
+// Returns the size of the errors that the strategy absorbs, and what would fail first.
 std::string StrategyText(const plan::Strategy& strategy) {
   const plan::StrategyCertificate& certificate = strategy.certificate;
   const auto numbers = [](const geometry::Vector3& v, const Unit& unit) {

@@ -37,7 +37,7 @@ std::string OrderingGraphToDot(const domain::Problem& problem, const plan::Plan&
 
 namespace {
 
-// The labels themselves where they are few, else how many.
+// Returns the labels if they are few, and else their number.
 std::string LabelsOf(const posting::PartialPlan& plan, domain::VariableId variable) {
   constexpr int kFew = 6;
   const network::LabelSet labels = plan.Labels(variable);
@@ -77,7 +77,7 @@ std::string ConstraintNetworkToDot(const posting::PartialPlan& plan) {
 
 namespace {
 
-// A node of the contact state of a critical point.
+// Returns the name of a contact state's node at a critical point.
 std::string NodeOf(std::size_t point, std::size_t state) {
   return fmt::format("c{}s{}", point + 1, state);
 }
@@ -91,7 +91,7 @@ std::string LabelOf(const finemotion::LocalTopology& topology, std::size_t i) {
   return label + (to_goal < 0 ? "no way to a goal" : fmt::format("{} to a goal", to_goal));
 }
 
-// Where ways begin and where they end.
+// Returns the fill style of initial states and of goals.
 const char* StyleOf(const finemotion::LocalTopology& topology, std::size_t i) {
   const auto has = [&](const std::vector<int>& states) {
     return std::ranges::count(states, static_cast<int>(i)) > 0;

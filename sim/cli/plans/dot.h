@@ -10,22 +10,24 @@
 
 namespace assay::cli {
 
-// The ordering graph of a plan in the language of Graphviz: a node for each step, with its place in
-// the order of execution, and an arrow to each step that comes after it.
+// Returns the ordering graph of a plan in the language of Graphviz. It has a node for each step,
+// with the step's place in the order of execution, and an arrow to each step that comes after it.
 std::string OrderingGraphToDot(const domain::Problem& problem, const plan::Plan& plan);
 
-// The constraint network of a partial plan: a node for each plan variable with its labels that are
-// left, and an arc for each constraint between two of them (Spar, figures 9 and 10).
+// Returns the constraint network of a partial plan in the language of Graphviz. It has a node for
+// each plan variable, with the labels that are left, and an arc for each constraint between two
+// variables (Spar, figures 9 and 10).
 std::string ConstraintNetworkToDot(const posting::PartialPlan& plan);
 
-// The contact states at each critical point, a row for each dimension, and an edge where one
-// contact is made or broken (Dakin and Popplestone, figure 4). Nodes tell their contacts and how
-// many transitions it is to a goal; initial states are blue, goals green, and bold edges join the
-// states that neighbouring critical points share.
+// Returns the contact states at each critical point in the language of Graphviz. States are in a
+// row for each dimension, and an edge joins two states that differ by one contact (Dakin and
+// Popplestone, figure 4). Nodes show their contacts and the number of transitions to a goal.
+// Initial states are blue and goals green. Bold edges join the states that neighbouring critical
+// points share.
 std::string ContactChainToDot(const std::string& name, const finemotion::ContactChain& chain);
 
-// A contingent plan: a box for each action, a diamond for each branch, dashed where it goes back to
-// repeat what lies between.
+// Returns a contingent plan in the language of Graphviz. It has a box for each action and a diamond
+// for each branch. A dashed edge goes back to repeat what lies between.
 std::string PlanTreeToDot(const contingent::GroundTask& task, const contingent::PlanTree& tree);
 
 }  // namespace assay::cli

@@ -29,11 +29,12 @@ using verify::VariableInProof;
 
 constexpr std::size_t kLineWidth = 100;
 constexpr std::string_view kIndent = "    ";
-constexpr std::size_t kShownLines = 3;      // of an expression told in full
+constexpr std::size_t kShownLines = 3;      // of an expression shown in full
 constexpr double kShownShare = 0.001;       // of the largest cost
-constexpr std::size_t kShownVariables = 8;  // of those that cost most
+constexpr std::size_t kShownVariables = 8;  // those that cost most
 
-// Preconditions that say the same of different points and planes, the tightest first.
+// Preconditions that state the same condition for different points and planes. The tightest comes
+// first.
 struct ClaimKind {
   std::string condition;
   std::string meaning;
@@ -45,7 +46,7 @@ struct ClaimKind {
   }
 };
 
-// The kinds, the tightest first.
+// Returns the kinds, with the tightest first.
 std::vector<ClaimKind> KindsOf(const std::vector<CertifiedPrecondition>& preconditions) {
   std::vector<ClaimKind> kinds;
   for (const CertifiedPrecondition& claim : preconditions) {
@@ -64,13 +65,13 @@ std::vector<ClaimKind> KindsOf(const std::vector<CertifiedPrecondition>& precond
   return kinds;
 }
 
-// "INF -23.01 mm".
+// Returns the bound: "INF -23.01 mm".
 std::string BoundText(const CertifiedPrecondition& claim) {
   return fmt::format("{} {}", claim.relation == Relation::kLess ? "SUP" : "INF",
                      QuantityText(claim.bound, UnitOf(claim)));
 }
 
-// "> -19.55 mm".
+// Returns the limit: "> -19.55 mm".
 std::string LimitText(const CertifiedPrecondition& claim) {
   return fmt::format("{} {}", claim.relation == Relation::kLess ? '<' : '>',
                      QuantityText(claim.limit, UnitOf(claim)));
@@ -84,7 +85,7 @@ std::string GapText(const CertifiedPrecondition& claim) {
   return std::isfinite(claim.gap) ? QuantityText(claim.gap, UnitOf(claim)) : "unknown";
 }
 
-// The text with its decimal numbers in four digits.
+// Returns the text with its decimal numbers in four digits.
 std::string WithShortNumbers(const std::string& text) {
   std::string result;
   for (std::size_t i = 0; i < text.size();) {
@@ -109,13 +110,13 @@ std::string Cut(const std::string& text) {
 
 std::string OneLine(const std::string& expression) { return Cut(WithShortNumbers(expression)); }
 
-// "+ 2*x", "- y".
+// Returns the term with a sign before it: "+ 2*x", "- y".
 std::string SignedTerm(const std::string& term) {
   const std::string text = WithShortNumbers(term);
   return text.starts_with('-') ? "- " + text.substr(1) : "+ " + text;
 }
 
-// The terms as a sum in indented lines; those that do not fit are counted.
+// Returns the terms as a sum in indented lines. Terms that do not fit are counted.
 std::string FoldedSum(const std::vector<std::string>& terms) {
   std::string text;
   std::string line = OneLine(terms.front());
@@ -136,7 +137,7 @@ std::string FoldedSum(const std::vector<std::string>& terms) {
          fmt::format("{}... and {} terms more that vary less\n", kIndent, terms.size() - shown);
 }
 
-// How many of the variables cost enough to be told.
+// Returns how many of the variables cost enough to be shown.
 std::size_t CountShown(const std::vector<VariableInProof>& variables) {
   std::size_t shown = 0;
   while (shown < std::min(variables.size(), kShownVariables) &&
@@ -188,7 +189,7 @@ std::string RemedyText(const Proof& proof) {
                      unit.name);
 }
 
-// The whole chain of one precondition.
+// Returns the whole proof of one precondition.
 std::string ChainText(const Proof& proof) {
   const CertifiedPrecondition& claim = proof.claim;
   const Unit unit = UnitOf(claim);
@@ -202,7 +203,8 @@ std::string ChainText(const Proof& proof) {
   return text + FoldedSum(proof.terms) + VariablesText(proof) + RemedyText(proof);
 }
 
-// Claims that read alike are counted in one line, with the largest of their gaps.
+// Returns a table of the claims. Claims with the same text are counted in one line, with the
+// largest of their gaps.
 std::string ClaimsTable(const std::vector<const CertifiedPrecondition*>& claims) {
   struct Line {
     const CertifiedPrecondition* widest;
@@ -239,7 +241,7 @@ std::string StandingText(std::size_t unproved, std::size_t all, bool absorbed) {
                      absorbed ? "not proved, and absorbed by fine motion" : "NOT PROVED");
 }
 
-// Where something is not proved, the tightest in full; else shorter.
+// Returns the text of a kind. With `in_full`, its tightest claim is explained in full.
 std::string KindText(const ClaimKind& kind, const CertificateProofs& proofs, bool absorbed,
                      bool in_full) {
   const std::size_t unproved = kind.unproved();
@@ -255,7 +257,8 @@ std::string KindText(const ClaimKind& kind, const CertificateProofs& proofs, boo
   return text + "  The others:\n" + ClaimsTable({kind.claims.begin() + 1, kind.claims.end()});
 }
 
-// In full: what is not proved; if all is, the tightest.
+// Explains in full the kinds that are not proved. If all are proved, the tightest kind is explained
+// in full.
 std::string PreconditionsText(const PlannedStep& step, const std::string& file) {
   const std::vector<CertifiedPrecondition>& all = step.certificate.preconditions;
   if (all.empty()) return "\nIt has no uncertainty-reduction preconditions.\n";
@@ -265,7 +268,7 @@ std::string PreconditionsText(const PlannedStep& step, const std::string& file) 
       "\nUncertainty-reduction preconditions: {}, the tightest first.\n"
       "Expressions are in metres and radians; the terms that vary most come first.\n",
       CertificateText(step));
-  bool is_tightest = true;  // of those that count
+  bool is_tightest = true;  // of those that are not absorbed
   for (const ClaimKind& kind : kinds) {
     const bool absorbed = plan::Absorbs(step.strategy, kind.condition);
     text += KindText(kind, proofs, absorbed, !absorbed && (kind.unproved() > 0 || is_tightest));
@@ -309,7 +312,7 @@ std::string InsertedText(const plan::Plan& plan, plan::StepId id) {
   return text.empty() ? text : "\nDone about it: " + text;
 }
 
-// The steps for whose sake this one was inserted.
+// Returns the steps for which this one was inserted.
 std::string PurposeText(const plan::Plan& plan, plan::StepId id) {
   std::vector<plan::StepId> served;
   for (std::size_t s = 0; s < plan.steps.size(); ++s) {

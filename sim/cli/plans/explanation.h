@@ -7,11 +7,12 @@
 
 namespace assay::cli {
 
-// Why a step is safe or not, for people, from its certificate alone: what was known before and is
-// known after it, what was inserted for it, and the chain of each precondition: the inequality, its
-// bound, the worst corner, what each variable costs, and the mildest tightening of a single one
-// that would do. What is not proved comes first. Throws InputError, which names `file`, where the
-// plan comes from, if an expression of the certificate does not read.
+// Returns a text for people that explains from a step's certificate alone why the step is safe or
+// not. It states what was known before and is known after the step, and what was inserted for it.
+// For each precondition it gives the inequality, its bound, the worst corner, the cost of each
+// variable, and the mildest tightening of a single variable that would prove it. Preconditions that
+// are not proved come first. Throws InputError, which names the plan's `file`, if an expression of
+// the certificate cannot be read.
 std::string Explanation(const domain::Problem& problem, const plan::Plan& plan, plan::StepId step,
                         const std::string& file);
 

@@ -9,15 +9,15 @@
 
 namespace assay::cli {
 
-// Why a task of contingent planning has no plan: the parts of its goal that no plan reaches
+// Returns why a task of contingent planning has no plan: the parts of its goal that no plan reaches
 // together, one on each line.
 std::string Text(const contingent::GroundTask& task, const contingent::GoalConflict& conflict);
 
-// That no plan was found, which does not prove that there is none: the planner's doubt, or else the
-// budget, in knowledge states.
+// Returns a message that no plan was found, which does not prove that there is none. It states why
+// the planner cannot tell, or else the budget in knowledge states.
 std::string NotFoundText(const contingent::ContingentPlan& plan, std::int64_t budget);
 
-// {"goal": [...], "minimal"}
+// Returns {"goal": [...], "minimal"}.
 nlohmann::ordered_json ToJson(const contingent::GroundTask& task,
                               const contingent::GoalConflict& conflict);
 

@@ -48,7 +48,7 @@ Json GraspsToJson(const std::vector<domain::Grasp>& grasps) {
 
 }  // namespace
 
-// Three decimals, and no "-0.000".
+// Returns three decimals, without "-0.000".
 std::string DirectionText(const geometry::Vector3& v) {
   const auto rounded = [](double x) { return std::round(1000 * x) / 1000 + 0.0; };
   return fmt::format("{:.3f} {:.3f} {:.3f}", rounded(v.x()), rounded(v.y()), rounded(v.z()));

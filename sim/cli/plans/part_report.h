@@ -8,14 +8,14 @@
 
 namespace assay::cli {
 
-// The computed stable poses and grasps of a part.
+// Reports the computed stable poses and grasps of a part.
 Report ReportOn(const domain::PartModel& part, const std::vector<domain::Grasp>& grasps);
 
-// "7 8"; "-" if there are none.
+// Returns the numbers as text: "7 8", or "-" if there are none.
 std::string FeatureText(const std::vector<domain::FeatureNumber>& numbers);
-// "1.000 0.000 0.000".
+// Returns the direction as text: "1.000 0.000 0.000".
 std::string DirectionText(const geometry::Vector3& v);
-// "BP5 on-back".
+// Returns a stable pose's label and name: "BP5 on-back".
 std::string StablePoseText(const domain::PartModel& part, domain::StablePoseId pose);
 
 std::string StablePoseTable(const domain::PartModel& part);

@@ -7,8 +7,8 @@
 
 namespace assay::cli {
 
-// What the independent checker says about a plan, and whether its certificates hold up. It holds if
-// there are no flaws.
+// Reports what the independent checker finds in a plan, and whether its certificates hold up. The
+// report holds if there are no flaws.
 Report ReportOn(const PlannedProblem& planned);
 
 nlohmann::ordered_json ToJson(const plan::Plan& plan, const plan::CheckReport& report);

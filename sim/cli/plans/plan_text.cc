@@ -45,7 +45,8 @@ struct ActionText {
   }
 };
 
-// The paths that the arm takes where it cannot go up, over and down; nothing if it always can.
+// Returns the paths that the arm takes where it cannot go up, over and down; empty if it always
+// can.
 std::string TravelText(const plan::Plan& plan) {
   std::string text;
   const auto tell = [&](const std::string& to, const plan::Travel& travel) {
@@ -64,13 +65,13 @@ std::string TravelText(const plan::Plan& plan) {
 constexpr const char* kSpentBudget =
     "The budget was spent before an answer; --budget gives a greater one.\n";
 
-// Whether there was anything to search through for a planner with its limits.
+// Returns whether the planner, with its limits, had anything to search.
 bool HasSearched(const plan::PlanResult& result) {
   const auto least = result.counters.find("least_actions");
   return least != result.counters.end() && least->second >= 0;
 }
 
-// A heading and a line for each item; nothing if there is none.
+// Returns a heading and a line for each item, or nothing if there are no items.
 std::string Listed(const std::string& heading, const std::vector<std::string>& items) {
   if (items.empty()) return "";
   return fmt::format("{}:\n  - {}\n", heading, fmt::join(items, "\n  - "));

@@ -8,19 +8,19 @@
 
 namespace assay::cli {
 
-// For people.
+// These functions return text for people.
 
-// "putdown(block, BG3, BP5)": the action with its arguments, grasp and position.
+// Returns the action with its arguments, grasp and position: "putdown(block, BG3, BP5)".
 std::string Text(const domain::Problem& problem, const plan::Action& action);
 
-// The steps in the order of execution, each with its place in the order of insertion and, if the
-// plan has certificates, how much of it is proved.
+// Returns a table of the steps in the order of execution. Each row has the step's place in the
+// order of insertion and, if the plan has certificates, how much of the step is proved.
 std::string PlanTable(const domain::Problem& problem, const plan::Plan& plan);
 
-// The table and what was done about uncertainty, or why there is no plan.
+// Returns the table and what was done about uncertainty, or the reason why there is no plan.
 std::string Text(const domain::Problem& problem, const plan::PlanResult& result);
 
-// The flaws, one a line, or how much was checked.
+// Returns the flaws, one on each line, or how much was checked if there are none.
 std::string Text(const plan::Plan& plan, const plan::CheckReport& report);
 
 }  // namespace assay::cli

@@ -18,7 +18,7 @@ using Json = nlohmann::ordered_json;
 using assembly::ContingentAssembly;
 using assembly::KnowledgeAction;
 
-// "verify assemble(peg, block, ...)".
+// Returns an action in the words of plans: "verify assemble(peg, block, ...)".
 std::string Words(const std::vector<domain::Problem>& worlds, const ContingentAssembly& assembly,
                   const KnowledgeAction& action) {
   using Kind = KnowledgeAction::Kind;
@@ -42,7 +42,7 @@ std::string Words(const std::vector<domain::Problem>& worlds, const ContingentAs
   }
 }
 
-// The tree with its actions in words.
+// Returns the tree with its actions in the words of plans.
 std::string TreeText(const std::vector<domain::Problem>& worlds,
                      const ContingentAssembly& assembly) {
   const contingent::GroundTask& task = assembly.knowledge.task;

@@ -9,20 +9,20 @@
 
 namespace assay::cli {
 
-// One plan tree for the worlds of a scenario (domain::ReadWorlds).
+// These reports are about one plan tree for all worlds of a scenario (domain::ReadWorlds).
 
-// The tree's actions in the words of plans, by what they are in the tree ("plan1-action_3()"):
-// "verify assemble(peg, block, ...)".
+// Returns the tree's actions in the words of plans, by their names in the tree. The action
+// "plan1-action_3()", for example, may be "verify assemble(peg, block, ...)".
 std::map<std::string, std::string> ActionWords(const std::vector<domain::Problem>& worlds,
                                                const assembly::ContingentAssembly& assembly);
 
-// For people: the tree, its actions in the words of plans, and each plan with what was done about
-// uncertainty; or why there is none.
+// Returns a text for people: the tree with its actions in the words of plans, and each plan with
+// what was done about uncertainty. If there is no tree, the text states why.
 std::string Text(const std::vector<domain::Problem>& worlds,
                  const assembly::ContingentAssembly& assembly);
 
-// {"outcome", "tree" (contingent/tree.schema.json), "plans": [{"worlds": [{"peg": "lying"}],
-// "actions", "ordering", ...}]}, or with "conflict".
+// Returns {"outcome", "tree" (contingent/tree.schema.json), "plans": [{"worlds": [{"peg":
+// "lying"}], "actions", "ordering", ...}]}, or an object with "conflict" if there is no tree.
 nlohmann::ordered_json ToJson(const std::vector<domain::Problem>& worlds,
                               const assembly::ContingentAssembly& assembly);
 

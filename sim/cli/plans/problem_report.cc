@@ -22,14 +22,14 @@ using Json = nlohmann::ordered_json;
 using domain::PartId;
 using domain::Problem;
 
-// A report on its way.
+// A report that is being written.
 struct Draft {
   std::string text;
   Json json;
   bool holds = true;
 };
 
-// How many grasps reach the part where it is at the start, other parts left aside.
+// Returns how many grasps reach the part where it is at the start. Other parts are ignored.
 int CountReachable(const Problem& problem, PartId id) {
   const domain::Part& part = problem.part(id);
   int count = 0;
@@ -70,7 +70,8 @@ void AddParts(const Problem& problem, Draft& report) {
   report.text += table.Text();
 }
 
-// What the goals want moved, and no grasp of the gripper can move: no plan exists then.
+// A part that the goals want moved and that no grasp of the gripper can move, so that no plan
+// exists.
 struct Unmovable {
   PartId part;
   std::string why;

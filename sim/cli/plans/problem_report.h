@@ -5,9 +5,10 @@
 
 namespace assay::cli {
 
-// What a scenario comes to: its parts with their computed stable poses, where they start and with
-// how many grasps they can be taken there, and the clearances that the engine really has. It holds
-// unless a clearance differs from the nominal by more than check::kPlayTolerance.
+// Reports the content of a scenario: its parts with their computed stable poses, where they start,
+// the number of grasps with which they can be taken there, and the clearances measured in the
+// engine. The report holds unless a clearance differs from the nominal one by more than
+// check::kPlayTolerance.
 Report ReportOn(const domain::Problem& problem);
 
 }  // namespace assay::cli

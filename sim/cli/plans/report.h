@@ -6,7 +6,8 @@
 
 namespace assay::cli {
 
-// What `check` says about a file: for people, for programs, and whether everything in it holds.
+// The result of `assay check` for a file: a text for people, JSON for programs, and whether
+// everything in the file holds.
 struct Report {
   std::string text;
   std::shared_ptr<const nlohmann::ordered_json> json;  // an object

@@ -10,7 +10,7 @@
 namespace assay::cli {
 namespace {
 
-// Characters, not bytes: UTF-8 marks the bytes that continue a character.
+// Counts characters, not bytes: UTF-8 marks the bytes that continue a character.
 int WidthOf(const std::string& text) {
   return static_cast<int>(std::ranges::count_if(
       text, [](char c) { return (static_cast<unsigned char>(c) >> 6) != 2; }));

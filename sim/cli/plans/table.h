@@ -7,7 +7,7 @@ namespace assay::cli {
 
 enum class Align { kLeft, kRight };
 
-// Rows of text in columns as wide as their widest cell, with a line of names above.
+// A table of text. Columns are as wide as their widest cell, and a line of names is above them.
 class Table {
  public:
   struct Column {
@@ -17,8 +17,8 @@ class Table {
 
   explicit Table(std::vector<Column> columns) : columns_(std::move(columns)) {}
 
-  void Add(std::vector<std::string> row);  // a cell for each column (checked)
-  std::string Text() const;                // with a line break at the end
+  void Add(std::vector<std::string> row);  // one cell for each column (checked)
+  std::string Text() const;                // ends with a line break
 
  private:
   std::string Line(const std::vector<std::string>& cells, const std::vector<int>& widths) const;

@@ -14,7 +14,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 using domain::WorkcellRules;
 
-// A rule with the unit in which people read it.
+// A rule of the workcell with the unit in which people read it.
 struct Rule {
   const char* name;
   double WorkcellRules::*value;
@@ -48,7 +48,7 @@ constexpr std::array kRules = {
 
 std::string NamedOrNothing(const std::string& error) { return error.empty() ? "-" : error; }
 
-// What the workcell can do about uncertainty.
+// Returns the workcell's sensors and other means against uncertainty.
 std::string OperationsText(const domain::UncertaintyOperations& operations) {
   Table sensors({{"sensor"}, {"x mm"}, {"y mm"}, {"z mm"}, {"theta deg"}, {""}});
   for (const domain::SensorModel& sensor : operations.sensors) {

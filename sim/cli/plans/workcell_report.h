@@ -5,7 +5,8 @@
 
 namespace assay::cli {
 
-// The table, gripper, rules and placements of a workcell, and what it can do about uncertainty.
+// Reports the table, gripper, rules and placements of a workcell, and its means against
+// uncertainty.
 Report ReportOn(const domain::Workcell& workcell);
 
 }  // namespace assay::cli

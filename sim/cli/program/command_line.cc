@@ -33,14 +33,14 @@ std::string DidYouMean(const std::string& text, const std::vector<std::string>& 
   return nearest.empty() ? "" : fmt::format("; did you mean {}?", InQuotes(nearest));
 }
 
-// Ranges let NaN through: nothing is less than it.
+// Range checks of the library accept NaN, since it compares as less than nothing.
 std::string ExplainNumber(const std::string& value) {
   double number = 0;
   const bool is_nan = CLI::detail::lexical_cast(value, number) && std::isnan(number);
   return is_nan ? fmt::format("{} is no number", InQuotes(value)) : std::string();
 }
 
-// Of numbers that do not fit the nearest would be taken.
+// Refuses an integer that is too large for its type. The library would take the nearest one.
 template <class Integer>
 std::string ExplainInteger(const std::string& value) {
   Integer number = 0;
@@ -94,7 +94,7 @@ class CommandLine {
     command->final_callback([this, execution] { execution_ = execution; });
   }
 
-  // What the library lets through.
+  // Adds checks that the library lacks.
   static void CheckValues(CLI::App& command) {
     for (CLI::Option* const option : command.get_options()) {
       const std::string type = option->get_type_name();
@@ -102,7 +102,7 @@ class CommandLine {
       if (is("FLOAT")) option->check(ExplainNumber);
       if (is("INT"))
         option->check(is("UINT") ? ExplainInteger<std::uint64_t> : ExplainInteger<std::int64_t>);
-      // No errors at all are errors, too.
+      // An empty list of errors is a valid value.
       const bool may_be_empty = option->check_lname("errors");
       if (is("TEXT") && !may_be_empty) option->check(ExplainText);
     }

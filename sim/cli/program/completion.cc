@@ -17,11 +17,11 @@ namespace completion_verb {
 struct Flag {
   std::vector<std::string> spellings;  // "-o", "--output"
   std::string description;
-  std::vector<std::string> values;  // the allowed ones, if they can be listed
+  std::vector<std::string> values;  // the allowed values, if they can be listed
   bool takes_value = false;
 };
 
-// A verb, or a verb of a verb, with what the command line declares of it.
+// A verb, or a verb of a verb, as the command line declares it.
 struct Word {
   std::string name;
   std::string summary;
@@ -29,7 +29,7 @@ struct Word {
   std::vector<Word> words;
 };
 
-// A check that a value is a member of a set tells the set as "{a,b}".
+// Returns the allowed values of a type. The type's name holds them as "{a,b}".
 std::vector<std::string> ValuesIn(const std::string& type) {
   const std::size_t begin = type.find('{');
   const std::size_t end = type.find('}', begin);
@@ -54,7 +54,7 @@ Word WordOf(const CLI::App& app) {
   }
   for (const CLI::App* part : app.get_subcommands({})) {
     Word inner = WordOf(*part);
-    if (inner.name.empty()) {  // a group of options is an App without a name
+    if (inner.name.empty()) {  // the library keeps a group of options as an App without a name
       word.flags.insert(word.flags.end(), inner.flags.begin(), inner.flags.end());
     } else {
       word.words.push_back(std::move(inner));
@@ -77,7 +77,7 @@ std::vector<std::string> SpellingsOf(const std::vector<Flag>& flags) {
   return spellings;
 }
 
-// In single quotes of a shell.
+// Returns the text in single quotes of a shell.
 std::string Quoted(std::string text) {
   for (std::size_t at = text.find('\''); at != std::string::npos; at = text.find('\'', at + 4)) {
     text.replace(at, 1, "'\\''");
@@ -85,7 +85,7 @@ std::string Quoted(std::string text) {
   return "'" + text + "'";
 }
 
-// One case for each verb, with what may be said after it.
+// Returns one case for each verb, with the words that may follow it.
 std::string BashCase(const Word& word, const std::string& path) {
   std::string text =
       fmt::format("    {}) words='{} {}' ;;\n", Quoted(path), fmt::join(NamesOf(word.words), " "),
@@ -142,7 +142,7 @@ complete -o filenames -F _assay assay
       BashCase(assay, "assay"), BashValues(assay, "assay"));
 }
 
-// fish tests by `condition` whether the command line has come to the word.
+// Returns the lines for a word. fish tests by `condition` whether the command line has come to it.
 std::string FishLines(const Word& word, const std::string& condition) {
   std::string text;
   for (const Word& part : word.words) {
@@ -174,7 +174,7 @@ std::string Fish(const Word& assay) {
          FishLines(assay, "__fish_use_subcommand");
 }
 
-// What _arguments takes apart: brackets and colons are signs there.
+// Escapes the characters that zsh's _arguments gives a meaning, such as brackets and colons.
 std::string ZshText(const std::string& text) {
   std::string escaped;
   for (const char c : text) {

@@ -27,12 +27,12 @@ namespace {
 
 void PrepareStreams() {
   std::signal(SIGPIPE, SIG_IGN);
-  // A file that may not grow further is an error of the write, too, told like a full disk.
+  // A file that may not grow further makes the write fail, in the same way as a full disk.
   std::signal(SIGXFSZ, SIG_IGN);
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
     if (fcntl(stream, F_GETFD) != -1) continue;
-    // The least number that is free is the stream's, as those before it exist. It is opened for
-    // reading, so that writing fails as it would have.
+    // The least free number is the stream's own, because all streams before it exist. It is opened
+    // for reading, so that writing fails as it would for a closed stream.
     const int opened = open("/dev/null", O_RDONLY);
     if (opened > STDERR_FILENO) close(opened);
   }

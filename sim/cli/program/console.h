@@ -5,9 +5,9 @@
 
 namespace assay::cli {
 
-// The streams 0, 1 and 2 exist from now on: one that was closed can be neither read nor written,
-// and no file that is opened later is taken for it. A reader that went away is an error of the
-// write, not the end of the program. Called once, first of all.
+// Makes sure that the streams 0, 1 and 2 exist. A stream that was closed can then be neither read
+// nor written, and no file that is opened later takes its number. If a reader goes away, the write
+// fails, and the program does not end. Must be called once, before anything else.
 void PrepareStreams();
 
 // Results go to standard output, shown as planner/base/document/quotation.h says. Both throw
@@ -15,16 +15,16 @@ void PrepareStreams();
 void Print(std::string_view text);
 void FlushOutput();
 
-// Prints the result and writes its files, each even if the other cannot be done; then throws what
-// could not.
+// Prints the result and writes its files. Each is done even if the other fails; then the failure is
+// thrown.
 void PrintAndWrite(std::string_view text, const std::function<void()>& write);
 
-// One line to standard error, "assay: ...", whatever line breaks the message has.
+// Prints "assay: ..." to standard error in one line, whatever line breaks the message has.
 void PrintError(std::string_view message);
 
-// What is said beside the result, to standard error: nobody misses it where that cannot be written.
+// Prints a remark beside the result to standard error. A failure to write it is ignored.
 void Remark(std::string_view text);
-// Whether people on a terminal read remarks.
+// Returns whether remarks go to a terminal, where people read them.
 bool RemarksAreSeen();
 
 }  // namespace assay::cli

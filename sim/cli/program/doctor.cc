@@ -48,7 +48,8 @@ Json Examine() {
           {"models", ModelsFolder()}};
 }
 
-// What to do about what is missing. Models are not: a scenario brings its own.
+// Returns what to do about what is missing. Missing models need no remedy: a scenario brings its
+// own.
 std::vector<std::string> Remedies(const Json& facts) {
   if (facts["renderer"] != "") return {};
   return {"no OpenGL renderer, so no pictures: apt-get install libosmesa6 (or libegl1)"};

@@ -6,7 +6,7 @@
 
 namespace assay::cli {
 
-// What the program's exit tells. A broken invariant of the program itself ends it by SIGABRT.
+// The program's exit codes. A broken invariant of the program itself ends it by SIGABRT instead.
 enum class ExitCode {
   kDone = 0,
   kWrongCommandLine = 2,
@@ -21,7 +21,7 @@ enum class ExitCode {
 
 ExitCode ExitCodeOf(Outcome outcome);
 
-// All codes with their meaning, one line each, for the help.
+// Returns all codes with their meanings, one on each line, for the help.
 std::string ExitCodeTable();
 
 }  // namespace assay::cli

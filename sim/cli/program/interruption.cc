@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::array kSignals = {SIGINT, SIGTERM, SIGHUP};
 
-std::atomic<int> taken_down = 0;  // the signal; 0: none
+std::atomic<int> taken_down = 0;  // the recorded signal, or 0
 static_assert(std::atomic<int>::is_always_lock_free, "it is set by a signal's handler");
 
 extern "C" void TakeDown(int signal) {

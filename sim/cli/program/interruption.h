@@ -6,12 +6,13 @@
 
 namespace assay::cli {
 
-// What ends a trial from inside once an interruption is requested; its result is lost.
+// Thrown inside a trial to end it once an interruption is requested. The trial's result is lost.
 struct BrokenOff {};
 
-// While it lives, SIGINT, SIGTERM and SIGHUP (a key, a cluster's time limit, a terminal that is
-// closed) do not end the program but are taken down, so that what is there can be printed and
-// written; the second one ends it. Signals that were ignored before (nohup) stay so. One at a time.
+// While an object of this class lives, SIGINT, SIGTERM and SIGHUP (a key, a cluster's time limit, a
+// closed terminal) do not end the program. The first one is recorded, so that the results so far
+// can be printed and written; the second one ends the program. Signals that were ignored before
+// (nohup) stay ignored. Only one object may live at a time.
 class Interruption {
  public:
   Interruption();
@@ -19,13 +20,14 @@ class Interruption {
   Interruption(const Interruption&) = delete;
   Interruption& operator=(const Interruption&) = delete;
 
-  // From any thread.
+  // Returns whether an interruption was requested. May be called from any thread.
   static bool Requested();
   static void BreakOffIfRequested();  // throws BrokenOff
 
-  // How the program ends: `code`, unless it was interrupted.
+  // Returns `code`, or the exit code of the signal if the program was interrupted.
   static ExitCode CodeOr(ExitCode code);
-  // "interrupted: 3 of 20 trials were made\n"; empty if it was not.
+  // Returns "interrupted: 3 of 20 trials were made\n", or an empty text if there was no
+  // interruption.
   static std::string Text(long long made, long long wanted, const char* what = "trials");
 };
 

@@ -7,8 +7,9 @@
 
 namespace assay::cli {
 
-// Tells people on a terminal what is being done and for how long, on one line of standard error,
-// once it has taken a second. Elsewhere, nothing. The line is wiped at the end.
+// Shows on a terminal what is being done and for how long, on one line of standard error, once it
+// has taken a second. The line is wiped at the end. Nothing is shown if standard error is no
+// terminal.
 class Progress {
  public:
   explicit Progress(std::string what);
@@ -16,7 +17,7 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  void Tell(std::string what);  // from any thread
+  void Tell(std::string what);  // may be called from any thread
 
  private:
   void Show(std::stop_token stop);
@@ -24,7 +25,7 @@ class Progress {
   std::mutex mutex_;
   std::condition_variable_any ended_;
   std::string what_;
-  std::jthread thread_;  // last: it uses the others
+  std::jthread thread_;  // last, since it uses the members above
 };
 
 }  // namespace assay::cli

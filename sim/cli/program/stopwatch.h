@@ -4,7 +4,7 @@
 
 namespace assay::cli {
 
-// Wall time, for people only: nothing is decided by it.
+// Measures wall time, for display only: no result depends on it.
 class Stopwatch {
  public:
   double Seconds() const {

@@ -4,7 +4,8 @@
 
 namespace assay::cli {
 
-// The command line asks for what there is not, as turns out only when the input is read.
+// An error of the command line that shows only when the input is read, because it asks for
+// something that the input does not have.
 class UsageError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };

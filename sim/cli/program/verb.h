@@ -11,16 +11,16 @@ class App;
 
 namespace assay::cli {
 
-// What a verb does once its arguments are read.
+// The work of a verb once its arguments are read.
 using Execution = std::function<ExitCode()>;
 
-// A word of the command line: `assay NAME ...`. Each has a file of its name, with its options and
-// what it does.
+// A verb of the command line: `assay NAME ...`. Each verb has a file of its name, with its options
+// and its work.
 struct Verb {
   const char* name;
   const char* summary;                      // one line
-  const char* example;                      // command lines, for the help
-  Execution (*declare)(CLI::App& command);  // adds its arguments to the command
+  const char* example;                      // command lines for the help
+  Execution (*declare)(CLI::App& command);  // adds the verb's arguments to the command
 };
 
 extern const Verb kBound;

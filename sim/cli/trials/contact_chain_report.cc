@@ -26,10 +26,10 @@ std::array<int, kPoseDimensions + 1> StatesByDimension(const LocalTopology& poin
   return count;
 }
 
-// What a strategy does at a critical point.
+// A strategy's part at one critical point.
 struct Passing {
   int motions = 0;
-  int transitions = 0;  // contacts that it makes or lets go of
+  int transitions = 0;  // number of contacts that it makes or lets go of
   std::set<ContactSet> states = {};
 };
 

@@ -8,9 +8,9 @@
 
 namespace assay::cli {
 
-// What `mate` tells of the contact graphs: for people a table with a row for each critical point
-// and how many of the strategy's contact states the graphs have; for programs the fields "graph"
-// and "graphs" of mate.schema.json.
+// TextOf and ToJson report the contact graphs for `assay mate`. The text is a table for people,
+// with a row for each critical point and the number of the strategy's contact states that the
+// graphs have. The JSON has the fields "graph" and "graphs" of mate.schema.json.
 std::string TextOf(const finemotion::ContactChain& chain, const finemotion::FineMotionPlan& plan);
 nlohmann::ordered_json ToJson(const finemotion::ContactChain& chain,
                               const finemotion::FineMotionPlan& plan);

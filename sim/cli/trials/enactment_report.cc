@@ -20,11 +20,11 @@ using enact::EnactmentOutcome;
 using enact::Leaf;
 using Json = nlohmann::ordered_json;
 
-// Of trials.
+// The counts over several trials of one plan tree.
 struct EnactedTally {
   int trials = 0;
   int reached = 0;
-  int called = 0;            // a person, as was to be
+  int called = 0;            // trials in which a person was called as planned
   double greatest_tilt = 0;  // radians
 
   void Add(const EnactedTrial& trial) {
@@ -77,7 +77,7 @@ int CountFlipped(const EnactmentStudy& study, bool is_audited) {
   }));
 }
 
-// With columns of what can be only.
+// Returns a row for each leaf. Columns for outcomes that cannot occur are left out.
 std::string LeafTable(const EnactmentStudy& study) {
   std::vector<Table::Column> columns = {
       {"leaf"}, {"trials", Align::kRight}, {"reached", Align::kRight}};
@@ -85,7 +85,7 @@ std::string LeafTable(const EnactmentStudy& study) {
   if (is_operator_called) columns.push_back({"operator called", Align::kRight});
   if (study.can_spill) columns.push_back({"greatest tilt", Align::kRight});
   Table table(std::move(columns));
-  constexpr std::size_t kMostMissed = 4;  // that are listed
+  constexpr std::size_t kMostMissed = 4;  // leaves without trials that are listed
   std::size_t missed = 0;
   for (const Leaf& leaf : study.leaves) {
     const EnactedTally tally = TallyOf(leaf, study);
@@ -106,14 +106,16 @@ const std::string& WordsOf(const std::string& action, const EnactmentStudy& stud
   return words == study.words.end() ? action : words->second;
 }
 
-// Of "plan1-action_3(): a finger touches the table" the action in words.
+// Returns the reason of a failed trial with the action in words. An example of a reason is
+// "plan1-action_3(): a finger touches the table".
 std::string ReasonOf(const EnactedTrial& trial, const EnactmentStudy& study) {
   const std::size_t end = trial.reason.find(": ");
   if (end == std::string::npos) return trial.reason;
   return WordsOf(trial.reason.substr(0, end), study) + trial.reason.substr(end);
 }
 
-// What no world leads to, unless wrong sensing did, and what was made to go wrong.
+// Returns the leaves that no world leads to, except those that wrong sensing led to, and the faults
+// that were injected.
 std::string MishapText(const EnactmentStudy& study) {
   std::string text;
   for (std::size_t i = 0; i < study.unreachable.size(); ++i) {

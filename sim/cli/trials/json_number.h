@@ -6,7 +6,7 @@
 
 namespace assay::cli {
 
-// Null for numbers that JSON has no text for: those that are not there, and infinite ones.
+// Returns null for numbers that JSON cannot hold: missing ones and infinite ones.
 inline nlohmann::ordered_json OrNull(const std::optional<double>& value) {
   return value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json(nullptr);
 }

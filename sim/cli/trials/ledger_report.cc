@@ -22,7 +22,7 @@ Unit LedgerUnit(const LedgerEntry& entry) {
 std::string Number(const std::optional<double>& value, const Unit& unit) {
   if (!value) return "-";
   const double number = *value / unit.factor;
-  constexpr double kHalfLastDigit = 0.00005;  // else there would be a -0.0000
+  constexpr double kHalfLastDigit = 0.00005;  // avoids the text -0.0000
   return fmt::format("{:+.4f}", std::abs(number) < kHalfLastDigit ? 0.0 : number);
 }
 

@@ -8,10 +8,10 @@
 
 namespace assay::cli {
 
-// A row for each channel, in millimetres and degrees; "-" where there is nothing to tell.
+// Returns a row for each channel, in millimetres and degrees, with "-" for missing values.
 std::string Text(const std::vector<check::LedgerEntry>& ledger);
 
-// The same for programs, in SI; null where there is nothing to tell.
+// Returns the ledger for programs, in SI units, with null for missing values.
 nlohmann::ordered_json ToJson(const std::vector<check::LedgerEntry>& ledger);
 
 }  // namespace assay::cli

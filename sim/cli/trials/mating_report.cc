@@ -80,7 +80,7 @@ const char* NameOf(Outcome outcome) {
   ASSAY_CHECK(false, "an outcome that the switch does not know");
 }
 
-// What is in the way, and how much was looked at.
+// Returns what stands in the way of a strategy, and how much was searched.
 std::string WhyNone(const FineMotionPlan& plan, const finemotion::StrategyOptions& search) {
   const std::string in_the_way =
       plan.obstacle ? "; in the way: " + UnwantedText(*plan.obstacle) : "";
@@ -95,14 +95,14 @@ std::string WhyNone(const FineMotionPlan& plan, const finemotion::StrategyOption
   return fmt::format("{}\n{}\n", in_the_way, looked);
 }
 
-// --- Trials.
+// The functions below report the trials.
 
 struct MatedTally {
   int seated = 0;
-  int recovered = 0;  // at a later attempt
+  int recovered = 0;  // seated at a later attempt
   int redrawn = 0;
   std::map<std::string, int> ends;
-  std::map<std::string, int> holdings;  // of those that got stuck
+  std::map<std::string, int> holdings;  // reasons why trials got stuck
   double greatest_force = 0;
 };
 
@@ -184,7 +184,7 @@ std::string HoldingText(const std::optional<exec::Holding>& holding) {
   return holding ? fmt::format("; what can hold it: {}", exec::Name(*holding)) : "";
 }
 
-// Error states that did not end the trial.
+// Returns a line for each error state that did not end the trial.
 std::string ErrorStatesText(int trial, const std::vector<exec::ErrorState>& states,
                             const char* then) {
   std::string text;
@@ -195,7 +195,7 @@ std::string ErrorStatesText(int trial, const std::vector<exec::ErrorState>& stat
   return text;
 }
 
-// What went wrong, a line each; none if nothing did.
+// Returns what went wrong in a trial, one event on each line; empty if nothing did.
 std::string MatedTrialText(const MatingStudy& study, const MatedTrial& trial) {
   const exec::StrategyEnd& end = trial.result.end;
   std::string text = ErrorStatesText(trial.number, end.recovered, "drew back");
@@ -212,7 +212,8 @@ std::string MatedTrialText(const MatingStudy& study, const MatedTrial& trial) {
   return text;
 }
 
-// Of all trials' error states, but for those in the crevice: no contacts are planned there.
+// Counts the error states of all trials, except those in the crevice, where no contacts are
+// planned.
 check::RecognitionTally RecognitionOf(const MatingStudy& study) {
   check::RecognitionTally tally;
   for (const MatedTrial& trial : study.strategy) {
@@ -302,7 +303,8 @@ Json RecognitionJson(const check::RecognitionTally& tally) {
   return json;
 }
 
-// What an error state was recognized as, and whether that is what the engine had; null: nothing.
+// Returns the contact that an error state was recognized as, and whether it existed in the engine.
+// Null if none was recognized.
 Json RecognizedJson(const std::optional<exec::RecognizedContact>& recognized,
                     const SequenceRecord& sequence) {
   if (!recognized) return {};
@@ -346,7 +348,7 @@ Json MatedTrialJson(const MatingStudy& study, const MatedTrial& trial) {
           {"replay", fmt::format("{}{}", study.replay, trial.number)}};
 }
 
-// Of most contacts there is nothing to tell.
+// Returns whether a contact is listed. Most contacts neither happened nor have a margin.
 bool IsTold(const check::RankedContact& contact) {
   return contact.happened > 0 || contact.scale != finemotion::kBeyondLadder;
 }

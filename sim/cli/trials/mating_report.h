@@ -13,30 +13,32 @@
 
 namespace assay::cli {
 
-// What `mate` tells of a plan: for people a table of its motions, numbered from 1, and what is in
-// the way if there is none; for programs the fields of mate.schema.json. `search`: with which it
-// was searched for.
+// Returns a text for people about a plan of fine motion: a table of its motions, numbered from 1,
+// or what stands in the way if there is none. `search` holds the options of the search that made
+// the plan.
 std::string TextOf(const finemotion::MatingGeometry& geometry,
                    const finemotion::FineMotionPlan& plan,
                    const finemotion::StrategyOptions& search);
-std::string SummaryOf(
-    const finemotion::MatingGeometry& geometry,
-    const finemotion::FineMotionPlan& plan);  // a line of it, and the table's rows
+// Returns one line about the plan.
+std::string SummaryOf(const finemotion::MatingGeometry& geometry,
+                      const finemotion::FineMotionPlan& plan);
+// Returns the rows of the table of motions.
 std::vector<report::MatingSubject::Motion> MotionsOf(const finemotion::FineMotionPlan& plan);
+// Returns the fields of mate.schema.json that are about the plan.
 nlohmann::ordered_json ToJson(const finemotion::MatingGeometry& geometry,
                               const finemotion::FineMotionPlan& plan);
 
-// Why the arm cannot execute the strategy, a line.
+// Returns one line that states why the arm cannot execute the strategy.
 std::string TextOf(const MatingTask& task, const assembly::Unreached& unreached);
 nlohmann::ordered_json ToJson(const MatingTask& task, const assembly::Unreached& unreached);
 
-// Trials with a strategy and straight in, and what they say of the plan.
+// Trials with a strategy and trials straight in, and what they show about the plan.
 struct MatingStudy {
   std::vector<MatedTrial> strategy = {};  // by number
   std::vector<MatedTrial> straight = {};
   double covered = 0;  // multiple of the errors for which the plan is certain
   check::MarginRanking ranking = {};
-  std::string replay = {};  // command that the number of a trial completes
+  std::string replay = {};  // command that repeats a trial when its number is added
 
   bool Covers(const MatedTrial& trial) const { return trial.scale <= covered; }
   int CoveredFailures() const;

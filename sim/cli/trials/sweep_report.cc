@@ -23,7 +23,7 @@ using Json = nlohmann::ordered_json;
 using sweep::CellRecord;
 using sweep::CellSummary;
 
-// A column that tells cells apart; shown where its values differ.
+// A column that distinguishes cells. It is shown if its values differ.
 struct Axis {
   const char* name;
   std::string (*value)(const CellRecord&);
@@ -66,7 +66,7 @@ bool IsAttack(const CellSummary& summary) {
   return summary.cell.noise == sweep::Name(sweep::NoiseKind::kAttack);
 }
 
-// "98.1 % [97.1, 98.8]"; one attack has no rate.
+// Returns a cell's rate: "98.1 % [97.1, 98.8]". A falsification has no rate.
 std::string RateText(const CellSummary& summary) {
   if (summary.done == 0 || IsAttack(summary)) return "-";
   const Interval interval = sweep::WilsonInterval(summary.succeeded, summary.done);
@@ -101,7 +101,7 @@ Table CellTable(const SweepResults& results) {
   return table;
 }
 
-// "not-seated: 3".
+// Returns the numbers of failures by outcome: "not-seated: 3".
 std::map<std::string, int> Failures(const SweepResults& results) {
   std::map<std::string, int> failures;
   for (const CellSummary& summary : results.cells) {
@@ -114,7 +114,7 @@ std::string ReplayCommand(const SweepResults& results) {
   return fmt::format("assay replay {} {}", results.database, results.first_bad);
 }
 
-// As it is typed.
+// Returns the command as a user types it, with the database's name.
 std::string CommandOf(const std::string& replay, const std::string& database) {
   constexpr std::string_view kStored = "assay replay DB ";
   if (!replay.starts_with(kStored)) return replay;
@@ -224,7 +224,7 @@ Json CellJson(const CellSummary& summary) {
           {"operator_called", summary.operator_called}};
 }
 
-// Every scenario with every clearance and error scale can be loaded.
+// Loads every scenario with every clearance and error scale, so that errors in them are reported.
 void LoadAll(const sweep::Sweep& sweep, const domain::ModelPath& models) {
   for (const std::string& name : sweep.scenarios) {
     const std::filesystem::path file = sweep.PathOf(name);

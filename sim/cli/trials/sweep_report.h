@@ -12,20 +12,22 @@
 
 namespace assay::cli {
 
-// An attack in the database of a sweep.
+// A falsification in the database of a sweep.
 struct CellAttack {
   int cell = 0;
   sweep::AttackRecord attack;
 };
 
-// What is in the database of a sweep.
+// The content of the database of a sweep.
 struct SweepResults {
   std::string database;  // path, as the user gave it
-  int trials = 0;        // of the whole sweep
+  int trials = 0;        // number of trials of the whole sweep
   std::vector<sweep::CellSummary> cells = {};
-  std::vector<CellAttack> attacks = {};     // in the order of the cells
-  std::vector<sweep::RunRecord> runs = {};  // that did trials other than attacks, to their end
-  int first_bad = 0;  // the first trial that failed or violated a prediction; 0: there is none
+  std::vector<CellAttack> attacks = {};  // in the order of the cells
+  // Runs that finished trials other than falsifications.
+  std::vector<sweep::RunRecord> runs = {};
+  // The number of the first trial that failed or violated a prediction; 0 if none did.
+  int first_bad = 0;
 
   int Done() const;
   int Succeeded() const;
@@ -33,17 +35,17 @@ struct SweepResults {
 };
 SweepResults ResultsOf(const sweep::Store& store, const std::string& database);
 
-// Rates of success with their 95 % intervals and counts of verdicts, for each cell; attacks with
-// their counterexamples; how fast it went.
+// Returns a text for people: for each cell the rate of success with its 95 % interval and the
+// counts of verdicts, then falsifications with their counterexamples, then the speed.
 std::string ForPeople(const SweepResults& results);
-// sweep.schema.json.
+// Returns an object by sweep.schema.json.
 nlohmann::ordered_json ToJson(const SweepResults& results);
 
-// Failed if a trial failed, a prediction was violated or a plan cannot be tested; no plan if a cell
-// has none; else done.
+// Returns the code for failure if a trial failed, a prediction was violated or a plan cannot be
+// tested. Otherwise returns the code for no plan if a cell has none, or the code for success.
 ExitCode ExitCodeOf(const SweepResults& results);
 
-// What a sweep file comes to: its grid. Throws InputError if a scenario of it is wrong.
+// Reports the grid of a sweep file. Throws InputError if one of its scenarios is wrong.
 Report ReportOn(const sweep::Sweep& sweep, const domain::ModelPath& models);
 
 }  // namespace assay::cli

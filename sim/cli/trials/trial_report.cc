@@ -15,7 +15,7 @@ using Json = nlohmann::ordered_json;
 using domain::PartId;
 using geometry::Vector3;
 
-// The part that an action handles or looks at.
+// Returns the part that an action handles or looks at.
 struct PartOf {
   const domain::Problem& problem;
 
@@ -28,7 +28,7 @@ struct PartOf {
 struct StepRow {
   const exec::StepEnd& end;
   double duration = 0;  // seconds
-  Vector3 error;        // of the handled part, true minus believed position, metres
+  Vector3 error;        // true minus believed position of the handled part, metres
 };
 
 std::vector<StepRow> StepRows(const domain::Problem& problem, const plan::Plan& plan,
@@ -62,8 +62,8 @@ std::string StepTable(const std::vector<StepRow>& rows) {
   return table.Text();
 }
 
-// On which side of its limit a value must be: only the opening of a hand that let go is to be
-// great.
+// Returns the side of its limit on which a value must be. Only the opening of a hand that let go
+// must be above it.
 std::string_view Direction(const check::Finding& finding) {
   return finding.aspect == check::Aspect::kReleased ? ">=" : "<=";
 }

@@ -9,11 +9,12 @@
 
 namespace assay::cli {
 
-// One trial for people: a table of the steps with their duration, how far the handled part truly
-// was from where it was believed to be, and the opening; then the goals' predicates.
+// Returns a text for people about one trial: a table of the steps, and the goals' predicates. A row
+// has the step's duration, how far the handled part truly was from where it was believed to be, and
+// the gripper's opening.
 std::string ForPeople(const domain::Problem& problem, const plan::Plan& plan, const Trial& trial);
 
-// The same for programs, in SI.
+// Returns the trial for programs, in SI units.
 nlohmann::ordered_json ToJson(const domain::Problem& problem, const plan::Plan& plan,
                               const Trial& trial);
 

@@ -12,24 +12,25 @@
 
 namespace assay::cli {
 
-// How the certificates of a plan came out, over trials or attempts.
+// Counts the verdicts on a plan's certificates over trials or attempts.
 class VerdictTally {
  public:
   explicit VerdictTally(const plan::Plan& plan);
 
-  // The claims of one trial.
+  // Adds the claims of one trial.
   void Add(const std::vector<check::Claim>& claims);
-  // So many attempts at one step; so many claims in all attempts.
+  // Adds the attempts at one step, counted by the verdict on its certificate.
   void Add(plan::StepId step, const check::VerdictCounts& certificates);
+  // Adds counts of single claims over all attempts.
   void AddClaims(const check::VerdictCounts& claims);
-  // Keeps it, if it is the worst of its step.
+  // Keeps the claim if it is the worst of its step.
   void AddWorst(const check::Claim& claim);
 
   check::VerdictCounts Total() const;
-  // A row for each step, in the order of execution: the verdicts and the worst claim; and how the
-  // single claims came out.
+  // Returns a row for each step in the order of execution, with the verdicts and the worst claim,
+  // and then the verdicts on single claims. `actions` are the steps' names.
   std::string Text(const std::vector<std::string>& actions) const;
-  nlohmann::ordered_json ToJson() const;  // the counts of all certificates
+  nlohmann::ordered_json ToJson() const;  // counts over all certificates
   nlohmann::ordered_json ClaimsToJson() const;
   nlohmann::ordered_json WorstToJson() const;  // the worst claim of each step
 
@@ -42,15 +43,15 @@ class VerdictTally {
 
 nlohmann::ordered_json ToJson(const check::VerdictCounts& counts);
 
-// "y of peg +0.038 in [-0.025, +0.025] mm, gate 0.016".
+// Returns a text such as "y of peg +0.038 in [-0.025, +0.025] mm, gate 0.016".
 std::string Text(const check::Claim& claim);
 nlohmann::ordered_json ToJson(const plan::Plan& plan, const check::Claim& claim);
 
-// What the engine cannot tell from nothing, a row for each step.
+// Returns the noise floor, with a row for each step.
 std::string Text(const plan::Plan& plan, const check::HonestyGate& gate);
 nlohmann::ordered_json ToJson(const plan::Plan& plan, const check::HonestyGate& gate);
 
-// What is wrong with a plan before any error is drawn; empty: nothing.
+// Returns the plan's defects that show before any error is drawn; empty if there are none.
 std::string Text(const plan::Plan& plan, const check::Noiseless& noiseless,
                  const check::HonestyGate& gate);
 nlohmann::ordered_json ToJson(const plan::Plan& plan, const check::Noiseless& noiseless);

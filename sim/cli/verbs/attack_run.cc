@@ -142,9 +142,9 @@ class AttackReport {
     return fmt::format("violated in {} of {} attempts\n", violated, result_.attempts);
   }
 
-  // Steps of which "not falsified" says less than it seems to.
+  // Returns the steps with many inconclusive attempts. For them, "not falsified" means little.
   std::string HardlyTested() const {
-    constexpr double kOften = 0.05;  // of a step's attempts
+    constexpr double kOften = 0.05;  // share of a step's attempts
     std::string text;
     for (const plan::StepId id : plan_.ExecutionOrder()) {
       const check::VerdictCounts& counts = result_.certificates[id.index()];

@@ -38,7 +38,7 @@ using algebra::VariableId;
 using Json = nlohmann::ordered_json;
 
 constexpr std::size_t kShownText = 40;   // characters of an expression
-constexpr std::size_t kShownShares = 3;  // variables that cost most
+constexpr std::size_t kShownShares = 3;  // variables with the greatest cost
 constexpr int kShownDigits = 9;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
@@ -51,7 +51,7 @@ struct Options {
   bool json = false;
 };
 
-// Of one expression.
+// The bounds of one expression.
 struct Answer {
   const BoundProblem::Question& question;
   Bound inf, sup;
@@ -60,8 +60,8 @@ struct Answer {
   double seconds = 0;
 };
 
-// No point satisfies the constraints, or the expression has a value at none that does. Either bound
-// may be the one that shows it.
+// Returns whether no point satisfies the constraints, or the expression has a value at none of the
+// points that do. Either bound may be the one that shows it.
 bool IsVacuous(const Answer& answer) {
   return answer.sup.value == -kInfinity || answer.inf.value == kInfinity;
 }
@@ -115,7 +115,7 @@ Answer AnswerTo(const BoundProblem::Question& question, const BoundProblem& prob
   return answer;
 }
 
-// JSON has no infinite numbers, and -0 would be an oddity.
+// JSON has no infinite numbers. Adding 0 turns -0 into 0.
 Json ToJson(double number) {
   if (std::isinf(number)) return number > 0 ? "inf" : "-inf";
   return number + 0.0;
@@ -159,7 +159,7 @@ double ParsedNumber(const std::string& text) {
 
 enum class Side { kInf, kSup };
 
-// In few digits, which are rounded so that the text is a bound, too.
+// Returns the bound in few digits, rounded outward so that the text is a bound as well.
 std::string OutwardText(double bound, Side side) {
   const auto few_digits = [](double x) { return fmt::format("{:.{}g}", x + 0.0, kShownDigits); };
   const std::string text = few_digits(bound);
@@ -186,7 +186,7 @@ std::string SharesText(const std::string& what, const std::vector<algebra::Share
   return fmt::format("  {} would gain most from knowing: {}\n", what, fmt::join(texts, ", "));
 }
 
-// What a variable at its midpoint would change is asked of the cheap rungs.
+// The cheap bounding methods compute how each bound would change with a variable at its midpoint.
 std::string Explanation(const Answer& answer, const BoundProblem& problem) {
   const BoundRequest cheap = {.highest = Rung::kMonotone};
   const Expression& e = answer.question.expression;
@@ -227,9 +227,9 @@ std::string TableText(const std::vector<Answer>& answers, const BoundProblem& pr
   return table.Text() + explanations;
 }
 
-// The bound holds, but is not known to be as tight as was asked for: more evaluations were needed
-// than it may take, or doubles resolve no better. An infinite one is an answer: no gap was
-// promised.
+// Returns whether a finite bound is not known to be as tight as requested. It would have needed
+// more evaluations than allowed, or doubles resolve no better. An infinite bound is an answer,
+// since no gap was promised for it.
 bool IsLoose(const Bound& bound, const BoundRequest& request) {
   return request.highest == Rung::kBranchAndBound && std::isfinite(bound.value) &&
          bound.gap > request.gap;

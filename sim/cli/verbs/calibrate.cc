@@ -46,21 +46,21 @@ using sense::CalibrationPlacement;
 using sense::Displacement;
 
 constexpr char kSensor[] = "overhead-camera";
-constexpr std::array kCoordinates = {"x", "y", "z", "theta"};  // of a displacement
+constexpr std::array kCoordinates = {"x", "y", "z", "theta"};  // coordinates of a displacement
 constexpr std::array kUnits = {kLengthUnit, kLengthUnit, kLengthUnit, kAngleUnit};
 
 struct Options {
   std::vector<fs::path> scenarios;
   domain::ModelPath models;
   int trials = 100;          // in each scenario
-  std::optional<int> trial;  // the only one of them
+  std::optional<int> trial;  // the only trial to run
   std::optional<std::uint64_t> seed;
   double margin = 1.5;
   bool write = false;
   bool json = false;
 };
 
-// A scenario, whose parts are put somewhere on its table.
+// A scenario whose parts are put at random places on its table.
 struct Subject {
   fs::path file;
   scenario::Scenario scenario;
@@ -75,7 +75,7 @@ struct Trial {
   const Subject* subject = nullptr;
   int number = 0;  // from 1
   CalibrationPlacement placement;
-  std::optional<Displacement> error;  // None: the part was not found
+  std::optional<Displacement> error;  // missing if the part was not found
 
   const domain::Part& part() const { return subject->problem().part(placement.part); }
   const domain::StablePose& resting() const {
@@ -142,7 +142,7 @@ std::vector<Trial> MeasureAll(const std::vector<Subject>& subjects, const Option
   return trials;
 }
 
-// What all trials together say of the camera.
+// The results of all trials together.
 class Result {
  public:
   Result(const Options& options, const std::vector<Subject>& subjects, std::vector<Trial> trials)
@@ -154,7 +154,7 @@ class Result {
   bool KeepsPromise() const { return std::ranges::none_of(trials_, &Trial::BreaksPromise); }
   double margin() const { return options_.margin; }
 
-  // The margin times the greatest errors.
+  // Returns the greatest errors, multiplied by the margin.
   SensorPromise Promise() const {
     const double margin = options_.margin;
     return {.x = margin * Greatest(0),
@@ -163,7 +163,7 @@ class Result {
             .theta = margin * Greatest(3)};
   }
 
-  // "10000 placements, seed 1, margin 1.5".
+  // Returns "10000 placements, seed 1, margin 1.5".
   std::string Note() const {
     std::set<std::uint64_t> seeds;
     for (const Subject& subject : subjects_) seeds.insert(subject.seed);
@@ -239,7 +239,7 @@ class Result {
     return std::isfinite(range.low) && std::isfinite(range.high);
   }
 
-  // The trial whose error in this coordinate is greatest; null if no part was found.
+  // Returns the trial whose error in this coordinate is greatest, or null if no part was found.
   const Trial* Worst(std::size_t coordinate) const {
     const Trial* worst = nullptr;
     const auto size = [&](const Trial& trial) { return std::abs((*trial.error)[coordinate]); };
@@ -253,7 +253,7 @@ class Result {
     return worst == nullptr ? 0 : std::abs((*worst->error)[coordinate]);
   }
 
-  // What all workcells together promise.
+  // Returns the interval that is within the promises of all workcells.
   Interval Promised(std::size_t coordinate) const {
     constexpr double kInfinity = std::numeric_limits<double>::infinity();
     Interval narrowest = {-kInfinity, kInfinity};
@@ -289,7 +289,8 @@ class Result {
             {"again", ReplayCommand(trial)}};
   }
 
-  // A part that is not found breaks no promise: how often that was so of which part in which pose.
+  // Returns how often each part was not found in each pose. A part that is not found breaks no
+  // promise.
   std::string NotFoundForPeople() const {
     std::map<std::string, std::vector<const Trial*>> missed;
     for (const Trial& trial : trials_) {
@@ -316,7 +317,7 @@ class Result {
   const std::vector<Trial> trials_;
 };
 
-// Each once, in the order of the scenarios.
+// Returns each workcell file once, in the order of the scenarios.
 std::vector<fs::path> WorkcellFiles(const std::vector<Subject>& subjects) {
   std::vector<fs::path> files;
   for (const Subject& subject : subjects) {
@@ -327,7 +328,7 @@ std::vector<fs::path> WorkcellFiles(const std::vector<Subject>& subjects) {
   return files;
 }
 
-// The workcell's file with the promise that was measured.
+// Returns the text of the workcell's file with the measured promise.
 std::string Promising(const fs::path& file, const Result& result) {
   std::ifstream in(file, std::ios::binary);
   const std::string text{std::istreambuf_iterator<char>(in), {}};
@@ -364,7 +365,7 @@ ExitCode Execute(const Options& options) {
   Print(options.json  ? plan::JsonText(json)
         : has_promise ? result.ForPeople() + PromiseForPeople(result, files)
                       : result.ForPeople());
-  // What is written is kept.
+  // A promise that was just written is kept by definition.
   const bool kept = has_promise && (options.write || result.KeepsPromise());
   return kept ? ExitCode::kDone : ExitCode::kFailed;
 }

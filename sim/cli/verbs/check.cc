@@ -40,8 +40,8 @@ struct Options {
   std::vector<fs::path> files;
   domain::ModelPath models;
   fs::path output;
-  std::string workcell = "puma762-table";  // whose gripper takes a part
-  double clearance_mm = 0.5;               // of a part's holes
+  std::string workcell = "puma762-table";  // the workcell whose gripper takes a part
+  double clearance_mm = 0.5;               // clearance of a part's holes
   bool json = false;
 };
 
@@ -55,7 +55,7 @@ Report CheckPart(const Document& document, const fs::path& file, const Options& 
                                         {workcell->rules().approach_step, gripper.max_opening()}));
 }
 
-// What a scenario's key `knowledge` says is of no matter to the report, but must be right.
+// A scenario's key `knowledge` does not appear in the report, but is checked.
 Report CheckScenario(const Document& document, const fs::path& file, const Options& options) {
   if (document.root().Find("knowledge")) {
     enact::Read(document, scenario::FindModels(file, options.models));
@@ -89,11 +89,12 @@ Report CheckFile(const fs::path& file, const Options& options) {
   return {};
 }
 
-// Reports on all files; a wrong one does not keep the others from being looked at.
+// Collects the reports on all files. An error in one file does not stop the others from being
+// checked.
 struct Summary {
   Json files = Json::array();
   std::string text;
-  bool all_right = true;  // as input
+  bool all_right = true;  // no file has an error in its input
   bool all_hold = true;
 
   void Add(const fs::path& file, const Options& options) {

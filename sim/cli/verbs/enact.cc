@@ -39,13 +39,13 @@ using enact::EnactedTrial;
 using enact::KnowledgeScenario;
 using Json = nlohmann::ordered_json;
 
-constexpr std::int64_t kBudget = 10'000'000;  // looks at knowledge states
+constexpr std::int64_t kBudget = 10'000'000;  // knowledge states that the planner may examine
 
 struct Options {
   std::filesystem::path scenario;
   domain::ModelPath models;
   std::optional<int> trials;
-  std::optional<int> trial;  // the only one
+  std::optional<int> trial;  // the only trial to run
   int jobs = 1;
   std::optional<std::uint64_t> seed;
   std::string worlds = "drawn";
@@ -55,7 +55,7 @@ struct Options {
   bool json = false;
 };
 
-// A scenario's tree, and the trials that are made of it.
+// A scenario's plan tree and its trials.
 class Enacting {
  public:
   Enacting(const Options& options, const KnowledgeScenario& scenario,
@@ -92,7 +92,7 @@ class Enacting {
       progress_->Tell(fmt::format("enacting, {} of {} trials", ++done_, numbers.size()));
     });
     progress_.reset();
-    // Those that were not made have no number.
+    // Trials that were not made have the number 0.
     std::erase_if(study_.trials, [](const EnactedTrial& trial) { return trial.number == 0; });
     study_.seconds = stopwatch_.Seconds();
     Json json = ToJson(study_);
@@ -106,7 +106,7 @@ class Enacting {
  private:
   static constexpr std::size_t kMostLeaves = 10'000;
 
-  // With --worlds all: of each leaf that a hidden world leads to, the number among all leaves.
+  // With --worlds all, finds the leaves that a hidden world leads to, as indices among all leaves.
   void FindWorlds() {
     if (!study_.is_every_leaf) return;
     study_.unreachable.resize(study_.leaves.size());
@@ -139,7 +139,7 @@ class Enacting {
     return numbers;
   }
 
-  // With --worlds all the trials go through the leaves in turn.
+  // With --worlds all, the trials go through the leaves in turn.
   enact::HiddenWorld WorldOf(int number) const {
     RandomStream random(seed_, fmt::format("hidden world {}", number));
     if (reachable_.empty())
@@ -185,7 +185,7 @@ class Enacting {
 
 const plan::Plan Enacting::kNoPlan = {};
 
-// An assembly without a plan is told as `assay plan` tells it.
+// Reports an assembly without a plan in the same form as `assay plan`.
 ExitCode RefuseAssembly(const enact::PlannedWorlds& planned, const Options& options) {
   const Json json = {{"outcome", planned.assembly.outcome == Outcome::kNone ? "none" : "budget"},
                      {"plan", ToJson(planned.worlds, planned.assembly)}};
@@ -193,7 +193,7 @@ ExitCode RefuseAssembly(const enact::PlannedWorlds& planned, const Options& opti
   return ExitCodeOf(planned.assembly.outcome);
 }
 
-// What no grasp serves is told as well: it may be why.
+// Actions that no grasp serves are reported as well, because they may be the reason.
 ExitCode RefuseKnowledge(const enact::Interpretation& interpretation,
                          const contingent::ContingentPlan& plan, const Options& options) {
   const bool is_none = plan.outcome == Outcome::kNone;
@@ -217,7 +217,7 @@ ExitCode Refuse(const enact::Interpretation& interpretation, const contingent::C
   return RefuseKnowledge(interpretation, plan, options);
 }
 
-// Plans of assemblies have their tree already.
+// Returns the tree of an assembly, which is made already, or plans one.
 contingent::ContingentPlan PlanOf(const enact::Interpretation& interpretation) {
   if (interpretation.planned) {
     contingent::ContingentPlan plan;

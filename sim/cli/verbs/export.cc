@@ -33,7 +33,7 @@ struct Options {
   bool contacts = false;
   bool commands = false;
   bool pks = false;
-  std::filesystem::path pddl;  // the problem of the domain `input`
+  std::filesystem::path pddl;  // a problem of the domain `input`
 };
 
 void Deliver(const std::string& text, const Options& options) {
@@ -44,7 +44,8 @@ void Deliver(const std::string& text, const Options& options) {
   }
 }
 
-// Of several worlds the first. Whoever reads it steps it with the engine as it is.
+// Exports the first world of a scenario. Readers of the file step the model with the unmodified
+// engine.
 ExitCode ExportMjcf(const Options& options) {
   const Document document = Document::Load(options.input);
   const domain::Problem first = scenario::ReadWorlds(document, options.models).front();
@@ -54,7 +55,7 @@ ExitCode ExportMjcf(const Options& options) {
   return ExitCode::kDone;
 }
 
-// What `write` makes of a plan; if there is none, why.
+// Delivers the text that `write` makes of a plan, or reports why there is no plan.
 ExitCode ExportPlan(const Options& options,
                     std::string (*write)(const domain::Problem&, const plan::Plan&)) {
   const PlannedProblem planned = ReadOrMakePlan(Document::Load(options.input), options.models);
@@ -95,7 +96,7 @@ ExitCode ExportContacts(const Options& options) {
   return ExitCode::kDone;
 }
 
-// Two files beside each other, NAME-domain.pddl and NAME-problem.pddl, or both printed.
+// Writes two files beside each other, NAME-domain.pddl and NAME-problem.pddl, or prints both.
 ExitCode ExportPddl(const Options& options) {
   const contingent::Task task = contingent::LoadTask(options.input, options.pddl);
   contingent::Externs externs;
@@ -110,7 +111,8 @@ ExitCode ExportPddl(const Options& options) {
   return ExitCode::kDone;
 }
 
-// Likewise NAME-domain.pks and NAME-problem.pks: what `assay know` would plan with.
+// Writes or prints the task that `assay know` would plan with, as NAME-domain.pks and
+// NAME-problem.pks.
 ExitCode ExportPks(const Options& options) {
   const std::vector<domain::Problem> worlds =
       ReadWorldsToPlan(Document::Load(options.input), options.models);
@@ -126,7 +128,7 @@ ExitCode ExportPks(const Options& options) {
   return ExitCodeOf(assembly.outcome);
 }
 
-// --dot beside the name of a graph says nothing more.
+// Together with an option that names a graph, --dot adds nothing.
 void RequireOneThing(const Options& options) {
   const bool names_graph = options.contacts || options.network;
   const int things = (options.dot && !names_graph) + options.mjcf + options.network +

@@ -39,13 +39,13 @@ using contingent::TreeCheck;
 using contingent::TreeSize;
 
 constexpr double kMostUnfolded = 10'000;  // leaves
-constexpr int kDeepestTold = 1'000;       // branches in each other
+constexpr int kDeepestTold = 1'000;       // depth of nested branches
 
 struct Options {
   std::filesystem::path domain;
   std::filesystem::path problem;
   std::filesystem::path output;
-  std::filesystem::path tree;  // instead of planning
+  std::filesystem::path tree;  // a plan tree to check instead of planning
   bool shortest = false;
   bool json = false;
   bool dot = false;
@@ -55,13 +55,13 @@ struct Options {
   std::int64_t budget = 10'000'000;
 };
 
-// What was found, and how.
+// The result of planning, and how it was obtained.
 struct Answer {
   GroundTask task;
   ContingentPlan plan;
   bool is_from_file = false;
   std::optional<TreeCheck> check;
-  std::optional<GoalConflict> conflict;  // where there is no plan
+  std::optional<GoalConflict> conflict;  // if there is no plan
   double seconds = 0;
 };
 
@@ -89,9 +89,10 @@ std::string Word(Outcome outcome) {
   return "";
 }
 
-// The tree of a file, of its own or as --json has written it.
+// Loads a plan tree from a file that holds the tree alone, or from the output of --json.
 ContingentPlan LoadTree(const std::filesystem::path& file, const GroundTask& task) {
-  contingent::KnowledgeBase(task).Initial();  // tells what contradicts init, as planning does
+  // This throws if the initial state contradicts itself, as planning does.
+  contingent::KnowledgeBase(task).Initial();
   const Document document = Document::Load(file);
   const std::optional<Value> inner = document.root().Find("tree");
   ContingentPlan plan;

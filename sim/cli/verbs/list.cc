@@ -35,7 +35,7 @@ struct Options {
 struct Entry {
   std::string name;
   std::string text;        // one line
-  std::string error = {};  // why there is no text
+  std::string error = {};  // the reason if there is no text
 };
 using Entries = std::vector<Entry>;
 
@@ -52,7 +52,7 @@ std::string TextAt(const Document& document, const char* key) {
   return value ? value->Text() : "";
 }
 
-// A file that cannot be read hides no others: its error is told in its place.
+// A file that cannot be read does not hide the others: its error is listed in its place.
 Entry EntryOf(std::string name, const std::function<std::string()>& text) {
   try {
     return {.name = std::move(name), .text = text()};
@@ -61,7 +61,7 @@ Entry EntryOf(std::string name, const std::function<std::string()>& text) {
   }
 }
 
-// Scenarios are looked for beside each folder of models.
+// Lists the scenarios beside each folder of models.
 Entries ListScenarios(const domain::ModelPath& models) {
   std::set<fs::path> folders;
   for (const fs::path& folder : models.folders())
@@ -86,7 +86,7 @@ std::string FeaturesIn(const fs::path& part_file) {
   return fmt::format("{}", fmt::join(features, ", "));
 }
 
-// The features in the part file's words.
+// Lists the parts with their features in the part file's words.
 Entries ListParts(const domain::ModelPath& models) {
   Entries entries;
   for (const std::string& name : models.Parts()) {
@@ -95,7 +95,7 @@ Entries ListParts(const domain::ModelPath& models) {
   return entries;
 }
 
-// "sensors: overhead-camera", of a section that a workcell file may have.
+// Returns "sensors: overhead-camera" for a section that a workcell file may have.
 std::string NamesIn(const Document& document, const char* section) {
   const std::optional<Value> value = document.root().Find(section);
   if (!value) return "";

@@ -46,12 +46,12 @@ struct Options {
   domain::ModelPath models;
   std::optional<double> displacement_mm;
   std::optional<double> rotation_deg;
-  std::optional<double> velocity;  // share
+  std::optional<double> velocity;  // direction error, a share of the motion
   std::optional<double> clearance_mm;
   std::optional<double> friction;
   double beyond = 1;
   int trials = 0;
-  std::optional<int> trial;  // the only one
+  std::optional<int> trial;  // the only trial to run
   int jobs = 1;
   std::uint64_t seed = 1;
   std::uint64_t search_seed = 1;
@@ -103,7 +103,7 @@ finemotion::StrategyOptions SearchOptions(const Options& options, const domain::
           .seed = options.search_seed};
 }
 
-// What makes the trials again, up to the number of one.
+// Returns the command that repeats a trial when the trial's number is added.
 std::string ReplayCommand(const Options& options) {
   const Options usual;
   std::string command = fmt::format("assay mate {}", sweep::Word(options.scenario.string()));
@@ -137,7 +137,7 @@ std::vector<int> NumbersOf(const Options& options) {
   return numbers;
 }
 
-// A mating with its plan, and what is told of it.
+// A mating with its plan and the output about it.
 struct Planning {
   MatingTask task;
   MatingGeometry geometry;
@@ -145,7 +145,7 @@ struct Planning {
   finemotion::StrategyOptions search;
   finemotion::ContactChain chain = {};
   FineMotionPlan plan = {};
-  plan::Strategy strategy = {};  // of the plan
+  plan::Strategy strategy = {};  // the strategy of `plan`
   std::optional<MatingStudy> study = {};
 
   Json json = {};
@@ -204,7 +204,7 @@ MatingStudy Tried(const Planning& of, const kinematics::JointVector& near, const
     study.strategy[i] = std::move(strategy);
     progress.Tell(fmt::format("mating in physics, trial {} of {}", nth, numbers.size()));
   });
-  // Those that were not made have no number.
+  // Trials that were not made have the number 0.
   for (std::vector<MatedTrial>* made : {&study.strategy, &study.straight}) {
     std::erase_if(*made, [](const MatedTrial& trial) { return trial.number == 0; });
   }
@@ -214,7 +214,7 @@ MatingStudy Tried(const Planning& of, const kinematics::JointVector& near, const
   return study;
 }
 
-// A strategy is certain of a fixed part that stays where it is.
+// Warns that a strategy is certain only if the fixed part stays where it is.
 std::string FreeText(const Planning& of) {
   const domain::Problem& problem = of.task.planned.problem;
   const domain::Part& fixed = problem.part(problem.mating(of.task.assemble.mating).fixed);
@@ -239,7 +239,8 @@ void Try(const kinematics::JointVector& near, const Options& options, Planning& 
   of.text += FreeText(of);
 }
 
-// No proof: another strategy, or another place for the parts, may be one that the arm can execute.
+// A strategy that the arm cannot execute proves nothing: it may be able to execute another
+// strategy, or the same one with the parts in other places.
 void Refuse(const assembly::Unreached& unreached, Planning& of) {
   of.code = ExitCode::kBudgetSpent;
   of.json["outcome"] = "budget";

@@ -40,7 +40,7 @@ using check::NoisyTrial;
 using check::TrialOutcome;
 using Json = nlohmann::ordered_json;
 
-// What is kept of each trial.
+// The results of one trial that are kept.
 struct NoisyRow {
   TrialOutcome outcome = TrialOutcome::kSucceeded;
   std::string reason = {};
@@ -98,14 +98,14 @@ class NoisyTrials {
     if (!traces) options.sample_rate = 0;
     const noise::Noise noise = NoiseOf(number);
     if (!run_.camera) return RunNoisyTrial(experiment_, noise, options);
-    // One for each trial: a renderer belongs to its thread and its scene.
+    // Each trial has a camera of its own, because a renderer belongs to its thread and its scene.
     const scene::Scene scene(experiment_.problem, exec::TrueScene(experiment_.scene, noise));
     sense::OverheadCamera camera(scene, experiment_.problem);
     options.sensor = &camera;
     return RunNoisyTrial(experiment_, noise, options);
   }
 
-  // The ledger of a single trial is in the result.
+  // The ledger of a single trial is in the result, not in a file.
   void WriteFiles(int number, const NoisyTrial& trial) const {
     std::ostringstream text;
     exec::WriteTrace(trial.trace, text);
@@ -245,11 +245,11 @@ class NoisyTrials {
   std::unique_ptr<Progress> progress_ = std::make_unique<Progress>("executing under noise");
   const std::vector<noise::Channel> box_;
   const check::Experiment experiment_;
-  check::Noiseless noiseless_;  // before trials; not looked at for a single one
+  check::Noiseless noiseless_;  // execution before the trials; not used for a single trial
   std::mutex mutex_;
   std::map<int, NoisyRow> rows_;  // by number
   std::map<int, std::vector<check::Claim>> claims_;
-  std::vector<check::LedgerEntry> ledger_;  // of a single trial
+  std::vector<check::LedgerEntry> ledger_;  // for a single trial
 };
 
 }  // namespace

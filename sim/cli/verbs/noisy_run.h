@@ -11,27 +11,29 @@
 
 namespace assay::cli {
 
-// Executions of one plan under noise, each certificate held against what truly happened.
+// Executions of one plan under noise. Each certificate is compared with what truly happened.
 struct NoisyRun {
   const PlannedProblem& planned;
-  std::string command;           // "assay run FILE ...", that makes the same plan
+  std::string command;           // "assay run FILE ...", which makes the same plan
   std::filesystem::path folder;  // empty: nothing is written
   noise::Mode mode = noise::Mode::kUniform;
-  std::optional<std::string> errors = {};  // the noise of the only trial, as noise::Text writes it
-  bool camera = false;                     // looks are taken by the camera, not drawn
+  // The noise of the only trial, as noise::Text writes it.
+  std::optional<std::string> errors = {};
+  bool camera = false;  // looks are taken by the camera instead of drawn
   int trials = 1;
   int jobs = 1;                  // threads
-  std::optional<int> only = {};  // the number of the one trial that is run
+  std::optional<int> only = {};  // the number of the one trial to run
   std::uint64_t seed = 0;
   bool json = false;
 };
 
+// Executes the trials and prints their report.
 ExitCode RunNoisy(const NoisyRun& run);
 
-// The errors of a command line (noise::Text) for this plan. Throws UsageError.
+// Parses the errors of a command line (see noise::Text) for this plan. Throws UsageError.
 noise::Noise NoiseFrom(const std::string& errors, const PlannedProblem& planned);
 
-// The same plan attacked (check/attack.h).
+// A falsification of one plan (see sim/check/falsification/attack.h).
 struct AttackRun {
   const PlannedProblem& planned;
   std::string command;
@@ -39,10 +41,12 @@ struct AttackRun {
   std::int64_t attempts = 1000;
   int jobs = 1;
   std::uint64_t seed = 0;
-  bool conservatism = false;  // how much more noise than is guaranteed it takes to break the plan
+  // Measures how much more noise than is guaranteed it takes to break the plan.
+  bool conservatism = false;
   bool json = false;
 };
 
+// Runs the falsification and prints its report.
 ExitCode RunAttack(const AttackRun& run);
 
 }  // namespace assay::cli

@@ -43,8 +43,8 @@ struct Options {
   std::int64_t budget = posting::PlannerOptions().partial_plans;
   std::string propagation = "sound";
   std::vector<std::string> resolvers = {};           // empty: the scenario's
-  std::optional<std::string> explain;                // a step: its place, from 1, or its id
-  std::vector<const CLI::Option*> of_planning = {};  // of no use with a plan file
+  std::optional<std::string> explain;                // a step's place, from 1, or its id
+  std::vector<const CLI::Option*> of_planning = {};  // options that have no use with a plan file
 };
 
 posting::PlannerOptions PlannerOptionsFrom(const Options& options) {
@@ -71,7 +71,7 @@ void RefuseOptionsOfPlanning(const Options& options) {
   if (options.tree) throw UsageError("--tree is for scenarios (see assay plan --help)");
 }
 
-// Plan instances of the first phase, in the order in which they are found.
+// Returns plan instances of the first phase, in the order in which they are found.
 std::vector<plan::Plan> ListInstances(const domain::Problem& problem, const Options& options) {
   std::vector<plan::Plan> instances;
   if (options.instances == 1) return instances;
@@ -109,7 +109,7 @@ std::string CountersText(const plan::PlanResult& result, double seconds) {
   return fmt::format("{}; {:.2f} s\n", fmt::join(counters, ", "), seconds);
 }
 
-// What who looks at a plan file must know of its certificates first; nothing if they hold up.
+// Returns a warning about a plan file's certificates; empty if they hold up.
 std::string WarningOf(const PlannedProblem& planned) {
   if (planned.plan_file.empty()) return "";
   const std::vector<plan::Flaw> flaws = CertificateFlaws(planned);

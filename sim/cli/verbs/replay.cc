@@ -73,7 +73,7 @@ void SetNumbers(const TrialRecord& from, TrialRecord& to) {
   to.number = from.number;
 }
 
-// A trial as it came out again, and in what it differs. An attack has no ledger.
+// A repeated trial, and how it differs from the stored one. A falsification has no ledger.
 struct Again {
   TrialRecord record;
   std::vector<check::CertificateVerdict> verdicts;
@@ -97,7 +97,7 @@ Again RunAgain(const sweep::PlannedCell& cell, const TrialRecord& stored, Film* 
   return again;
 }
 
-// The same with pictures.
+// Repeats a trial and takes pictures of it.
 Again RunFilmed(const sweep::PlannedCell& cell, const TrialRecord& stored, const Options& options) {
   const scenario::Scenario& scenario = cell.preparation->scenario;
   const noise::Noise noise = sweep::NoiseOf(cell, stored.number);

@@ -29,14 +29,14 @@ namespace fs = std::filesystem;
 struct Options {
   fs::path database;
   fs::path page;
-  fs::path tables;  // folder; empty: none
+  fs::path tables;  // folder; empty: no tables
   domain::ModelPath models;
   int cells_in_full = report::PageOptions().cells_in_full;
   bool pictures = false;
   PictureOptions picture = {.cameras = {}, .size = "400x300"};
 };
 
-// A folder for files on their way, removed at the end.
+// A folder for temporary files, removed at the end.
 class TemporaryFolder {
  public:
   TemporaryFolder() : path_(fs::temp_directory_path() / fmt::format("assay-report-{}", getpid())) {
@@ -55,8 +55,7 @@ class TemporaryFolder {
   const fs::path path_;
 };
 
-// Executes a stored trial once more; its contact sheet, the contents of a PNG
-// file.
+// Executes a stored trial once more and returns its contact sheet, the content of a PNG file.
 std::string ContactSheetOf(const sweep::Store& store, int number, const Options& options) {
   const std::optional<sweep::TrialRecord> trial = store.FindTrial(number);
   ASSAY_CHECK(trial.has_value(), "a notable trial that is not there: {}", number);

@@ -51,7 +51,7 @@ struct Options {
   bool renders = false;
   bool json = false;
   bool scatter = false;
-  std::optional<int> trial;          // the only one
+  std::optional<int> trial;          // the only trial to run
   std::optional<std::string> noise;  // the name of a mode, or "attack"
   std::optional<std::string> errors;
   std::string sensing = "drawn";
@@ -64,7 +64,7 @@ struct Options {
 
 bool IsNoisy(const Options& options) { return options.noise || options.errors; }
 
-// What is kept of each trial.
+// The results of one trial that are kept.
 struct Summary {
   check::TrialOutcome outcome;
   std::string reason;
@@ -131,7 +131,7 @@ class Run {
         summaries_, [](const auto& entry) { return entry.second.Succeeded(); }));
   }
 
-  // The failures by their name.
+  // Returns the numbers of failures by outcome.
   std::map<std::string, int> Failures() const {
     std::map<std::string, int> failures;
     for (const auto& [number, summary] : summaries_) {
@@ -140,7 +140,7 @@ class Run {
     return failures;
   }
 
-  // The command that executes again what failed.
+  // Returns the command that repeats the failed trials.
   std::string ReplayCommand() const {
     std::string command =
         fmt::format("assay run {} --seed {}", sweep::Word(options_.input.string()), seed_);
@@ -195,7 +195,7 @@ class Run {
   std::unique_ptr<Progress> progress_ = std::make_unique<Progress>("executing the plan");
 };
 
-// Says why nothing is executed.
+// Prints why nothing is executed.
 ExitCode Refuse(const std::string& text, const Json& json, const Options& options, ExitCode code) {
   Print(options.json ? plan::JsonText(json) : text);
   return code;
@@ -235,7 +235,7 @@ PlannedProblem Planned(const Options& options) {
   return MakePlan(document, scenario::Read(document, options.models, overrides), {}, uncertainty);
 }
 
-// What makes the same plan again.
+// Returns the command that makes the same plan again.
 std::string CommandFor(const Options& options) {
   std::string command = "assay run " + sweep::Word(options.input.string());
   if (options.propagation != "sound") command += " --propagation " + options.propagation;
@@ -276,7 +276,7 @@ ExitCode ExecuteNoisy(const Options& options, PlannedProblem& planned) {
                    .json = options.json});
 }
 
-// A plan that was read from there stays there as it is.
+// Writes the plan, unless it was read from the same file.
 void KeepPlan(const PlannedProblem& planned, const Json& plan_file, const Options& options) {
   if (options.folder.empty()) return;
   const fs::path file = options.folder / "plan.json";
@@ -295,7 +295,8 @@ ExitCode Execute(const Options& options) {
   if (result.outcome != Outcome::kFound) {
     return Refuse(Text(planned.problem, result), plan_file, options, ExitCodeOf(result.outcome));
   }
-  if (options.errors) NoiseFrom(*options.errors, planned);  // refused before what takes its time
+  // Wrong errors are refused before the work that takes time.
+  if (options.errors) NoiseFrom(*options.errors, planned);
   const plan::CheckReport check =
       planned.plan_file.empty() ? CheckPlan(planned.problem, result.plan) : CheckPlan(planned);
   if (!check.flaws.empty()) {

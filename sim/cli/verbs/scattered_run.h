@@ -9,20 +9,22 @@
 
 namespace assay::cli {
 
-// `run --scatter`: trials of one scenario with its parts at other places, each planned anew.
+// The trials of `assay run --scatter`: one scenario with its parts at other places in each trial,
+// each of which is planned anew.
 struct ScatteredRun {
   std::filesystem::path scenario;
   domain::ModelPath models;      // as the user gave them
   std::filesystem::path folder;  // empty: nothing is written
   int trials = 1;
   int jobs = 1;                  // threads
-  std::optional<int> only = {};  // the number of the one trial that is run
+  std::optional<int> only = {};  // the number of the one trial to run
   std::uint64_t seed = 0;
   bool json = false;
 };
 
-// Every trial draws from its own stream, so that it comes out the same whatever else is run. A
-// trial without a plan, or with one that the independent checker refuses, has failed.
+// Runs the trials and prints their report. Every trial draws from its own stream, so that its
+// result does not depend on the others. A trial fails if it has no plan, or one that the
+// independent checker refuses.
 ExitCode RunScattered(const ScatteredRun& run, const scenario::Scenario& scenario);
 
 }  // namespace assay::cli

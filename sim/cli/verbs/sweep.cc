@@ -41,10 +41,10 @@ struct Options {
   bool resume = false;
   std::string shard = "1/1";
   bool json = false;
-  // Of merge and show.
+  // Options of `merge` and `show`.
   fs::path out;
   std::vector<fs::path> parts;
-  // Of slurm.
+  // Options of `slurm`.
   int tasks = 4;
   int jobs_of_task = 1;
 
@@ -69,7 +69,7 @@ std::string DurationText(double seconds) {
   return fmt::format("{:.1f} h", seconds / 3600);
 }
 
-// Tells people how many trials there are, how long they will take, and how far they are.
+// Shows to people how many trials there are, how long they will take, and how many are done.
 class Narrator {
  public:
   explicit Narrator(int jobs, double seconds_of_trial)
@@ -116,21 +116,21 @@ class Narrator {
                        DurationText(static_cast<double>(all - done) / rate));
   }
 
-  // Wipes what the progress has on the line.
+  // Wipes the progress from the line before printing.
   static void Line(const std::string& text) {
     Remark(fmt::format("{}{}\n", RemarksAreSeen() ? "\r\033[K" : "", text));
   }
 
   const int jobs_;
-  const double seconds_of_trial_;  // 0: not known
+  const double seconds_of_trial_;  // 0 if not known
   bool announced_ = false;
   bool foretold_ = false;
   Progress progress_{"planning"};
 };
 
-// A plan that is being made cannot be broken off, and nothing of it could be kept: if the program
-// is interrupted while plans are made, this ends it within a second or two. What was planned before
-// is on the disk, where transactions leave nothing half done.
+// Ends an interrupted program while plans are made. A plan that is being made cannot be broken off,
+// and nothing of it could be kept. The watch ends the program within a second or two of an
+// interruption. The plans before it are on the disk, where transactions leave nothing half done.
 class PlanningWatch {
  public:
   explicit PlanningWatch(const fs::path& database)
@@ -163,7 +163,7 @@ class PlanningWatch {
   std::atomic<bool> is_planning_ = true;
   std::atomic<int> cells_ = 0;
   std::atomic<int> cells_planned_ = 0;
-  std::jthread thread_;  // last: it uses the others
+  std::jthread thread_;  // last, since it uses the members above
 };
 
 ExitCode Show(const sweep::Store& store, const fs::path& database, bool json) {
@@ -235,7 +235,8 @@ ExitCode ExecuteShow(const Options& options) {
   return ExitCode::kDone;
 }
 
-// A script's comments end where a line does, and what is printed shows other control characters.
+// Refuses a path with control characters: a line break would end a script's comment, and the
+// printed script would show other control characters differently.
 void RequirePlainName(const fs::path& path) {
   if (path.empty()) return;
   const std::string absolute = fs::absolute(path).string();
@@ -259,7 +260,7 @@ ExitCode ExecuteSlurm(const Options& options) {
   return ExitCode::kDone;
 }
 
-// What a word after `sweep` does; each has its own options.
+// A word after `sweep`. Each has its own options.
 struct Part {
   const char* name;
   const char* summary;

@@ -5,13 +5,13 @@
 
 namespace assay::cli {
 
-// One mating of a plan, taken by itself.
+// One mating of a plan, by itself.
 struct MatingTask {
   PlannedProblem planned;   // its problem begins just before the hand takes the held part
-  plan::Assemble assemble;  // of the plan
+  plan::Assemble assemble;  // an action of the plan
 };
 
-// The plan's last. Throws UsageError if there is none.
+// Returns the plan's last mating. Throws UsageError if there is none.
 MatingTask LastMatingOf(PlannedProblem planned);
 
 }  // namespace assay::cli

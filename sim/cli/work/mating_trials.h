@@ -12,7 +12,7 @@
 
 namespace assay::cli {
 
-// What touched in a trial, against what was planned.
+// The contacts of a trial, compared with the planned ones.
 struct SequenceRecord {
   check::ObservedContacts contacts;
   std::vector<check::ObservedState> states;
@@ -21,31 +21,35 @@ struct SequenceRecord {
 
 // One trial of a mating.
 struct MatedTrial {
-  int number = 0;    // from 1
-  double scale = 0;  // of the greatest of its errors, in half widths of those planned for
-  int redrawn = 0;   // how often errors were drawn before with which no trial can begin
+  int number = 0;  // from 1
+  // The greatest of the trial's errors, as a multiple of the half widths that were planned for.
+  double scale = 0;
+  // Number of draws before this one with errors with which no trial can begin.
+  int redrawn = 0;
   exec::MatingResult result;
   bool seated = false;
-  std::optional<SequenceRecord> sequence = {};  // of a strategy
+  std::optional<SequenceRecord> sequence = {};  // only with a strategy
 };
 
+// Settings that all trials of a mating share.
 struct MatingTrialSettings {
-  finemotion::FineMotionErrors errors;  // that were planned for
-  double beyond = 1;                    // trials draw theirs from so many times as wide a box
+  finemotion::FineMotionErrors errors;  // those that were planned for
+  double beyond = 1;                    // trials draw errors from a box this many times as wide
   scene::SceneOptions scene = {};
   std::uint64_t seed = 1;
   kinematics::JointVector near;  // exec::MatingSetting::near
 };
 
-// Executes one mating again and again in one scene, with errors drawn from the seed and the
-// trial's number alone. Errors with which the strategy cannot start (exec::CanStart) are drawn
-// anew. All that it is given must outlive it.
+// Executes one mating repeatedly in one scene. Errors are drawn from the seed and the trial's
+// number alone. Errors with which the strategy cannot start (exec::CanStart) are drawn anew. All
+// arguments of the constructor must outlive the object.
 class MatingTrials {
  public:
   MatingTrials(const MatingTask& task, const finemotion::MatingGeometry& geometry,
                const plan::Strategy& strategy, const MatingTrialSettings& settings);
 
-  // Throws BrokenOff as soon as an interruption is requested (interruption.h).
+  // RunStrategy and RunStraight throw BrokenOff as soon as an interruption is requested
+  // (interruption.h).
   MatedTrial RunStrategy(int number, const check::PlannedContacts& contacts) const;
   MatedTrial RunStraight(int number) const;
 

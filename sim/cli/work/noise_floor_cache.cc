@@ -30,7 +30,7 @@ using check::HonestyGate;
 using check::StepGate;
 using Json = nlohmann::ordered_json;
 
-// Empty if there is none.
+// Returns an empty path if there is no cache folder.
 fs::path CacheFolder() {
   if (const char* cache = std::getenv("XDG_CACHE_HOME"); cache != nullptr && *cache == '/') {
     return fs::path(cache) / "assay" / "noise-floor";
@@ -83,7 +83,7 @@ HonestyGate FloorFromJson(const Json& steps) {
   return floor;
 }
 
-// Only this program wrote it; what a broken disk left of it counts for nothing.
+// Reads a floor that this program wrote. A file that was damaged on the disk is ignored.
 std::optional<HonestyGate> Kept(const fs::path& file, std::size_t steps) {
   const std::string text = BytesOf(file);
   if (text.empty()) return std::nullopt;
@@ -100,7 +100,7 @@ void Keep(const HonestyGate& floor, const fs::path& file) {
     MakeFolder(file.parent_path());
     WriteFile(file, plan::JsonLine(FloorToJson(floor)) + "\n");
   } catch (const EnvironmentError&) {
-    // It is measured again the next time.
+    // The floor is measured again the next time.
   }
 }
 

@@ -7,10 +7,11 @@
 
 namespace assay::cli {
 
-// check::MeasureGate of the plan. It is measured once: the user's cache folder (assay/noise-floor
-// in XDG_CACHE_HOME, or in .cache of HOME) keeps it by a hash of all that it depends on: this
-// program, the engine, each file that was read, the command with its options, the plan and the
-// scene. Without such a folder, or where it cannot be written, it is measured each time.
+// Returns check::MeasureGate of the plan, which is measured only once. The user's cache folder
+// (assay/noise-floor in XDG_CACHE_HOME, or in .cache of HOME) keeps it by a hash of all that it
+// depends on: this program, the engine, each file that was read, the command with its options, the
+// plan and the scene. If there is no cache folder, or if it cannot be written, the floor is
+// measured each time.
 check::HonestyGate NoiseFloor(const PlannedProblem& planned, std::string_view command);
 
 }  // namespace assay::cli

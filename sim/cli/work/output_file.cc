@@ -37,14 +37,14 @@ void RefuseInputs(const fs::path& file) {
       "{}: not written, since this command has read it; allowed: another file", file.string()));
 }
 
-// What the path leads to, if it is there.
+// Returns the status of the file that the path leads to, if the file exists.
 std::optional<struct stat> StatusOf(const fs::path& file) {
   struct stat status {};
   if (stat(file.c_str(), &status) != 0) return std::nullopt;
   return status;
 }
 
-// Which of the program's own streams the file is; none: neither.
+// Returns which of the program's own streams the file is, if any.
 std::optional<int> StreamOf(const struct stat& file) {
   for (const int stream : {STDOUT_FILENO, STDERR_FILENO}) {
     struct stat status {};
@@ -54,8 +54,8 @@ std::optional<int> StreamOf(const struct stat& file) {
   return std::nullopt;
 }
 
-// Where links lead, so that the rename replaces the file and not the link, though it need not be
-// there yet.
+// Follows links, so that the rename replaces the file and not the link. The file itself need not
+// exist.
 fs::path Resolved(fs::path file) {
   constexpr int kMostLinks = 40;
   std::error_code error;
@@ -65,7 +65,7 @@ fs::path Resolved(fs::path file) {
   return file;
 }
 
-// An open file that is closed.
+// An open file that is closed by the destructor.
 class Descriptor {
  public:
   Descriptor(const fs::path& path, int flags, mode_t mode, const fs::path& named)
@@ -80,20 +80,20 @@ class Descriptor {
 
   int number() const { return number_; }
 
-  // What cannot be brought to a disk (a pipe) is as safe as it can be.
+  // Brings the file to the disk. An error is ignored if the file has no disk, as a pipe has none.
   void Sync() const {
     if (fsync(number_) != 0 && errno != EINVAL && errno != ENOTSUP && errno != EROFS) {
       Fail(named_, LastError());
     }
   }
-  // File systems may tell only now that there is no room.
+  // Closes the file. Some file systems report only now that there is no room.
   void Close() {
     const int number = std::exchange(number_, -1);
     if (close(number) != 0) Fail(named_, LastError());
   }
 
  private:
-  const fs::path& named_;  // in messages
+  const fs::path& named_;  // path for messages
   int number_;
 };
 
@@ -107,8 +107,8 @@ void WriteInto(int descriptor, std::string_view text, const fs::path& named) {
   }
 }
 
-// Beside a file, hidden, empty, with its ending and its permissions. It is removed unless it has
-// taken the file's place.
+// A hidden, empty file beside another, with the same ending and permissions. It is removed unless
+// it took the other's place.
 class TemporaryFile {
  public:
   explicit TemporaryFile(const fs::path& file) : path_(NameBeside(file)) {
@@ -133,7 +133,7 @@ class TemporaryFile {
   }
 
  private:
-  // The process id keeps two programs apart, the count two threads.
+  // The process id distinguishes two programs, the count two threads.
   static fs::path NameBeside(const fs::path& file) {
     static std::atomic<int> count = 0;
     return FolderOf(file) /
@@ -143,11 +143,12 @@ class TemporaryFile {
   const fs::path path_;
 };
 
-// True: the text is written, since the file is none that a rename can replace.
+// Writes the text into a file that a rename cannot replace, such as a device. Returns whether the
+// file was of this kind.
 bool WriteThrough(const fs::path& file, std::string_view text) {
   const std::optional<struct stat> status = StatusOf(file);
   if (!status || S_ISDIR(status->st_mode)) return false;
-  std::fflush(nullptr);  // what was printed before stands before it
+  std::fflush(nullptr);  // earlier output comes first
   if (S_ISREG(status->st_mode)) {
     const std::optional<int> stream = StreamOf(*status);
     if (stream) WriteInto(*stream, text, file);

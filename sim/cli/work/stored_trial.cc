@@ -22,7 +22,7 @@ sweep::Sweep SweepOf(const sweep::Store& store) {
 
 namespace {
 
-// What is wrong in a stored plan is wrong in the database.
+// An error in a stored plan is reported as an error in the database.
 sweep::PlannedCell Restored(const sweep::Store& store, const sweep::Sweep& sweep,
                             const domain::ModelPath& models, const sweep::Cell& cell,
                             const sweep::CellRecord& record) {

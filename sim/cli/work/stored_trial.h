@@ -7,12 +7,12 @@
 
 namespace assay::cli {
 
-// The sweep file of a database: where it was, from the working directory or
-// beside the database. Throws InputError if it is not there, or has changed.
+// Returns the sweep file of a database, from its old path in the working directory or from beside
+// the database. Throws InputError if it is not there, or has changed.
 sweep::Sweep SweepOf(const sweep::Store& store);
 
-// The cell of a trial, with the plan that is stored. `models`: the folder;
-// empty: found.
+// Returns the cell of a trial, with the stored plan. `models` are the given folders; if it is
+// empty, the folder is searched for.
 sweep::PlannedCell RestoredCell(const sweep::Store& store, const sweep::TrialRecord& trial,
                                 const domain::ModelPath& models);
 

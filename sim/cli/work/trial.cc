@@ -58,7 +58,7 @@ void ForEachTrial(int trials, int jobs, const std::function<void(int)>& work) {
     try {
       for (int number = first; queue.Has(number); number = queue.Next()) work(number);
     } catch (const BrokenOff&) {
-      // So are all others.
+      // The other threads are interrupted as well.
     } catch (...) {
       queue.Fail(std::current_exception());
     }
