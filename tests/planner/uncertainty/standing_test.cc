@@ -11,6 +11,7 @@
 #include "planner/uncertainty/preconditions/precondition.h"
 #include "planner/uncertainty/preconditions/support.h"
 #include "tests/planner/uncertainty/part_on_table.h"
+#include "tests/scratch_file.h"
 
 namespace assay::uncertainty::standing_test {
 namespace {
@@ -148,7 +149,7 @@ TEST(NeighbourClear, GoesDownAsANeighbourComesNearer) {
 
 // A T that stands on its stem of a square inch, its bar 6 inches long.
 std::shared_ptr<const domain::PartModel> LetterT() {
-  const std::filesystem::path file = std::filesystem::path(testing::TempDir()) / "letter-t.yaml";
+  const std::filesystem::path file = ScratchFile("letter-t.yaml");
   std::ofstream(file) << R"(format: assay-part/1
 name: letter-t
 initial: T

@@ -149,7 +149,7 @@ TEST(Coverage, TheCheckerRefusesAnEmptyCertificate) {
 
 // What the schema says is what the table says.
 TEST(PlanSchema, RequiresWhatTheTableRequires) {
-  std::ifstream file(ASSAY_SOURCE_DIR "/planner/plan/plan.schema.json");
+  std::ifstream file(ASSAY_SOURCE_DIR "/planner/plan/file/plan.schema.json");
   const Json definitions = Json::parse(file)["definitions"];
   std::vector<std::string> names;
   std::vector<std::string> reasons = {std::string(kNotPublished)};

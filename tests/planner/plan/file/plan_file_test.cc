@@ -154,7 +154,7 @@ std::string ErrorOf(const Json& json) {
 }
 
 oracle::JsonSchema Schema() {
-  std::ifstream file(ASSAY_SOURCE_DIR "/planner/plan/plan.schema.json");
+  std::ifstream file(ASSAY_SOURCE_DIR "/planner/plan/file/plan.schema.json");
   return oracle::JsonSchema(nlohmann::json::parse(file));
 }
 

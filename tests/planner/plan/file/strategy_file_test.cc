@@ -122,7 +122,7 @@ TEST(StrategyFile, APlanCarriesIt) {
 }
 
 TEST(StrategyFile, TheSchemaKnowsIt) {
-  std::ifstream file(ASSAY_SOURCE_DIR "/planner/plan/plan.schema.json");
+  std::ifstream file(ASSAY_SOURCE_DIR "/planner/plan/file/plan.schema.json");
   const oracle::JsonSchema schema(nlohmann::json::parse(file));
   Json json = ToJson(WithStrategy(), FigureFourteen(), "s.yaml");
   EXPECT_THAT(schema.Errors(json), IsEmpty());
