@@ -4,8 +4,8 @@
 
 #include "bench/harness/contest.h"
 #include "planner/assembly/certified_plan.h"
+#include "planner/constraint_posting/posting_planner.h"
 #include "planner/domain/problem/problem_file.h"
-#include "planner/posting/posting_planner.h"
 
 namespace assay {
 namespace {
@@ -27,7 +27,7 @@ void ReadScenario(benchmark::State& state, const std::string& scenario) {
 void PlanScenario(benchmark::State& state, const std::string& scenario) {
   const domain::Problem problem = domain::ReadProblem(Load(scenario), kRoot + "/models");
   plan::PlanResult result;
-  for (auto _ : state) result = posting::MakePlan(problem, {});
+  for (auto _ : state) result = constraint_posting::MakePlan(problem, {});
   state.counters["actions"] = static_cast<double>(result.plan.steps.size());
   for (const auto& [name, count] : result.counters) {
     state.counters[name] = static_cast<double>(count);

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "bench/harness/contest.h"
-#include "planner/posting/posting_planner.h"
+#include "planner/constraint_posting/posting_planner.h"
 #include "sim/exec/execution/executor.h"
 #include "sim/scenario/scenario.h"
 
@@ -40,7 +40,7 @@ struct Run {
 
   explicit Run(const std::string& name)
       : scenario(scenario::Load(std::string(ASSAY_SOURCE_DIR) + "/scenarios/" + name + ".yaml")),
-        plan(posting::MakePlan(scenario.problem, {}).plan),
+        plan(constraint_posting::MakePlan(scenario.problem, {}).plan),
         scene(scenario.problem, scenario.simulation.scene) {}
 
   exec::Trace Execute(const exec::ExecutorOptions& options) const {

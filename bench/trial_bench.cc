@@ -3,7 +3,7 @@
 #include <string>
 
 #include "planner/assembly/certified_plan.h"
-#include "sim/check/claims/measure_gate.h"
+#include "sim/check/claims/measure_noise_floor.h"
 #include "sim/check/trial/noisy_trial.h"
 #include "sim/noise/error_box.h"
 #include "sim/noise/sampling.h"
@@ -23,10 +23,11 @@ void WholeTrial(benchmark::State& state, const std::string& name) {
   const plan::Plan plan = assembly::MakeCertifiedPlan(scenario.problem, {}, {}).plan;
   const auto box = noise::ErrorBox(scenario.problem, plan);
   const scene::SceneOptions& scene = scenario.simulation.scene;
-  const check::Experiment experiment = {.problem = scenario.problem,
-                                        .plan = plan,
-                                        .scene = scene,
-                                        .gate = check::MeasureGate(scenario.problem, plan, scene)};
+  const check::Experiment experiment = {
+      .problem = scenario.problem,
+      .plan = plan,
+      .scene = scene,
+      .gate = check::MeasureNoiseFloor(scenario.problem, plan, scene)};
   check::NoisyTrial trial;
   double simulated = 0;
   for (auto _ : state) {

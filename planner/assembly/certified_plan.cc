@@ -8,12 +8,12 @@
 namespace assay::assembly {
 
 plan::PlanResult MakeCertifiedPlan(const domain::Problem& problem,
-                                   const posting::PlannerOptions& planner,
-                                   posting::UncertaintyOptions uncertainty) {
+                                   const constraint_posting::PlannerOptions& planner,
+                                   constraint_posting::UncertaintyOptions uncertainty) {
   if (uncertainty.resolvers.empty()) {
     uncertainty.resolvers = Resolvers(problem.resolvers, uncertainty.propagation);
   }
-  plan::PlanResult result = posting::MakeCertifiedPlan(problem, planner, uncertainty);
+  plan::PlanResult result = constraint_posting::MakeCertifiedPlan(problem, planner, uncertainty);
   if (result.outcome != Outcome::kFound) return result;
   const std::optional<std::string> obstruction =
       AddTravels(problem, {}, result.plan, uncertainty.propagation);
@@ -22,7 +22,7 @@ plan::PlanResult MakeCertifiedPlan(const domain::Problem& problem,
   uncertainty.can_be_executed = [&, propagation = uncertainty.propagation](plan::Plan instance) {
     return !AddTravels(problem, {}, instance, propagation);
   };
-  result = posting::MakeCertifiedPlan(problem, planner, uncertainty);
+  result = constraint_posting::MakeCertifiedPlan(problem, planner, uncertainty);
   if (result.outcome == Outcome::kFound &&
       !AddTravels(problem, {}, result.plan, uncertainty.propagation))
     return result;

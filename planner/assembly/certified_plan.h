@@ -1,19 +1,19 @@
 #pragma once
 
+#include "planner/constraint_posting/posting_planner.h"
+#include "planner/constraint_posting/uncertainty_phase/uncertainty_phase.h"
 #include "planner/domain/problem/problem.h"
 #include "planner/plan/data/plan.h"
-#include "planner/posting/posting_planner.h"
-#include "planner/posting/uncertainty_phase/uncertainty_phase.h"
 
 namespace assay::assembly {
 
-// Makes a plan as posting::MakeCertifiedPlan does, with the resolvers that the problem names,
-// unless others are given, and with the travels that the plan needs (AddTravels). If no travels are
-// found for the best plan instance, the best instance with travels is returned. If none of the
-// first UncertaintyOptions::instances instances has travels, the outcome is kBudget, and the result
-// names the obstruction.
+// Makes a plan as constraint_posting::MakeCertifiedPlan does, with the resolvers that the problem
+// names, unless others are given, and with the travels that the plan needs (AddTravels). If no
+// travels are found for the best plan instance, the best instance with travels is returned. If none
+// of the first UncertaintyOptions::instances instances has travels, the outcome is kBudget, and the
+// result names the obstruction.
 plan::PlanResult MakeCertifiedPlan(const domain::Problem& problem,
-                                   const posting::PlannerOptions& planner,
-                                   posting::UncertaintyOptions uncertainty);
+                                   const constraint_posting::PlannerOptions& planner,
+                                   constraint_posting::UncertaintyOptions uncertainty);
 
 }  // namespace assay::assembly

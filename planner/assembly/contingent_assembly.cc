@@ -32,7 +32,7 @@ std::vector<plan::Sense> LooksAt(const domain::Problem& world,
 // proved in this world. The preconditions about the arm's ways are not compared, because the plan
 // check computes them again.
 bool IsAsCertain(const domain::Problem& world, const plan::Plan& plan,
-                 const posting::UncertaintyOptions& options) {
+                 const constraint_posting::UncertaintyOptions& options) {
   uncertainty::UncertainWorld uncertain(world, options.propagation);
   return std::ranges::all_of(plan.ExecutionOrder(), [&](plan::StepId id) {
     const plan::PlannedStep& step = plan.step(id);
@@ -47,7 +47,7 @@ bool IsAsCertain(const domain::Problem& world, const plan::Plan& plan,
 }
 
 bool Works(const domain::Problem& world, const plan::Plan& plan,
-           const posting::UncertaintyOptions& options) {
+           const constraint_posting::UncertaintyOptions& options) {
   constexpr int kOrders = 10;
   return assembly::Check(world, plan, kOrders).flaws.empty() && IsAsCertain(world, plan, options);
 }
@@ -56,8 +56,9 @@ bool Works(const domain::Problem& world, const plan::Plan& plan,
 // worlds, it is made again with looks at the beginning.
 class WorldPlanner {
  public:
-  WorldPlanner(const std::vector<domain::Problem>& worlds, const posting::PlannerOptions& planner,
-               const posting::UncertaintyOptions& uncertainty)
+  WorldPlanner(const std::vector<domain::Problem>& worlds,
+               const constraint_posting::PlannerOptions& planner,
+               const constraint_posting::UncertaintyOptions& uncertainty)
       : worlds_(worlds), planner_(planner), uncertainty_(uncertainty) {}
 
   ContingentAssembly Plan() {
@@ -87,7 +88,7 @@ class WorldPlanner {
     PlanOfWorlds planned = {WorldsOf(blind.plan, w), blind.plan};
     const auto matter = PosesThatMatter(worlds_, planned.worlds);
     if (!matter.empty()) {
-      posting::UncertaintyOptions looking = uncertainty_;
+      constraint_posting::UncertaintyOptions looking = uncertainty_;
       looking.looks = LooksAt(worlds_[w], matter);
       planned.plan = assembly::MakeCertifiedPlan(worlds_[w], planner_, looking).plan;
     }
@@ -147,8 +148,8 @@ class WorldPlanner {
   }
 
   const std::vector<domain::Problem>& worlds_;
-  const posting::PlannerOptions& planner_;
-  const posting::UncertaintyOptions& uncertainty_;
+  const constraint_posting::PlannerOptions& planner_;
+  const constraint_posting::UncertaintyOptions& uncertainty_;
   ContingentAssembly assembly_;
 };
 
@@ -164,8 +165,8 @@ std::string NameOf(const domain::Problem& world) {
 }
 
 ContingentAssembly MakeContingentPlan(const std::vector<domain::Problem>& worlds,
-                                      const posting::PlannerOptions& planner,
-                                      const posting::UncertaintyOptions& uncertainty) {
+                                      const constraint_posting::PlannerOptions& planner,
+                                      const constraint_posting::UncertaintyOptions& uncertainty) {
   ASSAY_CHECK(!worlds.empty());
   return WorldPlanner(worlds, planner, uncertainty).Plan();
 }

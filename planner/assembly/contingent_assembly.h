@@ -6,8 +6,8 @@
 
 #include "planner/assembly/plan_knowledge.h"
 #include "planner/base/outcome.h"
+#include "planner/constraint_posting/uncertainty_phase/uncertainty_phase.h"
 #include "planner/contingent/tree/plan_tree.h"
-#include "planner/posting/uncertainty_phase/uncertainty_phase.h"
 
 namespace assay::assembly {
 
@@ -34,7 +34,7 @@ std::string NameOf(const domain::Problem& world);
 // them too, so that no action looks at a pose that does not matter. `worlds` must come from
 // domain::ReadWorlds.
 ContingentAssembly MakeContingentPlan(const std::vector<domain::Problem>& worlds,
-                                      const posting::PlannerOptions& planner,
-                                      const posting::UncertaintyOptions& uncertainty);
+                                      const constraint_posting::PlannerOptions& planner,
+                                      const constraint_posting::UncertaintyOptions& uncertainty);
 
 }  // namespace assay::assembly

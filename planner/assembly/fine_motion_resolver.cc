@@ -7,20 +7,20 @@
 #include <utility>
 
 #include "planner/assembly/strategy_reach.h"
+#include "planner/constraint_posting/resolvers/moment.h"
+#include "planner/constraint_posting/resolvers/sensing_resolver.h"
 #include "planner/finemotion/search/likely_errors.h"
-#include "planner/posting/resolvers/moment.h"
-#include "planner/posting/resolvers/sensing_resolver.h"
 
 namespace assay::assembly {
 namespace {
 
+using constraint_posting::Insertion;
+using constraint_posting::Remedy;
+using constraint_posting::UnmetGoals;
 using finemotion::FineMotionErrors;
 using finemotion::FineMotionPlan;
 using finemotion::MatingGeometry;
 using geometry::Pose;
-using posting::Insertion;
-using posting::Remedy;
-using posting::UnmetGoals;
 using uncertainty::TipBox;
 using uncertainty::TipWay;
 using uncertainty::UncertainWorld;
@@ -59,7 +59,7 @@ plan::Strategy StrategyFrom(const MatingGeometry& geometry, const FineMotionPlan
 
 bool CanBeReached(const UnmetGoals& unmet, const plan::Assemble& assemble,
                   const plan::Strategy& strategy) {
-  const auto states = posting::StatesOf(unmet.problem, unmet.actions);
+  const auto states = constraint_posting::StatesOf(unmet.problem, unmet.actions);
   const plan::WorldState& before = states[static_cast<std::size_t>(unmet.step)];
   return !std::holds_alternative<Unreached>(ReachOf(unmet.problem, assemble, strategy, before));
 }
@@ -93,7 +93,7 @@ std::vector<std::vector<Insertion>> LooksAtPartsOf(const UnmetGoals& unmet,
   std::vector<std::vector<Insertion>> looks;
   if (std::ranges::count(unmet.problem.resolvers, domain::ResolverKind::kSensing) == 0)
     return looks;
-  const std::vector<Remedy> remedies = posting::SensingResolver().Propose(unmet);
+  const std::vector<Remedy> remedies = constraint_posting::SensingResolver().Propose(unmet);
   for (const Remedy& remedy : remedies) {
     if (remedy.part == mating.held || remedy.part == mating.fixed) {
       looks.push_back(remedy.insertions);

@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "planner/constraint_posting/resolvers/resolver.h"
 #include "planner/finemotion/contacts/mating.h"
-#include "planner/posting/resolvers/resolver.h"
 #include "planner/uncertainty/errors/tip_error.h"
 
 namespace assay::assembly {
@@ -19,19 +19,20 @@ const std::vector<std::string>& AbsorbedConditions();
 // sequence of contacts that is certain in spite of the possible errors (Dakin and Popplestone). The
 // size of the errors is computed from all earlier actions of the plan. If the errors are too great,
 // looks at the two parts are proposed with the strategy.
-class FineMotionResolver : public posting::Resolver {
+class FineMotionResolver : public constraint_posting::Resolver {
  public:
   explicit FineMotionResolver(uncertainty::Propagation propagation) : propagation_(propagation) {}
 
   std::string_view name() const override { return "fine-motion"; }
   std::vector<std::string> absorbs() const override { return AbsorbedConditions(); }
   // Returns no remedies unless all unmet goals of the step are about shaft and hole.
-  std::vector<posting::Remedy> Propose(const posting::UnmetGoals& unmet) override;
+  std::vector<constraint_posting::Remedy> Propose(
+      const constraint_posting::UnmetGoals& unmet) override;
 
   int searches() const { return static_cast<int>(plans_.size()); }  // the number of searches so far
 
  private:
-  std::optional<plan::Strategy> StrategyFor(const posting::UnmetGoals& unmet);
+  std::optional<plan::Strategy> StrategyFor(const constraint_posting::UnmetGoals& unmet);
   // Returns the plan for a mating and its errors. Equal errors give the same plan without a new
   // search.
   const finemotion::FineMotionPlan& PlanFor(domain::MatingId mating,
@@ -45,7 +46,7 @@ class FineMotionResolver : public posting::Resolver {
 
 // Returns the box of errors of the tip in the step. `way` describes the path of the tip, either
 // that of a strategy or the default path with which the search for a strategy begins.
-uncertainty::TipBox TipBoxAt(const posting::UnmetGoals& unmet, uncertainty::Propagation propagation,
-                             const uncertainty::TipWay& way);
+uncertainty::TipBox TipBoxAt(const constraint_posting::UnmetGoals& unmet,
+                             uncertainty::Propagation propagation, const uncertainty::TipWay& way);
 
 }  // namespace assay::assembly

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "planner/uncertainty/errors/tool_doubt.h"
+#include "planner/uncertainty/errors/tool_error_box.h"
 #include "planner/uncertainty/preconditions/certify.h"
 
 namespace assay::assembly {
@@ -36,7 +36,7 @@ PlanWalk::PlanWalk(const domain::Problem& problem, const plan::Plan& plan,
       doubts_(problem),
       arm_(motion::ArmBodies(problem.workcell->arm())),
       left_(plan::HomeTool(*problem.workcell)) {
-  doubt_left_ = uncertainty::ToolDoubtAt(world_, PartId::None(), left_);
+  doubt_left_ = uncertainty::ToolErrorBoxAt(world_, PartId::None(), left_);
 }
 
 plan::ToolRoute PlanWalk::RouteTo(StepId id) const {
@@ -48,14 +48,14 @@ plan::ToolRoute PlanWalk::RouteTo(StepId id) const {
 
 // The route consists of straight lines. So a rotation of the believed pose shifts no point of the
 // route farther than one of its ends.
-plan::ToolDoubt PlanWalk::DoubtOn(StepId id) const {
+plan::ToolErrorBox PlanWalk::DoubtOn(StepId id) const {
   const plan::ToolRoute route = RouteTo(id);
   const PartId guide =
       id.IsNone() ? PartId::None() : std::visit(GuideOf{problem_}, plan_.step(id).action);
-  plan::ToolDoubt doubt = uncertainty::ToolDoubtAt(world_, guide, route.poised);
+  plan::ToolErrorBox doubt = uncertainty::ToolErrorBoxAt(world_, guide, route.poised);
   for (const auto* poses : {&route.to_work, &route.away}) {
     for (const plan::Pose& pose : *poses) {
-      doubt = doubt.Or(uncertainty::ToolDoubtAt(world_, guide, pose));
+      doubt = doubt.Or(uncertainty::ToolErrorBoxAt(world_, guide, pose));
     }
   }
   return doubt;

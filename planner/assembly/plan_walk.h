@@ -3,12 +3,12 @@
 #include <optional>
 #include <vector>
 
-#include "planner/assembly/part_doubts.h"
+#include "planner/assembly/part_error_bounds.h"
 #include "planner/domain/problem/problem.h"
 #include "planner/motion/clear/collision_scene.h"
 #include "planner/plan/check/world_state.h"
 #include "planner/plan/data/plan.h"
-#include "planner/plan/data/tool_doubt.h"
+#include "planner/plan/data/tool_error_box.h"
 #include "planner/plan/data/tool_route.h"
 #include "planner/uncertainty/errors/uncertain_world.h"
 
@@ -33,14 +33,14 @@ class PlanWalk {
 
   plan::ToolRoute RouteTo(plan::StepId id) const;
   // Returns the bound on the tool's error anywhere on the step's route.
-  plan::ToolDoubt DoubtOn(plan::StepId id) const;
+  plan::ToolErrorBox DoubtOn(plan::StepId id) const;
   // Returns true if the tool continues beyond its planned end pose until it meets resistance.
   bool IsGuarded(plan::StepId id) const;
   // The tool's pose when the travel begins, whether the travel first goes straight up to safe
   // height, and the bound on the tool's error there.
   const plan::Pose& left() const { return left_; }
   bool rises() const { return rises_; }
-  const plan::ToolDoubt& doubt_left() const { return doubt_left_; }
+  const plan::ToolErrorBox& doubt_left() const { return doubt_left_; }
 
   // Returns the parts at their planned poses, with the bounds on their errors.
   motion::Surroundings Surroundings() const;
@@ -53,11 +53,11 @@ class PlanWalk {
   const plan::Plan& plan_;
   plan::WorldState state_;
   uncertainty::UncertainWorld world_;
-  PartDoubts doubts_;
+  PartErrorBounds doubts_;
   const std::vector<motion::Body> arm_;
   plan::Pose left_;
   bool rises_ = false;
-  plan::ToolDoubt doubt_left_;
+  plan::ToolErrorBox doubt_left_;
 };
 
 }  // namespace assay::assembly

@@ -3,14 +3,14 @@
 #include <memory>
 #include <vector>
 
+#include "planner/constraint_posting/resolvers/resolver.h"
 #include "planner/domain/problem/problem.h"
-#include "planner/posting/resolvers/resolver.h"
 #include "planner/uncertainty/errors/uncertain_pose.h"
 
 namespace assay::assembly {
 
 // Returns the resolvers of these kinds, in the order sensing, squeezing, fine motion.
-std::vector<std::shared_ptr<posting::Resolver>> Resolvers(
+std::vector<std::shared_ptr<constraint_posting::Resolver>> Resolvers(
     const std::vector<domain::ResolverKind>& kinds, uncertainty::Propagation propagation);
 
 }  // namespace assay::assembly

@@ -7,7 +7,7 @@
 #include <variant>
 
 #include "planner/algebra/expression/text.h"
-#include "planner/assembly/part_doubts.h"
+#include "planner/assembly/part_error_bounds.h"
 #include "planner/assembly/plan_walk.h"
 #include "planner/assembly/way_conditions.h"
 #include "planner/base/check.h"
@@ -174,7 +174,7 @@ class TravelSearch {
   // The bounds on the tool's pose error and on the resulting errors of the arm's joints.
   struct ArmErrors {
     JointVector joints = JointVector::Zero();
-    plan::ToolDoubt tool = {};
+    plan::ToolErrorBox tool = {};
   };
 
   // Returns the tool's pose at safe height above its work, or its pose at home.
@@ -282,7 +282,7 @@ class TravelSearch {
   motion::Surroundings surroundings_;
   CollisionScene scene_;
   ToolRoute route_;
-  plan::ToolDoubt doubt_;
+  plan::ToolErrorBox doubt_;
   bool is_guarded_;
   double clearance_;
   JointVector from_;

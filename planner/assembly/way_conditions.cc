@@ -21,7 +21,7 @@ plan::CertifiedPrecondition IsPositive(std::string condition, std::string meanin
           .bound = least,
           .margin = least,
           .gap = 0,
-          .rung = std::string(algebra::Name(algebra::Rung::kLinear))};
+          .method = std::string(algebra::Name(algebra::BoundingMethod::kLinear))};
 }
 
 constexpr char kReach[] = "reach";

@@ -8,11 +8,11 @@
 
 #include "planner/assembly/way_conditions.h"
 #include "planner/base/random.h"
+#include "planner/constraint_posting/uncertainty_phase/verification.h"
 #include "planner/domain/mating/shaft_fit.h"
 #include "planner/plan/data/condition_kind.h"
 #include "planner/plan/file/certificate_file.h"
 #include "planner/plan/file/recovery_file.h"
-#include "planner/posting/uncertainty_phase/verification.h"
 #include "planner/uncertainty/preconditions/certify.h"
 #include "planner/verify/certificate_algebra.h"
 #include "planner/verify/certificate_check.h"
@@ -181,7 +181,7 @@ std::vector<Flaw> DifferencesOfVerifications(const domain::Problem& problem,
   for (const plan::StepId id : plan.ExecutionOrder()) {
     const PlannedStep& step = plan.step(id);
     if (IsUnproved(step)) {
-      posting::AddVerification(problem, id, step.action, step.certificate, anew);
+      constraint_posting::AddVerification(problem, id, step.action, step.certificate, anew);
     }
   }
   Comparison comparison;

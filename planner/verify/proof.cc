@@ -19,7 +19,7 @@ using plan::Relation;
 
 // There are many questions, so that only the cheap bounding methods answer them. A remedy that they
 // find is proved, but a milder one may exist.
-constexpr BoundRequest kCheap = {.highest = algebra::Rung::kMonotone};
+constexpr BoundRequest kCheap = {.highest = algebra::BoundingMethod::kMonotone};
 
 double MiddleOf(const Interval& range) {
   if (std::isfinite(range.low) && std::isfinite(range.high)) return (range.low + range.high) / 2;

@@ -35,13 +35,14 @@ TEST(SourceTree, NoFolderHoldsMoreThan24Files) {
 
 TEST(SourceTree, TheTableIsRead) {
   EXPECT_THAT(LibraryTable::Read(kTree).folders(),
-              IsSupersetOf({"planner/base", "planner/geometry", "planner/posting", "sim/scene"}));
+              IsSupersetOf(
+                  {"planner/base", "planner/geometry", "planner/constraint_posting", "sim/scene"}));
 }
 
 // Planners of different papers meet in planner/assembly only.
 TEST(SourceTree, PlannersDoNotKnowEachOther) {
   const LibraryTable table = LibraryTable::Read(kTree);
-  const std::vector<std::string> planners = {"planner/posting", "planner/finemotion",
+  const std::vector<std::string> planners = {"planner/constraint_posting", "planner/finemotion",
                                              "planner/contingent"};
   for (const std::string& planner : table.folders()) {
     if (std::ranges::find(planners, planner) == planners.end()) continue;

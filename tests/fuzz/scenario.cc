@@ -3,8 +3,8 @@
 #include "sim/scenario/scenario.h"
 #include "planner/assembly/plan_check.h"
 #include "planner/base/check.h"
+#include "planner/constraint_posting/uncertainty_phase/uncertainty_phase.h"
 #include "planner/domain/problem/problem_file.h"
-#include "planner/posting/uncertainty_phase/uncertainty_phase.h"
 #include "sim/scene/scene.h"
 #include "tests/fuzz/reader_input.h"
 
@@ -17,13 +17,14 @@ constexpr int kSteps = 20;
 
 // Without the paths of travels, whose search alone takes seconds under sanitizers.
 plan::PlanResult SmallPlan(const domain::Problem& problem) {
-  const posting::PlannerOptions planner = {.partial_plans = 200, .instance_choices = 200};
-  posting::UncertaintyOptions uncertainty;
+  const constraint_posting::PlannerOptions planner = {.partial_plans = 200,
+                                                      .instance_choices = 200};
+  constraint_posting::UncertaintyOptions uncertainty;
   uncertainty.bound.evaluations = 1000;
   uncertainty.combinations = 3;
   uncertainty.moments = 100;
   uncertainty.instances = 1;
-  return posting::MakeCertifiedPlan(problem, planner, uncertainty);
+  return constraint_posting::MakeCertifiedPlan(problem, planner, uncertainty);
 }
 
 void PlanAndCheck(const domain::Problem& problem) {

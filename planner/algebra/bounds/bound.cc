@@ -4,17 +4,17 @@
 
 namespace assay::algebra {
 
-std::string_view Name(Rung rung) {
-  switch (rung) {
-    case Rung::kLinear:
+std::string_view Name(BoundingMethod method) {
+  switch (method) {
+    case BoundingMethod::kLinear:
       return "linear";
-    case Rung::kTermwise:
+    case BoundingMethod::kTermwise:
       return "termwise";
-    case Rung::kMonotone:
+    case BoundingMethod::kMonotone:
       return "monotone";
-    case Rung::kCentred:
+    case BoundingMethod::kCentred:
       return "centred";
-    case Rung::kBranchAndBound:
+    case BoundingMethod::kBranchAndBound:
       return "branch-and-bound";
   }
   ASSAY_CHECK(false, "no such rung");

@@ -9,7 +9,7 @@ namespace assay::algebra {
 
 // The bounding methods, from the cheapest to the tightest. Each is conservative, and each is tried
 // only where the one before it left a gap.
-enum class Rung {
+enum class BoundingMethod {
   kLinear,    // SUP/INF's exact linear core: linear expressions over inequalities
   kTermwise,  // the paper's method: each product of the normal form is bounded alone
   kMonotone,  // each variable whose derivative has one sign is set to its best end
@@ -18,10 +18,10 @@ enum class Rung {
   kBranchAndBound,  // boxes are split until the gap is small enough
 };
 std::string_view Name(
-    Rung rung);  // "linear", "termwise", "monotone", "centred", "branch-and-bound"
+    BoundingMethod method);  // "linear", "termwise", "monotone", "centred", "branch-and-bound"
 
 struct BoundRequest {
-  Rung highest = Rung::kBranchAndBound;
+  BoundingMethod highest = BoundingMethod::kBranchAndBound;
   double gap = 1e-6;                   // the work ends when the bound is known to be this tight
   std::int64_t evaluations = 200'000;  // budget: evaluations over a box or at a point
   std::optional<double> limit = {};
@@ -31,8 +31,8 @@ struct BoundRequest {
 // expression has a real value. If there surely are no such points, SUP is -infinity and INF is
 // +infinity.
 struct Bound {
-  double value = 0;             // never crossed by the expression; may be infinite
-  Rung rung = Rung::kTermwise;  // the method that gave the value
+  double value = 0;  // never crossed by the expression; may be infinite
+  BoundingMethod method = BoundingMethod::kTermwise;  // the method that gave the value
   double gap = 0;
   std::vector<double> at = {};  // a feasible point, by VariableId; empty if none was found
   std::int64_t evaluations = 0;

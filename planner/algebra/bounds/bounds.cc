@@ -38,17 +38,18 @@ class Ladder {
   }
 
   Bound Climb() {
-    if (!constraints_.inequalities.empty() || request_.highest == Rung::kLinear) StepOnLinear();
-    if (!is_contradiction_ && !IsDone(Rung::kLinear)) ClimbOverBox();
+    if (!constraints_.inequalities.empty() || request_.highest == BoundingMethod::kLinear)
+      StepOnLinear();
+    if (!is_contradiction_ && !IsDone(BoundingMethod::kLinear)) ClimbOverBox();
     return Answer();
   }
 
  private:
   // Uses SUP/INF over the inequalities to bound the expression and to tighten the box.
   void StepOnLinear() {
-    bound_.rung = Rung::kLinear;
+    bound_.method = BoundingMethod::kLinear;
     const Expression sup = sign_ > 0 ? Sup(e_, {}, constraints_) : -Inf(e_, {}, constraints_);
-    if (sup.IsConstant()) Lower(sup.constant(), Rung::kLinear);
+    if (sup.IsConstant()) Lower(sup.constant(), BoundingMethod::kLinear);
     is_contradiction_ = Maximize(LinearForm(), LinearPartOf(constraints_).at_most_zero).kind ==
                         LinearOptimum::Kind::kContradiction;
     if (is_contradiction_) {
@@ -63,21 +64,21 @@ class Ladder {
                                                   : MaximizationOf(e_, *form_, sign_, constraints_);
     Probe probe(problem);
     StepOnTermwise(probe);
-    if (IsDone(Rung::kTermwise)) return;
+    if (IsDone(BoundingMethod::kTermwise)) return;
     const Maximization reduced = StepOnMonotone(probe);
-    if (IsDone(Rung::kMonotone)) return;
+    if (IsDone(BoundingMethod::kMonotone)) return;
     Probe reduced_probe(reduced);
     StepOnCentred(reduced_probe);
-    if (IsDone(Rung::kCentred)) return;
+    if (IsDone(BoundingMethod::kCentred)) return;
     StopRule stop = stop_;
     stop.evaluations -= bound_.evaluations - reduced_probe.evaluations();
-    Lower(BranchAndBound(reduced_probe, bound_.value, stop), Rung::kBranchAndBound);
+    Lower(BranchAndBound(reduced_probe, bound_.value, stop), BoundingMethod::kBranchAndBound);
     Learn(reduced_probe);
     bound_.splits = reduced_probe.splits();
   }
 
   void StepOnTermwise(Probe& probe) {
-    Lower(TermwiseRange(probe.problem().form, constraints_.box).high, Rung::kTermwise);
+    Lower(TermwiseRange(probe.problem().form, constraints_.box).high, BoundingMethod::kTermwise);
     ++bound_.evaluations;
     FindFirstPoint(probe);
     Learn(probe);
@@ -88,9 +89,9 @@ class Ladder {
     const Maximization& problem = probe.problem();
     const MonotoneBox monotone = SetMonotoneVariables(probe, problem.box, problem.constrained);
     const bool is_defined = probe.over_box().DefinedEverywhere();
-    Lower(monotone.range.high, Rung::kMonotone);
+    Lower(monotone.range.high, BoundingMethod::kMonotone);
     if (!problem.slacks.empty()) {
-      Lower(SetMonotoneVariables(probe, monotone.box).range.high, Rung::kMonotone);
+      Lower(SetMonotoneVariables(probe, monotone.box).range.high, BoundingMethod::kMonotone);
     } else {
       probe.Offer(AscendToCorner(probe, monotone.box));
     }
@@ -104,13 +105,14 @@ class Ladder {
   void StepOnCentred(Probe& probe) {
     const double as_it_stands = sign_ > 0 ? GlanceAbove(e_, constraints_.box, -kInfinity).bound
                                           : -GlanceBelow(e_, constraints_.box, kInfinity).bound;
-    Lower(as_it_stands, Rung::kCentred);
+    Lower(as_it_stands, BoundingMethod::kCentred);
     const MonotoneBox relaxed = SetMonotoneVariables(probe, probe.problem().box);
     const bool is_defined = probe.over_box().DefinedEverywhere();
-    Lower(relaxed.range.high, Rung::kMonotone);
+    Lower(relaxed.range.high, BoundingMethod::kMonotone);
     FindPoint(probe);
     if (is_defined) {
-      Lower(UpperBoundByDerivatives(probe, relaxed.box, relaxed.gradient), Rung::kCentred);
+      Lower(UpperBoundByDerivatives(probe, relaxed.box, relaxed.gradient),
+            BoundingMethod::kCentred);
     }
     Learn(probe);
   }
@@ -137,10 +139,10 @@ class Ladder {
     }
   }
 
-  void Lower(double value, Rung rung) {
+  void Lower(double value, BoundingMethod method) {
     if (!(value < bound_.value)) return;  // is also true if the value is NaN
     bound_.value = value;
-    bound_.rung = rung;
+    bound_.method = method;
   }
 
   // Takes over the probe's best point and its count of evaluations.
@@ -154,8 +156,8 @@ class Ladder {
     }
   }
 
-  bool IsDone(Rung rung) const {
-    return rung >= request_.highest || stop_.IsMet(bound_.value, attained_);
+  bool IsDone(BoundingMethod method) const {
+    return method >= request_.highest || stop_.IsMet(bound_.value, attained_);
   }
 
   Bound Answer() {
@@ -190,7 +192,7 @@ class PreparedExpression::Ready {
   // Returns true if Search can answer questions over these constraints.
   bool Enter(const ConstraintSet& constraints, const BoundRequest& request) {
     const bool is_for_search =
-        search_ && request.highest >= Rung::kMonotone && constraints.inequalities.empty();
+        search_ && request.highest >= BoundingMethod::kMonotone && constraints.inequalities.empty();
     return is_for_search && search_->Enter(constraints.box);
   }
 
@@ -255,7 +257,8 @@ namespace {
 // and only if it is needed.
 Bound BoundOnce(const Expression& e, int sign, const ConstraintSet& constraints,
                 const BoundRequest& request) {
-  const bool starts_linear = !constraints.inequalities.empty() || request.highest == Rung::kLinear;
+  const bool starts_linear =
+      !constraints.inequalities.empty() || request.highest == BoundingMethod::kLinear;
   if (starts_linear) return Ladder(e, nullptr, sign, constraints, request).Climb();
   PreparedExpression prepared(e);
   return sign > 0 ? prepared.Above(constraints, request) : prepared.Below(constraints, request);

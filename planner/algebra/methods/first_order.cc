@@ -51,8 +51,9 @@ Glance FirstOrderForms::Below(const Expression& e, std::span<const Interval> box
 }
 
 Bound FirstOrderForms::BoundAbove(const Expression& e, std::span<const Interval> box) {
-  Bound bound = {
-      .value = Above(e, box, -kInfinity).bound, .rung = Rung::kCentred, .gap = kInfinity};
+  Bound bound = {.value = Above(e, box, -kInfinity).bound,
+                 .method = BoundingMethod::kCentred,
+                 .gap = kInfinity};
   if (!std::isfinite(bound.value)) return bound;
   bound.at = Corner(e, 1, box);
   bound.gap = std::max(0.0, RoundedUp(bound.value - ValueAt(e, bound.at).low));
@@ -60,7 +61,9 @@ Bound FirstOrderForms::BoundAbove(const Expression& e, std::span<const Interval>
 }
 
 Bound FirstOrderForms::BoundBelow(const Expression& e, std::span<const Interval> box) {
-  Bound bound = {.value = Below(e, box, kInfinity).bound, .rung = Rung::kCentred, .gap = kInfinity};
+  Bound bound = {.value = Below(e, box, kInfinity).bound,
+                 .method = BoundingMethod::kCentred,
+                 .gap = kInfinity};
   if (!std::isfinite(bound.value)) return bound;
   bound.at = Corner(e, -1, box);
   bound.gap = std::max(0.0, RoundedUp(ValueAt(e, bound.at).high - bound.value));

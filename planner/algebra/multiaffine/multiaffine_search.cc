@@ -106,7 +106,7 @@ Bound MultiaffineSearch::Maximize(int sign, const BoundRequest& request,
   parts_.clear();
   sectors_.clear();
   unused_sectors_.clear();
-  rung_ = Rung::kMonotone;
+  method_ = BoundingMethod::kMonotone;
   upper_bound_ = (sign > 0 ? range_.high : -range_.low) + error_;
   best_point_.clear();
   Climb(stop, request.highest);
@@ -114,7 +114,7 @@ Bound MultiaffineSearch::Maximize(int sign, const BoundRequest& request,
     elsewhere[form_.variables[i].id.index()] = best_point_[i];
   }
   return {.value = sign * upper_bound_,
-          .rung = rung_,
+          .method = method_,
           .gap = std::max(0.0, RoundedUp(upper_bound_ - attained_)),
           .at = attained_ > -kInfinity ? std::move(elsewhere) : std::vector<double>(),
           .evaluations = evaluations_,
@@ -154,25 +154,25 @@ void MultiaffineSearch::LowerAtCorner() {
   const double corner = RoundedUp(Offer() + point_error_ + slack_);
   const bool is_termwise = form_.nested.node_count() == 1 && termwise <= corner + 4 * error_;
   upper_bound_ = std::min(upper_bound_, corner);
-  rung_ = is_termwise ? Rung::kTermwise : Rung::kMonotone;
+  method_ = is_termwise ? BoundingMethod::kTermwise : BoundingMethod::kMonotone;
 }
 
-void MultiaffineSearch::Climb(const StopRule& stop, Rung highest) {
+void MultiaffineSearch::Climb(const StopRule& stop, BoundingMethod highest) {
   SettleWhole();
   whole_ = part_;
   if (free_.empty()) return LowerAtCorner();
-  if (highest == Rung::kMonotone || stop.IsMet(upper_bound_, attained_)) {
+  if (highest == BoundingMethod::kMonotone || stop.IsMet(upper_bound_, attained_)) {
     evaluations_ += ascent_.Climb(reduced_, free_, whole_);
     Offer();
     return;
   }
   Examine();
-  if (highest == Rung::kCentred || stop.IsMet(upper_bound_, attained_)) return;
+  if (highest == BoundingMethod::kCentred || stop.IsMet(upper_bound_, attained_)) return;
   const double upper_bound = upper_bound_;
-  const Rung rung = rung_;
+  const BoundingMethod method = method_;
   Keep();
   upper_bound_ = Search(stop);
-  rung_ = upper_bound_ < upper_bound ? Rung::kBranchAndBound : rung;
+  method_ = upper_bound_ < upper_bound ? BoundingMethod::kBranchAndBound : method;
 }
 
 void MultiaffineSearch::PutInSettled() {
@@ -200,10 +200,10 @@ void MultiaffineSearch::EnterSector(int variable) {
   }
 }
 
-void MultiaffineSearch::Lower(double upper_bound, Rung rung) {
+void MultiaffineSearch::Lower(double upper_bound, BoundingMethod method) {
   if (!(upper_bound < upper_bound_)) return;
   upper_bound_ = upper_bound;
-  rung_ = rung;
+  method_ = method;
 }
 
 // Sets variables to the end at which the form is largest if it does not fall on the way there.
@@ -224,7 +224,7 @@ void MultiaffineSearch::Settle() {
 
 void MultiaffineSearch::EvaluateNested() {
   const NearestInterval range = over_box_.Value(reduced_);
-  Lower(range.high + error_ + slack_, Rung::kMonotone);
+  Lower(range.high + error_ + slack_, BoundingMethod::kMonotone);
   over_box_.Differentiate(reduced_);
   for (const int variable : live_) {
     part_slopes_[variable] = over_box_.Slope(variable);
@@ -237,7 +237,7 @@ void MultiaffineSearch::EvaluateWaves() {
   wave_box_.clear();
   for (const int angle : waves.angles) wave_box_.emplace_back(part_[angle].low, part_[angle].high);
   wave_evaluation_.Enter(waves.sum, wave_box_);
-  Lower(wave_evaluation_.range().high + waves.error + slack_, Rung::kMonotone);
+  Lower(wave_evaluation_.range().high + waves.error + slack_, BoundingMethod::kMonotone);
   for (std::size_t i = 0; i < waves.angles.size(); ++i) {
     part_slopes_[waves.angles[i]] = wave_evaluation_.Slope(static_cast<int>(i));
     least_curvature_[waves.angles[i]] = wave_evaluation_.LeastCurvature(static_cast<int>(i));
@@ -300,7 +300,7 @@ bool MultiaffineSearch::TurnToWaves() {
 void MultiaffineSearch::LowerAtPoint() {
   PutAtLow();
   const double value = Value();
-  Lower(value + error_ + slack_, Rung::kMonotone);
+  Lower(value + error_ + slack_, BoundingMethod::kMonotone);
   if (value > attained_) Offer();
 }
 
@@ -326,7 +326,8 @@ void MultiaffineSearch::LowerByOneAngle() {
     best = std::max(best, value_at(wave));
     point_.Set(angle, summit, wave);
   }
-  Lower(best + 2 * error_ + slack_, Rung::kCentred);  // errors of the value, and of a and b
+  Lower(best + 2 * error_ + slack_,
+        BoundingMethod::kCentred);  // errors of the value, and of a and b
   if (best > attained_) Offer();
 }
 
@@ -344,7 +345,7 @@ void MultiaffineSearch::LowerByCentre() {
             SlopeError(variable) * sector.Width();
   }
   const double value = Value();
-  Lower(value + most, Rung::kCentred);
+  Lower(value + most, BoundingMethod::kCentred);
   if (value > attained_) {
     evaluations_ += ascent_.Climb(reduced_, free_, whole_);
     Offer();
@@ -372,7 +373,7 @@ void MultiaffineSearch::LowerByCurvature() {
   }
   wave_evaluation_.greatest_curvature().CopyTo(curvature_, live_places_);
   quadratic_bound_.SetCurvature(curvature_, waves.error, widths_);
-  Lower(value + quadratic_bound_.Most(middle_slopes_) + error, Rung::kCentred);
+  Lower(value + quadratic_bound_.Most(middle_slopes_) + error, BoundingMethod::kCentred);
   if (!IsHopeless() && quadratic_bound_.IsConcave()) LowerByConcavity();
 }
 
@@ -380,7 +381,7 @@ void MultiaffineSearch::LowerByCurvature() {
 // below a concave form.
 void MultiaffineSearch::LowerByConcavity() {
   evaluations_ += ascent_.Climb(reduced_, live_, part_);
-  Lower(TangentBound(), Rung::kCentred);
+  Lower(TangentBound(), BoundingMethod::kCentred);
   Offer();
 }
 

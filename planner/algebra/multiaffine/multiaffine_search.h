@@ -12,7 +12,7 @@
 #include "planner/algebra/multiaffine/multiaffine_form.h"
 #include "planner/algebra/multiaffine/multiaffine_point.h"
 #include "planner/algebra/multiaffine/sector.h"
-#include "planner/algebra/multiaffine/wave_sum.h"
+#include "planner/algebra/multiaffine/trigonometric_polynomial.h"
 
 namespace assay::algebra {
 
@@ -60,7 +60,7 @@ class MultiaffineSearch {
   void SettleBySlopesOfBox();
   void LowerAtCorner();
   void PutInSettled();
-  void Climb(const StopRule& stop, Rung highest);
+  void Climb(const StopRule& stop, BoundingMethod highest);
   double Search(const StopRule& stop);
 
   // These functions work on the current part.
@@ -79,7 +79,7 @@ class MultiaffineSearch {
   void LowerByCurvature();
   void LowerByConcavity();
   double TangentBound();
-  void Lower(double upper_bound, Rung rung);
+  void Lower(double upper_bound, BoundingMethod method);
   bool IsHopeless() const { return upper_bound_ <= attained_; }
 
   // These functions manage parts.
@@ -113,10 +113,10 @@ class MultiaffineSearch {
 
   // The members below describe the current question.
   int sign_ = 1;
-  NestedForm reduced_;           // sign * form with the settled coordinates substituted
-  std::vector<Sector> whole_;    // the part of the box that monotonicity leaves
-  std::vector<int> free_;        // variables with a width in whole_
-  Rung rung_ = Rung::kMonotone;  // the method that gave the upper bound
+  NestedForm reduced_;         // sign * form with the settled coordinates substituted
+  std::vector<Sector> whole_;  // the part of the box that monotonicity leaves
+  std::vector<int> free_;      // variables with a width in whole_
+  BoundingMethod method_ = BoundingMethod::kMonotone;  // the method that gave the upper bound
   double attained_ = 0;
   std::vector<double> best_point_;
   std::int64_t evaluations_ = 0;
@@ -141,7 +141,7 @@ class MultiaffineSearch {
   // The remaining form as a trigonometric polynomial, where only angles are free. Several parts
   // share one.
   struct Waves {
-    WaveSum sum;
+    TrigonometricPolynomial sum;
     std::vector<int> angles;
     double error = 0;  // rounding error of range, slopes and curvatures over any part
   };

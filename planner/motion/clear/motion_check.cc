@@ -53,7 +53,7 @@ MotionCheck::MotionCheck(const CollisionScene& scene, const MotionRules& rules)
 std::vector<MotionCheck::WatchedPair> MotionCheck::WatchedPairs() const {
   std::vector<LinkPoses> given;
   for (const JointVector& q : rules_.given) given.push_back(scene_.arm().LinkPoses(q));
-  const plan::ToolDoubt& tool = rules_.tool;
+  const plan::ToolErrorBox& tool = rules_.tool;
   const bool may_err = tool.turn > 0 || tool.spin > 0 || !tool.shift.isZero(0);
   std::vector<WatchedPair> watched;
   for (const BodyPair& pair : scene_.pairs()) {
@@ -97,7 +97,7 @@ MotionCheck::WatchedPair MotionCheck::Watched(const BodyPair& pair) const {
 }
 
 double MotionCheck::ErrorOfTool(const Body& body, const LinkPoses& X_BaseLink, double near) const {
-  const plan::ToolDoubt& tool = rules_.tool;
+  const plan::ToolErrorBox& tool = rules_.tool;
   if (tool.turn == 0 && tool.spin == 0) return tool.shift.norm();
   const domain::Workcell& workcell = scene_.workcell();
   const Pose X_WorldTool =

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "planner/motion/clear/collision_scene.h"
-#include "planner/plan/data/tool_doubt.h"
+#include "planner/plan/data/tool_error_box.h"
 
 namespace assay::motion {
 
@@ -25,7 +25,7 @@ struct MotionRules {
   // the clearance in spite of them. The tool keeps its orientation in a motion that has these
   // errors.
   JointVector sway = JointVector::Zero();
-  plan::ToolDoubt tool = {};
+  plan::ToolErrorBox tool = {};
   // Postures that are given, such as the ends of straight lines. What the arm carries may come
   // nearly as near to anything as it is in one of these postures.
   std::vector<JointVector> given = {};

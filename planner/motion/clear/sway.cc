@@ -127,7 +127,7 @@ struct Cell {
 class Piece {
  public:
   Piece(const domain::Workcell& workcell, const JointVector& from, const JointVector& to,
-        const plan::ToolDoubt& doubt)
+        const plan::ToolErrorBox& doubt)
       : workcell_(workcell),
         middle_((from + to) / 2),
         indicators_(workcell.arm().IndicatorsOf(from)),
@@ -195,7 +195,7 @@ double RoomOf(const kinematics::Arm& arm, const JointVector& q, const JointVecto
 
 class WayCover {
  public:
-  WayCover(const domain::Workcell& workcell, const plan::ToolDoubt& doubt)
+  WayCover(const domain::Workcell& workcell, const plan::ToolErrorBox& doubt)
       : workcell_(workcell), doubt_(doubt) {
     sway_.is_bounded = true;
     sway_.room = std::numeric_limits<double>::infinity();
@@ -246,7 +246,7 @@ class WayCover {
   }
 
   const domain::Workcell& workcell_;
-  const plan::ToolDoubt& doubt_;
+  const plan::ToolErrorBox& doubt_;
   Sway sway_;
   int cells_ = 0;
 };
@@ -254,7 +254,7 @@ class WayCover {
 }  // namespace
 
 Sway SwayAlong(const domain::Workcell& workcell, const JointPath& path,
-               const plan::ToolDoubt& doubt) {
+               const plan::ToolErrorBox& doubt) {
   ASSAY_CHECK(!path.empty());
   WayCover cover(workcell, doubt);
   for (std::size_t i = 0; i + 1 < path.size(); ++i) cover.Cover(path[i], path[i + 1]);

@@ -2,7 +2,7 @@
 
 #include "planner/domain/workcell/workcell.h"
 #include "planner/motion/path/joint_path.h"
-#include "planner/plan/data/tool_doubt.h"
+#include "planner/plan/data/tool_error_box.h"
 
 namespace assay::motion {
 
@@ -34,6 +34,6 @@ struct Sway {
 // r are halved. With b for the errors alone, (I - M)^-1 |A| |b| bounds the joints' differences from
 // their planned values.
 Sway SwayAlong(const domain::Workcell& workcell, const JointPath& path,
-               const plan::ToolDoubt& doubt);
+               const plan::ToolErrorBox& doubt);
 
 }  // namespace assay::motion

@@ -172,11 +172,12 @@ Outcome Network::FindWitness(Budget& budget) {
 }
 
 Outcome Network::LabelComponent(std::span<const int> component, Labeling& found, Budget& budget) {
-  const Fringe fringe = FringeOf(component, labels_, consistency_);
-  const Outcome outcome = fringe.core.empty() ? Outcome::kFound : SearchCore(fringe.core, budget);
+  const PendantTrees pendant_trees = PendantTreesOf(component, labels_, consistency_);
+  const Outcome outcome =
+      pendant_trees.core.empty() ? Outcome::kFound : SearchCore(pendant_trees.core, budget);
   if (outcome != Outcome::kFound) return outcome;
-  for (int node : fringe.core) found.labels[node] = labels_.First(node);
-  LabelFringe(fringe, found);
+  for (int node : pendant_trees.core) found.labels[node] = labels_.First(node);
+  LabelPendantTrees(pendant_trees, found);
   return outcome;
 }
 
@@ -188,8 +189,9 @@ Outcome Network::SearchCore(const std::vector<int>& core, Budget& budget) {
   return AnyInLanes(core, labels_, consistency_, witness_.labels, counters_, budget);
 }
 
-void Network::LabelFringe(const Fringe& fringe, Labeling& found) const {
-  for (auto hanging = fringe.hanging.rbegin(); hanging != fringe.hanging.rend(); ++hanging) {
+void Network::LabelPendantTrees(const PendantTrees& pendant_trees, Labeling& found) const {
+  for (auto hanging = pendant_trees.hanging.rbegin(); hanging != pendant_trees.hanging.rend();
+       ++hanging) {
     const std::span<const Word> words = labels_.Words(hanging->node);
     const auto fits = [&](std::size_t word) {
       return hanging->parent == HangingNode::kNoParent

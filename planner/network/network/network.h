@@ -13,7 +13,7 @@
 #include "planner/network/network/label_store.h"
 #include "planner/network/network/labeling.h"
 #include "planner/network/network/relation.h"
-#include "planner/network/search/fringe.h"
+#include "planner/network/search/pendant_trees.h"
 
 namespace assay::network {
 
@@ -96,7 +96,7 @@ class Network {
   Outcome FindWitness(Budget& budget);
   Outcome LabelComponent(std::span<const int> component, Labeling& found, Budget& budget);
   Outcome SearchCore(const std::vector<int>& core, Budget& budget);
-  void LabelFringe(const Fringe& fringe, Labeling& found) const;
+  void LabelPendantTrees(const PendantTrees& pendant_trees, Labeling& found) const;
   bool HoldsWithin(std::span<const int> component) const;
   bool Mend(NodeId node);
   void NarrowToLoop(NodeId node, const Relation& relation);

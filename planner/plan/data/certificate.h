@@ -54,10 +54,10 @@ struct CertifiedPrecondition {
   std::string expression;  // over the certificate's variables and its shared expressions
   Relation relation = Relation::kLess;
   double limit = 0;
-  double bound = 0;   // SUP of the expression for <, INF for >; guaranteed, rounded outward
-  double margin = 0;  // distance from the bound to the limit; positive: it is proved
-  double gap = 0;     // greatest difference of the bound from the true value
-  std::string rung;   // name of the bounding method that gave the bound
+  double bound = 0;    // SUP of the expression for <, INF for >; guaranteed, rounded outward
+  double margin = 0;   // distance from the bound to the limit; positive: it is proved
+  double gap = 0;      // greatest difference of the bound from the true value
+  std::string method;  // name of the bounding method that gave the bound
   std::vector<ErrorValue> worst = {};  // worst corner found, of the expression's variables
 
   bool holds() const { return margin > 0; }

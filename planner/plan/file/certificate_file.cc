@@ -91,7 +91,7 @@ Json PreconditionToJson(const CertifiedPrecondition& precondition) {
           {"bound", NumberToJson(precondition.bound)},
           {"margin", NumberToJson(precondition.margin)},
           {"gap", NumberToJson(precondition.gap)},
-          {"rung", precondition.rung},
+          {"rung", precondition.method},
           {"worst", PointToJson(precondition.worst)}};
 }
 
@@ -108,7 +108,7 @@ CertifiedPrecondition ReadPrecondition(const Value& value) {
           .bound = ReadNumber(value.At("bound")),
           .margin = ReadNumber(value.At("margin")),
           .gap = ReadNumber(value.At("gap")),
-          .rung = value.At("rung").Text(),
+          .method = value.At("rung").Text(),
           .worst = ReadPoint(value.At("worst"))};
 }
 

@@ -171,7 +171,7 @@ Interval UncertainWorld::TightRangeOf(const Expression& expression) const {
   if (expression.IsConstant()) return {expression.constant(), expression.constant()};
   const auto [known, is_new] = variables_->tight_ranges.try_emplace(expression.index());
   if (is_new) {
-    const algebra::BoundRequest request = {.highest = algebra::Rung::kCentred};
+    const algebra::BoundRequest request = {.highest = algebra::BoundingMethod::kCentred};
     const algebra::BothBounds bounds =
         algebra::PreparedExpression(expression).Both(constraints(), request);
     known->second = {bounds.inf.value, bounds.sup.value};

@@ -42,7 +42,7 @@ CertifiedPrecondition ClaimOf(const Precondition& precondition, const Bound& bou
           .bound = bound.value,
           .margin = less ? precondition.limit - bound.value : bound.value - precondition.limit,
           .gap = bound.gap,
-          .rung = std::string(algebra::Name(bound.rung))};
+          .method = std::string(algebra::Name(bound.method))};
 }
 
 // Returns the claim, if quick bounds (algebra/methods/glance.h) tell whether it holds.
@@ -246,7 +246,7 @@ class StepCertifier {
       const std::optional<CertifiedPrecondition> seen = AtAGlance(precondition);
       if (seen && seen->holds()) {
         bound = {.value = seen->bound,
-                 .rung = algebra::Rung::kCentred,
+                 .method = algebra::BoundingMethod::kCentred,
                  .gap = bound.gap,
                  .at = std::move(bound.at)};
         claim = ClaimOf(precondition, bound);
@@ -259,7 +259,7 @@ class StepCertifier {
   // First-order bounds prove most claims, and the bounding methods need not run then. They would
   // stop at the first method that proves the claim, whose bound is looser.
   std::optional<CertifiedPrecondition> ProvedToFirstOrder(const Precondition& precondition) {
-    if (request_.highest < algebra::Rung::kCentred) return std::nullopt;
+    if (request_.highest < algebra::BoundingMethod::kCentred) return std::nullopt;
     const bool less = precondition.relation == Relation::kLess;
     const Bound bound = less ? world_.FirstOrderAbove(precondition.expression)
                              : world_.FirstOrderBelow(precondition.expression);
@@ -279,7 +279,7 @@ class StepCertifier {
   // method finds. If the request allows only weaker methods, they must not prove more than the
   // certificate will, so they are not used.
   std::optional<CertifiedPrecondition> AtAGlance(const Precondition& precondition) const {
-    if (request_.highest < algebra::Rung::kCentred) return std::nullopt;
+    if (request_.highest < algebra::BoundingMethod::kCentred) return std::nullopt;
     const auto& [condition, meaning, expression, relation, limit, neighbour] = precondition;
     const bool less = relation == Relation::kLess;
     auto seen = Seen(precondition, less ? world_.GlanceAbove(expression, limit)

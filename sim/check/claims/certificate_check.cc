@@ -19,7 +19,7 @@ constexpr double kLeftToTheEngine = 0.1;  // of a margin
 class CertificateCheck {
  public:
   CertificateCheck(const domain::Problem& problem, const plan::Plan& plan, const exec::Trace& trace,
-                   const HonestyGate& gate, plan::StepId first)
+                   const NoiseFloor& gate, plan::StepId first)
       : problem_(problem), plan_(plan), trace_(trace), gate_(gate), steps_(StepsFrom(plan, first)) {
     SortCollisions();
   }
@@ -84,7 +84,7 @@ class CertificateCheck {
   }
 
   void CheckSets(Claimed about, const std::vector<plan::ErrorSet>& sets,
-                 const exec::Moment& moment) {
+                 const exec::Snapshot& moment) {
     for (const plan::ErrorSet& set : sets) {
       const plan::Action& action = plan_.step(step_).action;
       for (ObservedError& error : ObservedErrors(problem_, action, set, moment)) {
@@ -203,7 +203,7 @@ class CertificateCheck {
   const domain::Problem& problem_;
   const plan::Plan& plan_;
   const exec::Trace& trace_;
-  const HonestyGate& gate_;
+  const NoiseFloor& gate_;
   std::vector<plan::StepId> steps_;     // that the trace may contain, in the order of execution
   std::vector<plan::StepId> collided_;  // the step of each collision
   plan::StepId step_;
@@ -214,7 +214,7 @@ class CertificateCheck {
 }  // namespace
 
 std::vector<Claim> CheckCertificates(const domain::Problem& problem, const plan::Plan& plan,
-                                     const exec::Trace& trace, const HonestyGate& gate,
+                                     const exec::Trace& trace, const NoiseFloor& gate,
                                      plan::StepId first) {
   return CertificateCheck(problem, plan, trace, gate, first).Run();
 }

@@ -11,7 +11,7 @@ namespace assay::check {
 struct Noiseless {
   std::vector<Claim> violated;  // claims that do not hold even without noise
   // Claims that nobody can test: the noise floor is wider than what the certificate says
-  // (HonestyGate::Hides).
+  // (NoiseFloor::Hides).
   std::vector<Claim> hidden;
 
   bool Holds() const { return violated.empty() && hidden.empty(); }

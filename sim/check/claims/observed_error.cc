@@ -67,7 +67,7 @@ const plan::Hold& HoldOf(const plan::Action& action) {
 
 std::vector<ObservedError> ObservedErrors(const domain::Problem& problem,
                                           const plan::Action& action, const plan::ErrorSet& set,
-                                          const exec::Moment& moment) {
+                                          const exec::Snapshot& moment) {
   Components components(problem.part(set.part).name);
   const exec::TrueAndBelieved& part = moment.parts[set.part.index()];
   if (set.in_hand) {

@@ -21,7 +21,7 @@ struct ObservedError {
 // the set is to hold.
 std::vector<ObservedError> ObservedErrors(const domain::Problem& problem,
                                           const plan::Action& action, const plan::ErrorSet& set,
-                                          const exec::Moment& moment);
+                                          const exec::Snapshot& moment);
 
 // Returns how the action holds its part. The action must not be a look, which holds none.
 const plan::Hold& HoldOf(const plan::Action& action);

@@ -12,9 +12,9 @@ class Sorter {
       steps_.push_back({.step = milestone.step});
     }
     StepEvents& step = steps_.back();
-    const exec::Moment*& moment = milestone.stage == exec::Stage::kPoised    ? step.poised
-                                  : milestone.stage == exec::Stage::kReached ? step.reached
-                                                                             : step.acted;
+    const exec::Snapshot*& moment = milestone.stage == exec::Stage::kPoised    ? step.poised
+                                    : milestone.stage == exec::Stage::kReached ? step.reached
+                                                                               : step.acted;
     // The tool may be poised a second time, to take up other errors.
     if (moment == nullptr || milestone.stage == exec::Stage::kPoised) moment = &milestone.moment;
   }

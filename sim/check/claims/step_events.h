@@ -11,14 +11,14 @@ namespace assay::check {
 // happen.
 struct StepEvents {
   plan::StepId step;
-  const exec::Moment* poised = nullptr;  // snapshot before the first attempt
+  const exec::Snapshot* poised = nullptr;  // snapshot before the first attempt
   // Snapshot of the first attempt, where the tool acts.
-  const exec::Moment* reached = nullptr;
+  const exec::Snapshot* reached = nullptr;
   // Snapshot of the first attempt, after gripper or sensor acted.
-  const exec::Moment* acted = nullptr;
-  const exec::Moment* end = nullptr;
+  const exec::Snapshot* acted = nullptr;
+  const exec::Snapshot* end = nullptr;
   // Snapshot where the execution broke off before the step's end.
-  const exec::Moment* stopped = nullptr;
+  const exec::Snapshot* stopped = nullptr;
   const exec::LookRecord* look = nullptr;
   std::optional<bool> resisted = {};  // whether the first attempt's guarded move met resistance
   bool recovered = false;             // the step was tried more than once

@@ -18,6 +18,6 @@ struct Sight {
 // first its low end, then its high end, with all other components at their middle. A component
 // without bounds gives none.
 std::vector<geometry::Pose> ExtremePoses(const plan::Action& action, const plan::ErrorSet& set,
-                                         const exec::Moment& moment, const Sight& sight = {});
+                                         const exec::Snapshot& moment, const Sight& sight = {});
 
 }  // namespace assay::check

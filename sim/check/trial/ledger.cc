@@ -135,7 +135,7 @@ class Ledger {
   }
 
   // Returns the snapshot in which the first step is poised: nothing has been touched by then.
-  const exec::Moment* FirstMoment() const {
+  const exec::Snapshot* FirstMoment() const {
     return steps_.empty() ? nullptr : steps_.front().poised;
   }
   const StepEvents* Find(plan::StepId step) const {
@@ -145,7 +145,7 @@ class Ledger {
 
   // Returns the displacement from where the part rests without errors. Measured from there, heights
   // and tilts that the engine itself causes drop out.
-  double FromRest(const Channel& channel, const exec::Moment& moment) const {
+  double FromRest(const Channel& channel, const exec::Snapshot& moment) const {
     const std::size_t part = channel.part.index();
     return Between(resting_[part], moment.parts[part].truth)[CoordinateOf(channel.effect)];
   }
@@ -154,12 +154,12 @@ class Ledger {
     const Pose& said = problem_.part(channel.part).X_WorldPart;
     const Displacement given = Between(said, scene_.TruePose(start_, channel.part));
     Reading reading{.applied = given[CoordinateOf(channel.effect)]};
-    if (const exec::Moment* first = FirstMoment()) reading.measured = FromRest(channel, *first);
+    if (const exec::Snapshot* first = FirstMoment()) reading.measured = FromRest(channel, *first);
     return reading;
   }
 
   Reading OfTableAtStart(const Channel& channel) const {
-    const exec::Moment* first = FirstMoment();
+    const exec::Snapshot* first = FirstMoment();
     if (first == nullptr) return {};
     return {first->table_heights[channel.part.index()], FromRest(channel, *first)};
   }

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "sim/check/claims/claim.h"
-#include "sim/check/claims/honesty_gate.h"
+#include "sim/check/claims/noise_floor.h"
 #include "sim/check/trial/verdict.h"
 #include "sim/exec/execution/executor.h"
 #include "sim/noise/noise.h"
@@ -16,7 +16,7 @@ struct Experiment {
   const domain::Problem& problem;
   const plan::Plan& plan;
   scene::SceneOptions scene = {};
-  HonestyGate gate = {};
+  NoiseFloor gate = {};
 };
 
 // The result of one trial.

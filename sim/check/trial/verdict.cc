@@ -78,7 +78,7 @@ class Judgement {
   const Problem& problem_;
   const exec::Trace& trace_;
   const Limits& limits_;
-  const exec::Moment& end_;
+  const exec::Snapshot& end_;
   std::vector<Finding> findings_;
   std::vector<PartId> left_alone_;
 };

@@ -151,7 +151,7 @@ void Film::TakeStepEnd(const std::string& action, const mujoco::Data& data) {
   Take(FileName(action), fmt::format("{} {}", ended_, action), data, {});
 }
 
-void Film::TakeCloseUp(const plan::PlannedStep& step, const Moment& moment,
+void Film::TakeCloseUp(const plan::PlannedStep& step, const Snapshot& moment,
                        const render::FreeCamera& camera, const mujoco::Data& data) {
   const int number = ended_ + 1;
   pictures_.push_back(
@@ -168,7 +168,7 @@ void Film::TakeGrasp(const plan::PlannedStep& step, const mujoco::Data& data) {
   TakeCloseUp(step, {"closed", caption}, camera, data);
 }
 
-void Film::TakeMating(const std::optional<Moment>& moment, const mujoco::Data& data) {
+void Film::TakeMating(const std::optional<Snapshot>& moment, const mujoco::Data& data) {
   if (moment) TakeCloseUp(plan_.step(mating_step_), *moment, mating_->camera(), data);
 }
 

@@ -80,10 +80,10 @@ class Film : public exec::Observer {
                      std::span<const render::Ghost> ghosts);
   void Take(const std::string& name, const std::string& caption, const mujoco::Data& data,
             std::span<const render::Ghost> ghosts);
-  void TakeCloseUp(const plan::PlannedStep& step, const Moment& moment,
+  void TakeCloseUp(const plan::PlannedStep& step, const Snapshot& moment,
                    const render::FreeCamera& camera, const mujoco::Data& data);
   void TakeGrasp(const plan::PlannedStep& step, const mujoco::Data& data);
-  void TakeMating(const std::optional<Moment>& moment, const mujoco::Data& data);
+  void TakeMating(const std::optional<Snapshot>& moment, const mujoco::Data& data);
 
   const domain::Problem& problem_;
   const plan::Plan& plan_;

@@ -31,7 +31,7 @@ MatingFilm::MatingFilm(const domain::Problem& problem, const scene::Scene& scene
               {"enters", kEnters * insertion_.depth()},
               {"half", kHalf * insertion_.depth()}}) {}
 
-std::optional<Moment> MatingFilm::Look(const mujoco::Data& data) {
+std::optional<Snapshot> MatingFilm::Look(const mujoco::Data& data) {
   const double inserted = insertion_.Inserted(data);
   std::string come;
   while (!ahead_.empty() && inserted >= ahead_.front().second) {
@@ -42,7 +42,7 @@ std::optional<Moment> MatingFilm::Look(const mujoco::Data& data) {
   return At(come, inserted);
 }
 
-std::optional<Moment> MatingFilm::LookAtRest(const mujoco::Data& data) {
+std::optional<Snapshot> MatingFilm::LookAtRest(const mujoco::Data& data) {
   const double inserted = insertion_.Inserted(data);
   const double alike = kAlike * insertion_.depth();
   if (rest_ && std::abs(inserted - *rest_) < alike) return std::nullopt;
@@ -50,7 +50,7 @@ std::optional<Moment> MatingFilm::LookAtRest(const mujoco::Data& data) {
   return At(std::abs(inserted - insertion_.depth()) < alike ? "seated" : "stopped", inserted);
 }
 
-Moment MatingFilm::At(const std::string& name, double inserted) const {
+Snapshot MatingFilm::At(const std::string& name, double inserted) const {
   if (inserted < 0) {
     return {name, fmt::format("{}: {:.1f} mm before it enters", parts_, -1e3 * inserted)};
   }

@@ -10,7 +10,7 @@
 namespace assay::cli {
 
 // An event during a step that is worth a picture.
-struct Moment {
+struct Snapshot {
   std::string name;     // "enters"; for file names
   std::string caption;  // "peg into block: enters, 2.5 of 25.4 mm"
 };
@@ -28,13 +28,13 @@ class MatingFilm {
 
   // Returns the event that has come, if any. Each event is returned once. If several have come at
   // once, the last is returned.
-  std::optional<Moment> Look(const mujoco::Data& data);
+  std::optional<Snapshot> Look(const mujoco::Data& data);
   // Returns the event at rest: "seated", or "stopped" if the part is farther than a twentieth of
   // its depth from the seat. Returns nothing if that event was returned before.
-  std::optional<Moment> LookAtRest(const mujoco::Data& data);
+  std::optional<Snapshot> LookAtRest(const mujoco::Data& data);
 
  private:
-  Moment At(const std::string& name, double inserted) const;
+  Snapshot At(const std::string& name, double inserted) const;
 
   std::string parts_;  // "peg into block", "sleeve onto post"
   render::Insertion insertion_;

@@ -38,7 +38,7 @@ std::string OrderingGraphToDot(const domain::Problem& problem, const plan::Plan&
 namespace {
 
 // Returns the labels if they are few, and else their number.
-std::string LabelsOf(const posting::PartialPlan& plan, domain::VariableId variable) {
+std::string LabelsOf(const constraint_posting::PartialPlan& plan, domain::VariableId variable) {
   constexpr int kFew = 6;
   const network::LabelSet labels = plan.Labels(variable);
   if (labels.count() > kFew) return fmt::format("{} labels", labels.count());
@@ -52,7 +52,7 @@ std::string LabelsOf(const posting::PartialPlan& plan, domain::VariableId variab
 
 }  // namespace
 
-std::string ConstraintNetworkToDot(const posting::PartialPlan& plan) {
+std::string ConstraintNetworkToDot(const constraint_posting::PartialPlan& plan) {
   std::string text =
       fmt::format("graph {} {{\n  node [shape=ellipse];\n", Quoted(plan.problem().name));
   for (const domain::ActionTemplate& action : plan.steps()) {
@@ -62,7 +62,7 @@ std::string ConstraintNetworkToDot(const posting::PartialPlan& plan) {
                           Quoted(name + ": " + LabelsOf(plan, initial.variable)));
     }
   }
-  for (const posting::GeometricGoalRef& goal : plan.satisfied_geometric()) {
+  for (const constraint_posting::GeometricGoalRef& goal : plan.satisfied_geometric()) {
     const domain::GeometricConstraint& constraint = plan.ConstraintOf(goal);
     if (constraint.grasp.IsNone() || constraint.position.IsNone()) continue;
     const auto name = [&](domain::VariableId id) {

@@ -2,11 +2,11 @@
 
 #include <string>
 
+#include "planner/constraint_posting/partial_plan.h"
 #include "planner/contingent/tree/plan_tree.h"
 #include "planner/domain/problem/problem.h"
 #include "planner/finemotion/graph/contact_chain.h"
 #include "planner/plan/data/plan.h"
-#include "planner/posting/partial_plan.h"
 
 namespace assay::cli {
 
@@ -17,7 +17,7 @@ std::string OrderingGraphToDot(const domain::Problem& problem, const plan::Plan&
 // Returns the constraint network of a partial plan in the language of Graphviz. It has a node for
 // each plan variable, with the labels that are left, and an arc for each constraint between two
 // variables (Spar, figures 9 and 10).
-std::string ConstraintNetworkToDot(const posting::PartialPlan& plan);
+std::string ConstraintNetworkToDot(const constraint_posting::PartialPlan& plan);
 
 // Returns the contact states at each critical point in the language of Graphviz. States are in a
 // row for each dimension, and an edge joins two states that differ by one contact (Dakin and

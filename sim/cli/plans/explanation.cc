@@ -199,7 +199,7 @@ std::string ChainText(const Proof& proof) {
   if (proof.at_worst) {
     text += fmt::format(", {} at the worst corner", QuantityText(*proof.at_worst, unit));
   }
-  text += fmt::format("; rung {}, gap {}\n", claim.rung, GapText(claim));
+  text += fmt::format("; rung {}, gap {}\n", claim.method, GapText(claim));
   return text + FoldedSum(proof.terms) + VariablesText(proof) + RemedyText(proof);
 }
 
@@ -214,7 +214,7 @@ std::string ClaimsTable(const std::vector<const CertifiedPrecondition*>& claims)
   std::vector<Line> lines;
   for (const CertifiedPrecondition* claim : claims) {
     std::vector<std::string> cells = {BoundText(*claim), LimitText(*claim), MarginText(*claim),
-                                      claim->rung};
+                                      claim->method};
     auto line = std::ranges::find(lines, cells, &Line::cells);
     if (line == lines.end()) line = lines.insert(line, {claim, std::move(cells)});
     if (claim->gap > line->widest->gap) line->widest = claim;

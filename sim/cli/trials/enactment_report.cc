@@ -116,14 +116,14 @@ std::string ReasonOf(const EnactedTrial& trial, const EnactmentStudy& study) {
 
 // Returns the leaves that no world leads to, except those that wrong sensing led to, and the faults
 // that were injected.
-std::string MishapText(const EnactmentStudy& study) {
+std::string FaultText(const EnactmentStudy& study) {
   std::string text;
   for (std::size_t i = 0; i < study.unreachable.size(); ++i) {
     if (study.unreachable[i].empty() || TallyOf(study.leaves[i], study).trials > 0) continue;
     text += fmt::format("unreachable: {}: {}\n", study.leaves[i].Text(), study.unreachable[i]);
   }
   for (const EnactedTrial& trial : study.trials) {
-    if (!trial.mishap.empty()) text += fmt::format("trial {}: {}\n", trial.number, trial.mishap);
+    if (!trial.fault.empty()) text += fmt::format("trial {}: {}\n", trial.number, trial.fault);
   }
   return text;
 }
@@ -139,7 +139,7 @@ std::string StepTable(const EnactedTrial& trial, const EnactmentStudy& study) {
 
 Json EnactedTrialJson(const EnactedTrial& trial) {
   Json json = {{"trial", trial.number},      {"outcome", Name(trial.outcome)},
-               {"reason", trial.reason},     {"mishap", trial.mishap},
+               {"reason", trial.reason},     {"mishap", trial.fault},
                {"goal", trial.is_goal_true}, {"greatest_tilt", trial.greatest_tilt / kDegree},
                {"spilled", trial.spilled},   {"fallen", trial.fallen}};
   json["collisions"] = Json::array();
@@ -190,7 +190,7 @@ int EnactmentStudy::Failed() const {
 
 std::string TextOf(const EnactmentStudy& study) {
   std::string text = study.trials.size() == 1 ? StepTable(study.trials.front(), study) + "\n" : "";
-  text += LeafTable(study) + "\n" + MishapText(study) + FailuresText(study);
+  text += LeafTable(study) + "\n" + FaultText(study) + FailuresText(study);
   const EnactedTally all = TallyOf(study);
   const Interval rate = sweep::WilsonInterval(all.reached, all.trials);
   text += fmt::format(

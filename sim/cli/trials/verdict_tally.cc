@@ -126,14 +126,14 @@ Json ToJson(const plan::Plan& plan, const Claim& claim) {
           {"verdict", check::Name(claim.verdict)}};
 }
 
-std::string Text(const plan::Plan& plan, const check::HonestyGate& gate) {
+std::string Text(const plan::Plan& plan, const check::NoiseFloor& gate) {
   Table table({{"step", Align::kRight},
                {"id"},
                {"lag mm", Align::kRight},
                {"lag deg", Align::kRight},
                {"penetration mm", Align::kRight}});
   for (const plan::StepId id : plan.ExecutionOrder()) {
-    const check::StepGate& step = gate.steps[id.index()];
+    const check::StepNoiseFloor& step = gate.steps[id.index()];
     const auto mm = [](double value) { return fmt::format("{:.4f}", value / kLengthUnit.factor); };
     table.Add({std::to_string(plan.step(id).executed), plan.step(id).name, mm(step.lag),
                fmt::format("{:.5f}", step.lag_turn / kAngleUnit.factor), mm(step.penetration)});
@@ -141,12 +141,12 @@ std::string Text(const plan::Plan& plan, const check::HonestyGate& gate) {
   return table.Text();
 }
 
-Json ToJson(const plan::Plan& plan, const check::HonestyGate& gate) {
+Json ToJson(const plan::Plan& plan, const check::NoiseFloor& gate) {
   Json json = Json::array();
   for (const plan::StepId id : plan.ExecutionOrder()) {
-    const check::StepGate& step = gate.steps[id.index()];
+    const check::StepNoiseFloor& step = gate.steps[id.index()];
     Json components = Json::array();
-    for (const check::ComponentGate& component : step.components) {
+    for (const check::ClaimNoiseFloor& component : step.components) {
       components.push_back({{"about", check::Name(component.about)},
                             {"name", component.name},
                             {"offset", component.offset},
@@ -162,7 +162,7 @@ Json ToJson(const plan::Plan& plan, const check::HonestyGate& gate) {
 }
 
 std::string Text(const plan::Plan& plan, const check::Noiseless& noiseless,
-                 const check::HonestyGate& gate) {
+                 const check::NoiseFloor& gate) {
   std::string text;
   for (const Claim& claim : noiseless.violated) {
     text += fmt::format("violated without any noise: step {}: {}\n", plan.step(claim.step).executed,

@@ -7,7 +7,7 @@
 
 #include "planner/plan/data/plan.h"
 #include "sim/check/claims/claim.h"
-#include "sim/check/claims/honesty_gate.h"
+#include "sim/check/claims/noise_floor.h"
 #include "sim/check/claims/noiseless.h"
 
 namespace assay::cli {
@@ -48,12 +48,12 @@ std::string Text(const check::Claim& claim);
 nlohmann::ordered_json ToJson(const plan::Plan& plan, const check::Claim& claim);
 
 // Returns the noise floor, with a row for each step.
-std::string Text(const plan::Plan& plan, const check::HonestyGate& gate);
-nlohmann::ordered_json ToJson(const plan::Plan& plan, const check::HonestyGate& gate);
+std::string Text(const plan::Plan& plan, const check::NoiseFloor& gate);
+nlohmann::ordered_json ToJson(const plan::Plan& plan, const check::NoiseFloor& gate);
 
 // Returns the plan's defects that show before any error is drawn; empty if there are none.
 std::string Text(const plan::Plan& plan, const check::Noiseless& noiseless,
-                 const check::HonestyGate& gate);
+                 const check::NoiseFloor& gate);
 nlohmann::ordered_json ToJson(const plan::Plan& plan, const check::Noiseless& noiseless);
 
 }  // namespace assay::cli

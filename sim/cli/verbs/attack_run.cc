@@ -33,7 +33,7 @@ class AttackReport {
       : run_(run),
         plan_(run.planned.result.plan),
         experiment_{run.planned.problem, plan_, run.planned.simulation.scene,
-                    NoiseFloor(run.planned, run.command)},
+                    KeptNoiseFloor(run.planned, run.command)},
         tally_(plan_) {}
 
   ExitCode Execute() {

@@ -30,10 +30,10 @@ namespace assay::cli {
 namespace bound_verb {
 
 using algebra::Bound;
+using algebra::BoundingMethod;
 using algebra::BoundProblem;
 using algebra::BoundRequest;
 using algebra::Expression;
-using algebra::Rung;
 using algebra::VariableId;
 using Json = nlohmann::ordered_json;
 
@@ -45,7 +45,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 struct Options {
   std::filesystem::path problem;
   std::filesystem::path output;
-  std::string rung = "refined";
+  std::string method = "refined";
   std::vector<std::string> keep;
   BoundRequest request;
   bool json = false;
@@ -67,7 +67,9 @@ bool IsVacuous(const Answer& answer) {
 }
 
 double GapOf(const Answer& answer) { return std::max(answer.inf.gap, answer.sup.gap); }
-Rung RungOf(const Answer& answer) { return std::max(answer.inf.rung, answer.sup.rung); }
+BoundingMethod BoundingMethodOf(const Answer& answer) {
+  return std::max(answer.inf.method, answer.sup.method);
+}
 
 std::set<VariableId> KeptVariables(const BoundProblem& problem, const Options& options) {
   std::vector<std::string> names;
@@ -91,7 +93,7 @@ Answer AnswerTo(const BoundProblem::Question& question, const BoundProblem& prob
                 const std::set<VariableId>& keep, const BoundRequest& request) {
   const Stopwatch stopwatch;
   BoundRequest termwise = request;
-  termwise.highest = Rung::kTermwise;
+  termwise.highest = BoundingMethod::kTermwise;
   const Expression& e = question.expression;
   algebra::PreparedExpression prepared(e);
   const algebra::BothBounds refined = prepared.Both(problem.constraints, request);
@@ -132,7 +134,7 @@ Json ToJson(const Answer& answer) {
       {"inf", ToJson(answer.inf.value)},
       {"sup", ToJson(answer.sup.value)},
       {"vacuous", IsVacuous(answer)},
-      {"rung", Name(RungOf(answer))},
+      {"rung", Name(BoundingMethodOf(answer))},
       {"gap", ToJson(GapOf(answer))},
       {"evaluations", answer.inf.evaluations + answer.sup.evaluations},
       {"termwise",
@@ -188,7 +190,7 @@ std::string SharesText(const std::string& what, const std::vector<algebra::Share
 
 // The cheap bounding methods compute how each bound would change with a variable at its midpoint.
 std::string Explanation(const Answer& answer, const BoundProblem& problem) {
-  const BoundRequest cheap = {.highest = Rung::kMonotone};
+  const BoundRequest cheap = {.highest = BoundingMethod::kMonotone};
   const Expression& e = answer.question.expression;
   std::string text;
   if (IsVacuous(answer)) {
@@ -219,7 +221,7 @@ std::string TableText(const std::vector<Answer>& answers, const BoundProblem& pr
   for (const Answer& answer : answers) {
     table.Add({ShortText(answer.question.text), OutwardText(answer.inf.value, Side::kInf),
                OutwardText(answer.sup.value, Side::kSup), fmt::format("{:.2g}", GapOf(answer)),
-               std::string(Name(RungOf(answer))),
+               std::string(Name(BoundingMethodOf(answer))),
                OutwardText(answer.termwise_inf.value, Side::kInf),
                OutwardText(answer.termwise_sup.value, Side::kSup)});
     explanations += Explanation(answer, problem);
@@ -231,7 +233,7 @@ std::string TableText(const std::vector<Answer>& answers, const BoundProblem& pr
 // more evaluations than allowed, or doubles resolve no better. An infinite bound is an answer,
 // since no gap was promised for it.
 bool IsLoose(const Bound& bound, const BoundRequest& request) {
-  return request.highest == Rung::kBranchAndBound && std::isfinite(bound.value) &&
+  return request.highest == BoundingMethod::kBranchAndBound && std::isfinite(bound.value) &&
          bound.gap > request.gap;
 }
 
@@ -252,7 +254,7 @@ ExitCode Execute(const Options& options) {
   RequireWritable(options.output);
   const std::set<VariableId> keep = KeptVariables(problem, options);
   BoundRequest request = options.request;
-  if (options.rung == "termwise") request.highest = Rung::kTermwise;
+  if (options.method == "termwise") request.highest = BoundingMethod::kTermwise;
   std::vector<Answer> answers;
   std::string text;
   {
@@ -280,7 +282,7 @@ Execution Declare(CLI::App& command) {
   command.add_option("problem", options->problem, "variables and expressions, JSON or YAML")
       ->required();
   command
-      .add_option("--rung", options->rung,
+      .add_option("--rung", options->method,
                   "termwise: each term alone, as in the paper; refined: to the gap")
       ->check(CLI::IsMember({"termwise", "refined"}))
       ->capture_default_str();

@@ -74,8 +74,11 @@ std::string CommandFileText(const domain::Problem& problem, const plan::Plan& pl
 ExitCode ExportNetwork(const Options& options) {
   const scenario::Scenario scenario = scenario::Load(options.input, options.models);
   std::string dot;
-  const auto show = [&](const posting::PartialPlan& plan) { dot = ConstraintNetworkToDot(plan); };
-  const plan::PlanResult result = posting::MakePlan(scenario.problem, {.show_family = show});
+  const auto show = [&](const constraint_posting::PartialPlan& plan) {
+    dot = ConstraintNetworkToDot(plan);
+  };
+  const plan::PlanResult result =
+      constraint_posting::MakePlan(scenario.problem, {.show_family = show});
   if (result.outcome == Outcome::kFound) {
     Deliver(dot, options);
   } else {

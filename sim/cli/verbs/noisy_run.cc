@@ -60,7 +60,7 @@ class NoisyTrials {
         plan_(run.planned.result.plan),
         box_(noise::ErrorBox(run.planned.problem, plan_)),
         experiment_{run.planned.problem, plan_, run.planned.simulation.scene,
-                    NoiseFloor(run.planned, run.command)} {}
+                    KeptNoiseFloor(run.planned, run.command)} {}
 
   ExitCode Execute() {
     const Interruption interruption;

@@ -40,15 +40,15 @@ struct Options {
   bool check = false;
   bool tree = false;
   int instances = 1;
-  std::int64_t budget = posting::PlannerOptions().partial_plans;
+  std::int64_t budget = constraint_posting::PlannerOptions().partial_plans;
   std::string propagation = "sound";
   std::vector<std::string> resolvers = {};           // empty: the scenario's
   std::optional<std::string> explain;                // a step's place, from 1, or its id
   std::vector<const CLI::Option*> of_planning = {};  // options that have no use with a plan file
 };
 
-posting::PlannerOptions PlannerOptionsFrom(const Options& options) {
-  posting::PlannerOptions planner;
+constraint_posting::PlannerOptions PlannerOptionsFrom(const Options& options) {
+  constraint_posting::PlannerOptions planner;
   planner.partial_plans = options.budget;
   if (options.trace) {
     planner.trace = [](const std::string& line) { Remark(assay::Show(line) + "\n"); };
@@ -56,7 +56,7 @@ posting::PlannerOptions PlannerOptionsFrom(const Options& options) {
   return planner;
 }
 
-posting::UncertaintyOptions UncertaintyOptionsFrom(const Options& options) {
+constraint_posting::UncertaintyOptions UncertaintyOptionsFrom(const Options& options) {
   return {.propagation = options.propagation == "paper" ? uncertainty::Propagation::kPaper
                                                         : uncertainty::Propagation::kSound};
 }
@@ -75,13 +75,13 @@ void RefuseOptionsOfPlanning(const Options& options) {
 std::vector<plan::Plan> ListInstances(const domain::Problem& problem, const Options& options) {
   std::vector<plan::Plan> instances;
   if (options.instances == 1) return instances;
-  posting::PlannerOptions planner;
+  constraint_posting::PlannerOptions planner;
   planner.partial_plans = options.budget;
   planner.accept = [&](const plan::Plan& instance) {
     instances.push_back(instance);
     return std::ssize(instances) >= options.instances;
   };
-  posting::MakePlan(problem, planner);
+  constraint_posting::MakePlan(problem, planner);
   return instances;
 }
 

@@ -227,7 +227,7 @@ PlannedProblem Planned(const Options& options) {
         "run: --propagation, --resolvers and --error-scale are for scenarios: a plan file has been "
         "planned already");
   }
-  posting::UncertaintyOptions uncertainty;
+  constraint_posting::UncertaintyOptions uncertainty;
   if (options.propagation == "paper") uncertainty.propagation = uncertainty::Propagation::kPaper;
   scenario::Overrides overrides;
   overrides.error_scale = options.error_scale;

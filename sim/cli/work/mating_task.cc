@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "planner/base/check.h"
-#include "planner/posting/resolvers/moment.h"
+#include "planner/constraint_posting/resolvers/moment.h"
 #include "sim/cli/program/usage_error.h"
 
 namespace assay::cli {
@@ -19,12 +19,12 @@ MatingTask LastMatingOf(PlannedProblem planned) {
   while (step >= 0 && assemble() == nullptr) --step;
   if (step < 0)
     throw UsageError(fmt::format("mate: {}: no plan with an assemble action", planned.scenario));
-  const auto states = posting::StatesOf(planned.problem, actions);
+  const auto states = constraint_posting::StatesOf(planned.problem, actions);
   const domain::PartId held = planned.problem.mating(assemble()->mating).held;
-  const auto moment = posting::LatestGraspable(planned.problem, states, step, held);
+  const auto moment = constraint_posting::LatestGraspable(planned.problem, states, step, held);
   ASSAY_CHECK(moment.has_value(), "a part that is mated was taken before");
   planned.problem =
-      posting::ProblemFrom(planned.problem, states[static_cast<std::size_t>(*moment)]);
+      constraint_posting::ProblemFrom(planned.problem, states[static_cast<std::size_t>(*moment)]);
   return {std::move(planned), *assemble()};
 }
 

@@ -17,7 +17,7 @@
 #include "planner/base/document/input_file.h"
 #include "planner/plan/file/json_layout.h"
 #include "planner/plan/file/plan_file.h"
-#include "sim/check/claims/measure_gate.h"
+#include "sim/check/claims/measure_noise_floor.h"
 #include "sim/cli/work/output_file.h"
 #include "sim/scene/mjcf.h"
 
@@ -25,9 +25,9 @@ namespace assay::cli {
 namespace {
 
 namespace fs = std::filesystem;
-using check::ComponentGate;
-using check::HonestyGate;
-using check::StepGate;
+using check::ClaimNoiseFloor;
+using check::NoiseFloor;
+using check::StepNoiseFloor;
 using Json = nlohmann::ordered_json;
 
 // Returns an empty path if there is no cache folder.
@@ -57,11 +57,11 @@ std::string KeyOf(const PlannedProblem& planned, std::string_view command) {
       .Hex();
 }
 
-Json FloorToJson(const HonestyGate& floor) {
+Json FloorToJson(const NoiseFloor& floor) {
   Json steps = Json::array();
-  for (const StepGate& step : floor.steps) {
+  for (const StepNoiseFloor& step : floor.steps) {
     Json components = Json::array();
-    for (const ComponentGate& component : step.components) {
+    for (const ClaimNoiseFloor& component : step.components) {
       components.push_back({static_cast<int>(component.about), component.name, component.offset,
                             component.step_size});
     }
@@ -70,10 +70,10 @@ Json FloorToJson(const HonestyGate& floor) {
   return steps;
 }
 
-HonestyGate FloorFromJson(const Json& steps) {
-  HonestyGate floor;
+NoiseFloor FloorFromJson(const Json& steps) {
+  NoiseFloor floor;
   for (const Json& step : steps) {
-    StepGate& read = floor.steps.emplace_back(StepGate{
+    StepNoiseFloor& read = floor.steps.emplace_back(StepNoiseFloor{
         .arm = step.at(1), .penetration = step.at(2), .lag = step.at(3), .lag_turn = step.at(4)});
     for (const Json& component : step.at(0)) {
       read.components.push_back({static_cast<check::Claimed>(component.at(0).get<int>()),
@@ -84,18 +84,18 @@ HonestyGate FloorFromJson(const Json& steps) {
 }
 
 // Reads a floor that this program wrote. A file that was damaged on the disk is ignored.
-std::optional<HonestyGate> Kept(const fs::path& file, std::size_t steps) {
+std::optional<NoiseFloor> Kept(const fs::path& file, std::size_t steps) {
   const std::string text = BytesOf(file);
   if (text.empty()) return std::nullopt;
   try {
-    HonestyGate floor = FloorFromJson(Json::parse(text));
+    NoiseFloor floor = FloorFromJson(Json::parse(text));
     if (floor.steps.size() == steps) return floor;
   } catch (const Json::exception&) {
   }
   return std::nullopt;
 }
 
-void Keep(const HonestyGate& floor, const fs::path& file) {
+void Keep(const NoiseFloor& floor, const fs::path& file) {
   try {
     MakeFolder(file.parent_path());
     WriteFile(file, plan::JsonLine(FloorToJson(floor)) + "\n");
@@ -106,16 +106,16 @@ void Keep(const HonestyGate& floor, const fs::path& file) {
 
 }  // namespace
 
-HonestyGate NoiseFloor(const PlannedProblem& planned, std::string_view command) {
+NoiseFloor KeptNoiseFloor(const PlannedProblem& planned, std::string_view command) {
   const plan::Plan& plan = planned.result.plan;
   const fs::path folder = CacheFolder();
   const auto measured = [&] {
-    return check::MeasureGate(planned.problem, plan, planned.simulation.scene);
+    return check::MeasureNoiseFloor(planned.problem, plan, planned.simulation.scene);
   };
   if (folder.empty()) return measured();
   const fs::path file = folder / (KeyOf(planned, command) + ".json");
-  if (std::optional<HonestyGate> kept = Kept(file, plan.steps.size())) return std::move(*kept);
-  HonestyGate floor = measured();
+  if (std::optional<NoiseFloor> kept = Kept(file, plan.steps.size())) return std::move(*kept);
+  NoiseFloor floor = measured();
   Keep(floor, file);
   return floor;
 }

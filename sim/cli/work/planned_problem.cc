@@ -79,8 +79,8 @@ PlannedProblem ReadPlan(const Document& plan_file, const domain::ModelPath& mode
 }
 
 PlannedProblem MakePlan(const Document& document, scenario::Scenario scenario,
-                        const posting::PlannerOptions& planner,
-                        const posting::UncertaintyOptions& uncertainty) {
+                        const constraint_posting::PlannerOptions& planner,
+                        const constraint_posting::UncertaintyOptions& uncertainty) {
   RequireGoal(document, scenario.problem);
   plan::PlanResult result = PlanWithProgress(scenario.problem, planner, uncertainty);
   return {document.file(), std::move(scenario.problem), std::move(scenario.simulation),
@@ -97,8 +97,8 @@ bool IsPlanFile(const Document& document) {
 }
 
 plan::PlanResult PlanWithProgress(const domain::Problem& problem,
-                                  const posting::PlannerOptions& planner,
-                                  const posting::UncertaintyOptions& uncertainty) {
+                                  const constraint_posting::PlannerOptions& planner,
+                                  const constraint_posting::UncertaintyOptions& uncertainty) {
   const Progress progress("planning " + problem.name);
   return assembly::MakeCertifiedPlan(problem, planner, uncertainty);
 }

@@ -5,10 +5,10 @@
 #include <vector>
 
 #include "planner/base/document/document.h"
+#include "planner/constraint_posting/uncertainty_phase/uncertainty_phase.h"
 #include "planner/domain/problem/problem.h"
 #include "planner/plan/check/checker.h"
 #include "planner/plan/data/plan.h"
-#include "planner/posting/uncertainty_phase/uncertainty_phase.h"
 #include "sim/scenario/scenario.h"
 
 namespace assay::cli {
@@ -44,16 +44,16 @@ PlannedProblem ReadPlan(const Document& plan_file, const domain::ModelPath& mode
 
 // Makes a plan for a scenario, which was read from `document`.
 PlannedProblem MakePlan(const Document& document, scenario::Scenario scenario,
-                        const posting::PlannerOptions& planner,
-                        const posting::UncertaintyOptions& uncertainty);
+                        const constraint_posting::PlannerOptions& planner,
+                        const constraint_posting::UncertaintyOptions& uncertainty);
 
 // Reads the plan if `document` is a plan file, and makes one if it is a scenario.
 PlannedProblem ReadOrMakePlan(const Document& document, const domain::ModelPath& models);
 
 // Runs both phases of the planner, and shows progress to people on a terminal.
 plan::PlanResult PlanWithProgress(const domain::Problem& problem,
-                                  const posting::PlannerOptions& planner,
-                                  const posting::UncertaintyOptions& uncertainty);
+                                  const constraint_posting::PlannerOptions& planner,
+                                  const constraint_posting::UncertaintyOptions& uncertainty);
 
 // Runs the independent checker over at most this many orders of the steps, and checks that
 // strategies of fine motion hold up (planner/assembly/plan_check.h).

@@ -42,7 +42,7 @@ class Meaning {
   virtual bool IsTold() const { return false; }
   // By what sensors have told; none: that is too little, or the sensor's error leaves it open.
   virtual std::optional<bool> Told(const Readings&, const Roles&) const { return std::nullopt; }
-  // Of the scenario's world and the mishap, before it is run; none: it depends on other things.
+  // Of the scenario's world and the fault, before it is run; none: it depends on other things.
   virtual std::optional<bool> IsTrueIn(const HiddenWorld&, const Roles&) const {
     return std::nullopt;
   }

@@ -8,7 +8,7 @@ namespace {
 class Look : public Skill {
  public:
   exec::Progress Do(const Roles& roles, Situation& situation) const override {
-    if (auto failure = situation.crew.GoHome()) return failure;
+    if (auto failure = situation.robots.GoHome()) return failure;
     for (const PartId part : roles.parts) LookAt(part, situation);
     return std::nullopt;
   }

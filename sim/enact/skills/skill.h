@@ -12,7 +12,7 @@
 #include "planner/domain/reach/reachability.h"
 #include "sim/enact/meanings/readings.h"
 #include "sim/enact/meanings/roles.h"
-#include "sim/enact/walk/crew.h"
+#include "sim/enact/walk/robots.h"
 #include "sim/exec/execution/execution.h"
 #include "sim/exec/execution/step_execution.h"
 
@@ -21,14 +21,14 @@ namespace assay::enact {
 // What a skill works with: the execution of the robot that acts, which believes what commands and
 // sensors tell it, the robots as a whole, and what sensors have told besides.
 struct Situation {
-  Crew& crew;
+  Robots& robots;
   Readings& readings;
   RandomStream& sensor_noise;
   sense::ColorSensor* color_sensor;                     // null if the scenario names no colours
   sense::PoseSensor* pose_sensor;                       // null if no pose is open
   std::unique_ptr<exec::StepExecution> step = nullptr;  // of a plan, on its way
 
-  exec::Execution& execution() const { return crew.acting(); }
+  exec::Execution& execution() const { return robots.acting(); }
   const domain::Problem& problem() const { return execution().problem(); }
   // Where the parts other than `but` are believed to be; none of them is in the hand.
   std::vector<domain::PlacedPart> Standing(PartId but) const;

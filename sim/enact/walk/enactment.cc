@@ -43,20 +43,20 @@ class Trial {
     if (settings_.on_step_end) settings_.on_step_end({"", scene_, data_});
     std::optional<sense::OverheadCamera> camera;
     if (!problem_.open_poses.empty()) options_.sensor = &camera.emplace(scene_, problem_);
-    Crew crew(problem_, scene_, data_, options_);
+    Robots robots(problem_, scene_, data_, options_);
     Readings readings;
     std::optional<sense::ColorSensor> color_sensor;
     if (!interpretation_.colors.empty()) {
       color_sensor.emplace(scene_, problem_, interpretation_.colors);
     }
-    Situation situation{.crew = crew,
+    Situation situation{.robots = robots,
                         .readings = readings,
                         .sensor_noise = random_,
                         .color_sensor = color_sensor ? &*color_sensor : nullptr,
                         .pose_sensor = options_.sensor};
     WalkOptions walk{.sensing_errors = settings_.sensing_errors, .random = &random_};
-    if (result_.world.mishap) {
-      result_.mishap = result_.world.mishap->Text(problem_);
+    if (result_.world.fault) {
+      result_.fault = result_.world.fault->Text(problem_);
       walk.on_step_start = [this](const std::string& action) { Befall(action); };
     }
     if (settings_.on_step_end) {
@@ -65,8 +65,8 @@ class Trial {
       };
     }
     result_.walk = TreeWalk(interpretation_, tree, situation, walk).Go();
-    if (IsAtRest(result_.walk.end)) ComeToRest(crew);
-    result_.collisions = crew.Collisions();
+    if (IsAtRest(result_.walk.end)) ComeToRest(robots);
+    result_.collisions = robots.Collisions();
     result_.duration = data_.time();
     Measure();
     Judge();
@@ -99,16 +99,16 @@ class Trial {
   }
 
   void Befall(const std::string& action) {
-    const Mishap& mishap = *result_.world.mishap;
-    if (action != mishap.action) return;
-    scene_.SetPart(data_, mishap.part, mishap.After(scene_.TruePose(data_, mishap.part)));
+    const Fault& fault = *result_.world.fault;
+    if (action != fault.action) return;
+    scene_.SetPart(data_, fault.part, fault.After(scene_.TruePose(data_, fault.part)));
   }
 
   // A hand that holds something stays where it is.
-  void ComeToRest(Crew& crew) {
-    exec::Execution& execution = crew.acting();
+  void ComeToRest(Robots& robots) {
+    exec::Execution& execution = robots.acting();
     exec::Progress failure;
-    if (execution.world().held().IsNone()) failure = crew.GoHome();
+    if (execution.world().held().IsNone()) failure = robots.GoHome();
     if (!failure) failure = execution.Stay(kRest, exec::Stepping::kContact);
     if (!failure) return;
     result_.walk.end = WalkEnd::kStopped;
@@ -229,7 +229,7 @@ std::string_view Name(EnactmentOutcome outcome) {
 }
 
 bool EnactedTrial::IsFailed() const {
-  if (outcome == EnactmentOutcome::kOperator) return !world.mishap;
+  if (outcome == EnactmentOutcome::kOperator) return !world.fault;
   return outcome != EnactmentOutcome::kReached;
 }
 

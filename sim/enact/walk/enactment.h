@@ -55,13 +55,13 @@ struct EnactedTrial {
   Walk walk = {};
   bool is_goal_true = false;
   double greatest_tilt = 0;  // of parts that can spill, radians
-  std::string mishap = {};   // of the world, in words
+  std::string fault = {};    // of the world, in words
   std::vector<std::string> spilled = {};
   std::vector<std::string> fallen = {};
   std::vector<exec::CollisionRecord> collisions = {};  // in the order of time
   double duration = 0;                                 // seconds of simulated time
 
-  // Neither reached nor, in a world whose mishap leads there, handed over to a person.
+  // Neither reached nor, in a world whose fault leads there, handed over to a person.
   bool IsFailed() const;
 };
 

@@ -37,13 +37,13 @@ HiddenKinds ReadKinds(const Value& entry, const std::vector<sense::NamedColor>& 
 
 }  // namespace
 
-geometry::Pose Mishap::After(const geometry::Pose& X_WorldPart) const {
+geometry::Pose Fault::After(const geometry::Pose& X_WorldPart) const {
   geometry::Pose after = geometry::RotationZ(turn) * X_WorldPart;
   after.translation() = X_WorldPart.translation() + way;
   return after;
 }
 
-std::string Mishap::Text(const domain::Problem& problem) const {
+std::string Fault::Text(const domain::Problem& problem) const {
   const std::string& name = problem.part(part).name;
   if (turn != 0) {
     return fmt::format("before {}: {} turned by {:.0f} degrees", action, name,

@@ -18,7 +18,7 @@ using domain::PartId;
 
 // Something goes wrong just before an action of a plan, and nobody is told: a part is moved, or
 // slips in the hand.
-struct Mishap {
+struct Fault {
   std::string action = {};  // by its name in the task
   std::string error = {};   // that its verification is to signal
   PartId part = PartId::None();
@@ -35,7 +35,7 @@ struct HiddenWorld {
   std::map<PartId, double> masses = {};  // kg
   std::map<PartId, sense::ColorId> colors = {};
   int world = 0;  // of the scenario's worlds (domain::ReadWorlds): which poses are the true ones
-  std::optional<Mishap> mishap = {};
+  std::optional<Fault> fault = {};
 };
 
 // What may be hidden in a part; an empty list: nothing of that sort.

@@ -9,7 +9,7 @@
 
 #include "planner/contingent/knowledge/knowledge_base.h"
 #include "planner/contingent/tree/tree_text.h"
-#include "sim/enact/walk/mishap.h"
+#include "sim/enact/walk/fault.h"
 
 namespace assay::enact {
 
@@ -100,7 +100,7 @@ class WorldSearch {
 
   std::variant<HiddenWorld, std::string> Find() {
     if (!ChooseWorld()) {
-      return no_mishap_.empty() ? "in no world of the scenario " + refuted_ : no_mishap_;
+      return no_fault_.empty() ? "in no world of the scenario " + refuted_ : no_fault_;
     }
     for (const GroundLiteral& literal : leaf_.literals) {
       if (!interpretation_.IsTold(literal.atom)) {
@@ -125,24 +125,24 @@ class WorldSearch {
     for (int tried = 0; tried < worlds; ++tried) {
       world_ = HiddenWorld{};
       world_.world = (first + tried) % worlds;
-      if (!IsRefuted() || ChooseMishap()) return true;
+      if (!IsRefuted() || ChooseFault()) return true;
     }
     return false;
   }
 
-  bool ChooseMishap() {
+  bool ChooseFault() {
     if (!interpretation_.planned) return false;
     for (const StepError& error : ErrorsOf(*interpretation_.planned, world_.world)) {
-      world_.mishap = Mishap{.action = error.step, .error = error.error};
+      world_.fault = Fault{.action = error.step, .error = error.error};
       if (IsRefuted()) continue;
-      auto made = MishapFor(*interpretation_.planned, world_.world, error, random_);
-      if (auto* mishap = std::get_if<Mishap>(&made)) {
-        world_.mishap = std::move(*mishap);
+      auto made = FaultFor(*interpretation_.planned, world_.world, error, random_);
+      if (auto* fault = std::get_if<Fault>(&made)) {
+        world_.fault = std::move(*fault);
         return true;
       }
-      no_mishap_ = std::get<std::string>(made);
+      no_fault_ = std::get<std::string>(made);
     }
-    world_.mishap.reset();
+    world_.fault.reset();
     return false;
   }
 
@@ -221,8 +221,8 @@ class WorldSearch {
   std::vector<HiddenKinds> kinds_;               // that each part may be
   std::vector<std::vector<std::string>> asked_;  // of each part, and narrows it
   HiddenWorld world_;
-  std::string refuted_;    // of what the leaf asks, the last
-  std::string no_mishap_;  // why one that is needed cannot be
+  std::string refuted_;   // of what the leaf asks, the last
+  std::string no_fault_;  // why one that is needed cannot be
 };
 
 // A world for each way in which denied conjunctions can be false, until one is found: by a literal

@@ -32,8 +32,8 @@ std::vector<Leaf> LeavesOf(const contingent::GroundTask& task, const contingent:
 
 // A hidden world that is to lead to the leaf, drawn from those that do; or, in words, why there is
 // none: no kind of a part, and not what is known of it, is as the leaf asks. Whether there is one
-// does not depend on the random numbers. Errors that a plan's verifications signal come of mishaps
-// (MishapFor); whether one does come of it, the walk tells.
+// does not depend on the random numbers. Errors that a plan's verifications signal come of faults
+// (FaultFor); whether one does come of it, the walk tells.
 std::variant<HiddenWorld, std::string> FindWorld(const Leaf& leaf,
                                                  const Interpretation& interpretation,
                                                  const domain::Problem& problem,

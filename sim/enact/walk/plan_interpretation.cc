@@ -65,7 +65,7 @@ class LookForPose : public PlanSkill {
   using PlanSkill::PlanSkill;
 
   Progress Do(const Roles&, Situation& situation) const override {
-    if (Progress failure = situation.crew.GoHome()) return failure;
+    if (Progress failure = situation.robots.GoHome()) return failure;
     exec::Execution& execution = situation.execution();
     std::vector<assembly::NamedPose> found;
     for (const auto& [name, believed] : assembly::PosesOf(planned().worlds, action().part)) {
@@ -242,9 +242,9 @@ class Passed : public OfStep {
     if (found == readings.errors.end()) return std::nullopt;
     return found->second.empty();
   }
-  // Without a mishap nothing is expected to go wrong.
+  // Without a fault nothing is expected to go wrong.
   std::optional<bool> IsTrueIn(const HiddenWorld& world, const Roles& roles) const override {
-    return !world.mishap || world.mishap->action != roles.symbols.front();
+    return !world.fault || world.fault->action != roles.symbols.front();
   }
 };
 
@@ -267,8 +267,8 @@ class Signals : public OfStep {
     return found->second == ErrorOf(roles);
   }
   std::optional<bool> IsTrueIn(const HiddenWorld& world, const Roles& roles) const override {
-    return world.mishap && world.mishap->action == roles.symbols.front() &&
-           world.mishap->error == ErrorOf(roles);
+    return world.fault && world.fault->action == roles.symbols.front() &&
+           world.fault->error == ErrorOf(roles);
   }
 
  private:

@@ -163,10 +163,10 @@ exec::Progress TreeWalk::Do(const GroundAction& action) {
   const Roles roles = RolesOf(situation_.problem(), action.arguments);
   const std::string text = TextOf(action);
   const Skill& skill = *interpretation_.skills.at(action.name);
-  exec::Progress failure = situation_.crew.TakeOver(roles.robot);
+  exec::Progress failure = situation_.robots.TakeOver(roles.robot);
   exec::Execution& execution = situation_.execution();
   if (!roles.part.IsNone()) {  // steps of plans say themselves what they handle
-    std::vector<PartId> handled = situation_.crew.Held();
+    std::vector<PartId> handled = situation_.robots.Held();
     handled.push_back(roles.part);
     execution.Handle(std::move(handled), skill.HeldMayTouch());
   }

@@ -91,13 +91,13 @@ void Execution::Place(const JointVector& q) {
   commanded_ = {q, JointVector::Zero()};
 }
 
-Moment Execution::Now() const {
+Snapshot Execution::Now() const {
   const Pose X_WorldTool = BelievedTool();
-  Moment now{.time = data_.time(),
-             .tool = {scene_.ToolPose(data_), X_WorldTool},
-             .opening = scene_.Opening(data_),
-             .wrist = scene_.WristWrench(data_),
-             .contacts = ContactPairs(data_)};
+  Snapshot now{.time = data_.time(),
+               .tool = {scene_.ToolPose(data_), X_WorldTool},
+               .opening = scene_.Opening(data_),
+               .wrist = scene_.WristWrench(data_),
+               .contacts = ContactPairs(data_)};
   for (int i = 0; i < world_.part_count(); ++i) {
     now.parts.push_back(
         {scene_.TruePose(data_, PartId(i)), world_.PartPose(PartId(i), X_WorldTool)});

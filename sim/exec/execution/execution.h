@@ -62,7 +62,7 @@ class Execution {
   // Returns the arm's surroundings: parts at their believed poses, and other robots by their
   // joints' sensors.
   motion::Surroundings BelievedSurroundings() const;
-  Moment Now() const;
+  Snapshot Now() const;
   std::int64_t steps() const { return steps_; }  // number of the engine's steps so far
   // Returns the greatest force at the wrist so far, in newtons, that lasted for some milliseconds.
   double greatest_force() const { return greatest_force_; }

@@ -117,7 +117,7 @@ class TraceWriter {
   }
 
  private:
-  Json Of(const char* kind, const Moment& moment) const {
+  Json Of(const char* kind, const Snapshot& moment) const {
     Json parts = Json::object();
     for (std::size_t i = 0; i < moment.parts.size(); ++i) {
       parts[trace_.parts[i]] = ToJson(moment.parts[i]);

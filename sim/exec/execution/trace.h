@@ -22,7 +22,7 @@ struct TrueAndBelieved {
 };
 
 // The world at one time.
-struct Moment {
+struct Snapshot {
   double time = 0;  // simulated seconds since the start
   TrueAndBelieved tool;
   std::vector<TrueAndBelieved> parts = {};  // by PartId
@@ -35,7 +35,7 @@ struct Moment {
 
 // One of a series of moments at equal intervals.
 struct Sample {
-  Moment moment;
+  Snapshot moment;
 };
 
 // The result of closing the gripper. A failed grasp is recorded like any other, and the execution
@@ -99,7 +99,7 @@ std::string_view Name(Stage stage);  // for example "poised"
 struct Milestone {
   plan::StepId step;
   Stage stage;
-  Moment moment;
+  Snapshot moment;
 };
 
 // The measurement of a verification (Spar, figure 11).
@@ -128,7 +128,7 @@ struct StepEnd {
   plan::StepId step;
   std::string name;    // for example "action_3"
   std::string action;  // for example "putdown(block, on-back)"
-  Moment moment;
+  Snapshot moment;
 };
 
 // The motion of each part in the last half second, after the last command.
@@ -163,7 +163,7 @@ std::string_view Name(ExecutionOutcome outcome);
 struct ExecutionEnd {
   ExecutionOutcome outcome = ExecutionOutcome::kDone;
   std::string reason = {};  // empty if the plan is done
-  Moment moment;
+  Snapshot moment;
   std::int64_t steps = 0;  // number of the engine's steps
 };
 

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "planner/base/document/document.h"
+#include "planner/constraint_posting/uncertainty_phase/uncertainty_phase.h"
 #include "planner/domain/workcell/uncertainty_operations.h"
-#include "planner/posting/uncertainty_phase/uncertainty_phase.h"
 #include "sim/noise/sampling.h"
 #include "sim/scene/mjcf.h"
 
@@ -63,8 +63,8 @@ struct Sweep {
   int attempts = 1000;        // of each attack
   bool conservatism = false;  // each attack also measures how much more noise it takes
   // Of the planner: budgets, for all cells.
-  std::int64_t partial_plans = posting::PlannerOptions().partial_plans;
-  std::int64_t instances = posting::UncertaintyOptions().instances;
+  std::int64_t partial_plans = constraint_posting::PlannerOptions().partial_plans;
+  std::int64_t instances = constraint_posting::UncertaintyOptions().instances;
 
   std::filesystem::path PathOf(const std::string& scenario) const;
 };

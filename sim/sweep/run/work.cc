@@ -7,7 +7,7 @@
 
 #include "planner/assembly/certified_plan.h"
 #include "planner/plan/file/plan_file.h"
-#include "sim/check/claims/measure_gate.h"
+#include "sim/check/claims/measure_noise_floor.h"
 #include "sim/check/falsification/attack.h"
 #include "sim/check/falsification/conservatism.h"
 #include "sim/exec/execution/executor.h"
@@ -46,8 +46,8 @@ scenario::Scenario LoadScenario(const Sweep& sweep, const domain::ModelPath& mod
 // has no words for the cell.
 std::string RunCommand(const Sweep& sweep, const domain::ModelPath& models, const Cell& cell,
                        scene::GraspMode grasp_of_scenario) {
-  const posting::PlannerOptions planner;
-  const posting::UncertaintyOptions uncertainty;
+  const constraint_posting::PlannerOptions planner;
+  const constraint_posting::UncertaintyOptions uncertainty;
   const bool usual =
       sweep.partial_plans == planner.partial_plans && sweep.instances == uncertainty.instances;
   if (cell.clearance || !usual) return "";
@@ -133,14 +133,15 @@ class Planning {
 
   std::shared_ptr<const Preparation> Prepare(const Cell& cell, scenario::Scenario scenario,
                                              plan::Plan plan,
-                                             const check::HonestyGate* known_gate) const {
+                                             const check::NoiseFloor* known_gate) const {
     auto preparation = std::make_shared<Preparation>();
     scene::SceneOptions& scene = scenario.simulation.scene;
     preparation->run_command = RunCommand(sweep_, models_, cell, scene.grasp);
     scene.grasp = cell.grasp;
     preparation->box = noise::ErrorBox(scenario.problem, plan);
-    preparation->gate =
-        known_gate != nullptr ? *known_gate : check::MeasureGate(scenario.problem, plan, scene);
+    preparation->gate = known_gate != nullptr
+                            ? *known_gate
+                            : check::MeasureNoiseFloor(scenario.problem, plan, scene);
     preparation->scenario = std::move(scenario);
     preparation->plan = std::move(plan);
     return preparation;

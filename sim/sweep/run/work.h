@@ -20,7 +20,7 @@ struct Preparation {
   scenario::Scenario scenario;  // with the cell's clearance, errors and grasp
   plan::Plan plan;
   std::vector<noise::Channel> box;
-  check::HonestyGate gate;
+  check::NoiseFloor gate;
   std::string run_command;  // "assay run ...", that makes the same plan; empty:
                             // none does
 };

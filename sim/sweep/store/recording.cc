@@ -148,7 +148,7 @@ std::string Told(const plan::Plan& plan, const check::Claim& claim) {
 }  // namespace
 
 std::string WrongWithoutNoise(const plan::Plan& plan, const check::Noiseless& noiseless,
-                              const check::HonestyGate& gate) {
+                              const check::NoiseFloor& gate) {
   std::vector<std::string> lines;
   for (const check::Claim& claim : noiseless.violated) {
     lines.push_back("violated without any noise: " + Told(plan, claim));

@@ -15,7 +15,7 @@ TimedTrial Recorded(const plan::Plan& plan, const check::NoisyTrial& trial);
 
 // What is wrong with a plan without noise, one claim a line.
 std::string WrongWithoutNoise(const plan::Plan& plan, const check::Noiseless& noiseless,
-                              const check::HonestyGate& gate);
+                              const check::NoiseFloor& gate);
 
 // A whole attack on a plan.
 struct Attacked {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "sim/check/claims/claim.h"
-#include "sim/check/claims/honesty_gate.h"
+#include "sim/check/claims/noise_floor.h"
 
 namespace assay::sweep {
 
@@ -37,7 +37,7 @@ struct CellRecord {
   // Constraints that cannot hold together, limits, or what is wrong without noise; one a line.
   std::string conflict;
   std::string plan;  // plan.json on one line
-  check::HonestyGate gate = {};
+  check::NoiseFloor gate = {};
 };
 
 // What a certificate says, in all trials of a cell alike: a row of table `claim`.

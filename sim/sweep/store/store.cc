@@ -59,8 +59,8 @@ check::Claimed ReadClaimed(const std::string& name) {
   return check::Claimed::kAfter;
 }
 
-std::vector<check::ComponentGate> ReadComponents(const Database& database, int cell, int id) {
-  std::vector<check::ComponentGate> components;
+std::vector<check::ClaimNoiseFloor> ReadComponents(const Database& database, int cell, int id) {
+  std::vector<check::ClaimNoiseFloor> components;
   Statement rows = database.Prepare(
       "SELECT about, name, offset, step_size FROM gate_component WHERE cell = ? AND id = ? "
       "ORDER BY component");
@@ -71,8 +71,8 @@ std::vector<check::ComponentGate> ReadComponents(const Database& database, int c
   return components;
 }
 
-check::HonestyGate ReadGate(const Database& database, int cell) {
-  check::HonestyGate gate;
+check::NoiseFloor ReadGate(const Database& database, int cell) {
+  check::NoiseFloor gate;
   Statement rows = database.Prepare(
       "SELECT id, arm, penetration, lag, lag_turn FROM gate WHERE cell = ? ORDER BY id");
   rows.Bind(cell);
@@ -428,7 +428,7 @@ void Store::WriteCell(const CellRecord& cell) {
   }
 }
 
-void Store::WriteGate(int cell, int id, const check::StepGate& gate) {
+void Store::WriteGate(int cell, int id, const check::StepNoiseFloor& gate) {
   // Bound one by one, so that a new member does not go without its column unnoticed.
   const auto& [components, arm, penetration, lag, lag_turn] = gate;
   writing_->gate.Bind(cell, id, arm, penetration, lag, lag_turn).Run();

@@ -103,7 +103,7 @@ class Store {
   void RequireContents() const;
   [[noreturn]] void Refuse(const std::string& what, const std::string& allowed) const;
   void WriteCell(const CellRecord& cell);
-  void WriteGate(int cell, int id, const check::StepGate& gate);
+  void WriteGate(int cell, int id, const check::StepNoiseFloor& gate);
   void WriteTrial(const TimedTrial& trial);
   void WriteAttack(int cell, const AttackRecord& attack);
 

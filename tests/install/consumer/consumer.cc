@@ -1,9 +1,9 @@
 #include <cmath>
 
+#include "planner/constraint_posting/posting_planner.h"
 #include "planner/domain/problem/problem_file.h"
 #include "planner/geometry/collision.h"
 #include "planner/motion/path/tree_search.h"
-#include "planner/posting/posting_planner.h"
 
 namespace {
 
@@ -11,7 +11,7 @@ bool Plans() {
   const std::filesystem::path data = DATA_DIR;
   const auto scenario = assay::Document::Load(data / "scenarios/spar-fig15.yaml");
   const auto problem = assay::domain::ReadProblem(scenario, data / "models");
-  const auto result = assay::posting::MakePlan(problem, {});
+  const auto result = assay::constraint_posting::MakePlan(problem, {});
   return result.plan.steps.size() == 2;  // pickup, assemble
 }
 

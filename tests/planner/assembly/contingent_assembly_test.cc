@@ -17,7 +17,7 @@
 #include "planner/contingent/search/contingent_planner.h"
 #include "planner/contingent/tree/tree_check.h"
 #include "planner/contingent/tree/tree_file.h"
-#include "tests/planner/posting/scenarios.h"
+#include "tests/planner/constraint_posting/scenarios.h"
 #include "tests/scratch_file.h"
 
 namespace assay::assembly::contingent_assembly_test {
@@ -33,7 +33,7 @@ std::vector<domain::Problem> WorldsFrom(const std::string& text) {
 
 // Block and peg without errors: nothing is left to verify.
 std::string Exact(const std::string& block_pose, const std::string& peg_pose) {
-  return posting::PegAndBlock(block_pose, peg_pose);
+  return constraint_posting::PegAndBlock(block_pose, peg_pose);
 }
 
 constexpr const char* kBlockOnBack = "{stable: on-back, at: [24, 2], yaw: 30}";
@@ -132,7 +132,7 @@ TEST(ContingentAssembly, PosesThatLookAlikeAreNotToldApart) {
 // repeat) and error2 (the operator), after the assembly error3 (the operator) and error4 (a
 // search).
 TEST(ContingentAssembly, VerificationsBranchAndRecoveriesRepeat) {
-  const domain::Problem problem = posting::LoadScenario("uncertain-failing");
+  const domain::Problem problem = constraint_posting::LoadScenario("uncertain-failing");
   const ContingentAssembly assembly = MakeContingentPlan({problem}, {}, {});
   ExpectHoldsInAllWorlds(assembly);
   ASSERT_EQ(assembly.plans.front().plan.verifications.size(), 2U);
@@ -265,7 +265,7 @@ TEST(ContingentAssembly, APickupForgetsThePoseAndItsIntervals) {
 
 // Scenarios are named after their files, which may have any name.
 TEST(ContingentAssembly, TheKnowledgeOfAScenarioOfAnyNameIsReadBackFromItsText) {
-  domain::Problem problem = posting::LoadScenario("uncertain-failing");
+  domain::Problem problem = constraint_posting::LoadScenario("uncertain-failing");
   problem.name = "parts (2), of -all- kinds";
   const PlanKnowledge knowledge = MakeContingentPlan({problem}, {}, {}).knowledge;
   const contingent::Domain domain = contingent::ReadPksDomain(knowledge.domain, "d.pks");

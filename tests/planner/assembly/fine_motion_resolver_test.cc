@@ -10,17 +10,17 @@
 #include "planner/assembly/resolvers.h"
 #include "planner/base/random.h"
 #include "tests/oracle/executed_errors.h"
-#include "tests/planner/posting/scenarios.h"
+#include "tests/planner/constraint_posting/scenarios.h"
 
 namespace assay::assembly::fine_motion_resolver_test {
 namespace {
 
+using constraint_posting::Count;
+using constraint_posting::LoadScenario;
+using constraint_posting::Remedy;
+using constraint_posting::UnmetGoals;
 using geometry::Pose;
 using geometry::Vector3;
-using posting::Count;
-using posting::LoadScenario;
-using posting::Remedy;
-using posting::UnmetGoals;
 using ::testing::Contains;
 using ::testing::Each;
 using ::testing::ElementsAre;
@@ -41,7 +41,7 @@ uncertainty::Unproved Unproved(const std::string& condition) {
 // A scenario's first instance, and what is asked about its last step, an assemble.
 struct Asked {
   explicit Asked(domain::Problem of) : problem(std::move(of)) {
-    actions = posting::ActionsOf(posting::FirstInstance(problem));
+    actions = constraint_posting::ActionsOf(constraint_posting::FirstInstance(problem));
   }
 
   UnmetGoals About(const std::vector<std::string>& conditions) const {

@@ -7,7 +7,7 @@
 #include <functional>
 
 #include "planner/assembly/certified_plan.h"
-#include "tests/planner/posting/scenarios.h"
+#include "tests/planner/constraint_posting/scenarios.h"
 
 namespace assay::assembly::plan_check_test {
 namespace {
@@ -22,7 +22,7 @@ using ::testing::IsEmpty;
 using ::testing::Not;
 
 TEST(PlanCheck, ReplaysStrategies) {
-  const domain::Problem problem = posting::LoadScenario("uncertain-fine-motion");
+  const domain::Problem problem = constraint_posting::LoadScenario("uncertain-fine-motion");
   const plan::Plan plan = MakeCertifiedPlan(problem, {}, {}).plan;
   EXPECT_THAT(assembly::Check(problem, plan, 10).flaws, IsEmpty());
 
@@ -46,7 +46,7 @@ TEST(PlanCheck, ReplaysStrategies) {
 }
 
 TEST(PlanCheck, StrategiesAreCertainForTheArmsVelocity) {
-  domain::Problem problem = posting::LoadScenario("uncertain-fine-motion");
+  domain::Problem problem = constraint_posting::LoadScenario("uncertain-fine-motion");
   const plan::Plan plan = MakeCertifiedPlan(problem, {}, {}).plan;
   EXPECT_THAT(FlawsOfStrategies(problem, plan), IsEmpty());
   problem.mating_errors.velocity *= 1.5;
@@ -56,7 +56,7 @@ TEST(PlanCheck, StrategiesAreCertainForTheArmsVelocity) {
 
 // The strategy was found for holes that may be narrower than they should be.
 TEST(PlanCheck, TakesTheNarrowestHoles) {
-  domain::Problem problem = posting::LoadScenario("uncertain-fine-motion");
+  domain::Problem problem = constraint_posting::LoadScenario("uncertain-fine-motion");
   problem.tolerances.clearance = 0.02e-3;
   const plan::Plan plan = MakeCertifiedPlan(problem, {}, {}).plan;
   ASSERT_TRUE(

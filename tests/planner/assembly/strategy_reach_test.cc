@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "planner/finemotion/contacts/mating.h"
-#include "tests/planner/posting/scenarios.h"
+#include "tests/planner/constraint_posting/scenarios.h"
 
 namespace assay::assembly::strategy_reach_test {
 namespace {
@@ -17,9 +17,9 @@ using geometry::Vector3;
 // seat.
 class StrategyReachTest : public ::testing::Test {
  protected:
-  const domain::Problem problem_ = posting::LoadScenario("mate-square");
-  const plan::Assemble assemble_ =
-      std::get<plan::Assemble>(posting::ActionsOf(posting::FirstInstance(problem_)).back());
+  const domain::Problem problem_ = constraint_posting::LoadScenario("mate-square");
+  const plan::Assemble assemble_ = std::get<plan::Assemble>(
+      constraint_posting::ActionsOf(constraint_posting::FirstInstance(problem_)).back());
   const domain::Mating& mating_ = problem_.mating(assemble_.mating);
   const finemotion::MatingGeometry geometry_ = finemotion::GeometryOf(problem_, mating_);
   plan::Strategy strategy_ = {.X_HeldTip = geometry_.X_HeldTip,

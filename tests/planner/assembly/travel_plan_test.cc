@@ -13,7 +13,7 @@
 #include "planner/motion/path/straight_line.h"
 #include "planner/plan/data/not_covered.h"
 #include "planner/plan/data/tool_route.h"
-#include "tests/planner/posting/scenarios.h"
+#include "tests/planner/constraint_posting/scenarios.h"
 
 namespace assay::assembly::travel_plan_test {
 namespace {
@@ -30,7 +30,7 @@ using ::testing::Not;
 const PartId kMast(2);
 
 const domain::Problem& Mast() {
-  static const domain::Problem problem = posting::LoadScenario("mast");
+  static const domain::Problem problem = constraint_posting::LoadScenario("mast");
   return problem;
 }
 
@@ -56,7 +56,7 @@ const plan::CertifiedPrecondition* Claim(const plan::PlannedStep& step, const ch
 
 // Nothing is in the way in the paper's figures.
 TEST(TravelPlan, GoesTheUsualWayWhereItIsFree) {
-  const domain::Problem problem = posting::LoadScenario("spar-fig15");
+  const domain::Problem problem = constraint_posting::LoadScenario("spar-fig15");
   const plan::PlanResult result = MakeCertifiedPlan(problem, {}, {});
   ASSERT_EQ(result.outcome, Outcome::kFound);
   EXPECT_THAT(StepsByPath(result.plan), IsEmpty());
@@ -66,7 +66,7 @@ TEST(TravelPlan, GoesTheUsualWayWhereItIsFree) {
 
 TEST(TravelPlan, SaysOfEachStepWhetherTheArmReaches) {
   for (const char* name : {"uncertain-known", "uncertain-squeezing"}) {
-    const domain::Problem problem = posting::LoadScenario(name);
+    const domain::Problem problem = constraint_posting::LoadScenario(name);
     const plan::Plan plan = MakeCertifiedPlan(problem, {}, {}).plan;
     for (const plan::PlannedStep& step : plan.steps) {
       for (const char* condition : {"reach", "way clear"}) {
@@ -79,7 +79,7 @@ TEST(TravelPlan, SaysOfEachStepWhetherTheArmReaches) {
 }
 
 TEST(TravelPlan, InPaperModeNothingIsSaidOfTheArm) {
-  const domain::Problem problem = posting::LoadScenario("spar-fig15");
+  const domain::Problem problem = constraint_posting::LoadScenario("spar-fig15");
   const plan::Plan plan =
       MakeCertifiedPlan(problem, {}, {.propagation = uncertainty::Propagation::kPaper}).plan;
   for (const plan::PlannedStep& step : plan.steps) EXPECT_EQ(Claim(step, "reach"), nullptr);
@@ -88,7 +88,7 @@ TEST(TravelPlan, InPaperModeNothingIsSaidOfTheArm) {
 
 // A claim that says more than can be computed anew; a posture on the other side of the shoulder.
 TEST(TravelPlan, WhatIsClaimedOfWaysIsComputedAnew) {
-  const domain::Problem problem = posting::LoadScenario("uncertain-known");
+  const domain::Problem problem = constraint_posting::LoadScenario("uncertain-known");
   const plan::Plan plan = MakeCertifiedPlan(problem, {}, {}).plan;
   plan::Plan bragging = plan;
   for (auto& claim : bragging.steps[0].certificate.preconditions) {
@@ -104,7 +104,8 @@ TEST(TravelPlan, WhatIsClaimedOfWaysIsComputedAnew) {
 
 // Of the arm's ways the plan names what it does not claim, also of the way home.
 TEST(TravelPlan, WhatIsNotClaimedOfWaysIsNamed) {
-  const plan::Plan plan = MakeCertifiedPlan(posting::LoadScenario("uncertain-known"), {}, {}).plan;
+  const plan::Plan plan =
+      MakeCertifiedPlan(constraint_posting::LoadScenario("uncertain-known"), {}, {}).plan;
   EXPECT_THAT(plan::NotCovered(plan), Each(Not(HasSubstr(": step"))));
   for (std::size_t i = 0; i < plan.steps.size(); ++i) {
     plan::Plan silent = plan;

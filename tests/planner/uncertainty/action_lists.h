@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
+#include "planner/constraint_posting/posting_planner.h"
 #include "planner/domain/problem/problem_file.h"
 #include "planner/domain/reach/reachability.h"
-#include "planner/posting/posting_planner.h"
 #include "planner/uncertainty/preconditions/certify.h"
 #include "tests/oracle/executed_errors.h"
 
@@ -37,7 +37,7 @@ inline domain::PoseError Symmetric(double length, double angle) {
 
 // The first plan of the first phase, in its order of execution.
 inline std::vector<plan::Action> FirstPlan(const domain::Problem& problem) {
-  const plan::PlanResult result = posting::MakePlan(problem, {});
+  const plan::PlanResult result = constraint_posting::MakePlan(problem, {});
   std::vector<plan::Action> actions;
   for (plan::StepId id : result.plan.ExecutionOrder()) {
     actions.push_back(result.plan.step(id).action);

@@ -34,18 +34,18 @@ plan::Pickup PickupOf(const domain::Problem& problem) {
       kBlock, {"across x", X_PartTool, 3 * kInch}, {"on-end", problem.part(kBlock).X_WorldPart}};
 }
 
-CertifiedStep CertifyPaper(const domain::Problem& problem, algebra::Rung highest) {
+CertifiedStep CertifyPaper(const domain::Problem& problem, algebra::BoundingMethod highest) {
   UncertainWorld world(problem, Propagation::kPaper);
   return CertifyStep(world, PickupOf(problem), {.highest = highest});
 }
 
 // Table 2 with its erratum (the leading constant, and angles in degrees).
 TEST(WorkedExample, TermwiseBoundsOfTheFourPreconditions) {
-  const auto step = CertifyPaper(WorkedExample(), algebra::Rung::kTermwise);
+  const auto step = CertifyPaper(WorkedExample(), algebra::BoundingMethod::kTermwise);
   const auto& claims = step.certificate.preconditions;
   ASSERT_THAT(claims, SizeIs(4));
   EXPECT_THAT(claims, Each(Field(&plan::CertifiedPrecondition::condition, "between fingers")));
-  EXPECT_THAT(claims, Each(Field(&plan::CertifiedPrecondition::rung, "termwise")));
+  EXPECT_THAT(claims, Each(Field(&plan::CertifiedPrecondition::method, "termwise")));
   // INF y(P1^-1 C1), INF y(P1^-1 C2), SUP y(P2^-1 C1), SUP y(P2^-1 C2), in inches.
   std::vector<double> inches;
   for (const auto& claim : claims) inches.push_back(claim.bound / kInch);
@@ -58,7 +58,7 @@ TEST(WorkedExample, TermwiseBoundsOfTheFourPreconditions) {
 }
 
 TEST(WorkedExample, TheExpressionOfTheCertificateHasTheTrueMinimum) {
-  const auto step = CertifyPaper(WorkedExample(), algebra::Rung::kTermwise);
+  const auto step = CertifyPaper(WorkedExample(), algebra::BoundingMethod::kTermwise);
   algebra::ExpressionPool pool;
   const std::vector<Expression> expressions = oracle::CertifiedExpressions(step.certificate, pool);
   const auto& claims = step.certificate.preconditions;
@@ -73,7 +73,7 @@ struct Failing {
   double dx = 0.11;    // inches
 };
 
-bool Proved(const Failing& errors, algebra::Rung highest) {
+bool Proved(const Failing& errors, algebra::BoundingMethod highest) {
   domain::Problem problem = WorkedExample();
   domain::PoseError& error = problem.parts[kBlock.index()].error;
   error.theta = {-errors.theta * kDegree, errors.theta * kDegree};
@@ -82,7 +82,8 @@ bool Proved(const Failing& errors, algebra::Rung highest) {
 }
 
 TEST(WorkedExample, StopsBeingProvable) {
-  for (const auto highest : {algebra::Rung::kTermwise, algebra::Rung::kBranchAndBound}) {
+  for (const auto highest :
+       {algebra::BoundingMethod::kTermwise, algebra::BoundingMethod::kBranchAndBound}) {
     EXPECT_TRUE(Proved({.theta = 22.8}, highest));
     EXPECT_FALSE(Proved({.theta = 22.9}, highest));
     EXPECT_TRUE(Proved({.dx = 0.403}, highest));
@@ -98,7 +99,8 @@ void ExpectNear(const Interval& actual, const Interval& expected) {
 
 // T'_d: the object's origin in the axes of the hand, y and the rotation from the hand alone.
 TEST(WorkedExample, AfterPickupThePublishedSet) {
-  const auto after = CertifyPaper(WorkedExample(), algebra::Rung::kTermwise).certificate.after;
+  const auto after =
+      CertifyPaper(WorkedExample(), algebra::BoundingMethod::kTermwise).certificate.after;
   ASSERT_THAT(after, SizeIs(1));
   EXPECT_TRUE(after[0].in_hand);
   ExpectNear(after[0].x, Inches(0.111));

@@ -7,7 +7,7 @@
 #include <functional>
 
 #include "planner/assembly/certified_plan.h"
-#include "tests/planner/posting/scenarios.h"
+#include "tests/planner/constraint_posting/scenarios.h"
 
 namespace assay::verify::plan_verification_test {
 namespace {
@@ -32,7 +32,7 @@ class PlanVerification : public ::testing::Test {
     return plan;
   }
 
-  const domain::Problem problem_ = posting::LoadScenario("uncertain-known");
+  const domain::Problem problem_ = constraint_posting::LoadScenario("uncertain-known");
   const plan::Plan plan_ = assembly::MakeCertifiedPlan(problem_, {}, {}).plan;
 };
 

@@ -3,8 +3,8 @@
 #include <string>
 #include <utility>
 
+#include "planner/constraint_posting/uncertainty_phase/uncertainty_phase.h"
 #include "planner/domain/problem/problem_file.h"
-#include "planner/posting/uncertainty_phase/uncertainty_phase.h"
 
 namespace assay::check {
 
@@ -16,10 +16,10 @@ struct Certified {
 
 inline Certified CertifiedPlan(domain::Problem problem, uncertainty::Propagation propagation =
                                                             uncertainty::Propagation::kSound) {
-  posting::UncertaintyOptions options;
+  constraint_posting::UncertaintyOptions options;
   options.propagation = propagation;
   options.instances = 1;
-  plan::Plan plan = posting::MakeCertifiedPlan(problem, {}, options).plan;
+  plan::Plan plan = constraint_posting::MakeCertifiedPlan(problem, {}, options).plan;
   return {std::move(problem), std::move(plan)};
 }
 

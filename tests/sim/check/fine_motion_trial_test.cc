@@ -6,7 +6,7 @@
 #include <string>
 
 #include "planner/assembly/certified_plan.h"
-#include "sim/check/claims/measure_gate.h"
+#include "sim/check/claims/measure_noise_floor.h"
 #include "sim/check/falsification/attack.h"
 #include "sim/noise/error_box.h"
 #include "sim/noise/sampling.h"
@@ -39,12 +39,12 @@ class FeltAssembly : public testing::Test {
   }
   static plan::StepId AssembleStep() { return FirstStep<plan::Assemble>(certified().plan); }
 
-  static const HonestyGate& Gate() {
-    static const HonestyGate gate = MeasureGate(certified().problem, certified().plan, {});
+  static const NoiseFloor& Gate() {
+    static const NoiseFloor gate = MeasureNoiseFloor(certified().problem, certified().plan, {});
     return gate;
   }
 
-  static NoisyTrial Run(const plan::Plan& plan, noise::Mode mode, const HonestyGate& gate) {
+  static NoisyTrial Run(const plan::Plan& plan, noise::Mode mode, const NoiseFloor& gate) {
     const Experiment experiment{certified().problem, plan, {}, gate};
     const auto box = noise::ErrorBox(certified().problem, plan);
     return RunNoisyTrial(experiment, noise::Sample(box, mode, kSeed, 1), {.sample_rate = 0});

@@ -18,7 +18,7 @@
 
 #include "sim/check/claims/certificate_check.h"
 #include "sim/check/claims/confirmation.h"
-#include "sim/check/claims/measure_gate.h"
+#include "sim/check/claims/measure_noise_floor.h"
 #include "sim/check/falsification/attack.h"
 #include "sim/check/falsification/main_effects.h"
 #include "sim/exec/execution/executor.h"
@@ -29,7 +29,7 @@ namespace {
 
 constexpr std::uint64_t kSeed = 11;
 
-Experiment Of(const Certified& certified, const HonestyGate& gate) {
+Experiment Of(const Certified& certified, const NoiseFloor& gate) {
   return {certified.problem, certified.plan, {}, gate};
 }
 
@@ -149,7 +149,7 @@ struct Effort {
 };
 
 Scores ScoresOf(const Certified& certified, const Effort& effort) {
-  const HonestyGate gate = MeasureGate(certified.problem, certified.plan, {});
+  const NoiseFloor gate = MeasureNoiseFloor(certified.problem, certified.plan, {});
   const Experiment experiment = Of(certified, gate);
   TrueErrors errors(experiment, effort.corners);
   EXPECT_FALSE(errors.Reveal(certified.plan)) << "the theory itself lies";

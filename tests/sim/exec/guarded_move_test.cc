@@ -102,7 +102,7 @@ TEST_P(Heights, TheMoveEndsAtTheTable) {
 
 TEST_P(Heights, ThePartRestsThere) {
   const Landing& landing = Onto(GetParam());
-  const Moment& end = landing.trace.All<StepEnd>().at(0)->moment;
+  const Snapshot& end = landing.trace.All<StepEnd>().at(0)->moment;
   EXPECT_NEAR(end.table_heights[peg().index()], GetParam(), 1e-15);
   EXPECT_EQ(end.table_heights[1 - peg().index()], 0) << "the other part's stays";
   EXPECT_NEAR(end.parts[peg().index()].truth.translation().z(), RestingHeight() + GetParam(), 2e-5);
@@ -114,7 +114,7 @@ TEST_P(Heights, ThePartRestsThere) {
 
 // The belief is that of the plan, whatever the table's height.
 TEST_P(Heights, ThePartIsBelievedToBeWhereItWasToGo) {
-  const Moment& end = Onto(GetParam()).trace.All<StepEnd>().at(0)->moment;
+  const Snapshot& end = Onto(GetParam()).trace.All<StepEnd>().at(0)->moment;
   const auto& putdown = std::get<plan::Putdown>(plan().step(kPutdown).action);
   EXPECT_EQ(end.parts[peg().index()].believed.matrix(), putdown.to.X_WorldPart.matrix());
 }
@@ -137,7 +137,7 @@ TEST_F(GuardedMove, EndsWithoutResistanceWhereThereIsNothing) {
   EXPECT_FALSE(landing.guard().resisted);
   const double travel = problem().workcell->rules().guarded_travel;
   EXPECT_NEAR(landing.guard().tool.translation().z(), ExpectedHeight() - travel, 1e-6);
-  const Moment& end = landing.trace.All<StepEnd>().at(0)->moment;
+  const Snapshot& end = landing.trace.All<StepEnd>().at(0)->moment;
   EXPECT_LT(end.parts[peg().index()].truth.translation().z(), RestingHeight() - travel);
 }
 

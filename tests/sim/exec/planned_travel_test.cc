@@ -64,7 +64,7 @@ TEST_F(BesideTheMast, PlannedPathsTouchNothingAndTheGoalIsReached) {
   const Trace trace = Executed(planned());
   ASSERT_EQ(trace.end().outcome, ExecutionOutcome::kDone) << trace.end().reason;
   EXPECT_THAT(TouchedMast(trace), IsEmpty());
-  const Moment& end = trace.end().moment;
+  const Snapshot& end = trace.end().moment;
   for (std::size_t p = 2; p < problem().parts.size(); ++p) {
     const Vector3 moved =
         end.parts[p].truth.translation() - problem().parts[p].X_WorldPart.translation();

@@ -34,7 +34,7 @@ class CarefullyExecuted : public testing::TestWithParam<scene::GraspMode> {
         start_(Executed().start),
         trace_(Executed().trace) {}
 
-  const Moment& AfterStep(int executed) const {
+  const Snapshot& AfterStep(int executed) const {
     return trace_.All<StepEnd>()[static_cast<std::size_t>(executed) - 1]->moment;
   }
 

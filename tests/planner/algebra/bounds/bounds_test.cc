@@ -20,9 +20,11 @@ using oracle::ValueAt;
 
 constexpr double kDegree = std::numbers::pi / 180;
 constexpr double kRounding = 1e-14;  // of a few operations on numbers near 1
-constexpr Rung kRungs[] = {Rung::kTermwise, Rung::kMonotone, Rung::kCentred, Rung::kBranchAndBound};
+constexpr BoundingMethod kBoundingMethods[] = {BoundingMethod::kTermwise, BoundingMethod::kMonotone,
+                                               BoundingMethod::kCentred,
+                                               BoundingMethod::kBranchAndBound};
 
-BoundRequest UpTo(Rung highest) { return {.highest = highest}; }
+BoundRequest UpTo(BoundingMethod highest) { return {.highest = highest}; }
 
 Interval Range(const Expression& e, const ConstraintSet& constraints,
                const BoundRequest& request = {}) {
@@ -89,7 +91,7 @@ Expression FingerCoordinate(double leading, double contact_x, const SparBounds& 
 Interval TermwiseFingerRange(double leading, double contact_x, const SparBounds& bounds = {}) {
   ExpressionPool pool;
   const Expression e = FingerCoordinate(leading, contact_x, bounds, pool);
-  return Range(e, DeclaredBox(pool), UpTo(Rung::kTermwise));
+  return Range(e, DeclaredBox(pool), UpTo(BoundingMethod::kTermwise));
 }
 
 TEST(SparExample, TermwiseBoundsOfTheFourPreconditions) {
@@ -106,9 +108,9 @@ TEST(SparExample, TermwiseBoundsOfTheFourPreconditions) {
 TEST(SparExample, TermwiseIs3279301AndTheTruth3279336) {
   ExpressionPool pool;
   const Expression e = FingerCoordinate(2, 3, {}, pool);
-  const Bound termwise = BoundBelow(e, DeclaredBox(pool), UpTo(Rung::kTermwise));
+  const Bound termwise = BoundBelow(e, DeclaredBox(pool), UpTo(BoundingMethod::kTermwise));
   EXPECT_NEAR(termwise.value, 3.279301, 5e-7);
-  EXPECT_EQ(termwise.rung, Rung::kTermwise);
+  EXPECT_EQ(termwise.method, BoundingMethod::kTermwise);
   const Bound refined = BoundBelow(e, DeclaredBox(pool), {});
   EXPECT_NEAR(refined.value, 3.279336, 5e-7);
   EXPECT_LE(refined.gap, 1e-6);
@@ -126,7 +128,7 @@ TEST(SparExample, ProvableUpToTheStatedErrors) {
   EXPECT_FALSE(AllFourAreProvable({.dx = 0.404}));
 }
 
-// ---- Each rung on what it is for ----
+// ---- Each method on what it is for ----
 
 TEST(Bounds, TermwiseIsExactForLinearExpressions) {
   ExpressionPool pool;
@@ -134,7 +136,7 @@ TEST(Bounds, TermwiseIsExactForLinearExpressions) {
   const Expression y = pool.Declare("y", {0, 4});
   const Bound sup = BoundAbove(2 * x - y, DeclaredBox(pool), {});
   EXPECT_NEAR(sup.value, 4, kRounding);
-  EXPECT_EQ(sup.rung, Rung::kTermwise);
+  EXPECT_EQ(sup.method, BoundingMethod::kTermwise);
   EXPECT_LE(sup.gap, kRounding);
   EXPECT_EQ(sup.at, (std::vector<double>{2, 0}));
   EXPECT_NEAR(BoundBelow(2 * x - y, DeclaredBox(pool), {}).value, -6, kRounding);
@@ -145,9 +147,9 @@ TEST(Bounds, MonotoneSetsVariablesThatTermsShare) {
   const Expression x = pool.Declare("x", {1, 2});
   const Bound sup = BoundAbove(Power(x, 3) - x, DeclaredBox(pool), {});
   EXPECT_NEAR(sup.value, 6, 1e-12);
-  EXPECT_EQ(sup.rung, Rung::kMonotone);
-  EXPECT_NEAR(BoundAbove(Power(x, 3) - x, DeclaredBox(pool), UpTo(Rung::kTermwise)).value, 7,
-              1e-12);
+  EXPECT_EQ(sup.method, BoundingMethod::kMonotone);
+  EXPECT_NEAR(BoundAbove(Power(x, 3) - x, DeclaredBox(pool), UpTo(BoundingMethod::kTermwise)).value,
+              7, 1e-12);
 }
 
 TEST(Bounds, CentredIsTightWhereTheExpressionIsConcave) {
@@ -157,14 +159,14 @@ TEST(Bounds, CentredIsTightWhereTheExpressionIsConcave) {
   const Expression e = x + y - Power(x, 2) - x * y - Power(y, 2);  // at (1/3, 1/3)
   const Bound sup = BoundAbove(e, DeclaredBox(pool), {});
   EXPECT_NEAR(sup.value, 1.0 / 3, 1e-9);
-  EXPECT_EQ(sup.rung, Rung::kCentred);
+  EXPECT_EQ(sup.method, BoundingMethod::kCentred);
 }
 
 TEST(Bounds, BranchAndBoundFindsTheHigherOfTwoHills) {
   ExpressionPool pool;
   const Expression x = pool.Declare("x", {0, 12});
   const Bound sup = BoundAbove(Sin(x) + x / 10, DeclaredBox(pool), {});
-  EXPECT_EQ(sup.rung, Rung::kBranchAndBound);
+  EXPECT_EQ(sup.method, BoundingMethod::kBranchAndBound);
   // At x = 2 pi + acos(-1/10).
   const double top = 2 * std::numbers::pi + std::acos(-0.1);
   EXPECT_NEAR(sup.value, std::sin(top) + top / 10, 1e-6);
@@ -177,8 +179,8 @@ TEST(Bounds, HigherRungsAreNeverLooser) {
     ExpressionPool pool;
     const Expression e = workloads::PlanarChain(links, workloads::kWideErrors, random, pool);
     Interval previous = kWholeLine;
-    for (Rung rung : kRungs) {
-      const Interval range = Range(e, DeclaredBox(pool), UpTo(rung));
+    for (BoundingMethod method : kBoundingMethods) {
+      const Interval range = Range(e, DeclaredBox(pool), UpTo(method));
       EXPECT_GE(range.low, previous.low);
       EXPECT_LE(range.high, previous.high);
       previous = range;
@@ -271,7 +273,7 @@ TEST(Bounds, LinearInequalitiesGiveTheLinearCore) {
   constraints.inequalities = {{x + 2 * y, 4}, {3 * x + y, 6}};
   const Bound sup = BoundAbove(x + y, constraints, {});
   EXPECT_NEAR(sup.value, 2.8, 1e-12);  // at (1.6, 1.2)
-  EXPECT_EQ(sup.rung, Rung::kLinear);
+  EXPECT_EQ(sup.method, BoundingMethod::kLinear);
   EXPECT_LE(sup.gap, 1e-6);
   ExpectHonest(sup, 1, x + y, constraints);
 }
@@ -398,7 +400,7 @@ void ExpectSame(const Bound& a, const Bound& b) {
   EXPECT_EQ(a.value, b.value);
   EXPECT_EQ(a.gap, b.gap);
   EXPECT_EQ(a.at, b.at);
-  EXPECT_EQ(a.rung, b.rung);
+  EXPECT_EQ(a.method, b.method);
   EXPECT_EQ(a.evaluations, b.evaluations);
 }
 
@@ -508,15 +510,15 @@ TEST(PreparedExpression, HasTheKnownRangesOfMeasuredExpressions) {
   }
 }
 
-class RandomExpressions : public testing::TestWithParam<Rung> {};
-INSTANTIATE_TEST_SUITE_P(EachRung, RandomExpressions, testing::ValuesIn(kRungs),
+class RandomExpressions : public testing::TestWithParam<BoundingMethod> {};
+INSTANTIATE_TEST_SUITE_P(EachRung, RandomExpressions, testing::ValuesIn(kBoundingMethods),
                          [](const auto& instance) {
                            std::string name(Name(instance.param));
                            std::erase(name, '-');
                            return name;
                          });
 
-// Of every rung, on 10,000 expressions together: no value, sampled or climbed to, lies outside.
+// Of every method, on 10,000 expressions together: no value, sampled or climbed to, lies outside.
 TEST_P(RandomExpressions, HaveNoValueOutsideTheirBounds) {
   RandomStream random(17, Name(GetParam()));
   for (int i = 0; i < 2500; ++i) {

@@ -134,7 +134,7 @@ TEST(Derivatives, KnowWhereThereIsNoValue) {
   EXPECT_TRUE(over.DefinedEverywhere());
 }
 
-// ---- What the rungs make of them ----
+// ---- What the methods make of them ----
 
 TEST(MonotoneVariables, AreSetOneAfterAnother) {
   ExpressionPool pool;

@@ -23,12 +23,12 @@ std::optional<JointPath> RandomLine(const CollisionScene& scene, RandomStream& r
   return line.path->q;
 }
 
-plan::ToolDoubt RandomDoubt(RandomStream& random) {
+plan::ToolErrorBox RandomDoubt(RandomStream& random) {
   const double size = random.Uniform(0, 1);
   return {.shift = size * Vector3(0.004, 0.004, 0.002), .turn = size * 0.06, .spin = size * 0.01};
 }
 
-Pose Off(const Pose& X_WorldTool, const plan::ToolDoubt& doubt, RandomStream& random) {
+Pose Off(const Pose& X_WorldTool, const plan::ToolErrorBox& doubt, RandomStream& random) {
   // Half of them are as great as they may be.
   const auto any = [&](double half) {
     const double share = random.Uniform(-2, 2);
@@ -47,7 +47,7 @@ struct Erring {
   std::optional<JointVector> is;
 };
 
-Erring AnyErring(const JointPath& path, const plan::ToolDoubt& doubt, RandomStream& random) {
+Erring AnyErring(const JointPath& path, const plan::ToolErrorBox& doubt, RandomStream& random) {
   const auto piece =
       static_cast<std::size_t>(random.Uniform() * static_cast<double>(path.size() - 1));
   Pose planned = ToolAt(Cell(), path[piece]);
@@ -77,7 +77,7 @@ TEST(Sway, BoundsWhatErrorsDoToTheJoints) {
   for (int i = 0; i < 60; ++i) {
     const auto path = RandomLine(scene, random);
     if (!path) continue;
-    const plan::ToolDoubt doubt = RandomDoubt(random);
+    const plan::ToolErrorBox doubt = RandomDoubt(random);
     const Sway sway = SwayAlong(Cell(), *path, doubt);
     if (!sway.is_bounded || sway.room <= 0) continue;
     ++bounded;
@@ -147,7 +147,7 @@ double Nearest(const CollisionScene& scene, const JointVector& q) {
 }
 
 // With all errors at their ends: of each bit of `corner` one.
-Pose AtCorner(const Pose& X_WorldTool, const plan::ToolDoubt& doubt, int corner) {
+Pose AtCorner(const Pose& X_WorldTool, const plan::ToolErrorBox& doubt, int corner) {
   const auto end = [&](int bit, double half) { return (corner >> bit & 1) != 0 ? half : -half; };
   Pose off = X_WorldTool;
   off.linear() = geometry::RotationZ(end(0, doubt.turn)).linear() * X_WorldTool.linear() *
@@ -159,7 +159,7 @@ Pose AtCorner(const Pose& X_WorldTool, const plan::ToolDoubt& doubt, int corner)
 // The least distance of any two bodies where the arm is planned to come nearest to anything, of
 // errors at all corners.
 double NearestAtCorners(const CollisionScene& scene, const JointPath& path,
-                        const plan::ToolDoubt& doubt) {
+                        const plan::ToolErrorBox& doubt) {
   constexpr int kPoints = 20;
   std::vector<std::pair<double, JointVector>> planned;
   for (std::size_t piece = 0; piece + 1 < path.size(); ++piece) {
@@ -214,7 +214,7 @@ TEST(Sway, IsKeptClearOf) {
   for (int i = 0; i < 400; ++i) {
     const auto path = RandomLine(scene, random);
     if (!path) continue;
-    const plan::ToolDoubt doubt = RandomDoubt(random);
+    const plan::ToolErrorBox doubt = RandomDoubt(random);
     const Sway sway = SwayAlong(Cell(), *path, doubt);
     if (!sway.is_bounded || sway.room <= 0) continue;
     const CollisionScene beside = WithTheBlockBeside(path->front(), random);

@@ -49,13 +49,13 @@ class CertificateCheckTest : public testing::Test {
     return claim;
   }
   // The same moment, the peg displaced in the world.
-  exec::Moment Displaced(double y_of_tool) const {
-    exec::Moment moment = moment_;
+  exec::Snapshot Displaced(double y_of_tool) const {
+    exec::Snapshot moment = moment_;
     Pose& truth = moment.parts[peg_.index()].truth;
     truth.translation() += moment.tool.truth.linear().col(1) * y_of_tool;
     return moment;
   }
-  std::vector<Claim> Check(const exec::Moment& reached, const exec::Moment& end,
+  std::vector<Claim> Check(const exec::Snapshot& reached, const exec::Snapshot& end,
                            bool recovered = false) {
     exec::Trace trace;
     trace.events.push_back(exec::Milestone{kPickup, Stage::kPoised, moment_});
@@ -86,7 +86,7 @@ class CertificateCheckTest : public testing::Test {
   plan::Plan plan_;
   PartId peg_;
   plan::Pickup pickup_;
-  exec::Moment moment_;
+  exec::Snapshot moment_;
 };
 
 TEST_F(CertificateCheckTest, WithoutErrorsAllIsContained) {

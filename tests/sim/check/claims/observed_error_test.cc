@@ -31,7 +31,7 @@ class ObservedErrorTest : public testing::Test {
   domain::Problem problem_;
   plan::Plan plan_;
   PartId peg_;
-  exec::Moment moment_;
+  exec::Snapshot moment_;
 };
 
 TEST_F(ObservedErrorTest, AtRestItIsDisplacedInTheWorldAndTurnedAboutTheVertical) {

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "sim/check/claims/measure_gate.h"
+#include "sim/check/claims/measure_noise_floor.h"
 #include "sim/check/falsification/conservatism.h"
 #include "sim/check/falsification/shrink.h"
 #include "sim/noise/sampling.h"
@@ -16,8 +16,10 @@ namespace {
 constexpr std::uint64_t kSeed = 7;
 
 Experiment Of(const Certified& certified) {
-  return {
-      certified.problem, certified.plan, {}, MeasureGate(certified.problem, certified.plan, {})};
+  return {certified.problem,
+          certified.plan,
+          {},
+          MeasureNoiseFloor(certified.problem, certified.plan, {})};
 }
 
 std::int64_t Violated(const AttackResult& result) {

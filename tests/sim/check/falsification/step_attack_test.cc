@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <set>
 
-#include "sim/check/claims/measure_gate.h"
+#include "sim/check/claims/measure_noise_floor.h"
 #include "sim/noise/error_box.h"
 #include "tests/sim/check/certified.h"
 
@@ -21,7 +21,7 @@ class PickupAfterALook : public testing::Test {
     experiment_ = new Experiment{certified_->problem,
                                  certified_->plan,
                                  {},
-                                 MeasureGate(certified_->problem, certified_->plan, {})};
+                                 MeasureNoiseFloor(certified_->problem, certified_->plan, {})};
     worlds_ = new std::vector<AttackedWorld>(
         WorldsOf(*experiment_, noise::ErrorBox(certified_->problem, certified_->plan)));
   }

@@ -30,16 +30,16 @@ class Carry : public testing::Test {
         problem_(loaded_.scenario.problem),
         scene_(problem_, {}),
         data_(exec::StartOf(problem_, scene_, {})),
-        crew_(problem_, scene_, data_, options_) {
-    crew_.acting().world().Take(kCan, kFromAbove);
+        robots_(problem_, scene_, data_, options_) {
+    robots_.acting().world().Take(kCan, kFromAbove);
   }
 
   void Believe(PartId part, double x, double y, double z = 0) {
-    crew_.acting().world().Believe(part, geometry::Translation(x, y, z));
+    robots_.acting().world().Believe(part, geometry::Translation(x, y, z));
   }
   // Why it is not done; empty if it is.
   std::string FailureOf(const std::string& action) {
-    Situation situation{.crew = crew_,
+    Situation situation{.robots = robots_,
                         .readings = readings_,
                         .sensor_noise = random_,
                         .color_sensor = nullptr,
@@ -54,7 +54,7 @@ class Carry : public testing::Test {
   const scene::Scene scene_;
   const exec::ExecutorOptions options_ = {.sample_rate = 0};
   mujoco::Data data_;
-  Crew crew_;
+  Robots robots_;
   Readings readings_;
   RandomStream random_{1, "carry"};
 };
@@ -69,7 +69,7 @@ TEST_F(Carry, EndsWhereWhatIsHeldCanBePutDown) {
 
 TEST_F(Carry, NamesThePairThatIsTooNearAtTheStart) {
   const geometry::Vector3 held =
-      crew_.acting().world().PartPose(kCan, crew_.acting().BelievedTool()).translation();
+      robots_.acting().world().PartPose(kCan, robots_.acting().BelievedTool()).translation();
   Believe(kOtherCan, held.x() + 0.07, held.y(), held.z());  // 10 mm away
   EXPECT_THAT(FailureOf("transfer"),
               AllOf(HasSubstr("no way to a free place on second-table for can1: at the start, "),

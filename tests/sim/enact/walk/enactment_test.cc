@@ -147,7 +147,7 @@ TEST(Enactment, AnArmThatRunsIntoSomethingHasFailed) {
   const KnowledgeScenario scenario = TwoCans({{"at: [650, -142]", "at: [850, -640]"}}, "post");
   const geometry::Vector3 into_the_way(-0.2, 0.498, 0);
   HiddenWorld world = kOneFull;
-  world.mishap = Mishap{.action = "transferUpright", .part = PartId(2), .way = into_the_way};
+  world.fault = Fault{.action = "transferUpright", .part = PartId(2), .way = into_the_way};
   const EnactedTrial trial = RunTrial(scenario, TreeOf(scenario), {1, world}, {});
   EXPECT_EQ(trial.outcome, EnactmentOutcome::kCollided) << trial.reason;
   EXPECT_TRUE(trial.IsFailed());
@@ -160,7 +160,7 @@ TEST(Enactment, AnArmThatRunsIntoSomethingHasFailed) {
 TEST(Enactment, AHeldPartThatRunsIntoAnotherHasFailed) {
   const KnowledgeScenario scenario = TwoCans();
   HiddenWorld world = kOneFull;
-  world.mishap = Mishap{.action = "ungrasp", .part = PartId(1), .way = {-0.03, 0.85, 0}};
+  world.fault = Fault{.action = "ungrasp", .part = PartId(1), .way = {-0.03, 0.85, 0}};
   const EnactedTrial trial = RunTrial(scenario, TreeOf(scenario), {1, world}, {});
   EXPECT_TRUE(trial.IsFailed());
   ASSERT_FALSE(trial.collisions.empty());

@@ -14,9 +14,9 @@
 #include "planner/contingent/grounding/ground_query.h"
 #include "planner/contingent/search/contingent_planner.h"
 #include "sim/enact/walk/enactment.h"
+#include "sim/enact/walk/fault.h"
 #include "sim/enact/walk/knowledge_scenario.h"
 #include "sim/enact/walk/leaves.h"
-#include "sim/enact/walk/mishap.h"
 #include "sim/exec/execution/executor.h"
 #include "sim/render/renderer.h"
 #include "sim/sense/overhead_camera.h"
@@ -81,9 +81,9 @@ TEST_F(FallenPeg, ErrorBranchesAreComeTo) {
       continue;
     }
     const auto& world = std::get<HiddenWorld>(found);
-    ASSERT_TRUE(world.mishap);
+    ASSERT_TRUE(world.fault);
     const EnactedTrial trial = RunTrial(Scenario(), tree, {1, world}, {.seed = 1});
-    EXPECT_TRUE(leaf.IsOn(trial.walk)) << leaf.Text() << ": " << trial.mishap;
+    EXPECT_TRUE(leaf.IsOn(trial.walk)) << leaf.Text() << ": " << trial.fault;
     EXPECT_FALSE(trial.IsFailed()) << leaf.Text() << ": " << trial.reason;
     ++executed;
   }
@@ -102,16 +102,16 @@ TEST_F(FallenPeg, AnOpeningThatIsTooWideIsATurnedPart) {
   const auto too_wide = std::ranges::find(errors, "error2", &StepError::error);
   ASSERT_NE(too_wide, errors.end());
   RandomStream random(1, "mishap");
-  const auto made = MishapFor(planned, standing, *too_wide, random);
-  ASSERT_TRUE(std::holds_alternative<Mishap>(made));
-  const auto& mishap = std::get<Mishap>(made);
-  EXPECT_EQ(mishap.action, too_wide->step);
+  const auto made = FaultFor(planned, standing, *too_wide, random);
+  ASSERT_TRUE(std::holds_alternative<Fault>(made));
+  const auto& fault = std::get<Fault>(made);
+  EXPECT_EQ(fault.action, too_wide->step);
   // The plate is 3 inches wide and 1 inch thick; it leans a little.
-  EXPECT_NEAR(std::abs(mishap.turn), std::atan2(1, 3), 0.02);
+  EXPECT_NEAR(std::abs(fault.turn), std::atan2(1, 3), 0.02);
 
   const EnactedTrial trial =
       RunTrial(scenario, planned.assembly.tree,
-               {1, {.masses = {}, .colors = {}, .world = standing, .mishap = mishap}}, {.seed = 1});
+               {1, {.masses = {}, .colors = {}, .world = standing, .fault = fault}}, {.seed = 1});
   EXPECT_EQ(trial.outcome, EnactmentOutcome::kOperator) << trial.reason;
   EXPECT_THAT(trial.reason, testing::HasSubstr("error2"));
   EXPECT_FALSE(trial.IsFailed());
@@ -248,10 +248,10 @@ TEST_F(FallenPeg, PosesNearEachOtherAreToldApart) {
     mujoco::Data data = exec::StartOf(problem, scene, {});
     sense::OverheadCamera camera(scene, problem);
     const exec::ExecutorOptions options = {.sample_rate = 0, .sensor = &camera};
-    Crew crew(problem, scene, data, options);
+    Robots robots(problem, scene, data, options);
     Readings readings;
     RandomStream random(1, "look");
-    Situation situation{.crew = crew,
+    Situation situation{.robots = robots,
                         .readings = readings,
                         .sensor_noise = random,
                         .color_sensor = nullptr,

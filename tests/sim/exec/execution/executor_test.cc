@@ -79,7 +79,7 @@ TEST_F(Figure15Executed, PickupLiftsThePegAndKeepsIt) {
   ASSERT_EQ(facts.size(), 1u);
   EXPECT_TRUE(facts[0]->holds());
   EXPECT_NEAR(facts[0]->opening, facts[0]->expected_width, 5e-5);
-  const Moment& lifted = trace().All<StepEnd>()[0]->moment;
+  const Snapshot& lifted = trace().All<StepEnd>()[0]->moment;
   EXPECT_GT(lifted.parts[peg().index()].truth.translation().z(), 0.2);
   EXPECT_THAT(lifted.contacts, testing::Contains(std::pair<std::string, std::string>(
                                    "gripper/finger_left", "part/peg")));

@@ -14,7 +14,7 @@ using Json = nlohmann::json;
 using testing::IsEmpty;
 using testing::Not;
 
-Moment SomeMoment(double time) {
+Snapshot SomeMoment(double time) {
   return {.time = time,
           .tool = {geometry::Translation(0.1, 0.2, 0.3) * geometry::RotationX(3.5),
                    geometry::Translation(0.1, 0.2, 0.31)},

@@ -160,8 +160,8 @@ TEST_F(StoreTest, CellsAreReadAsTheyWereWritten) {
     EXPECT_EQ(stored[i].gate.steps[0].penetration, written.gate.steps[0].penetration);
     ASSERT_EQ(stored[i].gate.steps[0].components.size(), 2u);
     for (int c = 0; c < 2; ++c) {
-      const check::ComponentGate& read = stored[i].gate.steps[0].components[c];
-      const check::ComponentGate& component = written.gate.steps[0].components[c];
+      const check::ClaimNoiseFloor& read = stored[i].gate.steps[0].components[c];
+      const check::ClaimNoiseFloor& component = written.gate.steps[0].components[c];
       EXPECT_EQ(read.about, component.about);
       EXPECT_EQ(read.name, component.name);
       EXPECT_EQ(read.offset, component.offset);

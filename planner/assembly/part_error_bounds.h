@@ -1,0 +1,32 @@
+#pragma once
+
+#include <vector>
+
+#include "planner/domain/problem/problem.h"
+#include "planner/plan/check/world_state.h"
+#include "planner/plan/data/plan.h"
+
+namespace assay::assembly {
+
+// Bounds on the distance between the points of parts and their believed positions. At first they
+// come from the scenario's error bounds, and later from the certificates of the steps.
+class PartErrorBounds {
+ public:
+  explicit PartErrorBounds(const domain::Problem& problem);
+
+  void Take(const std::vector<plan::ErrorSet>& sets);
+  // Returns, by PartId, the bound for any point of the part, in metres.
+  std::vector<double> In(const plan::WorldState& state) const;
+
+  // The greatest bound, in metres. It stands for all errors that are greater or not bounded.
+  static constexpr double kMost = 0.05;
+
+ private:
+  const domain::Problem& problem_;
+  std::vector<plan::ErrorSet> sets_;  // indexed by PartId
+};
+
+// Returns the bound in metres for any point of the hand, from the gripper's error bounds.
+double HandDoubt(const domain::Problem& problem);
+
+}  // namespace assay::assembly

@@ -1,0 +1,92 @@
+#include "planner/constraint_posting/impossibility/impossibility.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <numbers>
+
+#include "planner/constraint_posting/impossibility/impossibility_check.h"
+#include "planner/constraint_posting/impossibility/near_miss.h"
+#include "planner/constraint_posting/impossibility/planner_limits.h"
+#include "planner/domain/actions/condition.h"
+
+namespace assay::constraint_posting {
+
+using domain::Problem;
+
+namespace {
+
+std::string RobotsText(const Problem& problem) {
+  std::vector<std::string> names;
+  for (const domain::Robot& robot : problem.workcell->robots()) names.push_back(robot.name);
+  return names.size() == 1 ? "the robot's hand"
+                           : fmt::format("the hands of {}", fmt::join(names, ", "));
+}
+
+std::string GraspsText(const RelaxedProblem& relaxed) {
+  std::vector<std::string> counts;
+  for (const auto& hand : relaxed.hands()) {
+    const std::string& robot = hand->problem().workcell->robot().name;
+    for (const domain::Part& part : hand->problem().parts) {
+      counts.push_back(fmt::format("{} of {}{}", part.grasps->size(), part.name,
+                                   robot.empty() ? "" : " by " + robot));
+    }
+  }
+  return fmt::format("{}", fmt::join(counts, ", "));
+}
+
+std::vector<std::string> Hypotheses(const Problem& problem, const RelaxedProblem& relaxed) {
+  const domain::Workcell& workcell = *problem.workcell;
+  return {
+      fmt::format("actions: pickup, putdown and assemble on straight ways by {}; a part is in one "
+                  "hand, or rests, or is mated",
+                  RobotsText(problem)),
+      fmt::format("grasps: {}; between parallel faces, approach directions every {:.4g} deg",
+                  GraspsText(relaxed), workcell.rules().approach_step * 180 / std::numbers::pi),
+      fmt::format("places: where each part is at the start, and the {} placements of workcell "
+                  "{}, in the parts' stable poses; errors left aside",
+                  workcell.placements().size(), workcell.name())};
+}
+
+// A deletion filter (Chinneck and Dravnieks 1991). It leaves out each constraint whose removal does
+// not make the problem possible. The rest is minimal.
+std::vector<Constraint> MinimalConflict(const RelaxedProblem& relaxed) {
+  std::vector<Constraint> conflict = relaxed.Constraints();
+  for (const Constraint& candidate : relaxed.Constraints()) {
+    std::vector<Constraint> fewer = conflict;
+    std::erase(fewer, candidate);
+    if (!relaxed.IsPossibleWith({fewer})) conflict = std::move(fewer);
+  }
+  return conflict;
+}
+
+bool IsMinimalConflict(const RelaxedProblem& relaxed, const std::vector<Constraint>& conflict) {
+  return !conflict.empty() && !relaxed.IsPossibleWith({conflict}) &&
+         std::ranges::all_of(conflict, [&](const Constraint& constraint) {
+           std::vector<Constraint> fewer = conflict;
+           std::erase(fewer, constraint);
+           return relaxed.IsPossibleWith({fewer});
+         });
+}
+
+}  // namespace
+
+ImpossibilityAnswer ProveImpossible(const Problem& problem) {
+  const RelaxedProblem listed(problem, RelaxedProblem::Grasps::kListed);
+  if (listed.IsPossibleWith({listed.Constraints()})) return {{}, LimitsOf(problem, listed)};
+  const RelaxedProblem relaxed(problem, RelaxedProblem::Grasps::kWithMisses);
+  const std::vector<Constraint> conflict = MinimalConflict(relaxed);
+  Impossibility proof = {.hypotheses = Hypotheses(problem, listed),
+                         .attainable = listed.AttainableWith({listed.Constraints()})};
+  if (!IsMinimalConflict(relaxed, conflict) || !Confirms(problem, proof.attainable)) {
+    return {{}, {"a proof that no plan exists could not be confirmed"}};
+  }
+  for (const Constraint& constraint : conflict) {
+    proof.conflict.push_back(relaxed.Describe(constraint));
+  }
+  proof.near_misses = NearMisses(relaxed, conflict);
+  return {std::move(proof), {}};
+}
+
+}  // namespace assay::constraint_posting

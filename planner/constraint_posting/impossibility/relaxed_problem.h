@@ -1,0 +1,112 @@
+#pragma once
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "planner/constraint_posting/impossibility/relaxed_hand.h"
+
+namespace assay::constraint_posting {
+
+// A constraint of a problem that can be left out by itself.
+struct Constraint {
+  enum class Kind {
+    kGraspCondition,    // a grasp condition; index in domain::kGraspConditions
+    kGrasps,            // a part has no grasps at all
+    kStart,             // a part starts where it does
+    kInTheWay,          // a part blocks others while it is where it starts
+    kFeaturesOffPads,   // mating features keep off the pads; index of a mating
+    kFeaturesOffTable,  // mating features keep off the table; index of a mating
+    kFrictionCone,      // the mating vector is in the friction cone; index of a mating
+    kLocated            // a part must end in certain poses; index of a goal
+  };
+  Kind kind;
+  int index;
+
+  bool operator==(const Constraint&) const = default;
+};
+
+// A real or imagined hold by a robot of a part that rests or is mated.
+struct HoldOption {
+  int robot = 0;
+  domain::PartId part;                                 // the part in the hand
+  domain::MatingId mating = domain::MatingId::None();  // None if the part is taken or put down
+  int grasp = 0;
+  int position = 0;  // the position label of the part, or of the mating's fixed part
+
+  bool operator==(const HoldOption&) const = default;
+};
+
+// The constraints that remain of a problem.
+struct Relaxation {
+  std::vector<Constraint> constraints;
+  // This condition counts as satisfied where it fails by less than `excess`, and for the hold
+  // `also`.
+  struct Waiver {
+    domain::GraspCondition condition;
+    double excess = 0;  // metres or radians
+    std::optional<HoldOption> also = {};
+  };
+  std::optional<Waiver> waiver = {};
+  std::optional<int> robot = {};  // the only robot that acts, or none if all act
+};
+
+// The facts that can at most come true.
+struct Attainable {
+  std::vector<std::vector<bool>> rests;              // indexed by part, by position label
+  std::vector<std::vector<std::vector<bool>>> held;  // indexed by robot, by part, by grasp
+  std::vector<bool> mated;                           // indexed by mating
+  PartSet moved;       // parts that may not be where they were at the start
+  PartSet unfollowed;  // parts for which everything counts as possible
+};
+
+// The delete relaxation of a problem (Bonet and Geffner 2001, section 4). A fact that has come true
+// stays true, so every part is at once in all places that it can reach. A fact that cannot be
+// attained in the relaxation cannot be attained in the problem itself. Each robot of the workcell
+// acts. A part blocks others until it can be moved.
+//
+// The relaxation does not follow some parts and takes everything with them to be possible. These
+// are parts that are mated or may have been mated, because they can be carried together and mated
+// with others anywhere, and parts that start in none of their stable poses, because they may fall.
+class RelaxedProblem {
+ public:
+  enum class Grasps {
+    kListed,  // the grasps of the problem
+    // the grasps of the problem, and grasps that are too wide for the gripper or whose pads stick
+    // out
+    kWithMisses
+  };
+  RelaxedProblem(const domain::Problem& problem, Grasps grasps);
+
+  // Returns all constraints. Those that a person is least likely to change come first.
+  std::vector<Constraint> Constraints() const;
+
+  Attainable AttainableWith(const Relaxation& relaxation) const;
+  // Returns true if the goals are attainable.
+  bool IsPossibleWith(const Relaxation& relaxation) const;
+
+  // Returns the constraint in the scenario's words.
+  std::string Describe(const Constraint& constraint) const;
+
+  const std::vector<std::unique_ptr<RelaxedHand>>& hands() const {
+    return hands_;
+  }  // indexed by robot
+  const domain::Problem& problem() const { return problem_; }
+  // Returns the conditions that prevent the hold.
+  domain::GraspConditions Broken(const HoldOption& hold) const;
+  // Returns the amount by which a condition fails, or none for a condition that limits no quantity.
+  std::optional<domain::Limited> Measure(domain::GraspCondition condition,
+                                         const HoldOption& hold) const;
+  std::vector<HoldOption> Holds() const;  // all possible holds
+
+ private:
+  domain::Problem problem_;
+  std::vector<std::unique_ptr<RelaxedHand>> hands_;
+};
+
+// Returns the name of the stable pose, or its label if it has no name.
+std::string PoseName(const domain::Part& part, domain::StablePoseId pose);
+
+}  // namespace assay::constraint_posting

@@ -1,0 +1,80 @@
+#include "planner/constraint_posting/resolvers/moment.h"
+
+#include <algorithm>
+
+#include "planner/domain/part/occlusion.h"
+#include "planner/domain/part/resting.h"
+
+namespace assay::constraint_posting {
+
+using domain::PartId;
+using plan::PartStatus;
+using plan::WorldState;
+
+std::vector<WorldState> StatesOf(const domain::Problem& problem,
+                                 std::span<const plan::Action> actions) {
+  std::vector<WorldState> states = {plan::InitialState(problem)};
+  for (const plan::Action& action : actions) {
+    states.push_back(StateAfter(problem, states.back(), action, plan::StepId::None()));
+  }
+  return states;
+}
+
+namespace {
+
+bool IsMated(const domain::Problem& problem, const WorldState& state, PartId part) {
+  return std::ranges::any_of(state.assembled, [&](domain::MatingId id) {
+    const domain::Mating& mating = problem.mating(id);
+    return mating.held == part || mating.fixed == part;
+  });
+}
+
+template <class Condition>
+std::optional<int> Latest(int step, const Condition& holds) {
+  for (int moment = step; moment >= 0; --moment) {
+    if (holds(moment)) return moment;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<int> LatestFree(const std::vector<WorldState>& states, int step, PartId part) {
+  return Latest(
+      step, [&](int moment) { return states[moment].part(part).status == PartStatus::kResting; });
+}
+
+std::optional<int> LatestGraspable(const domain::Problem& problem,
+                                   const std::vector<WorldState>& states, int step, PartId part) {
+  return Latest(step, [&](int moment) {
+    return states[moment].in_hand.IsNone() && !IsMated(problem, states[moment], part);
+  });
+}
+
+domain::Problem ProblemFrom(domain::Problem problem, const WorldState& state) {
+  for (std::size_t p = 0; p < problem.parts.size(); ++p) {
+    domain::Part& part = problem.parts[p];
+    part.X_WorldPart = state.parts[p].X_WorldPart;
+    const bool is_mated = state.parts[p].status == PartStatus::kMated;
+    part.resting = is_mated ? domain::StablePoseId::None() : StablePoseAt(part, part.X_WorldPart);
+  }
+  problem.assembled = state.assembled;
+  NoteOcclusions(problem);
+  return problem;
+}
+
+plan::Place PlaceBefore(const UnmetGoals& unmet, const std::vector<WorldState>& states, int moment,
+                        PartId part) {
+  std::string position = "initial";
+  for (const plan::Action& action : unmet.actions.first(moment)) {
+    const auto* putdown = std::get_if<plan::Putdown>(&action);
+    if (putdown != nullptr && putdown->part == part) position = putdown->to.position;
+    const auto* assemble = std::get_if<plan::Assemble>(&action);
+    if (assemble != nullptr && unmet.problem.mating(assemble->mating).held == part) {
+      position = "assembled";
+    }
+  }
+  return {position, states[moment].part(part).X_WorldPart};
+}
+
+}  // namespace assay::constraint_posting

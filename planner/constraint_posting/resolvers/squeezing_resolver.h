@@ -1,0 +1,21 @@
+#pragma once
+
+#include "planner/constraint_posting/resolvers/resolver.h"
+
+namespace assay::constraint_posting {
+
+// Squeezes parts whose errors make a goal fail, at the latest time before the step at which the
+// hand is empty and the part is alone. For each closing direction in the world it uses the grasp
+// that leans least. It proposes a squeeze in one direction, and squeezes in two directions one
+// after the other. Two squeezes in perpendicular directions bound both horizontal coordinates by
+// the hand's error; one squeeze never does. A squeeze has goals of its own, so each is also
+// proposed with sensing right before it.
+class SqueezingResolver : public Resolver {
+ public:
+  std::string_view name() const override { return "squeezing"; }
+  std::vector<Remedy> Propose(const UnmetGoals& unmet) override;
+  // Returns the parts that the hand would meet in every grasp that closes in some direction.
+  std::vector<domain::PartId> Obstacles(const UnmetGoals& unmet) const override;
+};
+
+}  // namespace assay::constraint_posting

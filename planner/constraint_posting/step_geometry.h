@@ -1,0 +1,69 @@
+#pragma once
+
+#include <bitset>
+#include <map>
+#include <string>
+#include <utility>
+
+#include "planner/constraint_posting/partial_plan.h"
+#include "planner/constraint_posting/world.h"
+
+namespace assay::constraint_posting {
+
+// The greatest number of steps of a plan instance. Choices is a set of positions in the order of
+// execution.
+inline constexpr int kMostSteps = 256;
+using Choices = std::bitset<kMostSteps>;
+
+// A part that is in the way of a step while it rests where it was at the start.
+using Blocker = std::pair<StepId, domain::PartId>;
+// The value says what cannot be proved as long as the part is there. It is empty if the step cannot
+// be executed.
+using Blockers = std::map<Blocker, std::string>;
+// Adds `more` to `blockers`. A text about an unproved precondition replaces an empty text, because
+// it says more.
+void Add(const Blockers& more, Blockers& blockers);
+
+// The reasons why a value of a step is ruled out: choices made for earlier steps, and parts that
+// still lie where they were at the start.
+struct Blame {
+  Choices choices = {};
+  Choices places = {};  // the choices whose place on the table takes part, and not only their label
+  Blockers blockers = {};
+
+  void AddPlace(int choice);
+  // Adds a part that `choice` put where it is.
+  void Add(int choice, StepId step, domain::PartId part, const std::string& why = "");
+  void Add(const Blame& other);
+};
+
+// Tests whether single steps work in a world in which every part has its place. A test that fails
+// adds to the blame every reason for the failure except the tested value itself.
+class StepGeometry {
+ public:
+  StepGeometry(const domain::Problem& problem, domain::KnownReachability& reachability)
+      : problem_(problem), reachability_(reachability) {}
+
+  bool PickupWorks(const World& world, StepId step, domain::PartId part, domain::GraspId grasp,
+                   Blame& blame) const;
+
+  // Returns true if the part has room in this pose, whatever holds it.
+  bool HasRoom(const World& world, StepId step, domain::PartId part,
+               const domain::Pose& X_WorldPart, Blame& blame) const;
+  bool PutdownWorks(const World& world, StepId step, domain::PartId part, domain::GraspId grasp,
+                    const domain::Pose& X_WorldPart, Blame& blame) const;
+
+  bool AssembleWorks(const World& world, StepId step, domain::MatingId mating,
+                     domain::GraspId grasp, Blame& blame) const;
+
+ private:
+  bool HandIsFree(const World& world, StepId step, domain::PartId part, domain::PartId except,
+                  const domain::Grasp& grasp, const domain::Pose& X_WorldTool, Blame& blame) const;
+  bool HeldPartIsFree(const World& world, StepId step, const domain::Mating& mating,
+                      const domain::Pose& X_WorldHeld, Blame& blame) const;
+
+  const domain::Problem& problem_;
+  domain::KnownReachability& reachability_;
+};
+
+}  // namespace assay::constraint_posting

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "planner/uncertainty/preconditions/certify.h"
+
+namespace assay::constraint_posting {
+
+// The distance of a step from being proved; less is better.
+struct Shortfall {
+  std::size_t goals = 0;  // the number of goals that are not proved
+  // the sum of the excesses of their bounds over their limits, in metres and radians
+  double violation = 0;
+
+  bool IsLessThan(const Shortfall& other) const {
+    constexpr double kRelevant = 1e-5;  // metres and radians; a smaller gain is not worth an action
+    return goals < other.goals || (goals == other.goals && violation < other.violation - kRelevant);
+  }
+};
+
+inline Shortfall ShortfallOf(const std::vector<uncertainty::Unproved>& unproved) {
+  return {unproved.size(), uncertainty::Violation(unproved)};
+}
+
+}  // namespace assay::constraint_posting

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstdint>
+
+#include "planner/constraint_posting/posting_planner.h"
+#include "planner/constraint_posting/uncertainty_phase/uncertainty_options.h"
+
+namespace assay::constraint_posting {
+
+// A plan instance with its certificates, error count, verifications and recoveries (Spar,
+// "Satisfying Uncertainty-Reduction Goals").
+struct AugmentedPlanInstance {
+  plan::Plan plan;
+  // the sum of the excesses of unproved bounds over their limits, in metres and radians
+  double violation = 0;
+  std::int64_t combinations = 0;  // the number of combinations of remedies tried
+};
+
+// Augments an instance, action by action in the order of execution. It certifies the preconditions
+// of each action. If one is not proved, it searches for the fewest remedies, sensing first, that
+// prove all of them and keep the proved goals. If there are none, it inserts the remedies that
+// bring the step nearest without moving parts, counts an error, and adds the workcell's
+// verification and recovery templates. Beyond the paper, remedies are inserted wherever their
+// preconditions hold, not only right before the step. A remedy may prepare the goals of another
+// remedy: sensing before squeezing, for this part or for another.
+AugmentedPlanInstance Augment(const domain::Problem& problem, const plan::Plan& instance,
+                              const UncertaintyOptions& options);
+
+// Runs both phases. The plan instances of the first phase are augmented one after another until one
+// has no errors. If there is none, the result has the fewest errors, then the fewest actions of the
+// first phase, and then the smallest violation. Beyond the paper, the first phase is asked for
+// further plans, not only for further instances of one plan. An instance that surely has errors,
+// whatever the remedies, waits until all instances are known. Then those that could still come
+// first are augmented, the most promising first. Few are augmented that could come first only by
+// their violation.
+//
+// After that, if an instance with fewer errors than the best is possible, the first phase searches
+// for a plan with no errors, then with one, and so on, and this phase judges each action as it is
+// chosen (objection.h). An unproved precondition leads to another grasp, place or order, or becomes
+// the goal that a part be moved out of the way. The paper's two phases cannot do this ("Satisfying
+// Uncertainty-Reduction Goals", on a part among others). planner.accept and planner.judge must be
+// empty.
+plan::PlanResult MakeCertifiedPlan(const domain::Problem& problem, const PlannerOptions& planner,
+                                   const UncertaintyOptions& options);
+
+}  // namespace assay::constraint_posting

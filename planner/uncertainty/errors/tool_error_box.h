@@ -1,0 +1,14 @@
+#pragma once
+
+#include "planner/plan/data/tool_error_box.h"
+#include "planner/uncertainty/errors/uncertain_world.h"
+
+namespace assay::uncertainty {
+
+// Returns the error box of a tool pose that goes with the part `guide`: the hand goes where that
+// part is believed to be by then, with the hand's own error. Without a guide (None), the hand goes
+// to the planned pose, with its own error.
+plan::ToolErrorBox ToolErrorBoxAt(const UncertainWorld& world, PartId guide,
+                                  const Pose& X_WorldTool);
+
+}  // namespace assay::uncertainty

@@ -1,0 +1,89 @@
+#include "sim/enact/walk/robots.h"
+
+#include <algorithm>
+
+#include "planner/motion/path/joint_trajectory.h"
+#include "planner/motion/path/path_search.h"
+
+namespace assay::enact {
+namespace {
+
+const motion::MotionRules kWay = {.clearance = 0.01};  // metres
+
+}  // namespace
+
+Robots::Robots(const domain::Problem& problem, const scene::Scene& scene, mujoco::Data& data,
+               const exec::ExecutorOptions& options)
+    : options_(options),
+      free_timestep_(options.free_timestep),
+      acting_(problem.workcell->acting()) {
+  for (std::size_t i = 0; i < problem.workcell->robots().size(); ++i) {
+    const RobotId robot(i);
+    auto member = std::make_unique<Member>(
+        Member{domain::WorkedBy(problem, robot), scene.WorkedBy(robot), nullptr});
+    member->execution =
+        std::make_unique<exec::Execution>(member->problem, member->scene, data, options_);
+    members_.push_back(std::move(member));
+  }
+}
+
+bool Robots::HoldsBesides(RobotId robot) const {
+  return std::ranges::any_of(members_, [&](const auto& member) {
+    return member != members_[robot.index()] && !member->execution->world().held().IsNone();
+  });
+}
+
+// What the one that told it holds is, for the other, where that hand has it.
+void Robots::Tell(const exec::Execution& from, exec::Execution& to) const {
+  for (int i = 0; i < from.world().part_count(); ++i) {
+    const domain::PartId part(i);
+    if (part == to.world().held()) continue;
+    to.world().Believe(part, from.world().PartPose(part, from.BelievedTool()));
+  }
+}
+
+exec::Progress Robots::TakeOver(RobotId robot) {
+  if (robot.IsNone() || robot == acting_) return std::nullopt;
+  if (exec::Progress failure = GoHome()) return failure;
+  Tell(acting(), *members_[robot.index()]->execution);
+  acting_ = robot;
+  // A part creeps in the pads of a hand in large timesteps, also of one that rests.
+  options_.free_timestep = HoldsBesides(robot) ? 0 : free_timestep_;
+  return std::nullopt;
+}
+
+exec::Progress Robots::GoHome() {
+  exec::Execution& execution = acting();
+  const domain::Workcell& workcell = *execution.problem().workcell;
+  const motion::CollisionScene scene(execution.problem(), execution.BelievedSurroundings());
+  const motion::PathResult found = motion::FindPath(
+      scene, {.from = execution.commanded(), .to = workcell.home(), .rules = kWay});
+  if (const auto* failure = std::get_if<motion::PathFailure>(&found)) {
+    return exec::Failure{exec::ExecutionOutcome::kUnreachable, "no way home: " + failure->what};
+  }
+  const motion::JointTrajectory way =
+      motion::AlongPath(std::get<motion::JointPath>(found), motion::RatesOf(workcell));
+  return execution.Follow(way, way.duration());
+}
+
+std::vector<domain::PartId> Robots::Held() const {
+  std::vector<domain::PartId> parts;
+  for (const auto& member : members_) {
+    const domain::PartId part = member->execution->world().held();
+    if (!part.IsNone()) parts.push_back(part);
+  }
+  return parts;
+}
+
+std::vector<exec::CollisionRecord> Robots::Collisions() const {
+  std::vector<exec::CollisionRecord> collisions;
+  for (const auto& member : members_) {
+    for (const auto* collision : member->execution->trace().All<exec::CollisionRecord>()) {
+      collisions.push_back(*collision);
+    }
+  }
+  std::ranges::stable_sort(collisions, {}, &exec::CollisionRecord::time);
+  return collisions;
+}
+
+}  // namespace assay::enact

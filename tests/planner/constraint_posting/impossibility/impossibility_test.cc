@@ -1,0 +1,401 @@
+#include "planner/constraint_posting/impossibility/impossibility.h"
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <map>
+
+#include "planner/base/random.h"
+#include "planner/constraint_posting/impossibility/impossibility_check.h"
+#include "planner/constraint_posting/least_actions.h"
+#include "tests/oracle/exhaustive_assembly.h"
+#include "tests/planner/constraint_posting/scenarios.h"
+
+namespace assay::constraint_posting::impossibility_test {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::Contains;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::Not;
+using ::testing::SizeIs;
+
+// A folder of models: the project's, a few parts and workcells with few placements more.
+class Models {
+ public:
+  Models() : folder_(fs::temp_directory_path() / fmt::format("assay-impossible-{}", getpid())) {
+    const fs::path models = fs::path(ASSAY_SOURCE_DIR) / "models";
+    fs::create_directories(folder_ / "parts");
+    for (const char* name : {"robots", "grippers"}) {
+      fs::create_directory_symlink(models / name, folder_ / name);
+    }
+    for (const auto& part : fs::directory_iterator(models / "parts")) {
+      if (part.is_directory()) {
+        fs::create_directory_symlink(part, folder_ / "parts" / part.path().filename());
+      }
+    }
+    AddWorkcell("puma762-table", "one-arm",
+                "{x: [0.50, 0.70], y: [-0.1, 0.1], step: 0.20, yaws: 2, nearest_to: [0.60, 0]}");
+    AddWorkcell("two-pumas", "two-arms",
+                "{x: [-0.2, 0.2], y: [0, 0], step: 0.20, yaws: 1, nearest_to: [0, 0]}");
+  }
+  ~Models() { fs::remove_all(folder_); }
+  Models(const Models&) = delete;
+  Models& operator=(const Models&) = delete;
+
+  const fs::path& folder() const { return folder_; }
+
+  void Write(const fs::path& file, const std::string& text) const {
+    fs::create_directories((folder_ / file).parent_path());
+    std::ofstream(folder_ / file) << text;
+  }
+
+ private:
+  void AddWorkcell(const std::string& from, const std::string& name,
+                   const std::string& placements) const {
+    std::ifstream file(fs::path(ASSAY_SOURCE_DIR) / "models/workcells" / from / "workcell.yaml");
+    std::string text;
+    for (std::string line; std::getline(file, line);) {
+      if (line.starts_with("placements:")) line = "placements: " + placements;
+      if (line.starts_with("  approach_step:")) line = "  approach_step: 45";
+      text += line + "\n";
+    }
+    Write("workcells/" + name + "/workcell.yaml", text);
+  }
+
+  fs::path folder_;
+};
+
+const Models& TheModels() {
+  static const Models models;
+  return models;
+}
+
+// A box with a stud on its upper end and a socket for such a stud in its lower end, millimetres.
+std::string StackingBox(int x, int y, int z) {
+  return fmt::format(R"(format: assay-part/1
+name: box
+initial: X
+units: {{length: mm, angle: degree}}
+density: 700
+friction: 0.25
+solids:
+  body: {{box: [[{}, {}, 0], [{}, {}, {}]]}}
+  stud: {{box: [[-8, -8, {}], [8, 8, {}]]}}
+pockets:
+  socket: {{cut_from: body, box: [[-8, -8, 0], [8, 8, 12]], widen: [x, y]}}
+features:
+  1: {{shaft: stud, axis: [0, 0, 1], what: stud}}
+  2: {{hole: socket, axis: [0, 0, -1], what: socket}}
+  3: {{face: body, normal: [1, 0, 0], what: front}}
+stable_poses:
+  upright: [0, 0, -1]
+)",
+                     -x / 2, -y / 2, x / 2, y / 2, z, z, z + 10);
+}
+
+std::string Stacked(const std::string& held, const std::string& fixed, int height) {
+  return fmt::format(
+      "  - assembled: {{held: {}, fixed: {}, features: [[2], [1]], pose: {{columns: [[1, 0, 0], "
+      "[0, 1, 0], [0, 0, 1], [0, 0, {}]]}}, mating_vector: [0, 0, -40]}}\n",
+      held, fixed, height);
+}
+
+domain::Problem Read(const std::string& text) {
+  return domain::ReadProblem(Document::Parse(text, "scene.yaml"), TheModels().folder());
+}
+
+// Two or three stacking boxes, some of which nobody can take, far apart or crowded, on the table of
+// one or two arms; one to three goals: stacks, also of three, and parts that are to lie otherwise.
+class RandomScene {
+ public:
+  explicit RandomScene(std::uint64_t seed) : random_(seed, "scene"), seed_(seed) {}
+
+  domain::Problem Draw() {
+    for (int tries = 1;; ++tries) {
+      try {
+        text_ = Text();
+        return Read(text_);
+      } catch (const InputError&) {  // parts that overlap, or stand beside the table
+        if (tries == kMostTries) throw;
+      }
+    }
+  }
+  const std::string& text() const { return text_; }
+
+ private:
+  static constexpr int kMostTries = 200;
+
+  std::string Text() {
+    const int parts = 2 + random_.Index(2);
+    const bool two_arms = random_.Index(3) == 0;
+    const std::array leans = {5, 20, 60, 90};
+    std::string text = fmt::format(
+        "format: assay-scenario/1\nunits: {{length: mm, angle: degree}}\nworkcell: {}\n"
+        "rules: {{tool_lean: {}}}\nparts:\n",
+        two_arms ? "two-arms" : "one-arm", leans[random_.Index(4)]);
+    const bool starts_mated = random_.Index(8) == 0;
+    is_crowded_ = random_.Index(3) == 0;
+    heights_.clear();
+    for (int p = 0; p < parts; ++p) text += Part(p, two_arms, starts_mated && p == 1);
+    if (starts_mated) text += "initially:\n" + Stacked("p1", "p0", heights_[0]);
+    return text + "goal:\n" + Goals(parts);
+  }
+
+  std::string Part(int p, bool two_arms, bool is_mated) {
+    const std::array sides = {22, 40, 60, 90, 120};
+    const std::array heights = {20, 40, 60};
+    const int x = sides[random_.Index(5)];
+    const int y = sides[random_.Index(5)];
+    heights_.push_back(heights[random_.Index(3)]);
+    const std::string model = fmt::format("box-{}-{}", seed_, p);
+    TheModels().Write("parts/" + model + "/part.yaml", StackingBox(x, y, heights_.back()));
+    if (is_mated) return fmt::format("  p{}: {{model: {}}}\n", p, model);
+    const double across = is_crowded_ ? random_.Uniform(-90, 90) + (two_arms ? 0 : 600)
+                          : two_arms  ? random_.Uniform(-550, 550)
+                                      : random_.Uniform(380, 970);
+    const double along = is_crowded_ ? random_.Uniform(-90, 90) : random_.Uniform(-350, 350);
+    const std::string pose =
+        random_.Index(2) == 0 ? "upright" : fmt::format("XP{}", 1 + random_.Index(4));
+    return fmt::format(
+        "  p{}: {{model: {}, pose: {{stable: {}, at: [{:.0f}, {:.0f}], yaw: {}}}}}\n", p, model,
+        pose, across, along, 45 * random_.Index(8));
+  }
+
+  std::string Goals(int parts) {
+    std::string goals;
+    if (random_.Index(5) > 0) goals += Stacked("p1", "p0", heights_[0]);
+    if (parts == 3 && random_.Index(2) == 0) goals += Stacked("p2", "p1", heights_[1]);
+    if (goals.empty() || random_.Index(3) == 0) {
+      goals += fmt::format("  - located: {{part: p{}, stable: [XP{}]}}\n", random_.Index(parts),
+                           1 + random_.Index(4));
+    }
+    return goals;
+  }
+
+  RandomStream random_;
+  std::uint64_t seed_;
+  std::vector<int> heights_;
+  bool is_crowded_ = false;
+  std::string text_;
+};
+
+int SceneCount() {
+  const char* count = std::getenv("ASSAY_IMPOSSIBLE_SCENES");
+  return count == nullptr ? 25 : std::atoi(count);
+}
+
+using Answer = oracle::ExhaustiveAssembly::Answer;
+
+std::string Name(Answer answer) {
+  switch (answer) {
+    case Answer::kPlan:
+      return "plan";
+    case Answer::kNone:
+      return "none";
+    case Answer::kNoneWithoutCarrying:
+      return "none without carrying";
+  }
+  return "";
+}
+
+std::string Name(const plan::PlanResult& result) {
+  if (result.outcome == Outcome::kFound) return "planned";
+  if (result.outcome == Outcome::kNone) return "proved";
+  return result.limits.empty() ? "budget" : "limit";
+}
+
+// "No plan exists" is said exactly where everything was tried, and nothing worked: never where
+// there is a plan, with whatever arm and in whatever order; and always where there is none, unless
+// the planner says which of its limits keeps it from knowing.
+TEST(Impossibility, IsProvedExactlyWhereTryingEverythingFindsNothing) {
+  PlannerOptions options;
+  options.partial_plans = 2'000;
+  options.instance_choices = 2'000;
+  std::map<std::string, int> counts;
+  for (int seed = 1; seed <= SceneCount(); ++seed) {
+    RandomScene scene(seed);
+    const domain::Problem problem = scene.Draw();
+    SCOPED_TRACE(fmt::format("seed {}\n{}", seed, scene.text()));
+    const plan::PlanResult result = MakePlan(problem, options);
+    const Answer truth = oracle::ExhaustiveAssembly(problem).Run();
+    const std::string both = Name(result) + ", oracle " + Name(truth);
+    ++counts[both];
+    if (result.outcome == Outcome::kNone) {
+      EXPECT_NE(truth, Answer::kPlan);
+      EXPECT_THAT(result.conflict, Not(IsEmpty()));
+      EXPECT_THAT(result.hypotheses, Not(IsEmpty()));
+    }
+    if (result.outcome == Outcome::kFound) {
+      EXPECT_EQ(truth, Answer::kPlan);
+    }
+    if (truth == Answer::kNone) {
+      EXPECT_TRUE(result.outcome == Outcome::kNone || !result.limits.empty()) << both;
+    }
+    if (std::getenv("ASSAY_IMPOSSIBLE_SCENES") != nullptr) {
+      fmt::print("{} {}\n", seed, both);
+      std::fflush(stdout);
+    }
+  }
+  for (const auto& [both, count] : counts) fmt::print("{:5} {}\n", count, both);
+}
+
+// The problem of the random scenes, so that it can be told why there is none.
+std::string BoxesOnTable(const std::string& parts, const std::string& goals,
+                         const std::string& workcell = "one-arm", int lean = 60) {
+  return fmt::format(
+      "format: assay-scenario/1\nunits: {{length: mm, angle: degree}}\nworkcell: {}\n"
+      "rules: {{tool_lean: {}}}\nparts:\n{}goal:\n{}",
+      workcell, lean, parts, goals);
+}
+
+std::string Box(const std::string& name, int x, int y, int z, const std::string& pose) {
+  const std::string model = fmt::format("box-{}-{}-{}", x, y, z);
+  TheModels().Write("parts/" + model + "/part.yaml", StackingBox(x, y, z));
+  return fmt::format("  {}: {{model: {}, pose: {{stable: {}}}}}\n", name, model, pose);
+}
+
+// A chain: b on a, c on b. People can build that; the planner does not put parts on parts on parts.
+TEST(Impossibility, IsNotSaidOfWhatThePlannerDoesNotDo) {
+  const plan::PlanResult result =
+      MakePlan(Read(BoxesOnTable(Box("a", 60, 60, 50, "upright, at: [600, 0]") +
+                                     Box("b", 60, 60, 50, "upright, at: [550, -180]") +
+                                     Box("c", 60, 60, 50, "upright, at: [550, 180]"),
+                                 Stacked("b", "a", 50) + Stacked("c", "b", 50))),
+               {});
+  EXPECT_EQ(result.outcome, Outcome::kBudget);
+  EXPECT_THAT(result.conflict, IsEmpty());
+  EXPECT_THAT(result.limits, ElementsAre(HasSubstr("b is mated into a, c is mated into b")));
+}
+
+// The same chain, but nobody gets at c: whatever is done with b, this is proved.
+TEST(Impossibility, IsProvedOfAChainWhereAPartOfItCannotBeTaken) {
+  const plan::PlanResult result =
+      MakePlan(Read(BoxesOnTable(Box("a", 60, 60, 50, "upright, at: [600, 0]") +
+                                     Box("b", 60, 60, 50, "upright, at: [550, -180]") +
+                                     Box("c", 120, 120, 50, "upright, at: [550, 180]"),
+                                 Stacked("b", "a", 50) + Stacked("c", "b", 50), "one-arm", 20)),
+               {});
+  EXPECT_EQ(result.outcome, Outcome::kNone);
+  EXPECT_THAT(result.conflict, Contains("c starts upright"));
+}
+
+TEST(Impossibility, AnotherArmThatGetsThereIsALimitOfThePlanner) {
+  const auto at = [](int x) {
+    return Read(BoxesOnTable(Box("a", 60, 60, 50, fmt::format("upright, at: [{}, 0]", x)),
+                             "  - located: {part: a, stable: [XP1]}\n", "two-arms", 90));
+  };
+  const plan::PlanResult near = MakePlan(at(-400), {});
+  EXPECT_EQ(near.outcome, Outcome::kFound);
+  const plan::PlanResult far = MakePlan(at(560), {});
+  EXPECT_EQ(far.outcome, Outcome::kBudget);
+  EXPECT_THAT(far.limits, ElementsAre(HasSubstr("robot left")));
+}
+
+// Two boxes, too long to be held otherwise than across, stand side by side, with no room for a
+// finger between them: each is in the way of the other, whichever is to be taken first.
+TEST(Impossibility, IsProvedOfPartsThatKeepEachOtherFromBeingTaken) {
+  const auto result_with = [](int y) {
+    return MakePlan(
+        Read(BoxesOnTable(Box("a", 120, 40, 60, "upright, at: [600, 0]") +
+                              Box("b", 120, 40, 60, fmt::format("upright, at: [600, {}]", y)) +
+                              Box("base", 60, 60, 40, "upright, at: [550, -250]"),
+                          Stacked("a", "base", 40), "one-arm", 5)),
+        {.partial_plans = 500, .instance_choices = 500});
+  };
+  EXPECT_EQ(result_with(200).outcome, Outcome::kFound);
+  const plan::PlanResult result = result_with(41);
+  EXPECT_EQ(result.outcome, Outcome::kNone);
+  EXPECT_THAT(result.conflict, Contains("a is in the way where it starts"));
+  EXPECT_THAT(result.conflict, Contains("b is in the way where it starts"));
+}
+
+// The conflict in the relaxed problem itself: never empty, and without any one of its constraints
+// something is possible.
+TEST(Impossibility, EveryConstraintOfAConflictIsNeeded) {
+  int proofs = 0;
+  for (int seed = 1; seed <= SceneCount() / 2; ++seed) {
+    RandomScene scene(seed);
+    const domain::Problem problem = scene.Draw();
+    const ImpossibilityAnswer answer = ProveImpossible(problem);
+    if (!answer.proof) continue;
+    ++proofs;
+    const RelaxedProblem relaxed(problem, RelaxedProblem::Grasps::kWithMisses);
+    std::vector<Constraint> conflict;
+    for (const Constraint& constraint : relaxed.Constraints()) {
+      if (std::ranges::count(answer.proof->conflict, relaxed.Describe(constraint)) > 0) {
+        conflict.push_back(constraint);
+      }
+    }
+    EXPECT_THAT(conflict, SizeIs(answer.proof->conflict.size()));
+    EXPECT_THAT(conflict, Not(IsEmpty()));
+    EXPECT_FALSE(relaxed.IsPossibleWith({conflict})) << seed;
+    for (const Constraint& constraint : conflict) {
+      std::vector<Constraint> fewer = conflict;
+      std::erase(fewer, constraint);
+      EXPECT_TRUE(relaxed.IsPossibleWith({fewer})) << seed << relaxed.Describe(constraint);
+    }
+  }
+  EXPECT_GT(proofs, 0);
+}
+
+// What is attainable is a fixed point: with any one fact less it is not confirmed, and neither is
+// it if the goal is among it.
+TEST(Impossibility, IsNotConfirmedWhereAnActionWasLeftOut) {
+  const domain::Problem problem = LoadScenario("impossible");
+  const ImpossibilityAnswer answer = ProveImpossible(problem);
+  ASSERT_TRUE(answer.proof);
+  const Attainable& attainable = answer.proof->attainable;
+  EXPECT_TRUE(Confirms(problem, attainable));
+  int facts = 0;
+  for (std::size_t p = 0; p < attainable.rests.size(); ++p) {
+    for (std::size_t position = 0; position < attainable.rests[p].size(); ++position) {
+      if (!attainable.rests[p][position]) continue;
+      Attainable less = attainable;
+      less.rests[p][position] = false;
+      EXPECT_FALSE(Confirms(problem, less)) << p << " " << position;
+      ++facts;
+    }
+    for (std::size_t g = 0; g < attainable.held[0][p].size(); ++g) {
+      if (!attainable.held[0][p][g]) continue;
+      Attainable less = attainable;
+      less.held[0][p][g] = false;
+      EXPECT_FALSE(Confirms(problem, less)) << p << " " << g;
+      ++facts;
+    }
+  }
+  EXPECT_GT(facts, 4);
+  Attainable more = attainable;
+  more.mated[0] = true;
+  EXPECT_FALSE(Confirms(problem, more));
+}
+
+TEST(Impossibility, TellsWhatIsMissedByLeast) {
+  const plan::PlanResult result = MakePlan(LoadScenario("impossible"), {});
+  ASSERT_EQ(result.outcome, Outcome::kNone);
+  EXPECT_THAT(result.near_misses, Contains(HasSubstr("more than the limit of 10 deg")));
+  EXPECT_THAT(result.hypotheses, Contains(HasSubstr("placements of workcell puma762-table")));
+}
+
+// A plate 120 mm wide and 20 mm high can only be held by its edges on two sides that are too far
+// from each other, or by faces of 20 mm: enough for pads of 16 mm that are not turned, while those
+// that are turned by 45 degrees reach over 16 sqrt(2) mm.
+TEST(Impossibility, TellsOfFacesThatAreTooNarrowForThePads) {
+  const plan::PlanResult result =
+      MakePlan(Read(BoxesOnTable(Box("plate", 120, 90, 20, "upright, at: [600, 0]"),
+                                 "  - located: {part: plate, stable: [XP1]}\n", "one-arm", 60)),
+               {});
+  EXPECT_EQ(result.outcome, Outcome::kNone);
+  EXPECT_THAT(result.near_misses,
+              Contains(HasSubstr("the faces have 20 mm, and the pads need 22.63 mm")));
+}
+
+}  // namespace
+}  // namespace assay::constraint_posting::impossibility_test

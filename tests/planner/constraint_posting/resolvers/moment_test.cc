@@ -1,0 +1,158 @@
+#include "planner/constraint_posting/resolvers/moment.h"
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <set>
+
+#include "tests/planner/constraint_posting/scenarios.h"
+
+namespace assay::constraint_posting::moment_test {
+namespace {
+
+using domain::PartId;
+
+// Where things are before actions[moment], from the actions alone.
+class Story {
+ public:
+  Story(const domain::Problem& problem, const std::vector<plan::Action>& actions, int moment)
+      : problem_(problem) {
+    for (const domain::MatingId id : problem.assembled) Mate(id);
+    for (int i = 0; i < moment; ++i) {
+      if (const auto* pickup = std::get_if<plan::Pickup>(&actions[i])) in_hand_ = pickup->part;
+      if (const auto* putdown = std::get_if<plan::Putdown>(&actions[i])) {
+        in_hand_ = PartId::None();
+        position_[putdown->part] = putdown->to.position;
+      }
+      if (const auto* assemble = std::get_if<plan::Assemble>(&actions[i])) {
+        in_hand_ = PartId::None();
+        Mate(assemble->mating);
+        position_[problem.mating(assemble->mating).held] = "assembled";
+      }
+    }
+  }
+
+  PartId in_hand() const { return in_hand_; }
+  bool IsMated(PartId part) const { return mated_.contains(part); }
+  bool IsInAnother(PartId part) const { return in_another_.contains(part); }
+  std::string PositionOf(PartId part) const {
+    const auto known = position_.find(part);
+    return known == position_.end() ? "initial" : known->second;
+  }
+
+ private:
+  void Mate(domain::MatingId id) {
+    mated_.insert(problem_.mating(id).held);
+    mated_.insert(problem_.mating(id).fixed);
+    in_another_.insert(problem_.mating(id).held);
+  }
+
+  const domain::Problem& problem_;
+  PartId in_hand_;
+  std::set<PartId> mated_;
+  std::set<PartId> in_another_;
+  std::map<PartId, std::string> position_;
+};
+
+class Moments : public ::testing::TestWithParam<const char*> {
+ protected:
+  domain::Problem problem_ = LoadScenario(GetParam());
+  std::vector<plan::Action> actions_ = ActionsOf(FirstInstance(problem_));
+  std::vector<plan::WorldState> states_ = StatesOf(problem_, actions_);
+
+  // The last moment up to `step` at which the story is as wanted.
+  template <class Wanted>
+  std::optional<int> NaiveLatest(int step, const Wanted& wanted) const {
+    std::optional<int> latest;
+    for (int moment = 0; moment <= step; ++moment) {
+      if (wanted(Story(problem_, actions_, moment))) latest = moment;
+    }
+    return latest;
+  }
+
+  template <class Check>
+  void ForAll(const Check& check) const {
+    for (int step = 0; step <= std::ssize(actions_); ++step) {
+      for (std::size_t p = 0; p < problem_.parts.size(); ++p) {
+        SCOPED_TRACE(::testing::Message() << "step " << step << " part " << p);
+        check(step, PartId(p));
+      }
+    }
+  }
+};
+
+INSTANTIATE_TEST_SUITE_P(, Moments,
+                         ::testing::Values("spar-fig13", "spar-fig16", "two-pegs", "clutter"),
+                         [](const auto& param) {
+                           std::string name = param.param;
+                           std::erase(name, '-');
+                           return name;
+                         });
+
+TEST_P(Moments, ThereIsAStateBeforeEachActionAndAfterTheLast) {
+  EXPECT_EQ(states_.size(), actions_.size() + 1);
+  ForAll([&](int step, PartId) {
+    EXPECT_EQ(states_[step].in_hand, Story(problem_, actions_, step).in_hand());
+  });
+}
+
+TEST_P(Moments, APartIsFreeAsLongAsItIsNeitherInTheHandNorInAnotherPart) {
+  ForAll([&](int step, PartId part) {
+    EXPECT_EQ(LatestFree(states_, step, part), NaiveLatest(step, [&](const Story& story) {
+                return story.in_hand() != part && !story.IsInAnother(part);
+              }));
+  });
+}
+
+TEST_P(Moments, APartIsGraspableWhenTheHandIsEmptyAndItIsAlone) {
+  ForAll([&](int step, PartId part) {
+    EXPECT_EQ(LatestGraspable(problem_, states_, step, part),
+              NaiveLatest(step, [&](const Story& story) {
+                return story.in_hand().IsNone() && !story.IsMated(part);
+              }));
+  });
+}
+
+TEST_P(Moments, PlacesAreLabelledAsThePlanLabelsThem) {
+  const UnmetGoals unmet = {problem_, actions_, 0, {}};
+  ForAll([&](int step, PartId part) {
+    const Story story(problem_, actions_, step);
+    if (story.in_hand() == part) return;
+    const plan::Place place = PlaceBefore(unmet, states_, step, part);
+    EXPECT_EQ(place.position, story.PositionOf(part));
+    EXPECT_TRUE(plan::PosesAgree(place.X_WorldPart, states_[step].part(part).X_WorldPart));
+  });
+}
+
+TEST_P(Moments, WhatIsLeftToDoStartsInThatState) {
+  for (int step = 0; step <= std::ssize(actions_); ++step) {
+    if (!states_[step].in_hand.IsNone()) continue;
+    SCOPED_TRACE(::testing::Message() << "step " << step);
+    const domain::Problem left = ProblemFrom(problem_, states_[step]);
+    const plan::WorldState start = plan::InitialState(left);
+    EXPECT_EQ(start.assembled, states_[step].assembled);
+    for (std::size_t p = 0; p < problem_.parts.size(); ++p) {
+      EXPECT_EQ(start.parts[p].status, states_[step].parts[p].status);
+      EXPECT_TRUE(plan::PosesAgree(start.parts[p].X_WorldPart, states_[step].parts[p].X_WorldPart));
+      const domain::Part& before = problem_.parts[p];
+      if (step > 0) continue;
+      EXPECT_EQ(left.parts[p].resting, before.resting);
+      EXPECT_EQ(left.parts[p].hidden, before.hidden);
+      EXPECT_EQ(left.parts[p].position_class, before.position_class);
+    }
+  }
+}
+
+TEST(Moment, OfPartsThatAreMatedFromTheStartOnlyTheFixedOneIsFree) {
+  domain::Problem problem = LoadScenario("uncertain-known");
+  problem.assembled.emplace_back(0);
+  const std::vector<plan::WorldState> states = StatesOf(problem, {});
+  const domain::Mating& mating = problem.mating(domain::MatingId(0));
+  EXPECT_EQ(LatestFree(states, 0, mating.fixed), 0);
+  EXPECT_EQ(LatestFree(states, 0, mating.held), std::nullopt);
+  EXPECT_EQ(LatestGraspable(problem, states, 0, mating.fixed), std::nullopt);
+  EXPECT_EQ(LatestGraspable(problem, states, 0, mating.held), std::nullopt);
+}
+
+}  // namespace
+}  // namespace assay::constraint_posting::moment_test

@@ -1,0 +1,360 @@
+#include "planner/constraint_posting/resolvers/resolver.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "planner/constraint_posting/resolvers/moment.h"
+#include "planner/constraint_posting/resolvers/sensing_resolver.h"
+#include "planner/constraint_posting/resolvers/squeezing_resolver.h"
+#include "planner/constraint_posting/uncertainty_phase/uncertainty_phase.h"
+#include "planner/plan/check/checker.h"
+#include "tests/planner/constraint_posting/scenarios.h"
+
+namespace assay::constraint_posting::resolver_test {
+namespace {
+
+using domain::PartId;
+using plan::Plan;
+using ::testing::AllOf;
+using ::testing::Contains;
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+using ::testing::Not;
+using ::testing::SizeIs;
+
+// An instance of a scenario, and goals of one of its steps that speak of all parts.
+struct Asked {
+  explicit Asked(const std::string& scenario)
+      : problem(LoadScenario(scenario)), actions(ActionsOf(FirstInstance(problem))) {}
+
+  UnmetGoals At(int step) const {
+    std::vector<PartId> parts;
+    for (std::size_t p = 0; p < problem.parts.size(); ++p) parts.emplace_back(p);
+    return {problem, actions, step, {}, parts};
+  }
+  int last() const { return static_cast<int>(actions.size()) - 1; }
+
+  domain::Problem problem;
+  std::vector<plan::Action> actions;
+};
+
+PartId PartOf(const plan::Action& action) {
+  const auto* sense = std::get_if<plan::Sense>(&action);
+  return sense != nullptr ? sense->part : std::get<plan::Squeeze>(action).part;
+}
+
+// The plan of these actions, one after another.
+Plan InThisOrder(const domain::Problem& problem, const std::vector<plan::Action>& actions) {
+  Plan plan = {.problem = problem.name};
+  for (std::size_t i = 0; i < actions.size(); ++i) {
+    const int number = static_cast<int>(i) + 1;
+    plan.steps.push_back({.name = "action_" + std::to_string(number),
+                          .action = actions[i],
+                          .inserted = number,
+                          .executed = number});
+    if (i > 0) plan.ordering.emplace_back(plan::StepId(i - 1), plan::StepId(i));
+  }
+  return plan;
+}
+
+std::vector<plan::Action> With(const Remedy& remedy, const std::vector<plan::Action>& actions) {
+  std::vector<plan::Action> all;
+  for (int i = 0; i < std::ssize(actions); ++i) {
+    for (const Insertion& insertion : remedy.insertions) {
+      if (insertion.before == i) all.push_back(insertion.action);
+    }
+    all.push_back(actions[i]);
+  }
+  return all;
+}
+
+// What a resolver inserts keeps the operational and geometric preconditions of the whole plan: the
+// checker, which shares no code with it, finds nothing wrong.
+TEST(Resolvers, ProposeWhatTheCheckerAccepts) {
+  SensingResolver sensing;
+  SqueezingResolver squeezing;
+  int proposals = 0;
+  for (const char* scenario : {"spar-fig14", "spar-fig16"}) {
+    const Asked asked(scenario);
+    for (int step = 0; step <= asked.last(); ++step) {
+      for (Resolver* resolver : std::initializer_list<Resolver*>{&sensing, &squeezing}) {
+        for (const Remedy& remedy : resolver->Propose(asked.At(step))) {
+          ++proposals;
+          const Plan plan = InThisOrder(asked.problem, With(remedy, asked.actions));
+          for (const plan::Flaw& flaw : plan::Check(asked.problem, plan, 1).flaws) {
+            ADD_FAILURE() << scenario << " step " << step << " " << resolver->name() << ": "
+                          << flaw.what;
+          }
+        }
+      }
+    }
+  }
+  EXPECT_GT(proposals, 20);
+}
+
+TEST(Resolvers, InsertBeforeTheStepWhatIsAboutTheirPart) {
+  const Asked asked("spar-fig13");
+  SensingResolver sensing;
+  SqueezingResolver squeezing;
+  for (int step = 0; step <= asked.last(); ++step) {
+    for (Resolver* resolver : std::initializer_list<Resolver*>{&sensing, &squeezing}) {
+      for (const Remedy& remedy : resolver->Propose(asked.At(step))) {
+        EXPECT_THAT(remedy.insertions, Not(IsEmpty()));
+        EXPECT_THAT(remedy.absorbs, IsEmpty());
+        for (const Insertion& insertion : remedy.insertions) {
+          EXPECT_LE(insertion.before, step);
+          EXPECT_EQ(PartOf(insertion.action), remedy.part);
+        }
+      }
+    }
+  }
+}
+
+// Only parts whose errors occur in the goals are worth a remedy.
+TEST(Resolvers, LeaveOtherPartsAlone) {
+  const Asked asked("spar-fig14");
+  const PartId peg = PartNamed(asked.problem, "peg");
+  const UnmetGoals about_peg = {asked.problem, asked.actions, asked.last(), {}, {peg}};
+  const UnmetGoals about_nothing = {asked.problem, asked.actions, asked.last(), {}, {}};
+  SensingResolver sensing;
+  SqueezingResolver squeezing;
+  for (Resolver* resolver : std::initializer_list<Resolver*>{&sensing, &squeezing}) {
+    const std::vector<Remedy> remedies = resolver->Propose(about_peg);
+    EXPECT_THAT(remedies, Not(IsEmpty()));
+    for (const Remedy& remedy : remedies) EXPECT_EQ(remedy.part, peg);
+    EXPECT_THAT(resolver->Propose(about_nothing), IsEmpty());
+  }
+}
+
+TEST(SensingResolver, LooksAtAPartInTheHandBeforeItIsTaken) {
+  const Asked asked("spar-fig15");  // pickup of the peg, assemble
+  const PartId peg = PartNamed(asked.problem, "peg");
+  for (const Remedy& remedy : SensingResolver().Propose(asked.At(1))) {
+    ASSERT_THAT(remedy.insertions, SizeIs(1));
+    EXPECT_EQ(remedy.insertions[0].before, remedy.part == peg ? 0 : 1);
+  }
+}
+
+TEST(SensingResolver, UsesAllowedSensorsOnly) {
+  Asked asked("spar-fig15");
+  for (const Remedy& remedy : SensingResolver().Propose(asked.At(1))) {
+    EXPECT_EQ(std::get<plan::Sense>(remedy.insertions[0].action).sensor, "overhead-camera");
+  }
+  asked.problem.sensors.clear();
+  EXPECT_THAT(SensingResolver().Propose(asked.At(1)), IsEmpty());
+}
+
+// Two sensors: each alone, then both.
+TEST(SensingResolver, CombinesSensors) {
+  Asked asked("spar-fig15");
+  asked.problem.sensors = {"overhead-camera", "close-camera"};
+  std::vector<std::size_t> sizes;
+  for (const Remedy& remedy : SensingResolver().Propose(asked.At(0))) {
+    if (remedy.part == PartId(0)) sizes.push_back(remedy.insertions.size());
+  }
+  EXPECT_THAT(sizes, ElementsAre(1u, 1u, 2u));
+}
+
+geometry::Vector3 ClosingDirection(const plan::Action& action) {
+  const auto& squeeze = std::get<plan::Squeeze>(action);
+  return (squeeze.at.X_WorldPart * squeeze.hold.X_PartTool).linear().col(1);
+}
+
+TEST(SqueezingResolver, ClosesInDirectionsThatDiffer) {
+  Asked asked("uncertain-squeezing");
+  asked.problem.sensors.clear();
+  const PartId post = PartNamed(asked.problem, "post");
+  int singles = 0;
+  int pairs = 0;
+  for (const Remedy& remedy : SqueezingResolver().Propose(asked.At(0))) {
+    if (remedy.part != post) continue;
+    ASSERT_THAT(remedy.insertions, ::testing::SizeIs(::testing::AnyOf(1u, 2u)));
+    if (remedy.insertions.size() == 1) {
+      ++singles;
+      continue;
+    }
+    ++pairs;
+    const double cosine = ClosingDirection(remedy.insertions[0].action)
+                              .dot(ClosingDirection(remedy.insertions[1].action));
+    EXPECT_LT(std::abs(cosine), 0.99);
+  }
+  EXPECT_EQ(singles, 2);  // a square that stands has two
+  EXPECT_EQ(pairs, 2);    // in either order
+}
+
+// One direction, then two, then either with a look before: a look is the dearest way to squeeze.
+TEST(SqueezingResolver, AlsoProposesALookBeforeWhereSensorsMayBeUsed) {
+  const Asked asked("uncertain-squeezing");
+  bool with_sensing = false;
+  for (const Remedy& remedy : SqueezingResolver().Propose(asked.At(0))) {
+    const bool looks = std::holds_alternative<plan::Sense>(remedy.insertions.front().action);
+    EXPECT_TRUE(looks || !with_sensing);
+    with_sensing = looks;
+    EXPECT_TRUE(std::holds_alternative<plan::Squeeze>(remedy.insertions.back().action));
+  }
+  EXPECT_TRUE(with_sensing);
+}
+
+TEST(SqueezingResolver, LeavesMatedPartsAlone) {
+  Asked asked("uncertain-known");
+  asked.problem.assembled.emplace_back(0);
+  asked.actions.clear();
+  EXPECT_THAT(SqueezingResolver().Propose(asked.At(0)), IsEmpty());
+}
+
+// Resolvers that do not exist yet: the uncertainty phase knows the interface alone.
+
+// Executes some conditions' steps so that their errors do not matter (fine motion).
+class Absorbing : public Resolver {
+ public:
+  explicit Absorbing(std::vector<std::string> conditions) : conditions_(std::move(conditions)) {}
+  std::string_view name() const override { return "fine motion"; }
+  std::vector<std::string> absorbs() const override { return conditions_; }
+  std::vector<Remedy> Propose(const UnmetGoals& unmet) override {
+    asked_.push_back(unmet.step);
+    return {{.part = unmet.parts.front(), .insertions = {}, .absorbs = conditions_}};
+  }
+  const std::vector<int>& asked() const { return asked_; }
+
+ private:
+  std::vector<std::string> conditions_;
+  std::vector<int> asked_;
+};
+
+// Proposes what sensing proposes, under another name.
+class Scanner : public Resolver {
+ public:
+  std::string_view name() const override { return "scanner"; }
+  // For all that is known of it: it is asked together with those that do absorb.
+  std::vector<std::string> absorbs() const override { return {"entry"}; }
+  std::vector<Remedy> Propose(const UnmetGoals& unmet) override {
+    return SensingResolver().Propose(unmet);
+  }
+};
+
+class Idle : public Resolver {
+ public:
+  std::string_view name() const override { return "idle"; }
+  std::vector<Remedy> Propose(const UnmetGoals&) override { return {}; }
+};
+
+UncertaintyOptions Using(std::vector<std::shared_ptr<Resolver>> resolvers) {
+  UncertaintyOptions options;
+  options.resolvers = std::move(resolvers);
+  return options;
+}
+
+Plan Augmented(const domain::Problem& problem, const UncertaintyOptions& options) {
+  return Augment(problem, FirstInstance(problem), options).plan;
+}
+
+const plan::PlannedStep& AssembleStep(const Plan& plan) {
+  return *std::ranges::find_if(plan.steps, [](const plan::PlannedStep& step) {
+    return std::holds_alternative<plan::Assemble>(step.action);
+  });
+}
+
+std::vector<std::string> NamesOf(const std::vector<plan::Resolution>& resolutions) {
+  std::vector<std::string> names;
+  for (const plan::Resolution& resolution : resolutions) names.push_back(resolution.resolver);
+  return names;
+}
+
+TEST(ResolverInterface, WhatIsAbsorbedNeedsNoProof) {
+  const domain::Problem problem = LoadScenario("uncertain-failing");
+  const Plan failing = Augmented(problem, Using({std::make_shared<Idle>()}));
+  ASSERT_EQ(failing.errors, 2);
+  const Plan plan = Augmented(
+      problem, Using({std::make_shared<Absorbing>(std::vector<std::string>{
+                   "entry", "slide-in", "seat", "tilt", "holding", "standing", "pressed",
+                   "fingertip", "fixed stands", "fixed stays", "hand clear", "passing clear"})}));
+  EXPECT_EQ(plan.errors, 1);  // the pickup
+  EXPECT_EQ(plan.steps.size(), failing.steps.size());
+  EXPECT_LT(plan.verifications.size(), failing.verifications.size());
+  const auto names = NamesOf(AssembleStep(plan).certificate.resolutions);
+  EXPECT_THAT(names, ElementsAre("fine motion"));
+  EXPECT_THAT(AssembleStep(plan).certificate.resolutions[0].why, Not(IsEmpty()));
+}
+
+TEST(ResolverInterface, AbsorbingAPartOfTheFailedConditionsIsNotEnough) {
+  const domain::Problem problem = LoadScenario("uncertain-failing");
+  const Plan plan = Augmented(
+      problem, Using({std::make_shared<Absorbing>(std::vector<std::string>{"entry", "seat"})}));
+  EXPECT_EQ(plan.errors, 2);
+}
+
+TEST(ResolverInterface, AllConditionsOfAllStepsAbsorbedLeaveNoErrors) {
+  const domain::Problem problem = LoadScenario("uncertain-failing");
+  const plan::PlanResult result = MakeCertifiedPlan(
+      problem, {},
+      Using({std::make_shared<Absorbing>(std::vector<std::string>{
+          "between fingers", "finger clear", "fingertip", "pad contact", "entry", "slide-in",
+          "seat", "tilt", "holding", "upright", "pushed clear", "standing", "pressed",
+          "fixed stands", "fixed stays", "hand clear", "passing clear"})}));
+  EXPECT_EQ(result.plan.errors, 0);
+  EXPECT_THAT(result.plan.verifications, IsEmpty());
+}
+
+TEST(ResolverInterface, AResolverIsAskedOnlyAboutStepsThatFail) {
+  const domain::Problem known = LoadScenario("uncertain-known");
+  const auto unneeded = std::make_shared<Absorbing>(std::vector<std::string>{});
+  Augmented(known, Using({unneeded}));
+  EXPECT_THAT(unneeded->asked(), IsEmpty());
+  const domain::Problem held = LoadScenario("uncertain-held");
+  const auto needed = std::make_shared<Absorbing>(std::vector<std::string>{});
+  Augmented(held, Using({needed}));
+  EXPECT_THAT(needed->asked(), AllOf(Contains(1), ::testing::Each(1)));  // assemble
+}
+
+TEST(ResolverInterface, WhatAResolverInsertsCarriesItsName) {
+  const Plan plan = Augmented(LoadScenario("uncertain-held"), Using({std::make_shared<Scanner>()}));
+  EXPECT_EQ(plan.errors, 0);
+  const auto& resolutions = AssembleStep(plan).certificate.resolutions;
+  ASSERT_THAT(NamesOf(resolutions), ElementsAre("scanner"));
+  ASSERT_THAT(resolutions[0].steps, SizeIs(1));
+  EXPECT_TRUE(std::holds_alternative<plan::Sense>(plan.step(resolutions[0].steps[0]).action));
+}
+
+TEST(ResolverInterface, EarlierResolversArePreferred) {
+  const domain::Problem problem = LoadScenario("uncertain-held");
+  const auto fine_motion = std::make_shared<Absorbing>(
+      std::vector<std::string>{"entry", "slide-in", "seat", "tilt", "fingertip", "standing",
+                               "pressed", "fixed stands", "fixed stays"});
+  const auto scanner = std::make_shared<Scanner>();
+  const auto first_of = [&](const std::vector<std::shared_ptr<Resolver>>& resolvers) {
+    return NamesOf(AssembleStep(Augmented(problem, Using(resolvers))).certificate.resolutions);
+  };
+  EXPECT_THAT(first_of({scanner, fine_motion}), ElementsAre("scanner"));
+  EXPECT_THAT(first_of({fine_motion, scanner}), ElementsAre("fine motion"));
+  EXPECT_THAT(first_of({std::make_shared<Idle>(), scanner}), ElementsAre("scanner"));
+}
+
+TEST(ResolverInterface, WhereNoneProposesAnythingFailureIsPreparedFor) {
+  const Plan plan = Augmented(LoadScenario("uncertain-held"), Using({std::make_shared<Idle>()}));
+  EXPECT_EQ(plan.errors, 1);
+  EXPECT_THAT(NamesOf(AssembleStep(plan).certificate.resolutions), ElementsAre("verification"));
+  EXPECT_THAT(plan.verifications, Not(IsEmpty()));
+  EXPECT_THAT(plan.recoveries, Not(IsEmpty()));
+}
+
+// A squeeze of a part that may lie under a finger does harm: it is not inserted, though it would
+// make the errors smaller.
+TEST(ResolverInterface, ARemedyWhoseOwnGoalsFailIsNotUsed) {
+  const domain::Problem problem = LoadScenario("uncertain-failing");
+  const Asked asked("uncertain-failing");
+  std::vector<Remedy> squeezes = SqueezingResolver().Propose(asked.At(0));
+  std::erase_if(squeezes, [&](const Remedy& r) { return r.part != PartNamed(problem, "peg"); });
+  ASSERT_THAT(squeezes, Not(IsEmpty()));
+  for (const Remedy& remedy : squeezes) {
+    uncertainty::UncertainWorld world(problem, uncertainty::Propagation::kSound);
+    EXPECT_THAT(uncertainty::CertifyStep(world, remedy.insertions[0].action, {}).unproved,
+                Not(IsEmpty()));
+  }
+  EXPECT_EQ(Count<plan::Squeeze>(ActionsOf(Augmented(problem, {}))), 0);
+}
+
+}  // namespace
+}  // namespace assay::constraint_posting::resolver_test

@@ -1,0 +1,701 @@
+#include "planner/constraint_posting/uncertainty_phase/uncertainty_phase.h"
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <tuple>
+
+#include "planner/algebra/bounds/bounds.h"
+#include "planner/algebra/numeric/interval_arithmetic.h"
+#include "planner/base/random.h"
+#include "planner/constraint_posting/resolvers/squeezing_resolver.h"
+#include "planner/plan/check/checker.h"
+#include "planner/plan/data/condition_kind.h"
+#include "planner/plan/file/plan_file.h"
+#include "tests/oracle/certified_expressions.h"
+#include "tests/planner/constraint_posting/scenarios.h"
+
+namespace assay::constraint_posting::uncertainty_phase_test {
+namespace {
+
+using domain::PartId;
+using plan::Plan;
+using plan::PlannedStep;
+using plan::StepId;
+using ::testing::Each;
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+using ::testing::Not;
+using ::testing::SizeIs;
+using uncertainty::Propagation;
+
+constexpr int kMostOrders = 100;
+
+UncertaintyOptions In(Propagation propagation) {
+  UncertaintyOptions options;
+  options.propagation = propagation;
+  options.instances = 2;  // of scenarios that cannot be proved
+  return options;
+}
+
+Plan CertifiedPlan(const domain::Problem& problem, const UncertaintyOptions& options = {}) {
+  const plan::PlanResult result = MakeCertifiedPlan(problem, {}, options);
+  EXPECT_EQ(result.outcome, Outcome::kFound);
+  return result.plan;
+}
+
+// A resolver that knows no remedy.
+class Idle : public Resolver {
+ public:
+  std::string_view name() const override { return "idle"; }
+  std::vector<Remedy> Propose(const UnmetGoals&) override { return {}; }
+};
+
+UncertaintyOptions WithoutRemedies() {
+  UncertaintyOptions options;
+  options.resolvers = {std::make_shared<Idle>()};
+  options.instances = 1;
+  return options;
+}
+
+bool IsProved(const PlannedStep& step) {
+  return std::ranges::all_of(step.certificate.preconditions,
+                             [](const auto& claim) { return claim.holds(); });
+}
+
+std::vector<StepId> Unproved(const Plan& plan) {
+  std::vector<StepId> unproved;
+  for (const StepId id : plan.ExecutionOrder()) {
+    if (!IsProved(plan.step(id))) unproved.push_back(id);
+  }
+  return unproved;
+}
+
+// What the resolutions of all steps have inserted.
+std::set<StepId> InsertedSteps(const Plan& plan) {
+  std::set<StepId> inserted;
+  for (const PlannedStep& step : plan.steps) {
+    for (const plan::Resolution& resolution : step.certificate.resolutions) {
+      inserted.insert(resolution.steps.begin(), resolution.steps.end());
+    }
+  }
+  return inserted;
+}
+
+// How many of these actions cannot be proved when they are executed one after another.
+int UnprovedAmong(const domain::Problem& problem, const std::vector<plan::Action>& actions,
+                  Propagation propagation) {
+  uncertainty::UncertainWorld world(problem, propagation);
+  int unproved = 0;
+  for (const plan::Action& action : actions) {
+    unproved += uncertainty::CertifyStep(world, action, {}).unproved.empty() ? 0 : 1;
+  }
+  return unproved;
+}
+
+std::vector<plan::Action> ActionsWithout(const Plan& plan, StepId left_out) {
+  std::vector<plan::Action> actions;
+  for (const StepId id : plan.ExecutionOrder()) {
+    if (id != left_out) actions.push_back(plan.step(id).action);
+  }
+  return actions;
+}
+
+const PlannedStep& StepWithMating(const Plan& plan) {
+  return *std::ranges::find_if(plan.steps, [](const PlannedStep& step) {
+    return std::holds_alternative<plan::Assemble>(step.action);
+  });
+}
+
+// The five answers of phase two, each with its scenario.
+
+TEST(UncertaintyPhase, NothingIsDoneAboutPartsThatAreKnownWellEnough) {
+  const domain::Problem problem = LoadScenario("uncertain-known");
+  const Plan plan = CertifiedPlan(problem);
+  EXPECT_EQ(plan.errors, 0);
+  EXPECT_EQ(ActionsOf(plan).size(), ActionsOf(FirstInstance(problem)).size());
+  for (const PlannedStep& step : plan.steps) {
+    EXPECT_THAT(step.certificate.preconditions, Not(IsEmpty()));
+    EXPECT_THAT(step.certificate.resolutions, IsEmpty());
+  }
+  EXPECT_THAT(plan.verifications, IsEmpty());
+  EXPECT_THAT(plan.recoveries, IsEmpty());
+}
+
+TEST(UncertaintyPhase, SensingIsEnoughWhereTheFitIsLoose) {
+  const domain::Problem problem = LoadScenario("uncertain-sensing");
+  EXPECT_GT(CertifiedPlan(problem, WithoutRemedies()).errors, 0);
+  const Plan plan = CertifiedPlan(problem);
+  EXPECT_EQ(plan.errors, 0);
+  EXPECT_EQ(Count<plan::Sense>(ActionsOf(plan)), 2);
+  EXPECT_EQ(Count<plan::Squeeze>(ActionsOf(plan)), 0);
+}
+
+TEST(UncertaintyPhase, TwoPerpendicularSqueezesAreNeededWhereTheCameraIsTooCoarse) {
+  const domain::Problem problem = LoadScenario("uncertain-squeezing");
+  const Plan plan = CertifiedPlan(problem);
+  EXPECT_EQ(plan.errors, 0);
+  const std::vector<plan::Action> actions = ActionsOf(plan);
+  EXPECT_EQ(Count<plan::Sense>(actions), 0);
+  ASSERT_EQ(Count<plan::Squeeze>(actions), 2);
+  std::vector<geometry::Vector3> closing;
+  for (const plan::Action& action : actions) {
+    if (const auto* squeeze = std::get_if<plan::Squeeze>(&action)) {
+      EXPECT_EQ(squeeze->part, PartNamed(problem, "post"));
+      closing.push_back((squeeze->at.X_WorldPart * squeeze->hold.X_PartTool).linear().col(1));
+    }
+  }
+  EXPECT_NEAR(closing[0].dot(closing[1]), 0, 1e-6);
+  // Both horizontal coordinates are known better than the camera could have told.
+  const auto& before = StepWithMating(plan).certificate.before;
+  const auto post = std::ranges::find(before, PartNamed(problem, "post"), &plan::ErrorSet::part);
+  const Interval camera = problem.workcell->uncertainty_operations().FindSensor("coarse-camera")->x;
+  EXPECT_LT(post->x.high, camera.high);
+  EXPECT_LT(post->y.high, camera.high);
+}
+
+// Spar: sensing is not allowed while the part is held. The assembly fails, and then the sleeve is
+// in the hand: so it is looked at before it is taken, although nothing about the pickup asks for
+// it.
+TEST(UncertaintyPhase, ThePartInTheHandWasLookedAtBeforeItWasTaken) {
+  const domain::Problem problem = LoadScenario("uncertain-held");
+  EXPECT_EQ(Unproved(CertifiedPlan(problem, WithoutRemedies())).size(), 1u);
+  const Plan plan = CertifiedPlan(problem);
+  EXPECT_EQ(plan.errors, 0);
+  const std::vector<plan::Action> actions = ActionsOf(plan);
+  ASSERT_THAT(actions, SizeIs(3));
+  ASSERT_TRUE(std::holds_alternative<plan::Sense>(actions[0]));
+  EXPECT_EQ(std::get<plan::Sense>(actions[0]).part, PartNamed(problem, "sleeve"));
+  EXPECT_TRUE(std::holds_alternative<plan::Pickup>(actions[1]));
+  EXPECT_TRUE(std::holds_alternative<plan::Assemble>(actions[2]));
+  EXPECT_THAT(StepWithMating(plan).certificate.resolutions, SizeIs(1));
+  EXPECT_EQ(UnprovedAmong(problem, {actions[1]}, Propagation::kSound), 0);
+}
+
+TEST(UncertaintyPhase, WhereNothingIsEnoughFailureIsPreparedFor) {
+  const domain::Problem problem = LoadScenario("uncertain-failing");
+  const Plan plan = CertifiedPlan(problem);
+  EXPECT_EQ(plan.errors, 2);
+  std::set<std::string> signalled;
+  for (const StepId id : Unproved(plan)) {
+    const auto& resolutions = plan.step(id).certificate.resolutions;
+    EXPECT_EQ(std::ranges::count(resolutions, "verification", &plan::Resolution::resolver), 1);
+    std::vector<plan::Verification> checks = plan.verifications;
+    std::erase_if(checks, [&](const auto& check) { return check.step != id; });
+    EXPECT_THAT(checks, Not(IsEmpty()));
+    for (const plan::Verification& check : checks) {
+      for (const std::string& error : {check.below, check.above}) {
+        signalled.insert(error);
+        EXPECT_TRUE(std::ranges::any_of(plan.recoveries, [&](const plan::Recovery& recovery) {
+          return recovery.step == id && recovery.error == error;
+        })) << error;
+      }
+    }
+  }
+  EXPECT_TRUE(signalled.contains("error1"));  // nothing grasped
+  EXPECT_TRUE(signalled.contains("error2"));  // not what was expected
+}
+
+// What holds of every augmented plan instance.
+
+using Case = std::tuple<const char*, Propagation>;
+
+class AugmentedPlans : public ::testing::TestWithParam<Case> {
+ protected:
+  Propagation propagation() const { return std::get<1>(GetParam()); }
+
+  domain::Problem problem_ = LoadScenario(std::get<0>(GetParam()));
+  const plan::PlanResult& result_ = Result();
+  const Plan& plan_ = result_.plan;
+
+ private:
+  // Planned once for all tests of a case.
+  const plan::PlanResult& Result() const {
+    static std::map<std::pair<std::string, Propagation>, plan::PlanResult> results;
+    const auto [entry, is_new] = results.try_emplace({problem_.name, propagation()});
+    if (is_new) entry->second = MakeCertifiedPlan(problem_, {}, In(propagation()));
+    return entry->second;
+  }
+};
+
+INSTANTIATE_TEST_SUITE_P(
+    , AugmentedPlans,
+    ::testing::Combine(::testing::Values("uncertain-known", "uncertain-sensing",
+                                         "uncertain-squeezing", "uncertain-held",
+                                         "uncertain-failing", "spar-fig15"),
+                       ::testing::Values(Propagation::kPaper, Propagation::kSound)),
+    [](const auto& param) {
+      std::string name = std::get<0>(param.param);
+      std::erase(name, '-');
+      return name + (std::get<1>(param.param) == Propagation::kPaper ? "InPaperMode" : "");
+    });
+
+TEST_P(AugmentedPlans, AreAcceptedByTheChecker) {
+  for (const plan::Flaw& flaw : plan::Check(problem_, plan_, kMostOrders).flaws) {
+    ADD_FAILURE() << flaw.what;
+  }
+}
+
+TEST_P(AugmentedPlans, CountTheirErrorsAsTheirCertificatesDo) {
+  EXPECT_EQ(plan_.errors, std::ssize(Unproved(plan_)));
+  EXPECT_EQ(plan_.errors, UnprovedAmong(problem_, ActionsOf(plan_), propagation()));
+}
+
+// One look less, one squeeze less, and more steps than before cannot be proved.
+TEST_P(AugmentedPlans, WithoutErrorsHoldNothingThatIsNotNeeded) {
+  if (plan_.errors > 0) return;
+  for (const StepId id : InsertedSteps(plan_)) {
+    EXPECT_GT(UnprovedAmong(problem_, ActionsWithout(plan_, id), propagation()), 0)
+        << plan_.step(id).name;
+  }
+}
+
+TEST_P(AugmentedPlans, SayForEachStepThatWasInsertedWhatItIsFor) {
+  const std::set<StepId> inserted = InsertedSteps(plan_);
+  for (std::size_t i = 0; i < plan_.steps.size(); ++i) {
+    const plan::Action& action = plan_.steps[i].action;
+    const bool reduces = std::holds_alternative<plan::Sense>(action) ||
+                         std::holds_alternative<plan::Squeeze>(action);
+    EXPECT_EQ(inserted.contains(StepId(i)), reduces) << plan_.steps[i].name;
+  }
+  for (const PlannedStep& step : plan_.steps) {
+    for (const plan::Resolution& resolution : step.certificate.resolutions) {
+      EXPECT_THAT(resolution.why, Not(IsEmpty()));
+      for (const StepId id : resolution.steps) EXPECT_LT(plan_.step(id).executed, step.executed);
+    }
+  }
+}
+
+// Outward rounding, here and there.
+constexpr double kRounding = 1e-15;  // metres and radians
+
+void ExpectSame(const Interval& a, const Interval& b) {
+  EXPECT_NEAR(a.low, b.low, kRounding);
+  EXPECT_NEAR(a.high, b.high, kRounding);
+}
+
+void ExpectContained(const Interval& inner, const Interval& outer, double tolerance) {
+  EXPECT_GE(inner.low, outer.low - tolerance);
+  EXPECT_LE(inner.high, outer.high + tolerance);
+}
+
+void ExpectSame(const plan::ErrorSet& a, const plan::ErrorSet& b) {
+  EXPECT_EQ(a.in_hand, b.in_hand);
+  ExpectSame(a.x, b.x);
+  ExpectSame(a.y, b.y);
+  ExpectSame(a.z, b.z);
+  ExpectSame(a.theta, b.theta);
+  ExpectSame(a.tip, b.tip);
+  ExpectSame(a.twist, b.twist);
+}
+
+// A part in the hand, about where the hand was told to go: the new command's error is added to what
+// the part is off in the hand. Across the pads there is nothing else (Spar: "Y is limited to the
+// gripper's own error"), but that a turn of the hand swings a grasp that is off; unless the pads
+// jammed, which shows in the rotation.
+void ExpectHandedOnInHand(const plan::ErrorSet& before, const plan::ErrorSet& last,
+                          const domain::PoseError& hand) {
+  constexpr double kLoose = 1e-6;  // metres
+  EXPECT_TRUE(before.in_hand && last.in_hand);
+  ExpectContained(last.x, before.x, kLoose);
+  ExpectContained(last.z, before.z, kLoose);
+  ExpectSame(last.theta, before.theta);
+  ExpectSame(last.tip, before.tip);
+  ExpectSame(last.twist, before.twist);
+  if (before.theta.high > hand.theta.high + kRounding) return;
+  const double across = hand.y.high + before.x.high * hand.theta.high + kLoose;
+  EXPECT_LE(before.y.high, across);
+  EXPECT_LE(last.y.high, across);
+}
+
+plan::ErrorSet ErrorAtFirst(const domain::Problem& problem, PartId part) {
+  const domain::PoseError& error = problem.part(part).error;
+  return {.part = part,
+          .in_hand = false,
+          .x = error.x,
+          .y = error.y,
+          .z = error.z,
+          .theta = error.theta};
+}
+
+// What is known after a step is what is known before the next one of the same part.
+TEST_P(AugmentedPlans, HandOnWhatIsKnownFromStepToStep) {
+  std::map<PartId, plan::ErrorSet> known;
+  for (std::size_t p = 0; p < problem_.parts.size(); ++p) {
+    known[PartId(p)] = ErrorAtFirst(problem_, PartId(p));
+  }
+  for (const StepId id : plan_.ExecutionOrder()) {
+    SCOPED_TRACE(plan_.step(id).name);
+    const plan::Certificate& certificate = plan_.step(id).certificate;
+    EXPECT_EQ(certificate.before.size(), certificate.after.size());
+    for (const plan::ErrorSet& before : certificate.before) {
+      if (before.in_hand && propagation() == Propagation::kSound) {
+        ExpectHandedOnInHand(before, known[before.part], problem_.gripper_error);
+      } else {
+        ExpectSame(before, known[before.part]);
+      }
+    }
+    for (const plan::ErrorSet& after : certificate.after) known[after.part] = after;
+  }
+}
+
+// A certificate is complete in itself: from its texts alone, each claim is proved anew, and the
+// worst corner shows how near to it the expression comes.
+TEST_P(AugmentedPlans, CarryCertificatesThatCanBeProvedAnew) {
+  for (const PlannedStep& step : plan_.steps) {
+    algebra::ExpressionPool pool;
+    const std::vector<algebra::Expression> expressions =
+        oracle::CertifiedExpressions(step.certificate, pool);
+    for (std::size_t k = 0; k < expressions.size(); ++k) {
+      const plan::CertifiedPrecondition& claim = step.certificate.preconditions[k];
+      const algebra::Expression& e = expressions[k];
+      const bool less = claim.relation == plan::Relation::kLess;
+      const algebra::BoundRequest request = {.limit = claim.limit};
+      const algebra::ConstraintSet box = algebra::DeclaredBox(pool);
+      const double bound = less ? algebra::BoundAbove(e, box, request).value
+                                : algebra::BoundBelow(e, box, request).value;
+      EXPECT_EQ(less ? bound < claim.limit : bound > claim.limit, claim.holds())
+          << step.name << " " << claim.condition << " " << claim.expression;
+      if (claim.worst.empty()) continue;
+      std::vector<Interval> corner = box.box;
+      for (const auto& [name, value] : claim.worst) {
+        const algebra::VariableId id = *pool.Find(name);
+        EXPECT_TRUE(algebra::Contains(pool.bounds(id), value));
+        corner[id.index()] = {value, value};
+      }
+      const Interval value = algebra::Evaluate(e, corner);
+      const double beyond = less ? value.low - claim.bound : claim.bound - value.high;
+      EXPECT_LE(beyond, 0) << claim.expression;
+      EXPECT_LE(-beyond, claim.gap + 1e-9) << claim.expression;
+    }
+  }
+}
+
+std::string Bytes(const plan::PlanResult& result, const domain::Problem& problem) {
+  return plan::ToJson(result, problem, "scenario.yaml").dump(2);
+}
+
+TEST_P(AugmentedPlans, AreTheSameBytesEveryTime) {
+  const plan::PlanResult again = MakeCertifiedPlan(problem_, {}, In(propagation()));
+  EXPECT_EQ(Bytes(again, problem_), Bytes(result_, problem_));
+}
+
+TEST_P(AugmentedPlans, SurviveBeingWrittenAndRead) {
+  const std::string text = Bytes(result_, problem_);
+  const plan::PlanResult read = plan::ReadPlan(Document::Parse(text, "plan.json"), problem_);
+  EXPECT_EQ(read.plan.errors, plan_.errors);
+  EXPECT_EQ(Bytes(read, problem_), text);
+  for (std::size_t i = 0; i < plan_.steps.size(); ++i) {
+    EXPECT_EQ(read.plan.steps[i].certificate, plan_.steps[i].certificate);
+  }
+}
+
+// The paper's mode asks for less: of a pickup, its four inequalities.
+TEST(UncertaintyPhase, ThePaperModeHasThePapersPreconditionsOfAPickup) {
+  const Plan plan = CertifiedPlan(LoadScenario("uncertain-known"), In(Propagation::kPaper));
+  for (const PlannedStep& step : plan.steps) {
+    if (!std::holds_alternative<plan::Pickup>(step.action)) continue;
+    std::vector<std::string> conditions;
+    for (const auto& claim : step.certificate.preconditions) conditions.push_back(claim.condition);
+    EXPECT_THAT(conditions, SizeIs(4));
+    EXPECT_THAT(conditions, Each("between fingers"));
+  }
+}
+
+void ScaleErrors(domain::Problem& problem, double factor) {
+  const auto scale = [&](domain::PoseError& error) {
+    for (Interval* range : {&error.x, &error.y, &error.z, &error.theta}) {
+      *range = {factor * range->low, factor * range->high};
+    }
+  };
+  for (domain::Part& part : problem.parts) scale(part.error);
+  scale(problem.gripper_error);
+}
+
+class ExactlyKnown : public ::testing::TestWithParam<const char*> {};
+
+INSTANTIATE_TEST_SUITE_P(, ExactlyKnown,
+                         ::testing::Values("spar-fig13", "spar-fig14", "spar-fig16", "spar-example",
+                                           "two-pegs", "clutter", "keyed", "uncertain-failing"),
+                         [](const auto& param) {
+                           std::string name = param.param;
+                           std::erase(name, '-');
+                           return name;
+                         });
+
+// Without errors, what the geometry of the first phase allows is proved, and nothing is added.
+TEST_P(ExactlyKnown, PartsNeedNothing) {
+  domain::Problem problem = LoadScenario(GetParam());
+  ScaleErrors(problem, 0);
+  const Plan plan = CertifiedPlan(problem);
+  EXPECT_EQ(plan.errors, 0);
+  EXPECT_THAT(Unproved(plan), IsEmpty());
+  EXPECT_EQ(ActionsOf(plan).size(), ActionsOf(FirstInstance(problem)).size());
+}
+
+// Of one instance, with nothing done about it: what is proved stays proved when errors are smaller.
+TEST(UncertaintyPhase, SmallerErrorsAreNoHarder) {
+  int last = 0;
+  for (const double factor : {0.0, 0.01, 0.1, 0.3, 1.0, 2.0}) {
+    domain::Problem problem = LoadScenario("uncertain-sensing");
+    const Plan instance = FirstInstance(problem);
+    ScaleErrors(problem, factor);
+    const int errors = Augment(problem, instance, WithoutRemedies()).plan.errors;
+    EXPECT_GE(errors, last) << factor;
+    last = errors;
+  }
+  EXPECT_GT(last, 0);
+}
+
+double LogUniform(RandomStream& random, double low, double high) {
+  return low * std::pow(high / low, random.Uniform());
+}
+
+domain::PoseError RandomError(RandomStream& random) {
+  const auto plus_minus = [](double half_width) { return Interval{-half_width, half_width}; };
+  return {.x = plus_minus(LogUniform(random, 5e-5, 6e-3)),
+          .y = plus_minus(LogUniform(random, 5e-5, 6e-3)),
+          .z = plus_minus(LogUniform(random, 1e-5, 5e-4)),
+          .theta = plus_minus(LogUniform(random, 5e-4, 0.1))};
+}
+
+// Whatever the errors: the count is right, the plan works, and where all is proved, nothing is too
+// much.
+TEST(UncertaintyPhase, HoldsItsLawsForRandomErrors) {
+  int proved_by_remedies = 0;
+  for (int seed = 0; seed < 8; ++seed) {
+    SCOPED_TRACE(seed);
+    RandomStream random(seed, "errors");
+    constexpr std::array kScenarios = {"uncertain-sensing", "uncertain-held", "uncertain-squeezing",
+                                       "uncertain-known"};
+    domain::Problem problem = LoadScenario(kScenarios[seed % kScenarios.size()]);
+    for (domain::Part& part : problem.parts) part.error = RandomError(random);
+    if (random.Index(3) == 0) problem.sensors.clear();
+    UncertaintyOptions options;
+    options.instances = 1;
+    const Plan plan = CertifiedPlan(problem, options);
+    EXPECT_EQ(plan.errors, std::ssize(Unproved(plan)));
+    EXPECT_THAT(plan::Check(problem, plan, 1).flaws, IsEmpty());
+    if (plan.errors > 0) continue;
+    const std::set<StepId> inserted = InsertedSteps(plan);
+    proved_by_remedies += inserted.empty() ? 0 : 1;
+    for (const StepId id : inserted) {
+      EXPECT_GT(UnprovedAmong(problem, ActionsWithout(plan, id), Propagation::kSound), 0);
+    }
+  }
+  EXPECT_GT(proved_by_remedies, 0);
+}
+
+// An error that promises to be other than 0 is no reason to give up.
+TEST(UncertaintyPhase, RemediesAreTriedForErrorsThatAreNotAboutZero) {
+  domain::Problem problem = LoadScenario("uncertain-sensing");
+  for (domain::Part& part : problem.parts) part.error.x = {1e-4, part.error.x.high};
+  const Plan plan = CertifiedPlan(problem);
+  EXPECT_EQ(plan.errors, 0);
+  EXPECT_THAT(InsertedSteps(plan), Not(IsEmpty()));
+  for (const PlannedStep& step : plan.steps) {
+    for (const plan::Resolution& resolution : step.certificate.resolutions) {
+      EXPECT_NE(resolution.resolver, "verification");
+    }
+  }
+}
+
+// Instances, plans and budgets.
+
+// The paper counts unmet goals; among instances with as many, the shorter plan and then the total
+// violation decide.
+class AllInstances : public ::testing::TestWithParam<const char*> {};
+
+INSTANTIATE_TEST_SUITE_P(, AllInstances, ::testing::Values("uncertain-failing", "spar-fig15"),
+                         [](const auto& param) {
+                           std::string name = param.param;
+                           std::erase(name, '-');
+                           return name;
+                         });
+
+TEST_P(AllInstances, HaveNoneBetterThanTheAnswer) {
+  const domain::Problem problem = LoadScenario(GetParam());
+  UncertaintyOptions options;
+  options.instances = 4;
+  options.instances_for_violation = 4;
+  options.combinations = 10;
+  using Rank = std::tuple<int, std::size_t, double>;
+  std::vector<std::pair<Rank, Plan>> augmented;
+  for (const Plan& instance : Instances(problem, 4)) {
+    const AugmentedPlanInstance answer = Augment(problem, instance, options);
+    augmented.push_back(
+        {{answer.plan.errors, instance.steps.size(), answer.violation}, answer.plan});
+  }
+  const Plan& best = std::ranges::min_element(augmented, {}, &std::pair<Rank, Plan>::first)->second;
+  const Plan plan = CertifiedPlan(problem, options);
+  EXPECT_LE(plan.errors, augmented.front().second.errors);
+  EXPECT_EQ(Bytes({Outcome::kFound, plan, {}, {}}, problem),
+            Bytes({Outcome::kFound, best, {}, {}}, problem));
+}
+
+// The violation is what the certificates say is missing, if both are bounded by the same method.
+TEST(UncertaintyPhase, TheViolationIsTheSumOfWhatIsMissing) {
+  const domain::Problem problem = LoadScenario("uncertain-failing");
+  UncertaintyOptions options;
+  options.bound.highest = algebra::BoundingMethod::kTermwise;
+  const AugmentedPlanInstance augmented = Augment(problem, FirstInstance(problem), options);
+  double missing = 0;
+  for (const PlannedStep& step : augmented.plan.steps) {
+    for (const auto& claim : step.certificate.preconditions) missing += std::max(0., -claim.margin);
+  }
+  EXPECT_GT(missing, 0);
+  EXPECT_NEAR(augmented.violation, missing, 1e-12 * missing + 1e-9);
+}
+
+// Most errors are what no remedy can reach (heights, by a camera that does not measure them): then
+// it is not worth augmenting all instances.
+TEST(UncertaintyPhase, AFewInstancesAreAugmentedForTheirViolationAlone) {
+  domain::Problem problem = LoadScenario("spar-fig13");
+  problem.sensors = {"coarse-camera"};
+  std::vector<std::int64_t> remedies;
+  std::vector<int> errors;
+  for (const int most : {0, 1, 9}) {
+    UncertaintyOptions options;
+    options.instances_for_violation = most;
+    const plan::PlanResult result = MakeCertifiedPlan(problem, {}, options);
+    remedies.push_back(result.counters.at("remedies"));
+    errors.push_back(result.plan.errors);
+  }
+  EXPECT_LT(remedies[0], remedies[1]);
+  EXPECT_LT(remedies[1], remedies[2]);
+  EXPECT_THAT(errors, ElementsAre(1, 1, 1));
+}
+
+TEST(UncertaintyPhase, NoMoreInstancesAreLookedAtThanTheBudgetSays) {
+  const domain::Problem problem = LoadScenario("uncertain-failing");
+  for (const int budget : {1, 2, 5}) {
+    UncertaintyOptions options = WithoutRemedies();
+    options.instances = budget;
+    const plan::PlanResult result = MakeCertifiedPlan(problem, {}, options);
+    EXPECT_EQ(result.outcome, Outcome::kFound);
+    EXPECT_EQ(result.counters.at("instances"), budget);
+  }
+}
+
+TEST(UncertaintyPhase, NoMoreRemediesAreTriedThanTheBudgetSays) {
+  domain::Problem problem = LoadScenario("uncertain-sensing");
+  for (domain::Part& part : problem.parts) part.error.theta = {-0.005, 0.005};
+  const Plan instance = FirstInstance(problem);
+  UncertaintyOptions options;
+  options.combinations = 0;
+  const AugmentedPlanInstance untried = Augment(problem, instance, options);
+  EXPECT_EQ(untried.combinations, 0);
+  EXPECT_EQ(untried.plan.errors, 1);
+  EXPECT_THAT(InsertedSteps(untried.plan), IsEmpty());
+  options.combinations = 1;
+  EXPECT_LE(Augment(problem, instance, options).combinations, std::ssize(instance.steps));
+  // The assembly needs two looks: one at a time they are not found.
+  options = {};
+  options.most_remedies = 1;
+  options.resolvers = {};
+  EXPECT_GT(Augment(problem, instance, options).plan.errors, 0);
+  options.most_remedies = 2;
+  EXPECT_EQ(Augment(problem, instance, options).plan.errors, 0);
+}
+
+TEST(UncertaintyPhase, WhereThereIsNoPlanThereIsNoneWithCertificates) {
+  const plan::PlanResult result = MakeCertifiedPlan(LoadScenario("impossible"), {}, {});
+  EXPECT_EQ(result.outcome, Outcome::kNone);
+  EXPECT_THAT(result.conflict, Not(IsEmpty()));
+  EXPECT_THAT(result.plan.steps, IsEmpty());
+}
+
+TEST(UncertaintyPhase, ABudgetOfTheFirstPhaseThatIsSpentIsTold) {
+  PlannerOptions planner;
+  planner.partial_plans = 1;
+  const plan::PlanResult result = MakeCertifiedPlan(LoadScenario("uncertain-known"), planner, {});
+  EXPECT_EQ(result.outcome, Outcome::kBudget);
+}
+
+// Knows single squeezes only.
+class OneSqueeze : public Resolver {
+ public:
+  std::string_view name() const override { return "one squeeze"; }
+  std::vector<Remedy> Propose(const UnmetGoals& unmet) override {
+    std::vector<Remedy> remedies = SqueezingResolver().Propose(unmet);
+    std::erase_if(remedies, [](const Remedy& remedy) { return remedy.insertions.size() != 1; });
+    return remedies;
+  }
+};
+
+// Beyond the paper: no instance of the shortest plan is enough, but to pick the post up and put it
+// down again aligns it in one direction, and a squeeze does in the other.
+TEST(UncertaintyPhase, TheFirstPhaseIsAskedForAnotherPlanWhereNoInstanceIsEnough) {
+  domain::Problem problem = LoadScenario("uncertain-squeezing");
+  problem.sensors.clear();
+  UncertaintyOptions options;
+  options.instances = 20;
+  options.resolvers = {std::make_shared<OneSqueeze>()};
+  EXPECT_GT(Augment(problem, FirstInstance(problem), options).plan.errors, 0);
+  const plan::PlanResult result = MakeCertifiedPlan(problem, {}, options);
+  EXPECT_EQ(result.plan.errors, 0);
+  EXPECT_GT(result.counters.at("complete_plans"), 1);
+  const std::vector<plan::Action> actions = ActionsOf(result.plan);
+  EXPECT_EQ(Count<plan::Squeeze>(actions), 1);
+  EXPECT_EQ(Count<plan::Pickup>(actions), 2);
+  EXPECT_THAT(plan::Check(problem, result.plan, kMostOrders).flaws, IsEmpty());
+}
+
+// A plan says how many steps are not proved; its certificates must say the same, whatever the
+// method of bounding.
+TEST(UncertaintyPhase, WeakerBoundsGiveTheSameCountAsTheirCertificates) {
+  for (const auto method :
+       {algebra::BoundingMethod::kTermwise, algebra::BoundingMethod::kMonotone}) {
+    UncertaintyOptions options;
+    options.bound.highest = method;
+    options.instances = 1;
+    const Plan plan = CertifiedPlan(LoadScenario("uncertain-squeezing"), options);
+    EXPECT_EQ(plan.errors, std::ssize(Unproved(plan))) << algebra::Name(method);
+  }
+}
+
+plan::PlanResult ReadBack(const plan::PlanResult& result, const domain::Problem& problem) {
+  const std::string text = plan::ToJson(result, problem, "scenario.yaml").dump();
+  return plan::ReadPlan(Document::Parse(text, "plan.json"), problem);
+}
+
+// Who has the scenario and the actions, as a plan file keeps them, has the certificates.
+TEST(UncertaintyPhase, CertificatesAreTheSameComputedAnew) {
+  for (const char* name :
+       {"uncertain-known", "uncertain-squeezing", "uncertain-failing", "spar-fig15"}) {
+    for (const Propagation propagation : {Propagation::kSound, Propagation::kPaper}) {
+      const domain::Problem problem = LoadScenario(name);
+      const plan::PlanResult made = MakeCertifiedPlan(problem, {}, In(propagation));
+      ASSERT_EQ(made.outcome, Outcome::kFound) << name;
+      const Plan plan = ReadBack(made, problem).plan;
+      const auto anew = uncertainty::CertificatesAnew(problem, plan, propagation, {});
+      for (std::size_t i = 0; i < plan.steps.size(); ++i) {
+        plan::Certificate expected = plan.steps[i].certificate;
+        expected.resolutions.clear();
+        EXPECT_TRUE(anew[i] == expected) << name << ", " << plan.steps[i].name;
+      }
+    }
+  }
+}
+
+TEST(UncertaintyPhase, CertificatesStateWhatTheyCover) {
+  for (const char* name : {"uncertain-known", "uncertain-squeezing", "spar-fig13"}) {
+    for (const Propagation propagation : {Propagation::kSound, Propagation::kPaper}) {
+      const Plan plan = CertifiedPlan(LoadScenario(name), In(propagation));
+      EXPECT_EQ(plan::IsAsPublished(plan), propagation == Propagation::kPaper) << name;
+      for (const PlannedStep& step : plan.steps) {
+        EXPECT_THAT(plan::FlawsOfCoverage(step), IsEmpty()) << name << ", " << step.name;
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace assay::constraint_posting::uncertainty_phase_test

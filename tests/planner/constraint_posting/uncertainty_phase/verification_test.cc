@@ -1,0 +1,172 @@
+#include "planner/constraint_posting/uncertainty_phase/verification.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <numbers>
+
+#include "tests/planner/constraint_posting/scenarios.h"
+
+namespace assay::constraint_posting::verification_test {
+namespace {
+
+using domain::MeasuredQuantity;
+using domain::RecoveryStrategy;
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+using ::testing::SizeIs;
+
+constexpr double kRounding = 1e-12;  // metres
+
+class Verification : public ::testing::Test {
+ protected:
+  // `doubt`: how far from where it is expected the step may meet something, metres.
+  plan::Plan After(const plan::Action& action, double doubt = 0) const {
+    const double travel = problem_.workcell->rules().guarded_travel;
+    plan::Certificate certificate;
+    certificate.preconditions = {{.condition = "seat",
+                                  .meaning = {},
+                                  .expression = {},
+                                  .limit = travel,
+                                  .bound = doubt,
+                                  .margin = travel - doubt,
+                                  .method = {}}};
+    plan::Plan plan;
+    AddVerification(problem_, kStep, action, certificate, plan);
+    return plan;
+  }
+
+  // The first action of a kind in the plan that turns the block and assembles.
+  template <class Kind>
+  const Kind& First() const {
+    const auto is = [](const plan::Action& action) { return std::holds_alternative<Kind>(action); };
+    return std::get<Kind>(*std::ranges::find_if(actions_, is));
+  }
+
+  static std::vector<std::string> ErrorsOf(const plan::Plan& plan) {
+    std::vector<std::string> errors;
+    for (const plan::Recovery& recovery : plan.recoveries) errors.push_back(recovery.error);
+    return errors;
+  }
+
+  static constexpr plan::StepId kStep{7};
+  domain::Problem problem_ = LoadScenario("spar-fig14");
+  std::vector<plan::Action> actions_ = ActionsOf(FirstInstance(problem_));
+};
+
+// Spar, figures 11 and 12: nothing in the hand starts a local search, the wrong thing in the hand
+// calls the operator.
+TEST_F(Verification, OfAPickupReadsTheOpeningOfTheGripper) {
+  const plan::Plan plan = After(First<plan::Pickup>());
+  ASSERT_THAT(plan.verifications, SizeIs(1));
+  const plan::Verification& check = plan.verifications.front();
+  EXPECT_EQ(check.step, kStep);
+  EXPECT_EQ(check.name, "gripper-opening");
+  EXPECT_EQ(check.quantity, MeasuredQuantity::kGripperOpening);
+  EXPECT_EQ(check.expected, First<plan::Pickup>().hold.width);
+  EXPECT_EQ(check.below, "error1");
+  EXPECT_EQ(check.above, "error2");
+
+  ASSERT_THAT(ErrorsOf(plan), ElementsAre("error1", "error2"));
+  EXPECT_EQ(plan.recoveries[0].step, kStep);
+  EXPECT_EQ(plan.recoveries[0].strategy, RecoveryStrategy::kGropingSearch);
+  EXPECT_NEAR(plan.recoveries[0].radius, 0.010, kRounding);
+  EXPECT_NEAR(plan.recoveries[0].pitch, 0.003, kRounding);
+  EXPECT_EQ(plan.recoveries[1].strategy, RecoveryStrategy::kCallOperator);
+}
+
+// An opening of nothing and one of another part must be told apart from the part's own.
+TEST_F(Verification, TheTwoErrorsOfAPickupAreFarFromTheExpectedOpening) {
+  const plan::Verification check = After(First<plan::Pickup>()).verifications.front();
+  EXPECT_GT(check.tolerance, 0);
+  EXPECT_GT(check.expected - check.tolerance, 0);
+  EXPECT_LT(check.expected + check.tolerance, problem_.workcell->gripper().max_opening());
+}
+
+TEST_F(Verification, OfAPutdownReadsWhereTheToolMetTheTable) {
+  const auto& putdown = First<plan::Putdown>();
+  const plan::Plan plan = After(putdown);
+  ASSERT_THAT(plan.verifications, SizeIs(1));
+  EXPECT_EQ(plan.verifications[0].quantity, MeasuredQuantity::kToolHeight);
+  EXPECT_NEAR(plan.verifications[0].expected,
+              (putdown.to.X_WorldPart * putdown.hold.X_PartTool).translation().z(), kRounding);
+  // Too low and too high are one error here: one recovery is enough for both.
+  EXPECT_THAT(ErrorsOf(plan), ElementsAre("error3"));
+}
+
+TEST_F(Verification, OfAnAssemblyReadsWhereItEnded) {
+  const auto& assemble = First<plan::Assemble>();
+  const plan::Plan plan = After(assemble);
+  ASSERT_THAT(plan.verifications, SizeIs(1));
+  EXPECT_EQ(plan.verifications[0].quantity, MeasuredQuantity::kToolHeight);
+  const geometry::Pose X_WorldTool = assemble.fixed.X_WorldPart *
+                                     problem_.mating(assemble.mating).X_FixedHeld *
+                                     assemble.hold.X_PartTool;
+  EXPECT_NEAR(plan.verifications[0].expected, X_WorldTool.translation().z(), kRounding);
+  EXPECT_THAT(ErrorsOf(plan), ElementsAre("error3", "error4"));
+}
+
+// Where the block's height is uncertain, so is where the peg comes to sit in it: that is no error.
+TEST_F(Verification, AHeightMayBeAsFarOffAsItsCertificateSays) {
+  const auto& assemble = First<plan::Assemble>();
+  const double sure = After(assemble).verifications[0].tolerance;
+  EXPECT_NEAR(After(assemble, 0.0028).verifications[0].tolerance, sure + 0.0028, kRounding);
+  const auto& pickup = First<plan::Pickup>();
+  EXPECT_EQ(After(pickup, 0.0028).verifications[0].tolerance,
+            After(pickup).verifications[0].tolerance)
+      << "an opening is no height";
+}
+
+// A peg falls into its hole where both coordinates across are within the clearance. However the
+// hole is turned, one of the places of a search must be so near.
+TEST_F(Verification, ASearchIsFineEnoughForTheClearance) {
+  const auto& assemble = First<plan::Assemble>();
+  const plan::Plan plan = After(assemble);
+  const plan::Recovery& search = plan.recoveries[1];
+  ASSERT_EQ(search.strategy, RecoveryStrategy::kGropingSearch);
+  const double clearance = problem_.part(problem_.mating(assemble.mating).fixed).model->clearance();
+  ASSERT_GT(clearance, 0);
+  EXPECT_LT(search.pitch / 2 * std::numbers::sqrt2, clearance);
+  EXPECT_GT(search.pitch, clearance) << "finer than that is waste";
+}
+
+TEST_F(Verification, NothingChecksWhatIsInsertedOnlyWhereItIsProved) {
+  const auto& pickup = First<plan::Pickup>();
+  for (const plan::Action& action :
+       std::vector<plan::Action>{plan::Sense{pickup.part, "overhead-camera", pickup.from},
+                                 plan::Squeeze{pickup.part, pickup.hold, pickup.from}}) {
+    const plan::Plan plan = After(action);
+    EXPECT_THAT(plan.verifications, IsEmpty());
+    EXPECT_THAT(plan.recoveries, IsEmpty());
+  }
+}
+
+TEST_F(Verification, EveryTemplateOfTheWorkcellIsUsed) {
+  const auto& templates = problem_.workcell->uncertainty_operations().verifications;
+  std::size_t used = 0;
+  for (const plan::Action& action : std::vector<plan::Action>{
+           First<plan::Pickup>(), First<plan::Putdown>(), First<plan::Assemble>()}) {
+    for (const plan::Verification& check : After(action).verifications) {
+      const auto original =
+          std::ranges::find(templates, check.name, &domain::VerificationTemplate::name);
+      ASSERT_NE(original, templates.end());
+      EXPECT_EQ(check.tolerance, original->tolerance);
+      EXPECT_EQ(check.below, original->below);
+      EXPECT_EQ(check.above, original->above);
+      ++used;
+    }
+  }
+  EXPECT_EQ(used, templates.size());
+}
+
+TEST_F(Verification, TwoStepsHaveRecoveriesOfTheirOwn) {
+  plan::Plan plan;
+  AddVerification(problem_, plan::StepId(0), First<plan::Pickup>(), {}, plan);
+  AddVerification(problem_, plan::StepId(1), First<plan::Pickup>(), {}, plan);
+  EXPECT_THAT(ErrorsOf(plan), ElementsAre("error1", "error2", "error1", "error2"));
+  EXPECT_EQ(plan.recoveries[2].step, plan::StepId(1));
+}
+
+}  // namespace
+}  // namespace assay::constraint_posting::verification_test

@@ -1,0 +1,133 @@
+#include "sim/check/claims/noise_floor.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "sim/check/claims/measure_noise_floor.h"
+#include "sim/check/falsification/attack.h"
+#include "tests/sim/check/certified.h"
+
+namespace assay::check::honesty_gate_test {
+namespace {
+
+constexpr double kRounding = 1e-9;  // of every gate
+
+// Penetration turns a part by 1e-4 radians, and everything differs in its unit.
+NoiseFloor Gate() {
+  return {{{.components = {{Claimed::kAfter, "x of peg", 5e-5, 2e-5},
+                           {Claimed::kAfter, "theta of peg", 0, -3e-3},
+                           {Claimed::kPrecondition, "tilt", 0, -4e-3}},
+            .arm = 0.01,
+            .penetration = 1e-6,
+            .lag = 2e-6,
+            .lag_turn = 5e-5}}};
+}
+
+Claim Of(const char* name, Unit unit, Interval predicted, Claimed about = Claimed::kAfter) {
+  return {
+      .step = plan::StepId(0), .about = about, .name = name, .unit = unit, .predicted = predicted};
+}
+
+TEST(NoiseFloor, WhatTheTimestepDoesIsKnownOnItsSideOnly) {
+  const Claim x = Gate().Passed(Of("x of peg", Unit::kMetre, {-1e-3, 1e-3}));
+  EXPECT_NEAR(x.predicted.low, -1e-3 - 3e-6, 2 * kRounding);
+  EXPECT_NEAR(x.predicted.high, 1e-3 + 3e-6 + 2e-5, 2 * kRounding);
+  EXPECT_DOUBLE_EQ(x.gate, 2e-5);
+  const Claim theta = Gate().Passed(Of("theta of peg", Unit::kRadian, {-0.1, 0.1}));
+  EXPECT_NEAR(theta.predicted.low, -0.1 - 1.5e-4 - 3e-3, 2 * kRounding);
+  EXPECT_NEAR(theta.predicted.high, 0.1 + 1.5e-4, 2 * kRounding);
+  EXPECT_DOUBLE_EQ(theta.gate, 3e-3);
+}
+
+// However great an angle's or another length's gate is, it is nothing to a length that has none.
+TEST(NoiseFloor, GatesOfOtherClaimsAndUnitsAreNotTaken) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  const Claim landing =
+      Gate().Passed(Of("landing height", Unit::kMetre, {0, kInfinity}, Claimed::kPrecondition));
+  EXPECT_NEAR(landing.predicted.low, -3e-6, 2 * kRounding);
+  EXPECT_EQ(landing.predicted.high, kInfinity);
+  EXPECT_EQ(landing.gate, 0);
+  // The same name of something else.
+  EXPECT_EQ(Gate().Passed(Of("x of peg", Unit::kMetre, {0, 0}, Claimed::kBefore)).gate, 0);
+  const Claim end = Gate().Passed(Of("comes to its end", Unit::kNone, {1, 1}));
+  EXPECT_EQ(end.predicted, (Interval{1, 1}));
+}
+
+TEST(NoiseFloor, RoundingIsAlwaysForgiven) {
+  Claim claim = Of("x of peg", Unit::kMetre, {-1e-3, 1e-3}, Claimed::kBefore);
+  claim.observed = 1e-3 + 1e-12;
+  EXPECT_EQ(Judged(NoiseFloor().Passed(claim)).verdict, ClaimVerdict::kContained);
+  claim.observed = 1e-3 + 1e-8;
+  EXPECT_EQ(Judged(NoiseFloor().Passed(claim)).verdict, ClaimVerdict::kViolated);
+}
+
+// The floor is 43 micrometres and 8.15 mrad.
+TEST(NoiseFloor, HidesWhatIsNarrowerThanItsFloor) {
+  const NoiseFloor gate = Gate();
+  const auto hides = [&](Claim claim, double clearance) {
+    return gate.Hides(gate.Passed(std::move(claim)), clearance);
+  };
+  EXPECT_NEAR(gate.Floor(Of("x of peg", Unit::kMetre, {})), 43e-6, 2 * kRounding);
+  EXPECT_FALSE(hides(Of("x of peg", Unit::kMetre, {-22e-6, 22e-6}), 1e-6));
+  EXPECT_TRUE(hides(Of("x of peg", Unit::kMetre, {-21e-6, 21e-6}), 1));
+  // Without a width it is the clearance that counts; of angles, over the arm.
+  EXPECT_FALSE(hides(Of("x of peg", Unit::kMetre, {0, 0}), 44e-6));
+  EXPECT_TRUE(hides(Of("x of peg", Unit::kMetre, {0, 0}), 42e-6));
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  const Claim tilt = Of("tilt", Unit::kRadian, {0, kInfinity}, Claimed::kPrecondition);
+  EXPECT_FALSE(hides(tilt, 8.2e-5));
+  EXPECT_TRUE(hides(tilt, 8.1e-5));
+}
+
+class WithoutNoise : public testing::Test {
+ protected:
+  WithoutNoise() {
+    certified_.plan = UpToThePickup(certified_.plan);
+    pickup_ = FirstStep<plan::Pickup>(certified_.plan);
+  }
+  AttackResult Attacked() const {
+    const Experiment experiment = {certified_.problem,
+                                   certified_.plan,
+                                   {},
+                                   MeasureNoiseFloor(certified_.problem, certified_.plan, {})};
+    return Attack(experiment, {.attempts = 1, .shrunk = 1});
+  }
+  plan::ErrorSet& InHand() {
+    return certified_.plan.steps[pickup_.index()].certificate.after.front();
+  }
+
+  Certified certified_ = CertifiedPlan("uncertain-known");
+  plan::StepId pickup_;
+};
+
+// The part is where it is told to be, and the certificate says that it is a millimetre beside it:
+// the offset of the run without noise, 1 mm, does not widen its own gate.
+TEST_F(WithoutNoise, APlanThatLeavesItsOwnCertificateIsViolatedBeforeAnythingIsTried) {
+  InHand().x = {0.001, 0.002};
+  const AttackResult result = Attacked();
+  EXPECT_EQ(result.attempts, 0);
+  ASSERT_EQ(result.noiseless.violated.size(), 1u);
+  EXPECT_EQ(result.noiseless.violated.front().name, "x of peg");
+  EXPECT_EQ(result.certificates[pickup_.index()].violated, 1);
+  ASSERT_EQ(result.counterexamples.size(), 1u);
+  for (const double value : result.counterexamples.front().noise.values()) EXPECT_EQ(value, 0);
+}
+
+// Nine tenths of what the engine makes of the twist in the pads cannot be tested, and the attack
+// does not claim to have done so.
+TEST_F(WithoutNoise, ASetThatTheEngineDoesNotResolveIsToldBeforeAnythingIsTried) {
+  const NoiseFloor gate = MeasureNoiseFloor(certified_.problem, certified_.plan, {});
+  Claim twist = Of("twist of peg", Unit::kRadian, {});
+  twist.step = pickup_;
+  const double half = 0.45 * gate.Floor(twist);
+  InHand().twist = {-half, half};
+  const AttackResult result = Attacked();
+  EXPECT_EQ(result.attempts, 0);
+  EXPECT_TRUE(result.noiseless.violated.empty());
+  ASSERT_EQ(result.noiseless.hidden.size(), 1u);
+  EXPECT_EQ(result.noiseless.hidden.front().name, "twist of peg");
+}
+
+}  // namespace
+}  // namespace assay::check::honesty_gate_test
