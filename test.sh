@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Installs what is missing, builds everything and runs the tests:
 #   ./test.sh [--ci | --all] [CTEST ARGUMENT...]
-# --ci: first also the readers of files under sanitizers, and the commands of README.md.
+# --ci: first also the readers of files under sanitizers, and the commands of the documents.
 # --all: before that every file by itself.
 set -euo pipefail
 root=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")
@@ -28,21 +28,23 @@ test_readers_with_sanitizers() {
     --exclude-regex "^domain\.(HandClearance|StablePose|Grasp)Test\.|^contingent\.Quarters/(Random|Rich)Domains\..*/[123]$"
 }
 
-# Prints the commands in README.md's ```sh blocks that call the program or the scripts here.
-readme_commands() {
-  sed -n '/^```sh$/,/^```$/p' README.md | sed ':more; /\\$/ { N; s/\\\n//; b more }' |
-    grep -E '^(\./|assay )' | grep -v '^\./test\.sh'
+# Prints the commands that call the program or the scripts here, from the ```sh blocks of README.md,
+# which installs the program, and then of the pages for users.
+document_commands() {
+  sed -n '/^```sh$/,/^```$/p' README.md planner/*.md sim/*.md scenarios/*.md |
+    sed ':more; /\\$/ { N; s/\\\n//; b more }' |
+    grep -E '^(\./|assay )' | grep -v '^\./test\.sh' | awk '!seen[$0]++'
 }
 
-# As somebody who follows README.md, with a home of their own.
-test_readme_commands() {
+# As somebody who follows the documents, with a home of their own.
+test_document_commands() {
   local commands command home
-  mapfile -t commands < <(readme_commands)
-  [ ${#commands[@]} -gt 0 ] || { echo "README.md shows no commands" >&2; return 1; }
+  mapfile -t commands < <(document_commands)
+  [ ${#commands[@]} -gt 0 ] || { echo "The documents show no commands" >&2; return 1; }
   home=$(mktemp -d)
   for command in "${commands[@]}"; do
     HOME=$home PATH="$home/.local/bin:$PATH" \
-      with_progress "README.md: $command" bash -euo pipefail -c "$command"
+      with_progress "Documents: $command" bash -euo pipefail -c "$command"
   done
   rm -rf "$home"
 }
@@ -55,6 +57,6 @@ stage=${1:-}
 if [[ $stage == --all || $stage == --ci ]]; then
   shift
   test_readers_with_sanitizers
-  test_readme_commands
+  test_document_commands
 fi
 with_output_and_progress "Testing" ctest --preset release "$@"
