@@ -29,7 +29,7 @@ void AugmentedStep::GiveUp(const Unmet& unmet) {
   given_up = true;
   strategy.reset();
   absorbed.clear();
-  Note("verification", unmet);
+  Note(std::string(kVerification), unmet);
 }
 
 int AugmentedSteps::InsertedBefore(int step) const {

@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "planner/constraint_posting/uncertainty_phase/instances/best_known.h"
@@ -18,6 +19,9 @@ struct Unmet {
 
   bool operator==(const Unmet&) const = default;
 };
+
+// The resolver of a step whose goals nothing proves: its success is verified.
+inline constexpr std::string_view kVerification = "verification";
 
 // A resolution whose reasons are put into words when the plan is written out.
 struct Measure {
