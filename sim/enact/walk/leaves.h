@@ -11,34 +11,36 @@
 
 namespace assay::enact {
 
-// A way through a plan tree to one of its leaves, or to where it repeats: the branches that lead
-// there, and what they say is true.
+// A path through a plan tree that ends at a leaf or at a repeat. It holds the branches on the path
+// and the conditions that they state.
 struct Leaf {
   std::vector<TakenBranch> branches;
   std::vector<contingent::GroundLiteral> literals;
-  std::vector<std::vector<contingent::GroundLiteral>> denied;  // not all hold, of each
+  std::vector<std::vector<contingent::GroundLiteral>> denied;  // conjunctions that are false
   std::vector<contingent::Bound> bounds;
-  bool is_repeat = false;
+  bool is_repeat = false;  // the path ends where the tree repeats
 
-  // "isSpillable(can1), !isSpillable(can2)"; "always"; with ", and again" where it repeats
+  // Returns the branches in words, like "isSpillable(can1), !isSpillable(can2)", or "always" if
+  // there are none. A repeat has ", and again" at its end.
   std::string Text() const;
-  bool IsOn(const Walk& walk) const;  // whether it came to this leaf, or repeated so
+  // Returns whether the walk ended at this leaf or, for a repeat, took the branches of this path.
+  bool IsOn(const Walk& walk) const;
 };
 
-// All leaves and repeats of the tree as it unfolds, at most `most` of them; repeats are not gone.
-// In the order of the tree.
+// Returns the leaves and repeats of the unfolded tree in the order of the tree, at most `most` of
+// them. Repeats are not followed.
 std::vector<Leaf> LeavesOf(const contingent::GroundTask& task, const contingent::PlanTree& tree,
                            std::size_t most);
 
-// A hidden world that is to lead to the leaf, drawn from those that do; or, in words, why there is
-// none: no kind of a part, and not what is known of it, is as the leaf asks. Whether there is one
-// does not depend on the random numbers. Errors that a plan's verifications signal come of mishaps
-// (MishapFor); whether one does come of it, the walk tells.
+// Draws a hidden world that should lead to the leaf. If there is none, returns the reason in words:
+// for example, no kind of a part agrees with the conditions of the leaf. Whether there is a world
+// does not depend on the random numbers. For an error that a plan's verification signals, the world
+// gets a fault (MishapFor). Only the walk shows whether the fault causes the error.
 std::variant<HiddenWorld, std::string> FindWorld(const Leaf& leaf,
                                                  const Interpretation& interpretation,
                                                  const domain::Problem& problem,
                                                  RandomStream& random);
-// The same; none if there is none.
+// Draws a world as FindWorld does; none if there is no world for the leaf.
 std::optional<HiddenWorld> WorldFor(const Leaf& leaf, const Interpretation& interpretation,
                                     const domain::Problem& problem, RandomStream& random);
 
