@@ -9,7 +9,7 @@
 
 namespace assay::render {
 
-// An RGB picture, 8 bits a channel, rows from the top.
+// An RGB picture with 8 bits per channel, in rows from the top.
 struct Image {
   int width = 0;
   int height = 0;
@@ -18,14 +18,15 @@ struct Image {
   bool operator==(const Image&) const = default;
 };
 
-std::string EncodedPng(const Image& image);  // the contents of a PNG file
-// Throws EnvironmentError if the file cannot be written completely.
+// Returns the contents of a PNG file of the image.
+std::string EncodedPng(const Image& image);
+// Writes a PNG file. Throws EnvironmentError if the file cannot be written completely.
 void WritePng(const Image& image, const std::filesystem::path& file);
-// Throws InputError if the file is not a readable picture.
+// Reads a picture. Throws InputError if the file is not a readable picture.
 Image ReadImage(const std::filesystem::path& file);
 
 struct CaptionedImage {
-  std::string caption;  // "3 putdown(block, BP5)"; cut with an ellipsis where it is too long
+  std::string caption;  // like "3 putdown(block, BP5)"; cut with an ellipsis if it is too long
   Image image;
 };
 
@@ -33,28 +34,28 @@ struct CaptionedImage {
 struct Label {
   std::string text;
   double x = 0;  // pixels, from the left
-  double y = 0;  // from the top
+  double y = 0;  // pixels, from the top
   Colour colour;
 };
 
-// The image with the labels, each joined to its point, no two of them on each other.
+// Returns the image with the labels. Each label is joined to its point, and no two overlap.
 Image WithLabels(const Image& image, const std::vector<Label>& labels);
 
-// What a colour of lines in the images means.
+// The meaning of a colour of lines in the images.
 struct LegendEntry {
   Colour colour;
   std::string meaning;
 };
 
-// The images, all of one size, in rows of `columns`, each with its caption below, on white; the
-// legend's entries below all, a row for each. Images are made smaller where a row of them would be
-// wider than 2400 pixels.
+// Returns one image of all images, which must have the same size. They stand in rows of `columns`
+// on white, each with its caption below it. The entries of the legend follow below, one per row.
+// Images are made smaller if a row of them would be wider than 2400 pixels.
 Image ContactSheet(const std::vector<CaptionedImage>& images, int columns,
                    const std::vector<LegendEntry>& legend = {});
 
-// The picture of a drawing that is `samples` times too wide and too high, and whose rows, as
-// OpenGL's, begin at the bottom. OSMesa has no other antialiasing that is the same on every
-// machine.
+// Returns the picture of a drawing that is `samples` times too wide and too high. The rows of the
+// drawing begin at the bottom, as in OpenGL. OSMesa has no other antialiasing that gives the same
+// result on every machine.
 Image FromSamples(const Image& drawing, int samples);
 
 }  // namespace assay::render

@@ -10,9 +10,8 @@
 namespace assay::sense {
 namespace {
 
-constexpr float kSameColor = 0.004f;  // greatest difference of the chromaticities of one colour
-constexpr float kFarthest =
-    0.12f;  // greatest difference between a pixel's chromaticity and its surface's
+constexpr float kSameColor = 0.004f;    // greatest difference of the chromaticities of one colour
+constexpr float kFarthest = 0.12f;      // greatest chromaticity difference of pixel and surface
 constexpr float kLeastBrightness = 30;  // the least sum of red, green and blue
 constexpr int kFirstUndrawnGroup = 3;
 
