@@ -19,8 +19,8 @@ struct Between {
 };
 
 // A ball lies inside a side plane through the eye if its centre is at least its radius inside. For
-// an eye at distance d this bounds the eye's coordinate across: it is at least U - d tan and at
-// most L + d tan. The two bounds meet at the least d.
+// an eye at distance d this bounds the eye's coordinate across: it is at least upper - d tangent
+// and at most lower + d tangent. The two bounds meet at the least d.
 Between BetweenSides(std::span<const Ball> balls, const Vector3& across, const Vector3& back,
                      double tangent) {
   const double cosine = 1 / std::hypot(1.0, tangent);

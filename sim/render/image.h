@@ -47,7 +47,7 @@ struct LegendEntry {
   std::string meaning;
 };
 
-// Returns one image of all images, which must have the same size. They stand in rows of `columns`
+// Returns one image with all images, which must have the same size. They stand in rows of `columns`
 // on white, each with its caption below it. The entries of the legend follow below, one per row.
 // Images are made smaller if a row of them would be wider than 2400 pixels.
 Image ContactSheet(const std::vector<CaptionedImage>& images, int columns,

@@ -94,7 +94,7 @@ struct Renderer::Contents {
     mjr_freeContext(&drawing);
     mjv_freeScene(&shapes);
   }
-  // Takes over the shapes of the simulation and the camera `view`.
+  // Fills the scene with the shapes of the simulation, seen by the camera `view`.
   void Update(const mujoco::Data& data, mjvCamera view) {
     mjvOption options;
     mjv_defaultOption(&options);

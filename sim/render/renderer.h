@@ -26,8 +26,8 @@ enum class Effects {
 
 struct Quality {
   Effects effects = Effects::kAll;
-  int samples =
-      2;  // averaged samples along each side of a pixel; 1 is quick but gives jagged edges
+  // Averaged samples along each side of a pixel. One sample is quick but gives jagged edges.
+  int samples = 2;
 };
 inline constexpr int kMostSamples = 4;
 

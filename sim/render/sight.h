@@ -10,10 +10,11 @@ namespace assay::render {
 using geometry::Vector3;
 
 // The drawn shapes of a simulation as obstacles for rays. It finds which points an eye can see.
-// Some shapes can move on together in one direction, as a hand does with the part that it mates.
+// Some shapes can be displaced together, as a hand moves together with the part that it mates.
 class Sight {
  public:
-  // Each body that is connected with one of `moving` moves. `data` must outlive the Sight.
+  // All bodies that are connected to one of `moving` are moving shapes. `data` must outlive the
+  // Sight.
   explicit Sight(const mujoco::Data& data, const std::vector<mujoco::BodyId>& moving = {});
 
   // Returns whether no drawn shape is between the point and the eye after the moving shapes have

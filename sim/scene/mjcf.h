@@ -13,7 +13,7 @@ namespace assay::scene {
 // How a closed gripper holds a part.
 enum class GraspMode {
   kFriction,  // by the friction of the pads
-  kWeld,      // by friction and a rigid constraint, which leaves slip out of a study
+  kWeld,      // by friction and a rigid constraint, for studies without slip
 };
 // Returns the name of the mode in files and commands, like "friction".
 std::string_view Name(GraspMode mode);

@@ -108,8 +108,8 @@ class Scene {
 
   // Returns the wrench that contacts and welds exert on hand, fingers and held part, about the
   // origin of the wrist site (the flange), world frame. It is the reading of the force and torque
-  // sensor without the weight of hand and fingers. It is quasi-static: their inertial forces stay
-  // in it.
+  // sensor without the weight of hand and fingers. It is quasi-static: the inertial forces of hand
+  // and fingers stay in it.
   Wrench WristWrench(const mujoco::Data& data) const;
   // Returns the wrench of WristWrench without the inertial force of hand and fingers, which an
   // accelerometer in the hand can measure. Their inertial torque is small and stays in it.

@@ -13,9 +13,10 @@ struct Load {
   Vector3 at = Vector3::Zero();
 };
 
-// The joint servos of the arm (computed torque control): the torques of the arm's dynamics, plus
-// position and velocity feedback as stiff as motors behind gears. A load of 1.2 kg that the servos
-// do not know of moves the tool by less than 0.05 mm.
+// The joint servos of the arm, which use computed torque control. They apply the torques of the
+// arm's dynamics and add position and velocity feedback. The feedback is as stiff as the arm's
+// motors behind their gears. A load of 1.2 kg that the servos do not know of moves the tool by less
+// than 0.05 mm.
 class JointServo {
  public:
   explicit JointServo(const Scene& scene);

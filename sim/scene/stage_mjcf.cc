@@ -142,7 +142,7 @@ void AddCameras(const Problem& problem, XmlElement& worldbody) {
 }
 
 // Adds the eyes of the sensor "overhead-camera" above the table's corners. Arms at their homes hide
-// the table from few of the eyes there. A single robot stands at the table's low x; two robots
+// the table from only a few of these eyes. A single robot stands at the table's low x; two robots
 // stand at its two ends. The eyes look at the table's middle until the sensor turns them.
 void AddSensorEyes(const Problem& problem, XmlElement& worldbody) {
   const Vector2 table = TableRectangle(problem.workcell->table()).center();

@@ -20,7 +20,7 @@ void AddStage(const domain::Problem& problem, double light, XmlElement& worldbod
 // that under other parts.
 struct PartTable {
   domain::PartId part;
-  int bit = 0;  // its collision bit, which only this part touches
+  int bit = 0;  // collision bit of the tables, which only this part touches
   bool is_endless = false;
 };
 // The engine has 31 collision bits. Therefore all parts from the 23rd on share one table, and all

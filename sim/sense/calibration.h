@@ -32,9 +32,9 @@ struct CalibrationPlacement {
 // table's height under the part.
 const Displacement& CalibratedDisplacement();
 
-// Draws the placement with this number in the problem's sequence for this seed. A stable pose,
-// place and yaw is drawn for each part, uniformly over the table that the sensor looks at. Parts
-// lie wholly on the table, with the workcell's gap between them. For odd numbers displacements are
+// Draws the placement with this number in the problem's sequence for this seed. Stable pose, place
+// and yaw are drawn for each part, uniformly over the table that the sensor looks at. Parts lie
+// wholly on the table, with the workcell's gap between them. For odd numbers displacements are
 // uniform within their bounds; for even numbers they are at the corners of the bounds. Returns none
 // if there is no room for all parts.
 std::optional<CalibrationPlacement> DrawCalibrationPlacement(const domain::Problem& problem,

@@ -19,8 +19,8 @@ class ColorFilter {
  public:
   static constexpr float kHue = 20;                // degrees
   static constexpr float kSaturation = 0.2f;       // on a scale from 0 (grey) to 1 (pure)
-  static constexpr float kLeastSaturation = 0.2f;  // the least of a colour that has a clear hue
-  static constexpr float kLeastValue = 0.1f;  // the least of a pixel: the greatest of its channels
+  static constexpr float kLeastSaturation = 0.2f;  // the least of a colour with a clear hue
+  static constexpr float kLeastValue = 0.1f;       // the least value of a pixel that passes
 
   explicit ColorFilter(const Color& color);
 

@@ -17,8 +17,8 @@ struct NamedColor {
 };
 
 // The workcell's "overhead-camera" as a sensor of colours. The eyes look at the believed pose of a
-// part. For each colour the sensor counts which share of the part's pixels there passes the
-// colour's filter, over all eyes together.
+// part. For each colour the sensor computes the share of the part's pixels that pass the colour's
+// filter, over all eyes together.
 //
 // Its promise holds for a part that has one of the colours and is within the search window, with
 // lamps of 0.5 to 1.5 times the scene's brightness. The sensor then returns the part's colour or
@@ -36,7 +36,7 @@ class ColorSensor {
   // Returns the colour of the part; None if no colour has a clear majority.
   ColorId Measure(const mujoco::Data& data, PartId part, const Pose& believed);
 
-  // Returns for each colour the share of the pixels at the part's believed pose that have it.
+  // Returns the share of each colour among the pixels at the part's believed pose.
   std::vector<double> Shares(const mujoco::Data& data, PartId part, const Pose& believed);
 
   static constexpr SearchWindow kWindow = {.distance = 0.010, .yaw = 0.15, .height = 0.003};

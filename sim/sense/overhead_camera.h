@@ -16,8 +16,8 @@ namespace assay::sense {
 // mm in x and in y, 3 mm in height and 8 degrees in yaw from its believed pose. The arm should not
 // stand between the part and the eyes.
 //
-// A camera must be used by the thread that made it, because its renderer must be. It has no memory:
-// the same data and believed pose give the same answer, bit for bit.
+// A camera must be used by the thread that made it, because its renderer belongs to that thread. It
+// has no memory: the same data and believed pose give the same answer, bit for bit.
 class OverheadCamera : public PoseSensor {
  public:
   // Throws EnvironmentError if nothing renders on this machine. Scene and problem must outlive it.

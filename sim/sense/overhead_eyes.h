@@ -20,7 +20,7 @@ struct Sight {
 // The eyes of the workcell's "overhead-camera" above the table's corners (the scene's cameras
 // "overhead-eye-1" to "overhead-eye-4"). They turn towards a part's believed pose and zoom until
 // their pictures show the part wherever it is in the search window. The eyes must be used by the
-// thread that made them, because their renderer must be.
+// thread that made them, because their renderer belongs to that thread.
 class OverheadEyes {
  public:
   // Throws EnvironmentError if nothing renders on this machine. Scene and problem must outlive it.

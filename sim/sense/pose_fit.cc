@@ -11,8 +11,9 @@ namespace {
 
 using geometry::Box;
 
-constexpr double kSpacing = 3;          // pixels between contour points
-constexpr double kHiddenBelow = 0.007;  // metres above the part's lowest point
+constexpr double kSpacing = 3;  // pixels between contour points
+// Edges lower than this above the part's lowest point are not used, metres.
+constexpr double kHiddenBelow = 0.007;
 // The range of the search for edges in each iteration, which is also the scale of the weights,
 // pixels.
 constexpr std::array<double, 11> kRanges = {14, 12, 10, 8, 6, 5, 4, 3, 2, 2, 2};

@@ -19,7 +19,7 @@ std::vector<geometry::Polygon> Shadows(std::span<const geometry::Box> boxes, con
 
 // A point of a contour.
 struct ContourPoint {
-  Vector3 p_World;  // on an edge of a box
+  Vector3 p_World;  // metres, a point on an edge of a box
   Vector2 pixel;    // the point's place in the picture
   Vector2 normal;   // the contour's outward unit normal in the picture
 };

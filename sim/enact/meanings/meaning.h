@@ -38,16 +38,16 @@ class Meaning {
   // nothing is missing.
   virtual std::string Lacks(const Roles&) const { return {}; }
   virtual bool IsTrue(const Truth& truth, const Roles& roles) const = 0;
-  // Returns whether audits compare the predicate with the truth. They leave out predicates about
+  // Returns whether audits compare the predicate with the truth. Audits leave out predicates about
   // past readings.
   virtual bool IsAudited() const { return true; }
   // Returns whether a sensor can observe the predicate.
   virtual bool IsTold() const { return false; }
-  // Returns the predicate's value by the readings of the sensors. Returns none if the readings are
-  // too few, or if a sensor's error leaves the value open.
+  // Returns the predicate's value according to the readings of the sensors. Returns none if the
+  // readings are too few, or if a sensor's error leaves the value open.
   virtual std::optional<bool> Told(const Readings&, const Roles&) const { return std::nullopt; }
-  // Returns the predicate's value as far as the scenario's world and its fault decide it before the
-  // trial. Returns none if the value depends on other things.
+  // Returns the predicate's value if the scenario's world and its fault decide it before the trial.
+  // Returns none if the value depends on other things.
   virtual std::optional<bool> IsTrueIn(const HiddenWorld&, const Roles&) const {
     return std::nullopt;
   }

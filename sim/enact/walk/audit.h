@@ -19,7 +19,7 @@ struct FalseClaim {
 
 // Compares what a knowledge state claims to know with the simulator's truth. The audit covers:
 // - every audited atom (Meaning::IsAudited) that is known to be true or known to be false;
-// - every relation of Kx, whose atoms without an audit may have either value;
+// - every relation of Kx, in which atoms that are not audited may have either value;
 // - the interval of every numeric function that is a quantity of the workcell;
 // - every numeric value that counts as sensed (Kv): a sensor must have read it, within the error.
 class Audit {
@@ -49,7 +49,7 @@ class Audit {
                                        const Readings& readings, int step) const;
   bool IsAudited(contingent::AtomId atom) const;
   bool IsTrue(contingent::AtomId atom, const Truth& truth) const;
-  // Requires a function that is a quantity of the workcell.
+  // `function` must be a quantity of the workcell.
   double TrueValue(contingent::FunctionId function, const Truth& truth) const;
   bool Holds(const contingent::GroundQuery& query, const Truth& truth) const;
 

@@ -60,8 +60,8 @@ struct EnactedTrial {
   std::vector<exec::CollisionRecord> collisions = {};  // in the order of time
   double duration = 0;                                 // seconds of simulated time
 
-  // Returns whether the trial failed. A trial that reached the goal has not failed, nor has one
-  // that called a person in a world with a fault.
+  // Returns whether the trial failed. Reaching the goal is no failure. In a world with a fault,
+  // calling a person is no failure either.
   bool IsFailed() const;
 };
 

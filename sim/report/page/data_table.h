@@ -8,7 +8,7 @@
 namespace assay::report {
 
 // A table of a page with a caption, a head, and rows whose first entry is the row's name. If the
-// window is too narrow, the table can be scrolled by itself, by keyboard, too.
+// window is too narrow, the table alone can be scrolled, with the keyboard as well.
 class DataTable {
  public:
   struct Column {

@@ -12,7 +12,7 @@ namespace assay::report {
 // and an en dash stands for a value that is not a number.
 
 std::string CountText(std::int64_t count);  // "20,000"
-// "1 trial" or "2 trials", for `what` "trial".
+// Writes a count with its noun: "1 trial" or "2 trials" if `what` is "trial".
 std::string CountText(std::int64_t count, std::string_view what);
 
 // Writes a number with `digits` significant digits: "0.136", "1,230", "2.1 × 10⁻⁷", "∞".
@@ -23,17 +23,18 @@ std::string NumberText(double value, int digits = 3);
 double Shown(double value, std::string_view unit);
 std::string_view ShownUnit(std::string_view unit);  // "mm" or "°"; empty for a value without a unit
 
-// "0.136 mm", "−0.31°".
+// Writes a value with its unit, like "0.136 mm" or "−0.31°".
 std::string QuantityText(double value, std::string_view unit);
-// "±0.136 mm", "−0.2 to 0.31 mm", "≥ 0 mm", "0.1 mm" if both ends are the same.
+// Writes an interval: "±0.136 mm", "−0.2 to 0.31 mm", "≥ 0 mm", or "0.1 mm" if both ends are the
+// same.
 std::string IntervalText(const Interval& interval, std::string_view unit);
 
-// "98.1 %". It is 0 or 100 only if none or all of the trials succeeded.
+// Writes a rate, like "98.1 %". It is 0 or 100 only if none or all of the trials succeeded.
 std::string RateText(int successes, int trials);
-// Wilson's 95 % interval of a rate: "97.1 to 98.8 %".
+// Writes Wilson's 95 % interval of a rate, like "97.1 to 98.8 %".
 std::string WilsonText(int successes, int trials);
 
-// A number of seconds in a readable unit, like "2 min".
+// Writes a number of seconds in a readable unit, like "2 min".
 std::string DurationText(double seconds);
 
 }  // namespace assay::report

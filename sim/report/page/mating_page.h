@@ -22,7 +22,8 @@ struct MatingSubject {
 
   // What simulated trials show about the margins of the plan.
   struct Trials {
-    // A contact that must not happen. It is listed if its margin is finite or if it happened.
+    // A contact that must not happen. It is listed if some tested enlargement of the errors leads
+    // to it, or if it happened.
     struct Ranked {
       std::string motion;
       std::string contact;

@@ -32,7 +32,7 @@ struct ClaimFindings {
   Observed observed;
 };
 
-// The verdict on a certificate in the trial in which it came out worst.
+// The worst verdict on a certificate in all trials, and its trial.
 struct WorstVerdict {
   sweep::VerdictRecord verdict;
   std::string about, unit;  // taken from the claim; empty if the claim is unknown
@@ -63,7 +63,8 @@ struct CellFindings {
   sweep::CellSummary summary;
   RecoveryFindings recovery;
   std::vector<StepFindings> steps;
-  // Its worst claims are ordered by step. Its conservatism begins with all errors together.
+  // The falsification of the plan. Its worst claims are ordered by step, and its conservatism
+  // begins with all errors together.
   std::optional<sweep::AttackRecord> attack = {};
   // The trials of the same plan without noise. If control_done is 0, there are none.
   int control_done = 0;

@@ -15,8 +15,8 @@ struct Tally {
   int done = 0, succeeded = 0;                  // trials under noise
   int control_done = 0, control_succeeded = 0;  // trials without noise
   StandingCounts certificates;                  // the certificates of these trials
-  std::int64_t attacked = 0, attacked_violated = 0,
-               attacked_inconclusive = 0;  // attempts on single steps
+  // Attempts of falsifications on single steps.
+  std::int64_t attacked = 0, attacked_violated = 0, attacked_inconclusive = 0;
 
   std::int64_t violated() const { return certificates.Of(Standing::kViolated); }
   std::int64_t all_violated() const { return violated() + attacked_violated; }

@@ -29,8 +29,8 @@ struct RunOptions {
   int batch = 32;                   // results are written once there are this many trials
   double batch_seconds = 1;         // or once this time has passed since the last writing
   std::function<bool()> stop = {};  // asked before each trial and attempt; empty: never stops
-  // Called after each plan, trial and attempt. It is called from any thread, but never at the same
-  // time from two.
+  // Called after each plan, trial and attempt. Any thread may call it, but never two at the same
+  // time.
   std::function<void(const Advance&)> tell = {};
 };
 

@@ -52,11 +52,11 @@ struct Sweep {
 
   std::string title = {};
   std::vector<std::string> scenarios = {};  // paths from the file's folder, as written there
-  std::vector<std::optional<double>> clearances = {
-      std::nullopt};                       // metres; none: the scenario's own
+  // Clearances in metres; none: the scenario's own.
+  std::vector<std::optional<double>> clearances = {std::nullopt};
   std::vector<double> error_scales = {1};  // factors on the errors of parts and hand
   std::vector<uncertainty::Propagation> propagations = {uncertainty::Propagation::kSound};
-  std::vector<std::optional<Resolvers>> resolvers = {std::nullopt};  // none: the scenario's own
+  std::vector<std::optional<Resolvers>> resolvers = {std::nullopt};  // none: those of the scenario
   std::vector<scene::GraspMode> grasps = {scene::GraspMode::kFriction};
   std::vector<Sensing> sensings = {Sensing::kDrawn};
   std::vector<NoiseKind> noises = {NoiseKind::kUniform};
