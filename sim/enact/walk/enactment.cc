@@ -92,7 +92,8 @@ class Trial {
     return exec::TrueScene(std::move(options), noise_);
   }
 
-  // Returns whether no hand can be in the middle of its work when the walk ends so.
+  // Returns whether the hand is free to move after this end of the walk. After an error it may be
+  // in the middle of its work.
   static bool IsAtRest(WalkEnd end) {
     return end != WalkEnd::kStopped && end != WalkEnd::kOperator;
   }

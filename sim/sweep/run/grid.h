@@ -9,7 +9,7 @@
 
 namespace assay::sweep {
 
-// A point of a sweep's grid. Its plan is executed in trials that differ only in their noise.
+// A point of a sweep's grid. Its plan is executed in trials that differ only in their errors.
 struct Cell {
   int number = 0;  // from 1
   std::string scenario;
@@ -43,7 +43,7 @@ struct TrialPlace {
 // Returns the place of a trial with a number from 1. The trial must exist (checked).
 TrialPlace PlaceOf(const std::vector<Cell>& cells, int trial);
 
-// Returns whether both cells execute the same plan, perhaps with different noise.
+// Returns whether both cells execute the same plan, with different noise, sensing or seed.
 bool SharePlan(const Cell& a, const Cell& b);
 
 // A share of the trials of a sweep: the trials with numbers index, index + count, and so on. Each
