@@ -6,7 +6,7 @@
 #include "planner/uncertainty/preconditions/certify.h"
 #include "tests/planner/uncertainty/action_lists.h"
 
-// In sound mode no certificate is false: plans are executed thousands of times with drawn errors.
+// In sound mode no certificate is false. Plans are executed thousands of times with drawn errors.
 namespace assay::uncertainty::executed_errors_test {
 namespace {
 
@@ -20,8 +20,9 @@ enum class Inserted { kNothing, kSensing, kSqueezing };
 struct Trial {
   std::string scenario;
   Inserted inserted = Inserted::kNothing;
-  double gripper = 0;  // metres; ten times as many radians; 0: the scenario's
-  double parts = 1;    // times the scenario's errors
+  // Error of the hand in metres, and ten times as many radians; 0: the scenario's error.
+  double gripper = 0;
+  double parts = 1;  // factor on the scenario's errors of parts
 };
 
 void PrintTo(const Trial& trial, std::ostream* out) {
@@ -41,8 +42,8 @@ domain::Problem ProblemOf(const Trial& trial) {
   return problem;
 }
 
-// Before every pickup a look, or a squeeze with the grasp of the pickup; before every assemble a
-// look at its fixed part.
+// Inserts a look before every pickup and, for its fixed part, before every assemble. With
+// kSqueezing it inserts a squeeze with the grasp of the pickup before every pickup.
 std::vector<plan::Action> With(Inserted inserted, const domain::Problem& problem,
                                const std::vector<plan::Action>& actions) {
   std::vector<plan::Action> all;
@@ -79,19 +80,21 @@ TEST_P(ExecutedPlans, ContradictNoCertificate) {
   EXPECT_GT(completed, kExecutions / 100);
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Scenarios, ExecutedPlans,
-    ::testing::Values(Trial{"spar-example"}, Trial{"spar-example", Inserted::kSensing},
-                      Trial{"spar-example", Inserted::kSqueezing, 0.0003},
-                      Trial{"spar-fig13", Inserted::kSensing, 0.0003, 0.2},
-                      Trial{"spar-fig14", Inserted::kSqueezing, 0.0003, 0.5},
-                      Trial{"spar-fig15", Inserted::kNothing, 0, 0.1},
-                      Trial{"spar-fig16", Inserted::kSensing, 0.0001, 0.3},
-                      Trial{"keyed", Inserted::kSensing, 0.00001, 0.05},
-                      Trial{"keyed", Inserted::kSensing, 0.00001, 0.02},  // all is proved
-                      Trial{"two-pegs", Inserted::kSensing, 0.00002, 0.05}));
+INSTANTIATE_TEST_SUITE_P(Scenarios, ExecutedPlans,
+                         ::testing::Values(Trial{"spar-example"},
+                                           Trial{"spar-example", Inserted::kSensing},
+                                           Trial{"spar-example", Inserted::kSqueezing, 0.0003},
+                                           Trial{"spar-fig13", Inserted::kSensing, 0.0003, 0.2},
+                                           Trial{"spar-fig14", Inserted::kSqueezing, 0.0003, 0.5},
+                                           Trial{"spar-fig15", Inserted::kNothing, 0, 0.1},
+                                           Trial{"spar-fig16", Inserted::kSensing, 0.0001, 0.3},
+                                           Trial{"keyed", Inserted::kSensing, 0.00001, 0.05},
+                                           Trial{"keyed", Inserted::kSensing, 0.00001,
+                                                 0.02},  // every precondition is proved
+                                           Trial{"two-pegs", Inserted::kSensing, 0.00002, 0.05}));
 
-// The oracle bites: with errors beyond what was assumed, certificates are false.
+// The oracle can find false certificates: if errors exceed the assumed bounds, executions
+// contradict the certificates.
 TEST(ExecutedErrors, BeyondTheirBoundsContradict) {
   const Trial trial{"keyed", Inserted::kSensing, 0.00001, 0.02};
   const domain::Problem assumed = ProblemOf(trial);
