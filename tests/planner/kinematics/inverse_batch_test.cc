@@ -35,10 +35,8 @@ TEST(Arctangent, AgreesWithTheLibraryInAllDirectionsAndSizes) {
     const double x = length * std::cos(angle);
     worst = std::max(worst, std::abs(Arctangent(y, x) - std::atan2(y, x)));
   }
-  EXPECT_LE(
-      worst,
-      5e-16 +
-          std::numeric_limits<double>::epsilon());  // the rounding of the library adds to the error
+  // The rounding of the library adds to the error.
+  EXPECT_LE(worst, 5e-16 + std::numeric_limits<double>::epsilon());
 }
 
 TEST(Arctangent, KnowsTheAxesAndDiagonals) {

@@ -100,7 +100,8 @@ struct Scene {
 };
 
 // Draws a scene with bricks so near the peg that the fingers have a few millimetres between brick
-// and peg. Another brick can stand beside two of them and be in the way when one is moved.
+// and peg. One brick can stand at the corner between two others, where it is in the way when they
+// are moved.
 Scene RandomScene(RandomStream& random, int most) {
   std::vector<std::pair<int, int>> sides = {{1, 0}, {-1, 0}, {0, 1}, {0, -1}, {1, 1}};
   Scene scene = {.peg_error = random.Uniform(0.05, 1.5)};
