@@ -33,7 +33,7 @@ INSTANTIATE_TEST_SUITE_P(
         // The tree has n - 1 looks and a dunk. By dunking alone it would have 2 n - 1 actions with
         // the flushes between them.
         Known{"bomb-in-the-toilet", "four-packages", 4, 4},
-        // The least depth is one more dial than the wrong combinations that can be tried.
+        // The plan has one dial action more than there are wrong combinations.
         Known{"opening-a-safe", "safe-by-trial", 5, 5},
         // The note gives a run-time value, so that no branch is needed.
         Known{"opening-a-safe", "safe-with-note", 2, 1},
