@@ -65,8 +65,8 @@ TEST(PolygonTest, HullHoldsAllPointsTurnsLeftAndUsesThemOnly) {
   for (int i = 0; i < 2000; ++i) {
     std::vector<Vector2> points;
     for (int k = 3 + random.Index(30); k > 0; --k) {
-      points.emplace_back(random.Index(8),
-                          random.Index(8));  // makes many repeated and collinear points
+      // Small integers make many repeated and collinear points.
+      points.emplace_back(random.Index(8), random.Index(8));
     }
     const Polygon hull = Hull2(points);
     for (size_t k = 0; k < hull.size(); ++k) {

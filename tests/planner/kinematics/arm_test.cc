@@ -246,8 +246,8 @@ TEST(Singular, WristKeepsReference) {
     const InverseSolutions solutions = Puma().Inverse(X, reference);
     ExpectAllReproduce(Puma(), solutions, X);
     for (const InverseSolution& s : solutions) {
-      if (std::abs(std::sin(s.q[4])) > 1e-9)
-        continue;  // solutions of the other branches have a bent wrist
+      // Solutions of the other branches have a bent wrist.
+      if (std::abs(std::sin(s.q[4])) > 1e-9) continue;
       const double expected = reference[3] + (s.indicators.wrist == Wrist::kFlip ? kPi : 0);
       EXPECT_NEAR(std::remainder(s.q[3] - expected, 2 * kPi), 0, 1e-9);
     }

@@ -80,18 +80,17 @@ TEST_P(ExecutedPlans, ContradictNoCertificate) {
   EXPECT_GT(completed, kExecutions / 100);
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenarios, ExecutedPlans,
-                         ::testing::Values(Trial{"spar-example"},
-                                           Trial{"spar-example", Inserted::kSensing},
-                                           Trial{"spar-example", Inserted::kSqueezing, 0.0003},
-                                           Trial{"spar-fig13", Inserted::kSensing, 0.0003, 0.2},
-                                           Trial{"spar-fig14", Inserted::kSqueezing, 0.0003, 0.5},
-                                           Trial{"spar-fig15", Inserted::kNothing, 0, 0.1},
-                                           Trial{"spar-fig16", Inserted::kSensing, 0.0001, 0.3},
-                                           Trial{"keyed", Inserted::kSensing, 0.00001, 0.05},
-                                           Trial{"keyed", Inserted::kSensing, 0.00001,
-                                                 0.02},  // every precondition is proved
-                                           Trial{"two-pegs", Inserted::kSensing, 0.00002, 0.05}));
+INSTANTIATE_TEST_SUITE_P(
+    Scenarios, ExecutedPlans,
+    ::testing::Values(Trial{"spar-example"}, Trial{"spar-example", Inserted::kSensing},
+                      Trial{"spar-example", Inserted::kSqueezing, 0.0003},
+                      Trial{"spar-fig13", Inserted::kSensing, 0.0003, 0.2},
+                      Trial{"spar-fig14", Inserted::kSqueezing, 0.0003, 0.5},
+                      Trial{"spar-fig15", Inserted::kNothing, 0, 0.1},
+                      Trial{"spar-fig16", Inserted::kSensing, 0.0001, 0.3},
+                      Trial{"keyed", Inserted::kSensing, 0.00001, 0.05},
+                      Trial{"keyed", Inserted::kSensing, 0.00001, 0.02},  // all is proved
+                      Trial{"two-pegs", Inserted::kSensing, 0.00002, 0.05}));
 
 // The oracle can find false certificates: if errors exceed the assumed bounds, executions
 // contradict the certificates.

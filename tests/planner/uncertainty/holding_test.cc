@@ -73,9 +73,10 @@ TEST(Holding, GoesDownWithForceAndFriction) {
   };
   EXPECT_LT(ratio(100, 0.15, 0), ratio(50, 0.15, 0));
   EXPECT_LT(ratio(100, 0.15, 0), ratio(100, 0.1, 0));
-  EXPECT_EQ(ratio(100, 0.15, 0.05),
-            ratio(100, 0.15 - 0.05, 0));   // the least friction within the tolerance counts
-  EXPECT_GT(ratio(0.001, 0.15, 0), 1000);  // the grip is weaker than the push of the weight
+  // The least friction within the tolerance counts.
+  EXPECT_EQ(ratio(100, 0.15, 0.05), ratio(100, 0.15 - 0.05, 0));
+  // This grip is weaker than the push of the weight.
+  EXPECT_GT(ratio(0.001, 0.15, 0), 1000);
 }
 
 // Errors make levers longer and patches smaller, so that the load never becomes smaller.

@@ -198,8 +198,8 @@ TEST(Pressed, PadsBesideTheSupportTipItOrBearIt) {
   const double beyond = aside - kInch / 2;
   EXPECT_EQ(PressedAside(0, 100), 0);
   EXPECT_NEAR(PressedAside(aside, 20), 2 * friction * 20 * beyond / (kInch / 2) / weight, 1e-9);
-  const double torsion = 2 * friction * (std::sqrt(2.0) + std::asinh(1.0)) / 3 *
-                         a;  // torsion for a grip force of one newton
+  // The torsion that a grip of one newton bears.
+  const double torsion = 2 * friction * (std::sqrt(2.0) + std::asinh(1.0)) / 3 * a;
   for (const double force : {1000.0, 10000.0}) {
     const double ratio = PressedAside(aside, force);
     EXPECT_GE(ratio, plan::kResistance * beyond / (torsion * force));
@@ -207,7 +207,8 @@ TEST(Pressed, PadsBesideTheSupportTipItOrBearIt) {
   }
 }
 
-// At a lean of its half width over the height of its centre of mass, the part would fall.
+// The ratio is 1 if the tangent of the lean is the half width over the height of the centre of
+// mass. A part that leans more would fall.
 TEST(Standing, WhatLeansFallsBackUnlessItIsTooTall) {
   domain::Problem problem = UprightBlock({});
   domain::Part& part = problem.parts[kBlock.index()];

@@ -153,12 +153,10 @@ TEST(CriticalPoints, OfASteppedPeg) {
 TEST(CriticalPoints, OfATSlot) {
   const std::vector<ConvexPiece> tee = {Box({0, -8, 0}, {40, 8, 6}), Box({0, -3, 6}, {40, 3, 15})};
   const std::vector<ConvexPiece> slot = {
-      Box({-10, -20, -10}, {50, 20, 0}),  // the floor of the slot
-      Box({-10, 8, 0}, {50, 20, 6}),
-      Box({-10, -20, 0}, {50, -8, 6}),  // the sides of the slot, beside the foot of the T
-      Box({-10, 3, 6}, {30, 20, 12}),
-      Box({-10, -20, 6}, {30, -3, 12}),   // the lips, which are shorter
-      Box({-20, -20, -10}, {0, 20, 6})};  // the stop
+      Box({-10, -20, -10}, {50, 20, 0}),                                    // floor of the slot
+      Box({-10, 8, 0}, {50, 20, 6}),     Box({-10, -20, 0}, {50, -8, 6}),   // sides of the slot
+      Box({-10, 3, 6}, {30, 20, 12}),    Box({-10, -20, 6}, {30, -3, 12}),  // lips, shorter
+      Box({-20, -20, -10}, {0, 20, 6})};                                    // stop at the end
   const Judge judge({.moving = tee, .stationary = slot, .mating_vector = {-70, 0, 0}});
   // The front of the T comes to x = 50, to the lips at 30, and to the stop at 0.
   judge.ExpectTravels({20, 40, 70});

@@ -249,8 +249,8 @@ double GapOf(const Passage& passage, const ContactKey& key, const Pose& X) {
       const OuterEdge& a = passage.moving.edges[moving];
       const OuterEdge& b = passage.stationary.edges[stationary];
       const Vector3 n = (X.linear() * a.direction()).cross(b.direction());
-      return n.dot(X * a.start - b.start) /
-             n.norm();  // the sign may be either outside the features
+      // Outside the features the sign may be either.
+      return n.dot(X * a.start - b.start) / n.norm();
     }
   }
   return 0;

@@ -47,8 +47,8 @@ void AlongByMillimetres(const CollisionScene& scene, const JointPath& path, cons
   }
 }
 
-class RandomQueries : public ::testing::TestWithParam<bool> {
-};  // the parameter: whether the hand holds the peg
+// The parameter says whether the hand holds the peg.
+class RandomQueries : public ::testing::TestWithParam<bool> {};
 
 // Law and oracle: paths join the requested ends within the limits, and every pair of bodies is
 // clear at every millimetre.
@@ -100,8 +100,8 @@ TEST(PathSearch, SameRequestSamePath) {
   const PathRequest request{.from = RandomPostureAtTheTable(scene, kRoom, random),
                             .to = RandomPostureAtTheTable(scene, kRoom, random)};
   const PathResult first = FindPath(scene, request);
-  FindPath(scene,
-           {.from = request.to, .to = request.from, .seed = 7});  // a search leaves no state behind
+  // A search must leave no state behind.
+  FindPath(scene, {.from = request.to, .to = request.from, .seed = 7});
   const PathResult second = FindPath(scene, request);
   EXPECT_EQ(std::get<JointPath>(first), std::get<JointPath>(second));
 }

@@ -26,8 +26,8 @@ std::vector<PadCell> Rectangle(const Vector2& half, const Vector2& middle, int p
 }
 
 // Returns a lower bound of the true ratio by the maximum principle (Goyal, Ruina and Papadopoulos
-// 1991). A load is borne if and only if its power exceeds the dissipation of friction in no motion.
-// Only a finite number of motions is tried.
+// 1991). A load is borne if and only if there is no motion in which its power exceeds the
+// dissipation of friction. Only a finite number of motions is tried.
 double RatioByPower(const std::vector<PadCell>& cells, const Vector2& center, const PlaneLoad& load,
                     double size) {
   constexpr int kSteps = 90;
