@@ -26,8 +26,8 @@ using domain::Robot;
 // of it.
 constexpr char kSolref[] = "0.0001 1";
 constexpr char kSolimp[] = "0.99 0.9999 0.00001";
-// Much smaller than the friction of every part, because the engine takes the larger of two
-// frictions.
+// The ground's friction is much smaller than that of every part, because the engine takes the
+// larger of two frictions.
 constexpr double kGroundFriction = 0.01;
 // The engine's defaults. They have no effect on the contacts of parts and pads, which have neither
 // torsional nor rolling friction.

@@ -29,11 +29,13 @@ struct PlannedWorlds;
 // of parts and tables.
 struct Interpretation {
   contingent::GroundTask task;
-  // By the name of the action.
+  // The skills by the names of their actions.
   std::map<std::string, std::unique_ptr<const Skill>> skills;
-  // By the name of the predicate or function; null for a word that is internal to the domain.
+  // The meanings by the names of their predicates or functions. A word that is internal to the
+  // domain has a null pointer.
   std::map<std::string, std::unique_ptr<const Meaning>> meanings;
-  // By the name of the numeric function; null for one that is internal to the domain.
+  // The quantities by the names of their numeric functions. A function that is internal to the
+  // domain has a null pointer.
   std::map<std::string, std::unique_ptr<const Quantity>> quantities;
   std::vector<sense::NamedColor> colors;  // colours that the camera can distinguish
   HiddenParts hidden;

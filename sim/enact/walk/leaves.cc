@@ -119,8 +119,8 @@ class WorldSearch {
   }
 
  private:
-  // Chooses one of the scenario's worlds for the leaf. A fault is chosen only for a world that the
-  // leaf refutes without one.
+  // Chooses one of the scenario's worlds for the leaf. A world gets a fault only if the leaf
+  // refutes the world without a fault.
   bool ChooseWorld() {
     const int worlds = interpretation_.WorldCount();
     const int first = worlds > 1 ? random_.Index(worlds) : 0;

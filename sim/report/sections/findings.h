@@ -23,7 +23,8 @@ struct Observed {
   double least = 0, lower_quartile = 0, median = 0, upper_quartile = 0, greatest = 0;
   StandingCounts verdicts = {};  // of every observation, even of those that are not claimed
 
-  // Returns the number of observations that the five numbers summarize.
+  // Returns the number of claimed observations, which the five values from `least` to `greatest`
+  // summarize.
   std::int64_t claimed() const { return verdicts.Total() - verdicts.Of(Standing::kNotClaimed); }
 };
 

@@ -19,8 +19,8 @@ std::vector<StepFindings> ReadSteps(const sweep::Store& store, int cell);
 // - If the observation alone would give a worse verdict than the step's, the claim was not claimed.
 //   Otherwise the step's verdict would be as bad.
 // - All other observations are judged by the claim's prediction and noise floor.
-// If one claim violates a certificate, another claim that was no longer claimed and is outside its
-// prediction counts as violated, too.
+// If the step's certificate is violated, a claim that was not claimed counts as violated, too, if
+// its observation is outside its prediction.
 ClaimVerdict VerdictOn(const sweep::ClaimRecord& claim, double observed, ClaimVerdict of_step);
 
 // Returns the verdict with this name. An unknown name gives the verdict not claimed.

@@ -27,7 +27,7 @@ inline constexpr std::array kStandings = {Standing::kContained, Standing::kWithi
                                           Standing::kNotClaimed};
 // Returns the name of the standing's colour and mark, like "within-resolution".
 std::string_view Name(Standing standing);
-// Returns the words for people, like "within the engine's resolution".
+// Returns the words by which a report names the standing, like "within the engine's resolution".
 std::string_view TextOf(Standing standing);
 
 // A verdict as it is stored in the database: its name, like "inconclusive", and the claim's margin

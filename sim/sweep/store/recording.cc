@@ -122,7 +122,7 @@ AttackRecord RecordOf(const plan::Plan& plan, const Attacked& attacked) {
   for (const check::ConservatismRatio& ratio : attacked.ratios) {
     record.conservatism.push_back({ratio.variable, ratio.guaranteed, ratio.broken, ratio.ratio()});
   }
-  // The records have the same order in a database.
+  // A database returns the records in this order.
   std::ranges::sort(record.worst, {}, &WorstClaimRecord::claim);
   std::ranges::sort(record.conservatism, {}, &ConservatismRecord::variable);
   return record;
@@ -185,7 +185,7 @@ TimedTrial Recorded(const plan::Plan& plan, const check::NoisyTrial& trial) {
   for (const check::CertificateVerdict& verdict : timed.verdicts) {
     timed.record.counts.Add(verdict.verdict);
   }
-  // The observations have the same order in a database.
+  // A database returns the observations in this order.
   std::ranges::sort(timed.record.observations, {}, &ObservationRecord::claim);
   return timed;
 }

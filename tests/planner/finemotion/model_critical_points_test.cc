@@ -49,8 +49,8 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         // The shaft enters, and then the plate lands.
         Expected{"spar-fig15", {2.75, 0}, {4, 5}},
-        // Shaft and key enter together. Three sides of each touch, and of the fourth side of the
-        // shaft the pieces to the left and right of the key.
+        // Shaft and key enter together. Three sides of each touch. Of the fourth side of the shaft,
+        // the pieces to the left and right of the key touch.
         Expected{"keyed", {2.75, 0}, {8, 9}}, Expected{"mate-keyed", {2.75, 0}, {8, 9}},
         // The narrow shaft, 1.65 of it, enters its hole in the step. Then the wide shaft enters,
         // and then the plate lands.

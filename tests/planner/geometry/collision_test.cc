@@ -156,7 +156,7 @@ Shape RandomShape(RandomStream& random, double reach) {
   return shape;
 }
 
-// Every box against every box, in the world.
+// The oracle's answer: the least values over all pairs of boxes, in the world frame.
 struct Nearest {
   double separation = std::numeric_limits<double>::infinity();
   double distance = std::numeric_limits<double>::infinity();

@@ -19,7 +19,7 @@ constexpr double kLean = 0.5235987755982988;  // 30 deg
 // The test stops at this number of characters, so that it ends even if growth is exponential.
 constexpr std::int64_t kTooMuchText = 20'000'000;
 
-// The work up to the nth pick and place, including it.
+// The work up to and including the nth pick and place.
 struct Work {
   std::int64_t preconditions = 0;
   std::int64_t variables = 0;    // sum over the certificates

@@ -28,8 +28,8 @@ struct OnEnd {
 
 Push Down(const Vector3& at, double newtons) { return {{at}, newtons, 0}; }
 
-// The ratio is exactly the lever of the push beyond the edge over the lever of the weight inside
-// it, each times its force.
+// The ratio is exact. It is the push times its lever beyond the edge, over the weight times its
+// lever inside the edge.
 TEST(Support, APushBeyondAnEdgeIsHeldByTheWeight) {
   const OnEnd block;
   const double edge = block.X_WorldPart().translation().x() + 3 * kInch;
@@ -186,7 +186,7 @@ double PressedAside(double aside, double grip_force) {
   return RatioOf(world, conditions, "pressed");
 }
 
-// Weak pads press with their greatest force, as far beyond the stem as they are. Strong pads must
+// Weak pads press with their greatest force at their own distance beyond the stem. Strong pads must
 // bear the reaction of the stem's edge. The ratio is then at least the torsion of that push over
 // the torsion that their friction bears, by its mean distance.
 TEST(Pressed, PadsBesideTheSupportTipItOrBearIt) {

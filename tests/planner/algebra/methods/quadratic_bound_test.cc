@@ -47,7 +47,7 @@ TEST(PositiveDefinite, RefusesWhatIsNot) {
 TEST(PositiveDefinite, DeviationsCount) {
   const SymmetricMatrix centre = Matrix({{1}, {0.5, 1}});
   EXPECT_TRUE(IsSurelyPositiveDefinite(centre, Matrix({{0.1}, {0.1, 0.1}})));
-  // The matrix [[0.8, 0.8], [0.8, 0.8]] is among these.
+  // The matrix [[0.8, 0.8], [0.8, 0.8]] is within these deviations.
   EXPECT_FALSE(IsSurelyPositiveDefinite(centre, Matrix({{0.2}, {0.3, 0.2}})));
 }
 

@@ -547,8 +547,8 @@ TEST(Intervals, ThatHangTogetherAreNotSaidToBeUnknown) {
   EXPECT_TRUE(grown.Holds("!K(weight(a) <= 2)"));
 }
 
-// The number is 1 if p(a) is false. That it is more would mean that p(a) is true, or contradict
-// that p(a) is false.
+// After `fill` the number is 1 if p is false. If an action then adds that the number is more than
+// 1, this either means that p is true or contradicts that p is false. The action is refused.
 TEST(Intervals, ThatHangTogetherAreNotTold) {
   const GroundTask task = GroundText(
       "domain n predicates: p, g functions: n: number\n"

@@ -129,8 +129,8 @@ TEST(NumberMarks, StandForSumsThatAreRounded) {
   EXPECT_THAT(marks.BetweenSums({2}, {2}, 0), ElementsAre(Number{2}));
 }
 
-// Two numbers, each of which is shifted from either of them several times. Then a bound is sensed,
-// and the branches rely on other bounds. All values are in sixteenths, so that sums are exact.
+// A shift gives one of two numbers the value of either number, or minus that value, plus a value of
+// an interval. All values are in sixteenths, so that sums are exact.
 struct Shift {
   int to = 0;
   int from = 0;
@@ -138,6 +138,7 @@ struct Shift {
   int low = 0;
   int high = 0;
 };
+// Several shifts of two numbers. Then a bound is sensed, and the branches rely on other bounds.
 struct Course {
   std::vector<Shift> shifts;
   int asked = 0;

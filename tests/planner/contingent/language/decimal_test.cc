@@ -63,7 +63,8 @@ TEST(Decimals, KnownSums) {
   EXPECT_EQ(WidthOf(-kInfinite, kInfinite), kInfinite);
 }
 
-// Oracle: long double sums of the doubles, and of the decimals near which they are.
+// Oracle: sums in long double. Each double may stand for a decimal up to 2^-53 of its size away, so
+// that the sums of the decimals lie within `off` of the sum of the doubles.
 TEST(Decimals, OtherSumsAreEnclosed) {
   RandomStream random(2, "decimals");
   for (int i = 0; i < 100'000; ++i) {

@@ -90,8 +90,8 @@ TEST(GoalConflict, IsASmallestOneOfItsSetInRandomTasks) {
   EXPECT_GT(conflicts, 20);
 }
 
-// p is decided by a number about which nothing is known. The planner does not record by which one,
-// so that it cannot rule out that sensing the number tells p.
+// p is decided by a number of which only the range is known. The planner does not record which
+// number decides p, so that it cannot rule out that sensing the number reveals p.
 TEST(NoPlan, IsNotSaidWhereMoreMayBeKnownThanIsKept) {
   const GroundTask task = GroundText(
       "domain d functions: n: number predicates: p, done\n"

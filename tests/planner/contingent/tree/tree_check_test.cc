@@ -178,7 +178,7 @@ TEST_F(Lamp, RepeatsOneAfterAnotherAreRun) {
   const TreeCheck check = Check();
   EXPECT_TRUE(check.holds) << check.failure;
   EXPECT_EQ(SizeOf(tree_).repeats, 20'000);
-  // The first repeat, which was added last, now only looks and never lights the lamp.
+  // In this variant the first repeat, which was added last, only looks and never lights the lamp.
   tree_.nodes[tree_.root.index()].action = Action("look");
   EXPECT_THAT(Check().failure, HasSubstr("a repeat without end after look(); branch !lit"));
 }
@@ -354,7 +354,8 @@ TEST(NotKnown, IsAskedAgainByRepeats) {
   EXPECT_EQ(CheckTree(task, tree).failure, "");
 }
 
-// One of many worlds comes back to the repeat. That it is this one is not known.
+// Only one of many worlds comes back to the repeat. It is not known that the true world is this
+// one.
 TEST(NotKnown, IsAskedOfAllWorldsThatGoRound) {
   const GroundTask task = Bell("add(Kf, !g)", "K(q)");
   const PlanTree tree = {.nodes = {ActOf(task, "guess", 1), ActOf(task, "kick", 2),
@@ -400,15 +401,15 @@ TEST(NotKnown, IsToldBySets) {
   EXPECT_EQ(check.failure, "");
   EXPECT_TRUE(check.AreAllWorlds());
   EXPECT_EQ(check.worlds, 1 << 20);
-  // Now the same can is weighed again and again.
+  // In this variant the same can is weighed again and again.
   for (PlanNode& node : tree.nodes) {
     if (node.kind == PlanNode::Kind::kAct) node.action = tree.node(tree.root).action;
   }
   EXPECT_FALSE(CheckBySets(task, tree)->holds);
 }
 
-// Sensing a number tells what it decided. If n decides p, or p decides q, no plan finds p unknown.
-// That p is known is not found, either.
+// Sensing a number reveals what the number decided. If n decides p, or p decides q, no plan finds p
+// unknown. That p is known is not found, either.
 TEST(NotKnown, IsNotSaidOfWhatNumbersTell) {
   const auto outcome = [](const std::string& actions, const std::string& asked) {
     const GroundTask task = GroundText(
@@ -425,12 +426,12 @@ TEST(NotKnown, IsNotSaidOfWhatNumbersTell) {
     }
     return plan.outcome;
   };
-  // p is told by a number that p itself has set.
+  // A number that p itself has set reveals p.
   EXPECT_EQ(outcome("action set effects: K(p) => add(Kf, m = 5); add(Kf, first)\n"
                     "action look preconds: K(first) effects: add(Kf, looked), add(Kw, m > 2)\n",
                     "p"),
             Outcome::kBudget);
-  // q is told by another atom that the same number decided.
+  // Another atom that the same number decided reveals q.
   const std::string deciding =
       "action decide effects: K(n > 2) => add(Kf, q); add(Kf, first)\n"
       "action decideAgain preconds: K(first)\n"
@@ -439,7 +440,7 @@ TEST(NotKnown, IsNotSaidOfWhatNumbersTell) {
                                "  effects: add(Kf, looked), add(Kw, p)\n",
                     "q"),
             Outcome::kBudget);
-  // q is told by what the number decided before, of which nothing is left.
+  // The number decided p, which decided q and was then overwritten. Sensing the number reveals q.
   EXPECT_EQ(outcome("action decide effects: K(n > 2) => add(Kf, p); K(n <= 2) => add(Kf, !p);\n"
                     "  add(Kf, first)\n"
                     "action swap preconds: K(first) effects: K(p) => add(Kf, q);\n"
@@ -469,7 +470,8 @@ TEST(NotKnown, IsNotSaidOfValuesThatNumbersDecide) {
   EXPECT_EQ(PlanFor(task, Wanted::kLeastDepth).outcome, Outcome::kBudget);
 }
 
-// Kw(p & q) holds if it is told that not both hold, although neither Kw(p) nor Kw(q) holds.
+// Kw(p & q) holds if sensing shows that not both atoms hold, although neither Kw(p) nor Kw(q)
+// holds.
 TEST(Conjunctions, AreKnownWhetherOrNotTheirAtomsAre) {
   const std::string domain =
       "domain alarm predicates: p, q, deaf, rings\n"
@@ -524,7 +526,8 @@ TEST(Effects, UnderBoundsHappenInEachWorld) {
   EXPECT_TRUE(check("level >= 2", "K(wet) & K(level <= 0)"));
 }
 
-// Either at is a and p is false, or at is b and q is false, or at is neither, with p and q true.
+// There are three cases: at = a and p is false; at = b and q is false; or at is neither a nor b,
+// and both p and q are true.
 TEST(Worlds, HaveOneValueOfEachFunction) {
   const GroundTask task = GroundText(
       "domain at types: place constants: a, b, c: place predicates: p, q, done\n"

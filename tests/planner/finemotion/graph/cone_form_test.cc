@@ -182,8 +182,8 @@ TEST(ConeFormTest, FigureSixOfThePaper) {
   q << -5, 0, 0, 0, 2.75, 0;
   q /= 1 + 0.55 * 0.55;
   EXPECT_TRUE(form.characteristic_point.isApprox(q)) << form.characteristic_point.transpose();
-  // The rays turn by +z and go +y as far as the vertex goes down, turn by +x and go -y as far as
-  // the vertex goes up, and go away from the end of the face.
+  // The first ray turns by +z and goes +y as far as the vertex goes down. The second ray turns by
+  // +x and goes -y as far as the vertex goes up. The third ray goes away from the end of the face.
   Eigen::MatrixXd rays(6, 3);
   rays.col(0) << 0, 1, 0, 0, 0, 1;
   rays.col(1) << 0, -0.55, 0, 1, 0, 0;

@@ -32,7 +32,7 @@ constexpr double kReach = 0.005;
 ContactGraphOptions Options() { return {.reach = kReach, .radius = 0.0245}; }
 
 // Returns the contacts of a square peg of 20 mm by 20 mm by 40 mm. Its lower end is `depth` deep in
-// a square hole, and it is `aside` of the middle (metres).
+// a square hole, and the peg is displaced by `aside` from the middle (metres).
 ContactSpace PegInHole(double depth, double aside = 0) {
   return {PrimitiveContacts(BoxShape({-kHalf, -kHalf, -0.02}, {kHalf, kHalf, 0.02}),
                             SquareHoleShape(kHalf + kClearance, 0.04, 0.06),

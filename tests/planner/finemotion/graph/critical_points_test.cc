@@ -140,7 +140,8 @@ TEST(CriticalPoints, OfASteppedPeg) {
       {.moving = {Box({-6, -6, -35}, {6, 6, -15}), Box({-10, -10, -15}, {10, 10, 20})},
        .stationary = Around(10, 0, -15) + Around(6, -15, -40),
        .mating_vector = {0, 0, -50}});
-  // The end at -35 reaches -15 after 50 - 20. The shoulder at -15 reaches 0 after 50 - 15.
+  // The peg starts 50 above its seat. Its end is at -35 when seated, so that it reaches -15 after
+  // 50 - 20. Its shoulder is at -15 when seated, so that it reaches 0 after 50 - 15.
   judge.ExpectTravels({30, 35, 50});
   judge.ExpectSamplesAgree();
   EXPECT_EQ(judge.points()[0].after.size(), 4u);

@@ -152,8 +152,8 @@ TooMuch TooMuchFor(const std::string& scenario, double times, StrategyOptions op
   return {errors, SearchStrategy(geometry.passage, errors, options)};
 }
 
-// The errors that can be absorbed are a fixed number of millimetres, whatever multiple they are.
-// Sequences are found by chance, so that this number varies.
+// The errors that can be absorbed are a fixed number of millimetres, whatever multiple of the
+// scenario's errors is requested. Sequences are found by chance, so that this number varies.
 TEST(SearchStrategy, TheObstaclesMarginFallsAsErrorsGrow) {
   StrategyOptions options = OptionsOf(1);
   options.rounds = 1;

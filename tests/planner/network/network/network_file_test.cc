@@ -59,8 +59,7 @@ TEST(NetworkFile, ReportsThatThereIsNoLabeling) {
   EXPECT_EQ(Label("nodes: {v: []}", LabelRequest::kFirst).outcome, Outcome::kNone);
 }
 
-// A list of numbers restricts a node to some labels out of more. Pairs with the other labels have
-// no effect.
+// A list of numbers restricts a node to these labels. Pairs with other labels have no effect.
 TEST(NetworkFile, ListsOfNumbersChooseAmongMoreLabels) {
   const std::string text =
       "nodes: {v: [2, 5], w: 2}\narcs: [{between: [v, w], pairs: [[0, 0], [5, 1]]}]\n";

@@ -107,7 +107,8 @@ TEST(Network, DecidesEveryPostAndStaysAsBeforeWhenItRefuses) {
   EXPECT_GT(refused, 500);
 }
 
-// The witness is corrected in one node, and nothing is propagated until labels are asked for.
+// Constraint posting corrects the witness in one node. Nothing is propagated until labels are asked
+// for.
 TEST(Network, PropagatesWhatItOwesWhenLabelsAreAskedFor) {
   Network network;
   const NodeId a = network.AddNode(LabelSet::All(3)), b = network.AddNode(LabelSet::All(3));

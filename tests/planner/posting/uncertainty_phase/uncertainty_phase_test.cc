@@ -298,8 +298,8 @@ void ExpectSame(const plan::ErrorSet& a, const plan::ErrorSet& b) {
 
 // The error of a held part is that in the hand, plus the error of the new command of the hand.
 // Across the pads there is only the error of the command (Spar: "Y is limited to the gripper's own
-// error"), and the effect of a turn of the hand on a grasp that is off. If the pads jammed, which
-// the rotation shows, this does not hold.
+// error"), and the effect of a turn of the hand on a grasp beside the intended point. If the pads
+// jammed, which the rotation shows, this does not hold.
 void ExpectHandedOnInHand(const plan::ErrorSet& before, const plan::ErrorSet& last,
                           const domain::PoseError& hand) {
   constexpr double kLoose = 1e-6;  // metres
