@@ -8,8 +8,8 @@ namespace assay::render {
 namespace {
 
 constexpr int kAround = 24;
-constexpr double kLowest = 0.17;   // of a direction's z: ten degrees above the table
-constexpr double kHighest = 0.95;  // what is looked at from straight above has no upper side
+constexpr double kLowest = 0.17;   // least z of a direction: ten degrees above the table
+constexpr double kHighest = 0.95;  // greatest z: a view from straight above has no upward direction
 
 std::vector<Vector3> Directions(const Subject& subject) {
   const Vector3& out = subject.out;

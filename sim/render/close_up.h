@@ -8,27 +8,28 @@
 
 namespace assay::render {
 
-// A point that is to be seen when what moves (Sight) has moved so far; world frame, metres.
+// A point that must be visible when the moving shapes of a Sight have moved by `moved`. World
+// frame, metres.
 struct Glimpse {
   Vector3 point;
   Vector3 moved = Vector3::Zero();
 };
 
-// What a close-up is of.
+// The subject of a close-up.
 struct Subject {
-  std::vector<Ball> framed;  // that are to be in the picture
-  Vector3 out;               // unit: the side that it opens to, from which the hand comes
-  // Between `out` and where it is looked at from, radians; the first is the best.
+  std::vector<Ball> framed;  // balls that must be in the picture
+  Vector3 out;               // unit vector to the open side, from which the hand comes
+  // Angles between `out` and the direction to the eye, radians, the preferred one first.
   std::array<double, 3> from_out;
-  std::vector<Glimpse> seen = {};
+  std::vector<Glimpse> seen = {};  // points that should be visible
 };
 
-// From where most of what is to be seen is seen: of directions all around `out`, those above the
-// table; of equal ones that which is nearest to the usual one.
+// Returns the camera that sees most of the subject's points. It tries directions all around `out`
+// that are above the table. Among equally good ones it takes the one nearest to UsualDirection.
 FreeCamera CloseUp(const Subject& subject, const Sight& sight, double aspect);
 
-// From where pictures are taken for which nothing says otherwise: before the table, a little aside,
-// the lamp behind; unit.
+// Returns the unit vector towards the usual eye of pictures. The eye is in front of the table, a
+// little to the side, with the lamp behind it.
 Vector3 UsualDirection();
 
 }  // namespace assay::render

@@ -9,18 +9,18 @@
 namespace assay::render {
 namespace {
 
-constexpr double kVerticalAngle = 0.5;  // radians: perspective is weak
-constexpr double kMargin = 1.1;         // the picture beside what must be in it
+constexpr double kVerticalAngle = 0.5;  // radians, small so that the perspective is weak
+constexpr double kMargin = 1.1;         // size of the picture relative to what it must show
 
-// Where the eye must be for all balls to lie between two sides of the picture.
+// The place of the eye for which all balls lie between two opposite sides of the picture, metres.
 struct Between {
-  double middle = 0;    // along the axis from side to side
-  double distance = 0;  // along the axis to the eye, at least
+  double middle = 0;    // coordinate along the axis from side to side
+  double distance = 0;  // least coordinate along the axis to the eye
 };
 
-// A ball lies inside of a side plane through the eye if its centre is at least a radius inside.
-// With the eye at distance d, that bounds the eye's place across by U - d tan from below and L + d
-// tan from above, and these meet at the least d.
+// A ball lies inside a side plane through the eye if its centre is at least its radius inside. For
+// an eye at distance d this bounds the eye's coordinate across: it is at least upper - d tangent
+// and at most lower + d tangent. The two bounds meet at the least d.
 Between BetweenSides(std::span<const Ball> balls, const Vector3& across, const Vector3& back,
                      double tangent) {
   const double cosine = 1 / std::hypot(1.0, tangent);

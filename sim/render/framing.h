@@ -12,18 +12,18 @@ namespace assay::render {
 using geometry::Pose;
 using geometry::Vector3;
 
-// What is to be in a picture; a point has radius 0. World frame, metres.
+// A ball that must be in a picture; a point has radius 0. World frame, metres.
 struct Ball {
   Vector3 center;
   double radius = 0;
 };
 
-// The camera that looks along -`back` (unit, not vertical) and has all balls in its picture, as
-// near to them as that allows, but for a margin; z is up in the picture. `aspect`: width over
-// height of the picture.
+// Returns the camera that looks along -`back` and shows all balls. It is as near to them as
+// possible, apart from a margin. `back` is a unit vector that is not vertical. The world's z axis
+// points up in the picture. `aspect` is the width of the picture over its height.
 FreeCamera Framing(std::span<const Ball> balls, const Vector3& back, double aspect);
 
-// The corners of a part's hull.
+// Returns the corners of the part's convex hull, world frame.
 std::vector<Ball> CornersOf(const domain::PartModel& model, const Pose& X_WorldPart);
 
 }  // namespace assay::render

@@ -8,9 +8,10 @@ namespace {
 using geometry::Polygon;
 using geometry::Vector2;
 
-constexpr double kTouching = 1e-6;  // metres
+constexpr double kTouching = 1e-6;  // metres between patches that count as touching
 
-// Where on the line from `from` to `to` (0 to 1) a corner of one of the patches lies.
+// Returns where the corners of the face's patches lie on the line from `from` (0) to `to` (1),
+// including both ends.
 std::vector<double> Cuts(const domain::Face& face, const Vector2& from, const Vector2& to) {
   const Vector2 along = to - from;
   std::vector<double> cuts = {0, 1};
@@ -30,7 +31,7 @@ bool IsOnFace(const domain::Face& face, const Vector2& point) {
       face.patches, [&](const Polygon& patch) { return geometry::Depth(patch, point) > 0; });
 }
 
-// What of an edge of a patch is no seam to another patch of the face.
+// Adds the pieces of a patch's edge that do not border another patch of the face.
 void AddOpenParts(const domain::Face& face, const Vector2& from, const Vector2& to,
                   std::vector<Edge>& edges) {
   const Vector2 along = to - from;

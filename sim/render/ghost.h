@@ -11,26 +11,26 @@ namespace assay::render {
 using geometry::Pose;
 using geometry::Vector3;
 
-// Where a face ends. An edge between two faces is there twice, once for each.
+// An edge of a face. An edge between two faces occurs twice, once for each face.
 struct Edge {
   Vector3 from;
   Vector3 to;
-  Vector3 normal;  // of the face, outward
+  Vector3 normal;  // outward normal of the face
 
   bool FacesTowards(const Vector3& eye) const { return normal.dot(eye - from) > 0; }
 };
 
-// A body that is not there, drawn as the edges of those of its faces that look at the camera: it is
-// seen as a body, and what is behind it stays in sight.
+// A body that is not in the simulation. The edges of its faces that face the camera are drawn, so
+// that it looks like a body and does not hide anything.
 struct Ghost {
   std::vector<Edge> edges = {};  // world frame, metres
   Colour colour;
 };
 
-// The edges of the exposed faces of a part, in its frame.
+// Returns the edges of the exposed faces of a part, in the frame of the part.
 std::vector<Edge> EdgesOf(const domain::PartModel& model);
 
-// A part as it would look at this pose.
+// Returns the ghost of a part at this pose.
 Ghost GhostOf(const domain::PartModel& model, const Pose& X_WorldPart, Colour colour);
 
 }  // namespace assay::render

@@ -8,7 +8,7 @@
 
 namespace assay::render {
 
-// An RGB picture, 8 bits a channel, rows from the top.
+// An RGB picture with 8 bits per channel, in rows from the top.
 struct Image {
   int width = 0;
   int height = 0;
@@ -18,7 +18,7 @@ struct Image {
 };
 
 struct CaptionedImage {
-  std::string caption;  // "3 putdown(block, BP5)"; cut with an ellipsis where it is too long
+  std::string caption;  // like "3 putdown(block, BP5)"; cut with an ellipsis if it is too long
   Image image;
 };
 
@@ -26,11 +26,11 @@ struct CaptionedImage {
 struct Label {
   std::string text;
   double x = 0;  // pixels, from the left
-  double y = 0;  // from the top
+  double y = 0;  // pixels, from the top
   Colour colour;
 };
 
-// What a colour of lines in the images means.
+// The meaning of a colour of lines in the images.
 struct LegendEntry {
   Colour colour;
   std::string meaning;

@@ -9,7 +9,7 @@ namespace {
 
 using domain::Mating;
 
-// From one corner to the farthest other.
+// Returns the greatest distance between two corners.
 double Width(const std::vector<Vector3>& corners) {
   double width = 0;
   for (const Vector3& a : corners) {
@@ -18,7 +18,7 @@ double Width(const std::vector<Vector3>& corners) {
   return width;
 }
 
-// The corners of an outline, and the middles between them.
+// Returns the corners of an outline and the middles of its sides.
 std::vector<geometry::Vector2> PointsOf(const geometry::Polygon& outline) {
   std::vector<geometry::Vector2> points;
   for (std::size_t i = 0; i < outline.size(); ++i) {
@@ -28,7 +28,7 @@ std::vector<geometry::Vector2> PointsOf(const geometry::Polygon& outline) {
   return points;
 }
 
-// In the hole's part.
+// Returns points of the hole's mouths, in the frame of the hole's part.
 std::vector<Vector3> MouthOf(const domain::ShaftFit& fit) {
   std::vector<Vector3> points;
   for (const domain::Mouth& mouth : fit.hole.mouths) {
@@ -40,7 +40,8 @@ std::vector<Vector3> MouthOf(const domain::ShaftFit& fit) {
   return points;
 }
 
-// The tip, and the shaft as far behind it as half of what goes in; in the shaft's part.
+// Returns points of the shaft at its tip and half an insertion depth behind the tip, in the frame
+// of the shaft's part.
 std::vector<Vector3> ShaftOf(const domain::ShaftFit& fit) {
   std::vector<Vector3> points;
   for (const double z : {0.0, -fit.depth / 2}) {
@@ -51,8 +52,8 @@ std::vector<Vector3> ShaftOf(const domain::ShaftFit& fit) {
   return points;
 }
 
-// How far back the held part must go until nothing of it is inside: until the foremost of its
-// mouths and tips is at the foremost of those of the fixed part.
+// Returns how far the seated held part must go back until nothing of it is inside, metres. Then the
+// foremost of its mouths and tips is at the foremost mouth or tip of the fixed part.
 double Engagement(const std::vector<domain::ShaftFit>& fits, const Mating& mating) {
   const Vector3 out = -mating.mating_vector.normalized();
   double fixed = -std::numeric_limits<double>::infinity();

@@ -9,31 +9,33 @@
 
 namespace assay::render {
 
-// How a mating goes on, as it is seen: how deep shafts are in their holes, and where to look.
+// A mating from the view of a camera: the depth of shafts in their holes, and the points to show.
 class Insertion {
  public:
   // Problem and scene must outlive this.
   Insertion(const domain::Problem& problem, const scene::Scene& scene,
             const domain::Mating& mating);
 
-  // Along the mating vector, metres: how far the seated part is from where the first of its shafts
-  // is at the first of the mouths. Where no shaft is in a hole, the length of the mating vector.
+  // Returns the depth of the seated part along the mating vector, metres. It is the distance from
+  // the pose at which the first shaft reaches the first mouth. If there is no shaft in a hole, it
+  // is the length of the mating vector.
   double depth() const { return depth_; }
-  // How far before the mouth a shaft shows the whole hole to who looks from aside: as far as the
-  // mouth is wide, metres.
+  // Returns the distance of a shaft from the mouth at which a camera beside it sees the whole
+  // mouth. It is the width of the mouth, metres.
   double gap() const { return gap_; }
-  // How deep the shaft truly is; below 0 before the mouth. It is measured along the mating vector
-  // alone: also of a part that is beside the hole.
+  // Returns the true depth of the shaft along the mating vector, metres. It is negative before the
+  // mouth. It is defined for a part beside the hole, too.
   double Inserted(const mujoco::Data& data) const;
 
-  // Both parts, from the gap before the mouth to the seat. To be seen are mouths, shafts and
-  // corners of the held part, before the mouth, as it enters, and half way in.
+  // Returns the subject of close-ups. It frames both parts, for every depth of the held part from
+  // gap() before the mouth to the seat. Points of mouths and shafts must be visible while the held
+  // part is before the mouth, as it enters, and half way in.
   Subject SubjectIn(const mujoco::Data& data) const;
-  // What of it moves (Sight).
+  // Returns the bodies that move during the mating (for Sight).
   std::vector<mujoco::BodyId> Moving() const;
 
  private:
-  // A point of a mouth or of a shaft.
+  // A point of a mouth or of a shaft, in the frame of its part.
   struct Mark {
     Vector3 p_Part;
     domain::PartId part;

@@ -9,7 +9,7 @@
 namespace assay::render {
 namespace {
 
-// A library of which each function is looked up by name; never closed, see the header.
+// A library whose functions are looked up by name. It is never closed, see OffscreenContext.
 class Library {
  public:
   explicit Library(const char* file) : handle_(dlopen(file, RTLD_NOW | RTLD_GLOBAL)) {}
@@ -31,7 +31,7 @@ class Library {
   throw EnvironmentError(std::string(what) + " gives no off-screen OpenGL context");
 }
 
-// Numbers of the OpenGL and EGL registries.
+// Constants from the OpenGL and EGL registries.
 constexpr unsigned kGlRgba = 0x1908;
 constexpr unsigned kGlUnsignedByte = 0x1401;
 constexpr unsigned kEglPlatformSurfacelessMesa = 0x31DD;
@@ -63,7 +63,7 @@ class OsMesaContext : public OffscreenContext {
   std::string name() const override { return "OSMesa"; }
 
  private:
-  static constexpr int kSide = 16;  // OSMesa wants a surface, though nothing is drawn there
+  static constexpr int kSide = 16;  // OSMesa needs a surface, although nothing is drawn on it
 
   void (*destroy_)(void*);
   unsigned char (*make_current_)(void*, void*, unsigned, int, int);
@@ -109,7 +109,8 @@ class EglContext : public OffscreenContext {
     if (!bind_api(kEglOpenGlApi) || !choose(display_, wanted.data(), &config, 1, &count)) {
       FailToCreate("EGL");
     }
-    // Without any configuration: EGL_KHR_no_config_context, which Mesa has.
+    // If no configuration matches, the context has none (EGL_KHR_no_config_context, which Mesa
+    // has).
     context_ = create(display_, count > 0 ? config : nullptr, nullptr, nullptr);
     if (context_ == nullptr) FailToCreate("EGL");
   }

@@ -8,24 +8,24 @@ namespace assay::render {
 // An OpenGL context without a window. The engine draws into its own framebuffer object, so the
 // context needs no surface of any size.
 //
-// The engine (2.2.2) links against no OpenGL. When its first drawing context is made, it looks in
+// The engine (2.2.2) links against no OpenGL. When it makes its first drawing context, it searches
 // the process's global symbols for eglGetProcAddress, then OSMesaGetProcAddress, then
-// glXGetProcAddressARB, and gets all of OpenGL from the first that is there. So the library that
-// made the context is opened with RTLD_GLOBAL, stays open, and no other of the three may be opened
-// beside it: the first context decides for the process.
+// glXGetProcAddressARB. It gets all of OpenGL from the first one that exists. Therefore the library
+// that made the context is opened with RTLD_GLOBAL and stays open. Neither of the other two
+// libraries may be opened beside it, so that the first context decides for the whole process.
 class OffscreenContext {
  public:
-  // OSMesa if it can be opened, else EGL without a surface. Throws EnvironmentError, naming the
-  // Debian package to install, if there is neither.
+  // Returns a context of OSMesa if that library can be opened, else of EGL without a surface.
+  // Throws EnvironmentError, which names the Debian package to install, if there is neither.
   static std::unique_ptr<OffscreenContext> Create();
 
   virtual ~OffscreenContext() = default;
   OffscreenContext(const OffscreenContext&) = delete;
   OffscreenContext& operator=(const OffscreenContext&) = delete;
 
-  // Makes it the context of this thread. Throws EnvironmentError.
+  // Makes this the current context of the calling thread. Throws EnvironmentError.
   virtual void MakeCurrent() = 0;
-  virtual std::string name() const = 0;  // "OSMesa", "EGL"
+  virtual std::string name() const = 0;  // "OSMesa" or "EGL"
 
  protected:
   OffscreenContext() = default;

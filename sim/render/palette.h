@@ -6,11 +6,11 @@
 
 namespace assay::render {
 
-// A colour on a light ground, as pages write it: "#rrggbb".
+// A colour on a light ground in the notation of HTML, "#rrggbb".
 struct Colour {
   std::string_view hex;
 
-  // Each of 0 to 255.
+  // Returns red, green and blue, each from 0 to 255.
   constexpr std::array<std::uint8_t, 3> Rgb() const { return {Byte(1), Byte(3), Byte(5)}; }
 
  private:
@@ -20,8 +20,8 @@ struct Colour {
   static constexpr int Digit(char c) { return c <= '9' ? c - '0' : c - 'a' + 10; }
 };
 
-// What colours mean, in pictures and reports alike. People with any kind of colour vision tell them
-// apart.
+// The colours that have a meaning, which is the same in pictures and reports. People with any kind
+// of colour vision can distinguish them.
 inline constexpr Colour kPredicted{"#4c9bd8"};
 inline constexpr Colour kObserved{"#14202e"};
 inline constexpr Colour kViolated{"#a11212"};

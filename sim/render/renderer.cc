@@ -17,13 +17,14 @@ namespace {
 constexpr int kLargestSide = 4096;
 constexpr int kMostShapes = 4000;
 constexpr int kFontScale = 100;
-// Below 1: the engine draws what is transparent once; to all else it adds the light of each lamp
-// that casts shadows, and lines would come out in other colours.
+// Ghosts are slightly transparent, because the engine draws transparent shapes only once. To other
+// shapes it adds the light of each lamp that casts shadows, which would change the lines' colours.
 constexpr float kGhostOpacity = 0.9F;
 
 using ModelCopy = std::unique_ptr<mjModel, void (*)(mjModel*)>;
 
-// The engine takes the size of its framebuffers from the model.
+// Returns a copy of the model with this picture size, because the engine takes the size of its
+// framebuffers from the model.
 ModelCopy WithFramebuffers(const mjModel* model, int width, int height, Effects effects) {
   ModelCopy copy(mj_copyModel(nullptr, model), mj_deleteModel);
   copy->vis.global.offwidth = width;
@@ -32,7 +33,7 @@ ModelCopy WithFramebuffers(const mjModel* model, int width, int height, Effects 
   return copy;
 }
 
-// As the engine makes it of a camera of the model.
+// Converts a camera to the engine's form, as the engine does for a camera of the model.
 mjvGLCamera ToEngine(const FreeCamera& camera, const mjModel& model) {
   const geometry::Matrix3 R = camera.X_WorldCamera.linear();
   mjvGLCamera view{};
@@ -48,7 +49,7 @@ mjvGLCamera ToEngine(const FreeCamera& camera, const mjModel& model) {
   return view;
 }
 
-// `width` in drawn pixels.
+// Returns an edge as a line. `width` is in pixels of the drawing.
 mjvGeom LineOf(const Edge& edge, Colour colour, double width) {
   float rgba[4] = {0, 0, 0, kGhostOpacity};
   for (int i = 0; i < 3; ++i) {
@@ -65,7 +66,7 @@ mjvGeom LineOf(const Edge& edge, Colour colour, double width) {
 
 }  // namespace
 
-// Members in the order of construction: what draws is freed before the context that it needs.
+// The order of the members matters: the drawing data are freed before the context that they need.
 struct Renderer::Contents {
   Contents(const mujoco::Model& model, int picture_width, int picture_height,
            const Quality& quality)
@@ -94,17 +95,17 @@ struct Renderer::Contents {
     mjr_freeContext(&drawing);
     mjv_freeScene(&shapes);
   }
-  // What there is to see; the camera stands where `view` says.
+  // Fills the scene with the shapes of the simulation, seen by the camera `view`.
   void Update(const mujoco::Data& data, mjvCamera view) {
     mjvOption options;
     mjv_defaultOption(&options);
     context->MakeCurrent();
-    // The engine only reads the data here, but does not say so in its signature.
+    // The engine only reads the data here, although its signature is not const.
     mjv_updateScene(engine_model.get(), const_cast<mjData*>(data.get()), &options, nullptr, &view,
                     mjCAT_ALL, &shapes);
   }
 
-  // As many of its edges as the engine has room for.
+  // Adds as many of the ghost's edges as the engine has room for.
   void Add(const Ghost& ghost) {
     const float* const position = shapes.camera[0].pos;
     const Vector3 eye(position[0], position[1], position[2]);
@@ -128,7 +129,7 @@ struct Renderer::Contents {
   Contents(const Contents&) = delete;
   Contents& operator=(const Contents&) = delete;
 
-  int width;  // of what is drawn
+  int width;  // pixels of the drawing, all samples included
   int height;
   int samples;
   std::unique_ptr<OffscreenContext> context;
@@ -166,7 +167,7 @@ Image Renderer::Render(const mujoco::Data& data, const FreeCamera& camera,
   mjvCamera view;
   mjv_defaultCamera(&view);
   contents_->Update(data, view);
-  // The two eyes of the engine's stereo pictures, of which the others show the mean.
+  // The engine has two cameras for stereo pictures and renders other pictures from their mean.
   for (mjvGLCamera& eye : contents_->shapes.camera) {
     eye = ToEngine(camera, *contents_->engine_model);
   }

@@ -11,32 +11,34 @@
 
 namespace assay::render {
 
-// A camera that stands in no model. It looks along its own -z, its y is up in the picture.
+// A camera that is not part of a model. It looks along its own -z axis, and its y axis points up in
+// the picture.
 struct FreeCamera {
   geometry::Pose X_WorldCamera = geometry::Pose::Identity();
-  double vertical_angle = 0;  // of the whole picture, radians; pixels are square
+  double vertical_angle = 0;  // vertical angle of the whole picture, radians; pixels are square
 };
 
-// What costs time and only pleases the eye.
+// Effects that cost time and only please the eye.
 enum class Effects {
   kAll,   // shadows, reflections, sky
-  kNone,  // the shapes and their light alone
+  kNone,  // only the shapes and their light
 };
 
 struct Quality {
   Effects effects = Effects::kAll;
-  int samples = 2;  // along each side of a pixel, averaged: 1 is quick, with jagged edges
+  // Averaged samples along each side of a pixel. One sample is quick but gives jagged edges.
+  int samples = 2;
 };
 inline constexpr int kMostSamples = 4;
 
-// Pictures of a simulation by the engine's own renderer, off screen: with OSMesa, or with EGL
-// without a surface where there is no OSMesa. Both are loaded when the first Renderer is made, so
+// Renders pictures of a simulation off screen with the engine's own renderer. It uses OSMesa, or
+// EGL without a surface if there is no OSMesa. They are loaded when the first Renderer is made, so
 // that nothing links against them. The same data give the same bytes on one machine. A renderer
-// belongs to the thread that made it.
+// must be used by the thread that made it.
 class Renderer {
  public:
-  // Throws EnvironmentError, naming the Debian package to install, if there is no renderer.
-  // Sizes are 1 to 4096 pixels, samples 1 to kMostSamples (checked).
+  // Throws EnvironmentError, which names the Debian package to install, if nothing renders on this
+  // machine. Width and height must be 1 to 4096 pixels, and samples 1 to kMostSamples (checked).
   Renderer(const mujoco::Model& model, int width, int height, const Quality& quality = {});
   ~Renderer();
   Renderer(Renderer&&) noexcept;
@@ -52,7 +54,7 @@ class Renderer {
   std::unique_ptr<Contents> contents_;
 };
 
-// What renders on this machine: "OSMesa", "EGL"; empty if nothing does.
+// Returns what renders on this machine: "OSMesa" or "EGL"; empty if nothing does.
 std::string AvailableRenderer();
 
 }  // namespace assay::render

@@ -7,16 +7,17 @@
 namespace assay::render {
 namespace {
 
-constexpr double kOnSurface = 1e-4;  // metres
+constexpr double kOnSurface = 1e-4;  // metres from a point that are ignored
 
-// What the renderer leaves out: groups that are not shown, and what cannot be seen.
+// Returns whether the renderer draws the geom. It leaves out hidden groups and transparent geoms.
 bool IsDrawn(const mjModel& model, int geom) {
   mjvOption shown;
   mjv_defaultOption(&shown);
   return shown.geomgroup[model.geom_group[geom]] != 0 && model.geom_rgba[4 * geom + 3] > 0;
 }
 
-// How far from `from` the ray meets the geom, in lengths of `ray`; below 0: it does not.
+// Returns the distance from `from` at which the ray meets the geom, in lengths of `ray`; negative
+// if it does not meet the geom.
 double Meets(const mujoco::Data& data, int geom, const Vector3& from, const Vector3& ray) {
   const mjModel& model = *data.model().get();
   const mjData& engine = *data.get();

@@ -9,16 +9,17 @@ namespace assay::render {
 
 using geometry::Vector3;
 
-// What of a simulation is drawn, for rays: which points of it can be seen from where. Some of it
-// moves on together, in one direction, as the hand does with the part that it mates.
+// The drawn shapes of a simulation as obstacles for rays. It finds which points an eye can see.
+// Some shapes can be displaced together, as a hand moves together with the part that it mates.
 class Sight {
  public:
-  // All that hangs together with one of these bodies moves. `data` must outlive this.
+  // All bodies that are connected to one of `moving` are moving shapes. `data` must outlive the
+  // Sight.
   explicit Sight(const mujoco::Data& data, const std::vector<mujoco::BodyId>& moving = {});
 
-  // Whether nothing that is drawn is between the point and the eye, when what moves has moved by
-  // `moved` (world frame, metres). What is within a tenth of a millimetre of the point, as the
-  // surface that it lies on, hides it only if it goes on farther towards the eye.
+  // Returns whether no drawn shape is between the point and the eye after the moving shapes have
+  // moved by `moved`. All vectors are in the world frame, metres. The first tenth of a millimetre
+  // from the point is ignored, so that the surface on which the point lies does not hide it.
   bool Sees(const Vector3& eye, const Vector3& point, const Vector3& moved = Vector3::Zero()) const;
 
  private:

@@ -18,7 +18,7 @@ Vector3 MiddleOf(const std::vector<Ball>& balls) {
   return middle;
 }
 
-// A box by its corners, everything else by a ball about it.
+// Returns the corners of a box, or a ball about any other geom.
 std::vector<Ball> OutlineOf(const mjModel& model, const mjData& data, int geom) {
   const Vector3 center = Eigen::Map<const Vector3>(data.geom_xpos + 3 * geom);
   if (model.geom_type[geom] != mjGEOM_BOX) return {{center, model.geom_rbound[geom]}};
@@ -32,10 +32,10 @@ std::vector<Ball> OutlineOf(const mjModel& model, const mjData& data, int geom) 
   return corners;
 }
 
-// What holds the fingers and the hand, for each robot.
+// Returns balls that contain hand and fingers, for each robot.
 std::vector<std::vector<Ball>> HandsOf(const scene::Scene& scene, const mujoco::Data& data) {
   const mjModel& model = *data.model().get();
-  std::map<int, std::vector<Ball>> hands;  // by the root of the robot's bodies
+  std::map<int, std::vector<Ball>> hands;  // by the id of the robot's root body
   for (int geom = 0; geom < model.ngeom; ++geom) {
     const int body = model.geom_bodyid[geom];
     if (scene.KindOf(mujoco::BodyId(body)) != scene::BodyKind::kHand) continue;

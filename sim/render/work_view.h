@@ -8,13 +8,14 @@
 
 namespace assay::render {
 
-// The parts and the hand that is nearest to them, wherever they are now, from the usual direction.
-// At least one part.
+// Returns a camera that shows the parts and the hand nearest to them at their present poses, from
+// UsualDirection. There must be at least one part (checked). `aspect` is width over height.
 FreeCamera WorkView(const domain::Problem& problem, const scene::Scene& scene,
                     const std::vector<domain::PartId>& parts, const mujoco::Data& data,
                     double aspect);
 
-// A part between the fingers of the hand that acts: the part's corners are to be seen.
+// Returns the subject of a close-up of a part between the fingers of the acting hand. The corners
+// of the part should be visible.
 Subject GraspOf(const domain::Problem& problem, const scene::Scene& scene, domain::PartId part,
                 const mujoco::Data& data);
 

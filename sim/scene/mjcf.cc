@@ -19,20 +19,23 @@ using domain::Part;
 using domain::Problem;
 using domain::Robot;
 
-// As stiff as the timestep allows: the engine raises the time constant to two timesteps. With half
-// a millisecond a part of 1 kg sinks in by less than a micrometre. A longer time constant would
-// also let held parts slip: the engine leaves the centripetal acceleration J' qd of the hand out of
-// its constraints, so that contacts follow with a velocity error of J' qd / b, b = 2 / time
-// constant, and mujoco::Data::Step takes away just half a timestep of it.
+// Contacts are as stiff as the timestep allows, because the engine raises the time constant to two
+// timesteps. With a timestep of 0.5 ms a part of 1 kg sinks in by less than a micrometre. A longer
+// time constant would also let held parts slip. The engine leaves the centripetal acceleration
+// J' qd of the hand out of its constraints. Contacts therefore follow the hand with a velocity
+// error of J' qd / b, where b = 2 / time constant. mujoco::Data::Step removes only half a timestep
+// of it.
 constexpr char kSolref[] = "0.0001 1";
 constexpr char kSolimp[] = "0.99 0.9999 0.00001";
-// Small against every part's: of two frictions the engine takes the larger.
+// The ground's friction is much smaller than that of every part, because the engine takes the
+// larger of two frictions.
 constexpr double kGroundFriction = 0.01;
-// The engine's defaults; contacts of parts have no torsion or roll, those of pads neither.
+// The engine's defaults. They have no effect on the contacts of parts and pads, which have neither
+// torsional nor rolling friction.
 constexpr double kTorsionFriction = 0.005;
 constexpr double kRollFriction = 0.0001;
 
-// Elliptic cones with a high ratio of friction to normal impedance keep a grasp from creeping;
+// Elliptic cones with a high ratio of friction to normal impedance keep a grasp from creeping.
 // Newton's method converges to the tolerance in a few iterations.
 void AddOption(const SceneOptions& options, XmlElement& mujoco) {
   mujoco.Add("option")
@@ -50,15 +53,16 @@ XmlElement& AddGeomClass(const char* name, XmlElement& defaults) {
   return defaults.Add("default").Set("class", name).Add("geom");
 }
 
-// Bits of what a geom is, and masks of what it touches. A part has its exact boxes for parts and
-// gripper, and its supporting boxes for what it may rest on: the floor, and a table of its own,
-// whose height may differ from what is under other parts. Arm links are like the gripper, which
-// touches nothing of its own robot; each of several robots touches the others.
+// Collision bits: each geom has bits for what it is and a mask of the bits that it touches. A part
+// has two sets of boxes. Its exact boxes touch other parts and grippers. Its supporting boxes touch
+// the floor and a table of the part's own, whose height may differ from that under other parts. Arm
+// links have the gripper's bit. Nothing of a robot touches the same robot, but robots touch each
+// other.
 constexpr int kPart = 1;
 constexpr int kGripper = 2;
 constexpr int kFloor = 4;
 constexpr int kSupport = 8;
-// Of the tables of single parts: this one and the higher ones.
+// The lowest bit of the tables for single parts. Their other bits follow above it.
 constexpr int kFirstTable = 16;
 
 int TableBit(domain::PartId part) {
@@ -66,7 +70,7 @@ int TableBit(domain::PartId part) {
   return kFirstTable << static_cast<int>(std::min(index, kMostPartTables - 1));
 }
 
-// Of the robots, if there are several: this one and the higher ones.
+// The lowest bit of the robots, if there are several. Their other bits follow above it.
 constexpr int kFirstRobot = kFirstTable << kMostPartTables;
 constexpr int kMostRobots = 4;
 
@@ -78,7 +82,7 @@ XmlElement& AddTouchingClass(const char* name, int is, int touches, XmlElement& 
       .Set("conaffinity", fmt::format("{}", touches));
 }
 
-// Shapes for collision alone are in group 3, which is not drawn.
+// Shapes that serve only for collision are in group 3, which is not drawn.
 void AddRobotClasses(const std::vector<domain::Robot>& robots, XmlElement& defaults) {
   const int count = static_cast<int>(robots.size());
   int all = 0;
@@ -198,8 +202,8 @@ void Append(const geometry::Pose& X_WorldPart, std::vector<double>& values) {
   values.insert(values.end(), {p.x(), p.y(), p.z(), turn.w(), turn.x(), turn.y(), turn.z()});
 }
 
-// All arms at their homes, grippers open, parts at their initial poses; in the order in which
-// bodies and servos were added.
+// Adds the key frame with all arms at their homes, grippers open, and parts at their initial poses.
+// The values are in the order in which bodies and servos were added to the model.
 void AddHome(const Problem& problem, XmlElement& keyframe) {
   std::vector<double> qpos;
   for (const Robot& robot : problem.workcell->robots()) Append(robot.home, robot, qpos);
@@ -235,7 +239,8 @@ std::string ToMjcf(const Problem& problem, const SceneOptions& options) {
   const GripperRules gripper = {
       .grip_force = rules.grip_force,
       .pad_friction = TrueFriction(rules.pad_friction, options.pad_friction_error),
-      // A weld bears what pads would; beside it, many contacts only press against each other.
+      // A weld carries the load of the pads, so that more contacts would only press against each
+      // other.
       .pad_tiles = options.grasp == GraspMode::kWeld ? 1 : 2};
   for (const domain::Robot& robot : robots) AddRobot(robot, gripper, worldbody);
   for (std::size_t i = 0; i < problem.parts.size(); ++i) {

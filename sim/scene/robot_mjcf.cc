@@ -16,15 +16,15 @@ using kinematics::Link;
 using kinematics::LinkId;
 using kinematics::RobotModel;
 
-// Fingers: fast enough to close in a second, slow enough that a light part which one finger meets
-// first does not coast away (v^2 / (2 mu g) = 0.3 mm at friction 0.25).
-constexpr double kFingerSpeed = 0.04;     // m/s under the grip force
-constexpr double kFingerStiffness = 4e4;  // N/m, until the grip force
-constexpr double kFingerArmature = 0.5;   // kg, of the drive, at least
-// The engine's contacts do not know of the damping that its integrator treats implicitly. With half
-// a millisecond closed fingers chatter from a damping of 5500 / s per armature on.
-constexpr double kMostDamping = 5000;       // 1/s, per armature
-constexpr double kFingerFriction = 0.2;     // of the fingers' steel and of the hand
+// The fingers are fast enough to close in a second. They are slow enough that a light part does not
+// coast away when one finger meets it first (v^2 / (2 mu g) = 0.3 mm at friction 0.25).
+constexpr double kFingerSpeed = 0.04;     // m/s, the speed under the grip force
+constexpr double kFingerStiffness = 4e4;  // N/m, up to the grip force
+constexpr double kFingerArmature = 0.5;   // kg, the least inertia of the drive
+// The engine's contacts ignore the damping that its integrator treats implicitly. With a timestep
+// of 0.5 ms closed fingers chatter if the damping per armature is 5500 / s or more.
+constexpr double kMostDamping = 5000;       // 1/s, damping per armature
+constexpr double kFingerFriction = 0.2;     // coefficient of the fingers' steel and of the hand
 constexpr double kTorsionOfFinger = 0.005;  // m
 
 constexpr std::array kFingers = {"finger_left", "finger_right"};
@@ -43,7 +43,8 @@ struct ShapeWriter {
   }
 };
 
-// Inertia in the link's axes: the engine takes a full matrix only without an orientation.
+// Adds the inertia in the link's axes, because the engine accepts a full matrix only if no
+// orientation is given.
 void AddInertial(const kinematics::Inertial& inertial, XmlElement& body) {
   const geometry::Matrix3 R = inertial.X_LinkCenter.linear();
   const geometry::Matrix3 I = R * inertial.inertia * R.transpose();
@@ -71,7 +72,8 @@ void AddPad(const kinematics::Collision& pad, const std::string& geom_class,
     for (int j = 0; j < rules.pad_tiles; ++j) {
       const geometry::Vector3 middle((i + 0.5) * tile.x() - size.x() / 2, 0,
                                      (j + 0.5) * tile.z() - size.z() / 2);
-      // First by priority: else the engine would take the greater friction, which is the part's.
+      // The priority makes the pad's friction count. Without it the engine would take the greater
+      // friction, which is the part's.
       body.Add("geom")
           .Set("class", geom_class)
           .Set("type", "box")
@@ -97,7 +99,8 @@ void AddCollisions(const Link& link, const std::string& geom_class, const Grippe
   }
 }
 
-// Adds a robot's arm or gripper link by link; names are prefixed, because both may use the same.
+// Adds a robot's arm or gripper link by link. Names get a prefix, because arm and gripper may use
+// the same names.
 class RobotWriter {
  public:
   RobotWriter(const Robot& robot, const RobotModel& model, const std::string& prefix,
@@ -111,7 +114,7 @@ class RobotWriter {
     return AddLink(model_.links.front(), X_ParentRoot, parent);
   }
 
-  // The body of the link that `joint` moves.
+  // Adds the body of the link that `joint` moves.
   XmlElement& AddMoved(const Joint& joint, XmlElement& parent) const {
     return AddLink(model_.link(joint.child), joint.X_ParentJoint, parent);
   }

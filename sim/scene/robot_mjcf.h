@@ -7,24 +7,25 @@
 
 namespace assay::scene {
 
-// All names here begin with the robot's prefix.
+// All names that these functions write begin with the robot's prefix.
 
-// The class of the robot's shapes for collision, which says what they touch.
+// Returns the name of the class of the robot's collision shapes. The class defines what they touch.
 std::string CollisionClass(const domain::Robot& robot);
 
-// Adds arm and gripper under `worldbody`: links with their inertias and shapes of their class for
-// collision. Sites "tool" and "wrist" (the flange) are on the hand.
+// How a gripper holds parts.
 struct GripperRules {
   double grip_force = 0;    // newtons
-  double pad_friction = 0;  // of the pads against whatever they touch
-  // Tiles along each side of a pad. The engine presses on the corners of each patch alone: of one
-  // patch as large as the pad these would bear nearly twice the torsion of an even pressure, of
-  // two by two tiles an eighth more.
+  double pad_friction = 0;  // coefficient of friction between the pads and whatever they touch
+  // The number of tiles along each side of a pad. The engine presses only on the corners of each
+  // tile. The corners of a single tile would bear nearly twice the torsion of an even pressure;
+  // those of two by two tiles bear an eighth more than an even pressure.
   int pad_tiles = 2;
 };
+// Adds arm and gripper under `worldbody`: links with their inertias and their shapes for collision.
+// The sites "tool" and "wrist" (the flange) are on the hand.
 void AddRobot(const domain::Robot& robot, const GripperRules& rules, XmlElement& worldbody);
 
-// Adds what couples the fingers, under `equality`.
+// Adds the constraint that couples the fingers under `equality`.
 void AddFingerCoupling(const domain::Robot& robot, XmlElement& equality);
 
 // Adds the joint servos "arm/JOINT" and the finger servos "gripper/finger_left" and

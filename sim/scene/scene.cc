@@ -215,8 +215,8 @@ void Scene::DetachPart(Data& data, PartId part) const {
   if (!WeldOf(part).IsNone()) data.Deactivate(WeldOf(part));
 }
 
-// The sensors give what the arm exerts on the hand, in the site's frame. At rest that and gravity
-// and the contacts' wrench add up to nothing: contacts = -(sensor) - m g.
+// The sensors measure what the arm exerts on the hand, in the site's frame. At rest this wrench,
+// gravity and the contacts' wrench add up to zero: contacts = -(sensor) - m g.
 Wrench Scene::WristWrench(const Data& data) const {
   const Pose X_WorldWrist = data.SitePose(acting().wrist);
   const mjModel& m = *data.own_model();
@@ -230,9 +230,10 @@ Wrench Scene::WristWrench(const Data& data) const {
   return {.force = -force - weight, .torque = -torque - arm.cross(weight) + WeldTorqueError(data)};
 }
 
-// The engine's sensors take the forces of a weld's three rows for angles as the torque itself.
-// Those rows are in half quaternions: the torque is what their Jacobian makes of the forces. (The
-// weld is at the part's origin, so that its other rows do not turn the part.)
+// Returns the error of the engine's torque sensor for a weld. The sensor takes the forces of the
+// weld's three angular rows for the torque. But these rows are in half quaternions, so that the
+// true torque is the product of their transposed Jacobian and the forces. The weld's other rows
+// exert no torque, because the weld is at the part's origin.
 Vector3 Scene::WeldTorqueError(const Data& data) const {
   const mjModel& m = *data.own_model();
   const mjData& d = *data.get();
@@ -262,10 +263,11 @@ Wrench Scene::WristWrenchInMotion(const Data& data) const {
   return {.force = wrist.force + inertial, .torque = wrist.torque + arm.cross(inertial)};
 }
 
-// The engine's accelerations are those that are felt: gravity is an acceleration upward.
+// The engine's accelerations are those that an accelerometer feels: gravity counts as an
+// acceleration upward.
 Vector3 Scene::HandAcceleration(const Data& data) const {
   const mjModel& m = *data.own_model();
-  mjtNum felt[6];  // angular, linear, of the body's own centre of mass
+  mjtNum felt[6];  // angular, then linear, at the body's centre of mass
   mj_objectAcceleration(&m, data.get(), mjOBJ_BODY, hand().index(), felt, 0);
   const Eigen::Map<const Vector3> angular(felt);
   const Eigen::Map<const Vector3> linear(felt + 3);

@@ -17,21 +17,21 @@ using geometry::Pose;
 using geometry::Vector3;
 using kinematics::JointVector;
 
-inline constexpr double kGravity = 9.81;  // m/s^2, the engine's
+inline constexpr double kGravity = 9.81;  // m/s^2, the value in the engine
 
-// A force and a torque about a point, newtons and newton metres.
+// A force, newtons, and a torque about a point, newton metres.
 struct Wrench {
   Vector3 force = Vector3::Zero();
   Vector3 torque = Vector3::Zero();
 };
 
-// Velocity of a body's origin and its angular velocity, world frame.
+// The velocity of a body's origin and the body's angular velocity, world frame.
 struct Twist {
   Vector3 linear = Vector3::Zero();   // m/s
   Vector3 angular = Vector3::Zero();  // rad/s
 };
 
-// What a body of the engine is.
+// The kinds of bodies in the engine.
 enum class BodyKind {
   kWorld,  // tables and floor
   kPart,
@@ -39,40 +39,44 @@ enum class BodyKind {
   kHand,  // hand or finger
 };
 
-// Where the engine keeps the six arm joints, joint 1 first.
+// The indices of the six arm joints in the engine's arrays, joint 1 first.
 struct ArmAddresses {
   std::array<int, 6> qpos{};
-  std::array<int, 6> dof{};   // in qvel, qfrc_applied, qfrc_bias
-  std::array<int, 6> ctrl{};  // position of the joint's servo
+  std::array<int, 6> dof{};   // index in qvel, qfrc_applied and qfrc_bias
+  std::array<int, 6> ctrl{};  // index of the joint's position servo
 };
 
-// The workcell of a problem in the engine, as the robot that acts has it: arm, gripper, hand, tool
-// and wrist are that robot's. Immutable: threads may share it, each with its own Data.
+// The workcell of a problem in the engine, from the view of the acting robot: arm, gripper, hand,
+// tool and wrist belong to that robot. A scene is immutable, so that threads can share it, each
+// with its own Data.
 class Scene {
  public:
   Scene(const domain::Problem& problem, const SceneOptions& options);
-  // The same scene, in which this robot acts: of the same model, so that both work on one Data.
+  // Returns this scene with another acting robot. Both scenes have the same model and work on the
+  // same Data.
   Scene WorkedBy(domain::RobotId robot) const;
 
   const mujoco::Model& model() const { return model_; }
   const SceneOptions& options() const { return options_; }
   const ArmAddresses& arm() const { return acting().arm; }
 
-  // A simulation at the problem's start: all arms at their homes, servos holding them there,
-  // grippers open, parts at their initial poses.
+  // Returns a simulation at the start of the problem: all arms are held at their homes by their
+  // servos, grippers are open, and parts are at their initial poses.
   mujoco::Data Start() const;
 
-  // The arm, at rest with its servos on these joint values: a jump, for the start of a trial.
+  // Moves the arm to these joint values (radians) in one jump, for the start of a trial. The arm is
+  // at rest and its servos hold it.
   void SetArm(mujoco::Data& data, const JointVector& q) const;
   JointVector ArmPosition(const mujoco::Data& data) const;
   JointVector ArmPosition(const mujoco::Data& data, domain::RobotId robot) const;
   JointVector ArmVelocity(const mujoco::Data& data) const;
   Pose ToolPose(const mujoco::Data& data) const;  // X_WorldTool
 
-  // The fingers close or open together until this opening (metres between the pads) or until each
-  // pushes with the workcell's grip force. CommandGripper(data, 0) closes on whatever is there.
+  // Commands the fingers to close or open together to this opening, metres between the pads. They
+  // stop earlier if each pushes with the workcell's grip force. CommandGripper(data, 0) closes on
+  // whatever is between the pads.
   void CommandGripper(mujoco::Data& data, double opening) const;
-  // The gripper is set to this opening, at rest and commanded there: a jump.
+  // Sets the gripper to this opening (metres) in one jump, at rest and commanded to stay there.
   void SetGripper(mujoco::Data& data, double opening) const;
   double Opening(const mujoco::Data& data) const;  // metres between the pads
   double Opening(const mujoco::Data& data, domain::RobotId robot) const;
@@ -84,35 +88,37 @@ class Scene {
   Pose TruePose(const mujoco::Data& data, PartId part) const;  // X_WorldPart
   double TrueMass(PartId part) const;                          // kg
   Twist TrueTwist(const mujoco::Data& data, PartId part) const;
-  // Puts a part somewhere, at rest: a jump, for the start of a trial.
+  // Moves a part to a pose in one jump, at rest, for the start of a trial.
   void SetPart(mujoco::Data& data, PartId part, const Pose& X_WorldPart) const;
 
-  // From now on a clamp presses the part down with this force, newtons, so that it stays on the
-  // table where it is.
+  // Clamps the part: from now on a force (newtons) presses it down, so that it keeps its place on
+  // the table.
   void Clamp(mujoco::Data& data, PartId part, double force) const;
 
-  // The tables are this much higher, in metres, under one part; and where the hand works. Whatever
-  // rests there must be raised with it.
+  // Raise the tables by a height, metres, under one part or under the hand. The caller must raise
+  // whatever rests there as well.
   void SetTableHeight(mujoco::Data& data, PartId part, double height) const;
   double TableHeight(const mujoco::Data& data, PartId part) const;
   void SetTableHeightUnderHand(mujoco::Data& data, double height) const;
 
-  // With GraspMode::kWeld, fixes the part to the tool where it is now; with kFriction, nothing.
+  // Fixes the part to the tool at its present pose if the mode is GraspMode::kWeld. Does nothing
+  // with kFriction.
   void AttachPart(mujoco::Data& data, PartId part) const;
   void DetachPart(mujoco::Data& data, PartId part) const;
 
-  // What contacts (and welds) exert on hand, fingers and all that they hold, about the wrist
-  // site's origin (the flange), world frame. Reading of the force and torque sensor without the
-  // weight of hand and fingers; quasi-static: their inertial forces are not taken out.
+  // Returns the wrench that contacts and welds exert on hand, fingers and held part, about the
+  // origin of the wrist site (the flange), world frame. It is the reading of the force and torque
+  // sensor without the weight of hand and fingers. It is quasi-static: the inertial forces of hand
+  // and fingers stay in it.
   Wrench WristWrench(const mujoco::Data& data) const;
-  // The same with the inertial force of hand and fingers taken out, as an accelerometer in the hand
-  // allows to. What turns them is left in: it is small.
+  // Returns the wrench of WristWrench without the inertial force of hand and fingers, which an
+  // accelerometer in the hand can measure. Their inertial torque is small and stays in it.
   Wrench WristWrenchInMotion(const mujoco::Data& data) const;
-  // Of the hand's and fingers' centre of mass, world frame, m/s^2.
+  // Returns the acceleration of the centre of mass of hand and fingers, world frame, m/s^2.
   Vector3 HandAcceleration(const mujoco::Data& data) const;
 
-  // Bodies that contacts are asked about (mujoco::ContactsBetween). Table and floor belong to the
-  // world.
+  // The bodies between which contacts can be queried (mujoco::ContactsBetween). Table and floor
+  // belong to the world.
   mujoco::BodyId world() const { return mujoco::BodyId(0); }
   mujoco::BodyId hand() const { return acting().hand; }
   mujoco::BodyId left_finger() const { return acting().fingers[0].body; }
@@ -123,9 +129,10 @@ class Scene {
  private:
   struct FreeBody {
     mujoco::BodyId body;
-    int qpos = 0;  // position, then quaternion w x y z
-    int dof = 0;   // linear velocity in the world frame, then angular in the body's
-    std::vector<mujoco::EqualityId> welds;  // to each robot's hand, or none
+    int qpos = 0;  // index of the position, followed by the quaternion w x y z
+    // Index of the linear velocity (world frame), followed by the angular velocity (body frame).
+    int dof = 0;
+    std::vector<mujoco::EqualityId> welds;  // one to each robot's hand, or none at all
     std::vector<mujoco::GeomId> tables;
   };
   struct Finger {
@@ -140,15 +147,15 @@ class Scene {
     mujoco::BodyId hand;
     mujoco::SiteId tool;
     mujoco::SiteId wrist;
-    int force_sensor = 0;   // in sensordata
-    int torque_sensor = 0;  // in sensordata
+    int force_sensor = 0;   // index in sensordata
+    int torque_sensor = 0;  // index in sensordata
     double max_opening = 0;
     JointVector home = JointVector::Zero();
   };
 
   const RobotAddresses& acting() const { return robots_[acting_.index()]; }
   Vector3 WeldTorqueError(const mujoco::Data& data) const;
-  mujoco::EqualityId WeldOf(PartId part) const;  // to the hand; None without welds
+  mujoco::EqualityId WeldOf(PartId part) const;  // the weld to the acting hand; None without welds
   RobotAddresses FindRobot(const domain::Robot& robot) const;
   Finger FindFinger(const std::string& name) const;
   FreeBody FindPart(const std::string& name, const domain::Workcell& workcell) const;
@@ -161,7 +168,8 @@ class Scene {
   domain::RobotId acting_;
   std::vector<FreeBody> parts_;
   std::vector<mujoco::GeomId> tables_;
-  std::vector<double> table_middles_;  // the height of a table's origin where its top is at 0
+  // The height of each table's origin when its top is at height 0.
+  std::vector<double> table_middles_;
 };
 
 }  // namespace assay::scene

@@ -12,8 +12,9 @@ JointServo::JointServo(const Scene& scene) : arm_(scene.arm()), hand_(scene.hand
   }
 }
 
-// A joint's damping is passive in the engine, which integrates it implicitly: the velocity that is
-// wanted comes in as an offset of the position, so that it does not lag.
+// The engine integrates a joint's damping implicitly, as a passive force against any velocity. The
+// wanted velocity is therefore added as an offset of the commanded position, so that the joint does
+// not lag.
 void JointServo::Command(mujoco::Data& data, const JointState& state, const JointVector& qdd,
                          const Load& load) const {
   std::vector<double> qacc(data.qvel().size());

@@ -4,12 +4,13 @@
 
 namespace assay::scene {
 
-// The servo of one arm joint. Armature, the inertia of the motor as seen through the gear, is the
-// Puma 560's (Corke and Armstrong-Helouvry) scaled to the 762's size by the fifth power of length.
+// The servo of one arm joint. The armature is the motor's inertia as seen through the gear. Its
+// values are those of the Puma 560 (Corke and Armstrong-Helouvry), scaled to the size of the Puma
+// 762 by the fifth power of length.
 struct ServoGains {
   double armature = 0;   // kg m^2
   double stiffness = 0;  // N m / rad
-  double damping = 0;    // N m s / rad, near critical for armature and links together
+  double damping = 0;    // N m s / rad, nearly critical for the inertia of armature and links
 };
 
 inline constexpr std::array<ServoGains, 6> kServoGains = {{

@@ -21,8 +21,9 @@ struct Rectangle {
   Vector2 half_extents() const { return (high - low) / 2; }
 };
 
-// The table in the engine is the rectangle around the polygon: parts are never put outside of the
-// polygon, and a box is the only table with exact contacts.
+// Returns the rectangle around the table's polygon, which is the table in the engine. It can be
+// larger than the polygon, because parts are never put outside the polygon. A box is the only table
+// whose contacts are exact.
 Rectangle TableRectangle(const domain::Table& table) {
   ASSAY_CHECK(table.top.size() >= 3);
   Rectangle r{table.top.front(), table.top.front()};
@@ -44,7 +45,7 @@ XmlElement& AddTableTop(const domain::Table& table, const std::string& name,
       .Set("pos", {r.center().x(), r.center().y(), -table.thickness / 2});
 }
 
-// The engine draws a plane as large as it is said to be, but it has no end.
+// The size of a plane only limits how it is drawn; its contacts have no end.
 XmlElement& AddEndlessTableTop(const domain::Table& table, const std::string& name,
                                XmlElement& worldbody) {
   const Rectangle r = TableRectangle(table);
@@ -75,15 +76,15 @@ void AddTable(const domain::Workcell& workcell, const domain::Table& table, XmlE
   }
 }
 
-// A camera as people place one: where it stands and what is in the middle of its picture.
+// A camera by its position and the point in the middle of its picture, metres, world frame.
 struct View {
   const char* name;
   Vector3 eye;
   Vector3 target;
-  double vertical_angle;  // degrees, the engine's unit for it in every file
+  double vertical_angle;  // degrees, the engine's unit for this angle in every file
 };
 
-// The engine's cameras look along -z, with y up in the picture.
+// The engine's cameras look along their -z axis, and their y axis points up in the picture.
 void AddCamera(const View& view, XmlElement& worldbody) {
   const Vector3 back = (view.eye - view.target).normalized();
   const bool vertical = back.cross(Vector3::UnitZ()).norm() < 1e-6;
@@ -97,7 +98,8 @@ void AddCamera(const View& view, XmlElement& worldbody) {
       .Set("fovy", view.vertical_angle);
 }
 
-// The middle of the parts at the start and how far they reach from it, on the table.
+// The middle of the parts' centres of mass at the start, and their greatest distance from it,
+// metres.
 struct Group {
   Vector3 center = Vector3::Zero();
   double radius = 0;
@@ -123,12 +125,12 @@ void AddCameras(const Problem& problem, XmlElement& worldbody) {
   const Vector2 table = TableRectangle(problem.workcell->table()).center();
   const Vector3 cell(table.x() * 0.45, 0, 0.38);
   const Group parts = PartGroup(problem);
-  // The parts with the hand above them, also where it holds one at the safe height.
+  // The picture shows the parts and the hand above them, even when it holds a part at safe height.
   const double reach = parts.radius + problem.workcell->rules().safe_height;
   const Vector3 middle =
       parts.center + Vector3(0.05, 0, 0.4 * problem.workcell->rules().safe_height);
   const Vector3 close = Vector3(0.8, -0.75, 0.6).normalized() * 1.8 * reach;
-  // Two robots that face each other are seen from beside the table.
+  // Two robots face each other, so that the camera looks at them from beside the table.
   const bool is_alone = problem.workcell->robots().size() == 1;
   const Vector3 overview = is_alone ? Vector3(2.3, -2.3, 1.5) : Vector3(0.5, -3.3, 2.0);
   AddCamera({"overview", Vector3(cell.x(), 0, 0) + overview, cell, 42}, worldbody);
@@ -138,9 +140,9 @@ void AddCameras(const Problem& problem, XmlElement& worldbody) {
   AddCamera({"top", Vector3(table.x() - 0.05, 0, 2.6), {table.x() - 0.05, 0, 0}, 36}, worldbody);
 }
 
-// The eyes of the sensor "overhead-camera", above the table's corners: where the arms, at home, are
-// not between most of them and the table. One robot stands at the table's low x, two stand at both
-// ends of it. Here they look at its middle; the sensor turns them.
+// Adds the eyes of the sensor "overhead-camera" above the table's corners. Arms at their homes hide
+// the table from only a few of these eyes. A single robot stands at the table's low x; two robots
+// stand at its two ends. The eyes look at the table's middle until the sensor turns them.
 void AddSensorEyes(const Problem& problem, XmlElement& worldbody) {
   const Vector2 table = TableRectangle(problem.workcell->table()).center();
   const Vector3 middle(table.x(), table.y(), 0);
@@ -236,7 +238,7 @@ void AddPartTables(const Problem& problem, const PartTable& own, XmlElement& wor
 
 void AddVisualSettings(const Problem& problem, double light, XmlElement& mujoco) {
   const Vector2 table = TableRectangle(problem.workcell->table()).center();
-  // The shadow map of a directional light covers this extent around this centre.
+  // The shadow map of a directional light covers `extent` around `center`.
   mujoco.Add("statistic").Set("center", {table.x() * 0.5, 0, 0.3}).Set("extent", 1.6);
   XmlElement& visual = mujoco.Add("visual");
   visual.Add("headlight")

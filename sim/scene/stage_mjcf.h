@@ -8,34 +8,36 @@
 
 namespace assay::scene {
 
-// Adds textures and materials of everything, under `asset`.
+// Adds the textures and materials of the whole scene under `asset`.
 void AddMaterials(XmlElement& asset);
 
-// Adds what does not move, under `worldbody`: floor, tables, lights, and the cameras "overview"
-// (the whole cell), "close" (the parts on the table), "side" and "top", and "overhead-eye-1" to
-// "overhead-eye-4" of the sensor "overhead-camera".
-// `light`: how bright the lamps are, 1 being as usual.
+// Adds everything that does not move under `worldbody`: floor, tables, lights, and cameras. The
+// cameras are "overview" (the whole cell), "close" (the parts on the table), "side", "top", and the
+// four eyes "overhead-eye-1" to "overhead-eye-4" of the sensor "overhead-camera". `light` is a
+// factor on the usual brightness of the lamps.
 void AddStage(const domain::Problem& problem, double light, XmlElement& worldbody);
 
-// What a single part rests on, not drawn: the table, at a height of its own.
+// The tables that a single part rests on. They are invisible, and their height is independent of
+// that under other parts.
 struct PartTable {
   domain::PartId part;
-  int bit = 0;  // that it is, and that the part touches
+  int bit = 0;  // collision bit of the tables, which only this part touches
   bool is_endless = false;
 };
-// The engine has 31 bits: parts from the 23rd on share a table, robots from the
-// 4th on a bit.
+// The engine has 31 collision bits. Therefore all parts from the 23rd on share one table, and all
+// robots from the 4th on share one bit.
 inline constexpr std::size_t kMostPartTables = 23;
 
-// Adds it, once for each table of the workcell.
+// Adds the geom that one part rests on, for each table of the workcell.
 void AddPartTables(const domain::Problem& problem, const PartTable& table, XmlElement& worldbody);
 
-// The name of a table as a geom, for the hand: the table's own. For a part: "table/NAME", what the
-// part rests on, not drawn, at a height of its own.
+// Return the names of a table's geoms. The geom that the hand can touch has the name of the table.
+// The geom that the part NAME rests on is "table/NAME"; it is invisible and has a height of its
+// own.
 std::string TableGeom(const domain::Table& table);
 std::string TableGeom(const domain::Table& table, const std::string& part);
 
-// Adds the pictures' settings, under `mujoco`.
+// Adds the settings for pictures under `mujoco`.
 void AddVisualSettings(const domain::Problem& problem, double light, XmlElement& mujoco);
 
 }  // namespace assay::scene

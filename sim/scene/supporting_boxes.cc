@@ -9,7 +9,7 @@ namespace {
 using geometry::Box;
 using geometry::Vector3;
 
-constexpr double kTolerance = 1e-9;  // metres; and of axes
+constexpr double kTolerance = 1e-9;  // metres for positions, relative for axes
 
 bool InHull(const geometry::ConvexHull& hull, const Box& box) {
   const auto corners = box.Corners();
@@ -24,7 +24,7 @@ bool ShareAxes(const Box& a, const Box& b) {
   return a.X_FrameBox.linear().isApprox(b.X_FrameBox.linear(), kTolerance);
 }
 
-// The box with a's axes around both.
+// Returns the box with a's axes around both boxes.
 Box Around(const Box& a, const Box& b) {
   const Vector3 center_b = a.X_FrameBox.inverse() * b.X_FrameBox.translation();
   const Vector3 low = (-a.half_extents).cwiseMin(center_b - b.half_extents);
@@ -32,7 +32,7 @@ Box Around(const Box& a, const Box& b) {
   return Box::FromCorners(low, high).Transformed(a.X_FrameBox);
 }
 
-// The first pair that one box inside the hull can replace.
+// The first pair of boxes that a single box inside the hull can replace.
 struct Merger {
   std::size_t first = 0;
   std::size_t second = 0;

@@ -6,10 +6,10 @@
 
 namespace assay::scene {
 
-// Few boxes with the same convex hull as the part's: boxes that share their axes are replaced by
-// the box around them wherever that is inside the hull, so that rings around holes are filled. A
-// part touches the table, a plane, with its hull only; with these it does so in the fewest
-// contacts, which is most of what a simulation of parts at rest costs.
+// Returns a few boxes with the same convex hull as the part. Two boxes with the same axes are
+// replaced by the box around them if this box is inside the hull, which fills rings around holes. A
+// part touches a plane table only with its hull, so these boxes give the same support with few
+// contacts. Contacts cause most of the cost of simulating parts at rest.
 std::vector<geometry::Box> SupportingBoxes(const domain::PartModel& part);
 
 }  // namespace assay::scene

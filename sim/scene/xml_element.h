@@ -12,8 +12,8 @@
 
 namespace assay::scene {
 
-// An element of an XML document that is being written, with its attributes in the order in which
-// they were set. Numbers are written with the fewest digits that read back to the same bits.
+// An element of an XML document to be written. Attributes keep the order in which they were set.
+// Numbers are written with the fewest digits that read back to the same bits.
 class XmlElement {
  public:
   explicit XmlElement(std::string name) : name_(std::move(name)) {}
@@ -26,13 +26,13 @@ class XmlElement {
   XmlElement& Set(std::string_view attribute, std::span<const double> values);
   XmlElement& Set(std::string_view attribute, std::initializer_list<double> values);
   XmlElement& Set(std::string_view attribute, const geometry::Vector3& value);
-  // As attributes `pos` and `quat` (w x y z).
+  // Sets the attributes `pos` and `quat` (w x y z).
   XmlElement& SetPose(const geometry::Pose& pose);
 
-  // A new last child; the reference stays good while this element lives.
+  // Adds a new last child. The reference stays valid while this element lives.
   XmlElement& Add(std::string name);
 
-  std::string Text() const;  // indented, with a newline at the end
+  std::string Text() const;  // the element as indented XML with a newline at the end
 
  private:
   void Append(std::string& text, int depth) const;

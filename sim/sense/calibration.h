@@ -16,33 +16,37 @@ class Scene;
 
 namespace assay::sense {
 
-// All parts of a problem somewhere on the table, one of which a sensor is to find.
+// Poses of all parts of a problem on the table, and the part that a sensor must find.
 struct CalibrationPlacement {
-  PartId part = PartId::None();  // to be found
+  PartId part = PartId::None();  // the part that the sensor must find
   domain::StablePoseId resting = domain::StablePoseId::None();
-  std::vector<Pose> X_WorldPart = {};                // of all parts, by PartId
-  Displacement displacement = Displacement::Zero();  // from where the part is believed to be
+  std::vector<Pose> X_WorldPart = {};                // true poses of all parts, by PartId
+  Displacement displacement = Displacement::Zero();  // true pose minus believed pose
 
+  // Returns the believed pose of `part`.
   Pose Believed() const;
 };
 
-// How far the part may be from where it is believed to be when a sensor is calibrated: as the
-// errors of scenarios are, with something to spare. The table's height under a part is part of it.
-const Displacement& CalibratedDisplacement();  // to each side
+// Returns the greatest displacement, to each side, of a part from its believed pose when a sensor
+// is calibrated. It is somewhat larger than the errors of scenarios. It includes the error of the
+// table's height under the part.
+const Displacement& CalibratedDisplacement();
 
-// The placement with this number of the problem's sequence with this seed. Stable poses, places and
-// yaws are drawn anew for each part: uniform over the table that the sensor looks at, wholly on it,
-// with the workcell's gap between parts. Displacements are uniform within the bounds where the
-// number is odd, and at their corners where it is even. None if there is no room for all parts.
+// Draws the placement with this number in the problem's sequence for this seed. Stable pose, place
+// and yaw are drawn for each part, uniformly over the table that the sensor looks at. Parts lie
+// wholly on the table, with the workcell's gap between them. For odd numbers displacements are
+// uniform within their bounds; for even numbers they are at the corners of the bounds. Returns none
+// if there is no room for all parts.
 std::optional<CalibrationPlacement> DrawCalibrationPlacement(const domain::Problem& problem,
                                                              std::uint64_t seed, int number);
 
-// What the sensor measures there: true minus measured. None if it does not find the part.
+// Returns the sensor's error for the placement, the true pose minus the measured one. Returns none
+// if the sensor does not find the part.
 std::optional<Displacement> MeasuredError(const scene::Scene& scene,
                                           const CalibrationPlacement& placement,
                                           PoseSensor& sensor);
 
-// Whether an error is within what the sensor promises.
+// Returns whether the error is within the error bounds that the sensor promises.
 bool KeepsPromise(const domain::SensorModel& promise, const Displacement& error);
 
 }  // namespace assay::sense

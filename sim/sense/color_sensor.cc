@@ -24,7 +24,7 @@ std::vector<ColorFilter> FiltersOf(const std::vector<NamedColor>& colors) {
   return filters;
 }
 
-// 255 where the view shows the boxes, else 0.
+// Returns a mask with 255 at pixels where the view shows the boxes, and 0 elsewhere.
 render::Mask MaskOf(const std::vector<geometry::Box>& boxes, const View& view) {
   render::Mask mask(view.size(), view.size());
   for (const geometry::Polygon& shadow : Shadows(boxes, view)) {
@@ -37,7 +37,7 @@ render::Mask MaskOf(const std::vector<geometry::Box>& boxes, const View& view) {
   return mask;
 }
 
-// How many pixels are set in both.
+// Returns the number of pixels that are set in both masks.
 double CommonArea(const std::vector<std::uint8_t>& a, const std::vector<std::uint8_t>& b) {
   return std::transform_reduce(a.begin(), a.end(), b.begin(), 0.0, std::plus(),
                                [](auto x, auto y) { return x != 0 && y != 0 ? 1 : 0; });

@@ -16,16 +16,16 @@ struct NamedColor {
   Color color;
 };
 
-// The workcell's "overhead-camera" as a sensor of colours: the eyes look at where a part is
-// believed to be, and of the pixels that show it there, the share that passes each colour's filter
-// is counted, over all eyes together.
+// The workcell's "overhead-camera" as a sensor of colours. The eyes look at the believed pose of a
+// part. For each colour the sensor computes the share of the part's pixels that pass the colour's
+// filter, over all eyes together.
 //
-// Its promise: of a part that has one of the colours and is within the search window, it tells that
-// colour or none, never another, in light of half to one and a half times what the scene has. What
-// does not show a clear majority of one colour (an arm is in the way, the part is not there) it
-// does not tell.
+// Its promise holds for a part that has one of the colours and is within the search window, with
+// lamps of 0.5 to 1.5 times the scene's brightness. The sensor then returns the part's colour or
+// none, never another colour. It returns none if no colour has a clear majority, for example
+// because an arm is in the way or the part is elsewhere.
 //
-// It belongs to the thread that made it and remembers nothing.
+// A sensor must be used by the thread that made it. It keeps no memory of earlier measurements.
 class ColorSensor {
  public:
   // The colours must have hues, and no pixel may pass two of them (checked). Throws
@@ -33,15 +33,15 @@ class ColorSensor {
   ColorSensor(const scene::Scene& scene, const domain::Problem& problem,
               const std::vector<NamedColor>& colors);
 
-  // Which of the colours the part has; None if that cannot be told.
+  // Returns the colour of the part; None if no colour has a clear majority.
   ColorId Measure(const mujoco::Data& data, PartId part, const Pose& believed);
 
-  // Of the pixels where the part is believed to be, the share of each colour.
+  // Returns the share of each colour among the pixels at the part's believed pose.
   std::vector<double> Shares(const mujoco::Data& data, PartId part, const Pose& believed);
 
   static constexpr SearchWindow kWindow = {.distance = 0.010, .yaw = 0.15, .height = 0.003};
-  static constexpr double kLeastShare = 0.5;   // of the colour that is told
-  static constexpr double kOthersShare = 0.1;  // of all others together, at most
+  static constexpr double kLeastShare = 0.5;   // the least share of the returned colour
+  static constexpr double kOthersShare = 0.1;  // the greatest share of all others together
 
  private:
   const domain::Problem& problem_;

@@ -7,18 +7,20 @@
 
 namespace assay::sense {
 
-// How a part that rests in a stable pose may be elsewhere than believed: x, y, z of its origin
-// along the world's axes, metres, and yaw, the turn about the world's z through its origin, radians
-// (Spar, equation 2).
+// The difference between two poses of a part that rests in the same stable pose (Spar, equation 2).
+// The elements are x, y, z of the part's origin along the world's axes, metres, and the yaw about
+// the world's z axis through the part's origin, radians.
 using Displacement = Eigen::Vector4d;
 
+// Returns the pose after the displacement `by`.
 inline geometry::Pose Displaced(const geometry::Pose& X_WorldPart, const Displacement& by) {
   geometry::Pose moved = geometry::RotationZ(by[3]) * X_WorldPart;
   moved.translation() = X_WorldPart.translation() + by.head<3>();
   return moved;
 }
 
-// What leads from one to the other; roll and pitch must be the same.
+// Returns the displacement that leads from one pose to the other. Both must have the same roll and
+// pitch.
 inline Displacement Between(const geometry::Pose& from, const geometry::Pose& to) {
   const geometry::Matrix3 turn = to.linear() * from.linear().transpose();
   Displacement by;

@@ -7,12 +7,12 @@ namespace assay::sense {
 namespace {
 
 constexpr double kStep = 0.5;  // pixels, along the normal
-// Antialiasing and interpolation blur an edge by up to two pixels to each side, along a diagonal;
-// beyond, surfaces show their own colour.
+// Antialiasing and interpolation blur an edge by up to two pixels to each side along a diagonal.
+// Farther away, surfaces show their own colour. Both distances are in pixels.
 constexpr double kClear = 1.8;
 constexpr double kFartherClear = 2.5;
-// Greatest differences within a surface, of 255: while the edge's place is known to a pixel, and
-// to a fraction of it.
+// The greatest colour differences within a surface, on a scale to 255. The first holds while the
+// edge is known to one pixel, the second once it is known to a fraction of a pixel.
 constexpr double kRoughlyEven = 60;
 constexpr double kEven = 12;
 constexpr double kLeastContrast = 30;
@@ -25,7 +25,7 @@ Vector3 PixelColor(const render::Image& image, int column, int row) {
   return {static_cast<double>(rgb[0]), static_cast<double>(rgb[1]), static_cast<double>(rgb[2])};
 }
 
-// Between the centres of pixels, bilinear.
+// Interpolates bilinearly between the centres of pixels.
 Vector3 ColorAt(const render::Image& image, const Vector2& p) {
   const double x = std::floor(p.x() - 0.5);
   const double y = std::floor(p.y() - 0.5);
@@ -39,7 +39,7 @@ Vector3 ColorAt(const render::Image& image, const Vector2& p) {
                  right * PixelColor(image, column + 1, row + 1));
 }
 
-// The picture along a contour point's normal, outward.
+// The picture along the outward normal of a contour point. Offsets are in pixels.
 struct Profile {
   const Picture& picture;
   const ContourPoint& point;
@@ -58,7 +58,8 @@ struct Profile {
   }
 };
 
-// The colour of the surface on one side (direction 1 or -1) of an edge; none if it is not even.
+// Returns the colour of the surface on one side of an edge: outside for direction 1, inside for -1.
+// Returns none if the colour is not even.
 std::optional<Vector3> ColorBeside(const Profile& profile, double edge, int direction,
                                    double evenness) {
   const Vector3 near = profile.Color(edge + direction * kClear);
@@ -67,7 +68,7 @@ std::optional<Vector3> ColorBeside(const Profile& profile, double edge, int dire
   return (near + far) / 2;
 }
 
-// Where the colour is half way from the part's to the table's, about `edge`.
+// Returns the offset near `edge` where the colour is half way from the part's to the table's.
 std::optional<double> Halfway(const Profile& profile, double edge, double evenness) {
   const std::optional<Vector3> inside = ColorBeside(profile, edge, -1, evenness);
   const std::optional<Vector3> outside = ColorBeside(profile, edge, 1, evenness);
@@ -85,7 +86,7 @@ std::optional<double> Halfway(const Profile& profile, double edge, double evenne
   return std::nullopt;
 }
 
-// To a fraction of a pixel, from where it is to a pixel.
+// Refines the offset of an edge from an accuracy of one pixel to a fraction of a pixel.
 std::optional<double> Refined(const Profile& profile, double edge) {
   const std::optional<double> rough = Halfway(profile, edge, kRoughlyEven);
   return rough ? Halfway(profile, *rough, kEven) : std::nullopt;

@@ -7,17 +7,18 @@
 
 namespace assay::sense {
 
-// What an eye saw.
+// A picture that an eye took, with its view and the surface that each pixel shows.
 struct Picture {
   View view;
   render::Image image;
   SurfaceMap surfaces;
 };
 
-// How far the part's edge is from a contour point, along its normal, pixels: where the part ends
-// and the table begins nearest to it, within `range`. Only the table is sure to be behind the part:
-// a border between the part and anything else may be that of what hides it. None if there is no
-// such edge or its place is not clear.
+// Returns the distance from a contour point to the part's edge in the picture, along the point's
+// normal, in pixels. The edge is the nearest place within `range` where the part ends and the table
+// begins. Only the table is sure to be behind the part. A border between the part and anything else
+// may belong to something that hides the part. Returns none if there is no edge or its place is
+// unclear.
 std::optional<double> FindEdge(const Picture& picture, const ContourPoint& point, double range);
 
 }  // namespace assay::sense

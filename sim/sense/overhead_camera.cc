@@ -9,11 +9,11 @@ namespace assay::sense {
 namespace {
 
 constexpr SearchWindow kWindow;
-// What is accepted. Parts in clear view have 0.9 of their contour found, residuals of 0.06 pixels,
-// and deviations of 0.006 mm and 0.005 degrees; true errors of eight deviations occur, as edges
-// that run along the rows of pixels are all wrong alike. The outline of an upright can hardly tells
-// its yaw: its deviation is 0.014 degrees.
-constexpr double kLeastFound = 0.4;                                // of the contour
+// The limits for an accepted fit. A part in clear view has 0.9 of its contour found, a residual of
+// 0.06 pixels, and deviations of 0.006 mm and 0.005 degrees. True errors reach eight deviations,
+// because edges along the rows of pixels all have the same error. The outline of an upright can
+// shows little of its yaw, whose deviation is 0.014 degrees.
+constexpr double kLeastFound = 0.4;                                // fraction of the contour
 constexpr double kGreatestResidual = 0.12;                         // pixels
 const Displacement kGreatestDeviation(12e-6, 12e-6, 30e-6, 2e-4);  // metres, radians
 

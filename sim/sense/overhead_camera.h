@@ -11,23 +11,24 @@
 
 namespace assay::sense {
 
-// The workcell's "overhead-camera" as a sensor of poses. The part is told from the table by its
-// colour, and its pose is that of which the silhouette fits all pictures best. The part may be up
-// to 10 mm in x and in y, 3 mm in height and 8 degrees in yaw from where it is believed to be; the
-// arm should not stand between it and the eyes.
+// The workcell's "overhead-camera" as a sensor of poses. It distinguishes the part from the table
+// by colour, and returns the pose whose silhouette fits all pictures best. The part may be up to 10
+// mm in x and in y, 3 mm in height and 8 degrees in yaw from its believed pose. The arm should not
+// stand between the part and the eyes.
 //
-// It belongs to the thread that made it, as its renderer does, and remembers nothing: the same data
-// and belief give the same answer, bit for bit.
+// A camera must be used by the thread that made it, because its renderer belongs to that thread. It
+// has no memory: the same data and believed pose give the same answer, bit for bit.
 class OverheadCamera : public PoseSensor {
  public:
   // Throws EnvironmentError if nothing renders on this machine. Scene and problem must outlive it.
   OverheadCamera(const scene::Scene& scene, const domain::Problem& problem);
 
-  // None if the part is not found, or what is seen of it is too little or fits too badly to keep
-  // the promise of the workcell file.
+  // Returns none if the part is not found. It also returns none if too little of the part is
+  // visible, or the fit is too bad, to keep the promise of the workcell file.
   std::optional<Pose> Measure(const mujoco::Data& data, PartId part, const Pose& believed) override;
 
-  // What the eyes see when they look for the part, and how well it fits: for calibration and tests.
+  // Return the pictures of the eyes when they look for the part, and the fit of the part's pose to
+  // them. They serve calibration and tests.
   std::vector<Picture> Look(const mujoco::Data& data, PartId part, const Pose& believed);
   PoseFit Fit(std::span<const Picture> pictures, PartId part, const Pose& believed) const;
 

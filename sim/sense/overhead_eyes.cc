@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kPixels = 480;  // along each side of a picture
 
-// They stand in the world and do not move with the simulation.
+// Returns the positions of the eyes, world frame. They do not move with the simulation.
 std::vector<Vector3> EyesOf(const scene::Scene& scene) {
   std::vector<Vector3> eyes;
   const mujoco::Model& model = scene.model();
@@ -25,9 +25,9 @@ std::vector<Vector3> EyesOf(const scene::Scene& scene) {
   return eyes;
 }
 
-// A ball about the middle of a part's hull that holds the part wherever in the window it is.
+// A ball about the middle of a part's hull that holds the part at every pose in the search window.
 struct Ball {
-  Vector3 center;  // world
+  Vector3 center;  // metres, world frame
   double radius = 0;
 };
 

@@ -10,12 +10,12 @@
 namespace assay::sense {
 namespace {
 
-constexpr float kSameColor = 0.004f;    // of chromaticities
-constexpr float kFarthest = 0.12f;      // of a pixel's chromaticity from its surface's
-constexpr float kLeastBrightness = 30;  // sum of red, green and blue
+constexpr float kSameColor = 0.004f;    // greatest difference of the chromaticities of one colour
+constexpr float kFarthest = 0.12f;      // greatest chromaticity difference of pixel and surface
+constexpr float kLeastBrightness = 30;  // the least sum of red, green and blue
 constexpr int kFirstUndrawnGroup = 3;
 
-// A geom's own colour, unless it was left at the engine's default, else its material's.
+// Returns a geom's own colour, or its material's colour if its own is the engine's default.
 const float* ColorOf(const mjModel& model, int geom) {
   const float* own = model.geom_rgba + 4 * geom;
   const bool is_default = own[0] == 0.5f && own[1] == 0.5f && own[2] == 0.5f && own[3] == 1;
@@ -30,7 +30,8 @@ PartId PartOf(const scene::Scene& scene, mujoco::BodyId body) {
   return PartId::None();
 }
 
-// A colour whatever the light: red and green as shares of the sum of all three.
+// The chromaticity of a colour, which does not depend on the light: red and green as shares of the
+// sum of red, green and blue.
 struct Chromaticity {
   float red = 0;
   float green = 0;

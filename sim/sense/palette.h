@@ -10,37 +10,38 @@ namespace assay::sense {
 
 using domain::PartId;
 
-// What a pixel shows, by its colour.
+// The kind of surface that a pixel shows, judged by its colour.
 enum class Surface : std::uint8_t {
-  kElse,       // robot, floor; too dark to tell
-  kTable,      // or what has its colour
-  kPart,       // the part that is looked for, or another of its colour
-  kOtherPart,  // of another colour
+  kElse,       // robot, floor, or a pixel too dark to judge
+  kTable,      // the table, or something of its colour
+  kPart,       // the part that is looked for, or another part of its colour
+  kOtherPart,  // a part of another colour
 };
 
-// A picture of what each pixel shows, rows from the top.
+// The surface that each pixel of a square picture shows, in rows from the top.
 struct SurfaceMap {
   int size = 0;  // pixels along each side
   std::vector<Surface> surfaces;
 
-  // Of the pixel that holds this point; kElse outside of the picture.
+  // Returns the surface of the pixel that holds this point; kElse outside the picture.
   Surface At(double x, double y) const;
 };
 
-// The colours of all that the scene shows.
+// The colours of everything in the scene.
 class Palette {
  public:
   explicit Palette(const scene::Scene& scene);
 
-  // Tells surfaces apart by hue and saturation: shading, shadows and brightness of the light do
-  // not matter. The image must be square (checked).
+  // Returns the surfaces of the image in a search for `part`. Surfaces are distinguished by hue and
+  // saturation, so that shading, shadows and brightness do not matter. The image must be square
+  // (checked).
   SurfaceMap Segment(const render::Image& image, PartId part) const;
 
  private:
   struct Entry {
-    float red = 0;  // of the sum of red, green and blue
-    float green = 0;
-    std::vector<PartId> parts = {};  // which have this colour
+    float red = 0;                   // share of the sum of red, green and blue
+    float green = 0;                 // share of the same sum
+    std::vector<PartId> parts = {};  // the parts of this colour
     bool is_table = false;
   };
 

@@ -9,10 +9,10 @@
 namespace assay::sense {
 namespace {
 
-constexpr int kCell = 6;  // pixels
+constexpr int kCell = 6;  // pixels along each side of a cell
 constexpr double kGridStep = 0.002;
 constexpr double kYawStep = 0.035;
-constexpr int kForPart = 2;  // what a cell of the silhouette is worth
+constexpr int kForPart = 2;  // the score of a silhouette for covering a cell
 constexpr int kForTable = -1;
 
 struct Cell {
@@ -20,7 +20,7 @@ struct Cell {
   int column = 0;
 };
 
-// What each cell of a picture is worth to a silhouette that covers it.
+// The score that a silhouette gets for covering each cell of a picture.
 class WorthMap {
  public:
   explicit WorthMap(const SurfaceMap& map) : side_(map.size / kCell), worth_(side_ * side_) {
@@ -61,7 +61,7 @@ class WorthMap {
   std::vector<int> worth_;
 };
 
-// The cells whose centres the silhouette covers.
+// Returns the cells whose centres the silhouette covers.
 std::vector<Cell> Silhouette(std::span<const geometry::Box> boxes, const View& view, int side) {
   constexpr int kFractionBits = 4;
   constexpr double kFractions = 1 << kFractionBits;
@@ -84,13 +84,14 @@ std::vector<Cell> Silhouette(std::span<const geometry::Box> boxes, const View& v
   return cells;
 }
 
-// One eye's part of the search.
+// The data of one eye for the search.
 struct Eye {
   WorthMap worth;
-  Eigen::Matrix2d cells_per_metre;  // how the picture moves with x and y
+  Eigen::Matrix2d cells_per_metre;  // the picture's movement with the part's x and y
 };
 
-// Grid points 0, +1, -1, +2, ...: so that of equal ones the nearest comes first.
+// Returns the grid points 0, +1, -1, +2, ... times `step` up to `last`. This order lets the nearest
+// point win among points of equal score.
 std::vector<double> Outward(double step, double last) {
   std::vector<double> points = {0};
   for (double p = step; p <= last; p += step) {

@@ -11,9 +11,11 @@ namespace {
 
 using geometry::Box;
 
-constexpr double kSpacing = 3;          // pixels between contour points
-constexpr double kHiddenBelow = 0.007;  // metres above the part's lowest point
-// Ranges of the search for edges and scales of the weights in each iteration, pixels.
+constexpr double kSpacing = 3;  // pixels between contour points
+// Edges lower than this above the part's lowest point are not used, metres.
+constexpr double kHiddenBelow = 0.007;
+// The range of the search for edges in each iteration, which is also the scale of the weights,
+// pixels.
 constexpr std::array<double, 11> kRanges = {14, 12, 10, 8, 6, 5, 4, 3, 2, 2, 2};
 constexpr double kLeastDeviation = 0.1;  // pixels
 
@@ -25,10 +27,11 @@ double LowestPoint(std::span<const Box> boxes) {
   return lowest;
 }
 
-// How far an edge is from the contour, and how the contour moves towards it.
+// The distance between an edge and the contour, and the derivative of the contour by the
+// displacement.
 struct Residual {
   double distance = 0;  // pixels
-  Displacement rate;    // of the contour along its normal, pixels per metre and per radian
+  Displacement rate;    // the contour's movement along its normal, pixels per metre and per radian
 };
 
 struct Residuals {
@@ -81,8 +84,8 @@ NormalEquations Weighted(const Residuals& residuals, double scale) {
   return equations;
 }
 
-// Damped a little, in units in which a millimetre and a hundredth of a radian are one, so that what
-// no edge tells stays as it is.
+// Returns a slightly damped Gauss-Newton step. Its units are a millimetre and a hundredth of a
+// radian. The damping keeps elements of the displacement unchanged that no edge determines.
 Displacement Step(const NormalEquations& equations) {
   const Displacement unit(1e-3, 1e-3, 1e-3, 1e-2);
   const Eigen::Matrix4d scaled = unit.asDiagonal() * equations.matrix * unit.asDiagonal();

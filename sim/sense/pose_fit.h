@@ -8,23 +8,24 @@
 
 namespace assay::sense {
 
-// How a silhouette fits pictures.
+// The fit of a silhouette to pictures.
 struct PoseFit {
   Displacement displacement = Displacement::Zero();  // from the believed pose
-  int edges = 0;        // contour points whose edge was found where the fit has it
-  double found = 0;     // that, as a fraction of all contour points
-  double residual = 0;  // root of the mean square of their distances, pixels
-  // Standard deviations of the displacement, if each edge's place is wrong by itself by the
-  // residual (at least a tenth of a pixel); infinite if the edges do not tell. Edges that are near
-  // each other are wrong alike, so that true errors of ten deviations occur.
+  int edges = 0;        // contour points whose edge was found within a pixel of the fit
+  double found = 0;     // `edges` as a fraction of all contour points
+  double residual = 0;  // root mean square of the distances of these edges, pixels
+  // Standard deviations of the displacement under the assumption that the errors of the edges are
+  // independent and as large as the residual (at least a tenth of a pixel). A deviation is infinite
+  // if the edges do not determine its element. Neighbouring edges have the same error, so that true
+  // errors of ten deviations occur.
   Displacement deviation = Displacement::Constant(std::numeric_limits<double>::infinity());
 };
 
-// The displacement of the part, seen from `start`, at which the contour of its silhouette is
-// nearest to the edges in all pictures together: Gauss-Newton over x, y, z and yaw with Tukey's
-// weights, that leave out edges that are not the part's, and a search for edges that begins wide
-// and ends narrow. Edges next to the table are not used: how deep the part stands behind the
-// table's surface is not known.
+// Returns the displacement of the part at which the contour of its silhouette is nearest to the
+// edges in all pictures together. The search starts at the displacement `start`. It is Gauss-Newton
+// over x, y, z and yaw, with a search range for edges that begins wide and ends narrow. Tukey's
+// weights leave out edges that do not belong to the part. Edges just above the table are not used,
+// because it is unknown how far the table's surface hides the part.
 PoseFit FitPose(std::span<const Picture> pictures, const domain::PartModel& model,
                 const Pose& believed, const Displacement& start);
 

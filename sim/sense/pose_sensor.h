@@ -10,8 +10,8 @@ namespace assay::sense {
 using domain::PartId;
 using geometry::Pose;
 
-// Measures where parts are. A real sensor looks at the simulation as a camera looks at a table; it
-// is never told the truth.
+// Measures the poses of parts. A sensor looks at the simulation as a camera looks at a table, and
+// must not use the simulator's truth.
 class PoseSensor {
  public:
   PoseSensor() = default;
@@ -19,8 +19,8 @@ class PoseSensor {
   PoseSensor& operator=(const PoseSensor&) = delete;
   virtual ~PoseSensor() = default;
 
-  // X_WorldPart, of a part that lies free and is believed to be at `believed`: it rests in the same
-  // stable pose, not far from there. None if the part cannot be found.
+  // Returns the measured pose X_WorldPart of a free part; none if the part cannot be found. The
+  // part must rest near its believed pose `believed` and in the same stable pose.
   virtual std::optional<Pose> Measure(const mujoco::Data& data, PartId part,
                                       const Pose& believed) = 0;
 };

@@ -15,7 +15,7 @@ struct Corner {
   Vector2 pixel;
 };
 
-// A box and its picture.
+// The corners of a box and its outline in the picture.
 struct Shadow {
   std::array<Corner, 8> corners;
   Polygon outline;
@@ -41,7 +41,8 @@ bool Covered(const std::vector<Shadow>& shadows, const Vector2& pixel) {
       shadows, [&](const Shadow& shadow) { return geometry::Depth(shadow.outline, pixel) > 0; });
 }
 
-// Whether the union ends here, and nothing else of it begins nearby.
+// Returns whether the silhouette ends at this pixel and no other contour is near on the same
+// normal.
 bool IsCleanContour(const std::vector<Shadow>& shadows, const Vector2& pixel,
                     const Vector2& normal) {
   constexpr double kJustOutside = 0.01;
@@ -50,7 +51,7 @@ bool IsCleanContour(const std::vector<Shadow>& shadows, const Vector2& pixel,
          !Covered(shadows, pixel + kContourReach * normal);
 }
 
-// Between two corners of a box that follow each other on its outline.
+// Adds contour points on the edge between two neighbouring corners of a box's outline.
 void AddPoints(const std::vector<Shadow>& shadows, const std::array<Vector3, 2>& edge,
                const View& view, double spacing, std::vector<ContourPoint>& contour) {
   const Vector2 start = view.Project(edge[0]);

@@ -10,23 +10,25 @@
 
 namespace assay::sense {
 
-// The part's boxes in the world frame.
+// Returns the part's boxes in the world frame.
 std::vector<geometry::Box> BoxesAt(const domain::PartModel& model, const Pose& X_WorldPart);
 
-// The pictures of some boxes (world frame): their union is the picture of all of them.
+// Returns the outline of each box (world frame) in the view, pixels. The union of the outlines is
+// the silhouette of all boxes.
 std::vector<geometry::Polygon> Shadows(std::span<const geometry::Box> boxes, const View& view);
 
 // A point of a contour.
 struct ContourPoint {
-  Vector3 p_World;  // on an edge of a box
-  Vector2 pixel;    // its picture
-  Vector2 normal;   // of the contour there, unit, pixels, outward
+  Vector3 p_World;  // metres, a point on an edge of a box
+  Vector2 pixel;    // the point's place in the picture
+  Vector2 normal;   // the contour's outward unit normal in the picture
 };
 
-// Points of the contour of the union, inner contours around through holes included, about every
-// `spacing` pixels. Left out is what has no clean edge: the ends of straight pieces, and pieces
-// with another contour within `kContourReach` pixels on the same normal.
+// The distance in pixels within which a contour point must have no other contour.
 inline constexpr double kContourReach = 2.5;
+// Returns points of the contour of the boxes' silhouette about every `spacing` pixels, including
+// the inner contours around through holes. Points without a clean edge are left out: those near the
+// ends of straight pieces, and those with another contour within kContourReach on the same normal.
 std::vector<ContourPoint> Contour(std::span<const geometry::Box> boxes, const View& view,
                                   double spacing);
 

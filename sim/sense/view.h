@@ -9,23 +9,23 @@ using geometry::Pose;
 using geometry::Vector2;
 using geometry::Vector3;
 
-// How an eye maps the world to its square picture: a pinhole without distortion. Pixel coordinates
-// begin at the picture's upper left corner, x to the right, y down; the first pixel's centre is
-// (0.5, 0.5).
+// The projection of the world to the square picture of an eye, which is a pinhole without
+// distortion. Pixel coordinates begin at the picture's upper left corner, with x to the right and y
+// down. The centre of the first pixel is (0.5, 0.5).
 class View {
  public:
-  // An eye at `eye` (world) that turns and zooms until a ball of this radius (metres) about
-  // `target` fills the picture of `size` by `size` pixels. The ball must not hold the eye
-  // (checked). The picture is rolled, so that upright edges do not run along the columns of pixels,
-  // where all samples of an edge would be wrong by the same fraction of a pixel.
+  // Makes the view of an eye at `eye` (metres, world frame) that turns and zooms until a ball about
+  // `target` fills the picture of `size` by `size` pixels. `radius` is that of the ball, metres.
+  // The ball must not contain the eye (checked). The picture is rolled so that upright edges do not
+  // run along the columns of pixels, where all samples of an edge would have the same error.
   View(const Vector3& eye, const Vector3& target, double radius, int size);
 
   const render::FreeCamera& camera() const { return camera_; }
   int size() const { return size_; }
 
-  // Of a point in front of the eye, pixels.
+  // Returns the picture of a point in front of the eye, pixels.
   Vector2 Project(const Vector3& p_World) const;
-  // How the projection moves with the point, pixels per metre.
+  // Returns the derivative of the projection by the point, pixels per metre.
   Eigen::Matrix<double, 2, 3> ProjectionRate(const Vector3& p_World) const;
 
  private:

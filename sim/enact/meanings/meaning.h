@@ -16,38 +16,42 @@
 
 namespace assay::enact {
 
-// The simulator's present truth, which only audits and pictures may see.
+// The true state in the simulator at present. Only audits and pictures may see it.
 struct Truth {
   const domain::Problem& problem;
   const scene::Scene& scene;
   const mujoco::Data& data;
 
-  // The same, as this robot has it; None: as it is.
+  // Returns the scene in which this robot acts (Scene::WorkedBy); None returns the scene unchanged.
   scene::Scene SceneOf(RobotId robot) const;
-  // Whether the part stands within the place.
+  // Returns whether the part stands within the place: its origin is there, and it rests in the
+  // stable pose of the start.
   bool StandsAt(PartId part, const domain::Place& place) const;
 };
 
-// What a predicate of the domain means in the workcell.
+// The meaning of a domain's predicate in the workcell.
 class Meaning {
  public:
   virtual ~Meaning() = default;
 
-  // What it lacks to mean something of these arguments; empty: nothing.
+  // Returns the kind of argument that the meaning needs and the atom lacks, like "part"; empty if
+  // nothing is missing.
   virtual std::string Lacks(const Roles&) const { return {}; }
   virtual bool IsTrue(const Truth& truth, const Roles& roles) const = 0;
-  // Whether it is about what is so. Otherwise it is about what was told: audits do not ask it.
+  // Returns whether audits compare the predicate with the truth. Audits leave out predicates about
+  // past readings.
   virtual bool IsAudited() const { return true; }
-  // Whether there are sensors that tell it.
+  // Returns whether a sensor can observe the predicate.
   virtual bool IsTold() const { return false; }
-  // By what sensors have told; none: that is too little, or the sensor's error leaves it open.
+  // Returns the predicate's value according to the readings of the sensors. Returns none if the
+  // readings are too few, or if a sensor's error leaves the value open.
   virtual std::optional<bool> Told(const Readings&, const Roles&) const { return std::nullopt; }
   // Of the scenario's world and the fault, before it is run; none: it depends on other things.
   virtual std::optional<bool> IsTrueIn(const HiddenWorld&, const Roles&) const {
     return std::nullopt;
   }
-  // Keeps of what the part may be that of which it is true, or false, as wanted; all of it, if that
-  // does not matter.
+  // Removes the kinds of the part for which the predicate's value is not `wanted`. Keeps all kinds
+  // if the predicate does not depend on them.
   virtual void Narrow(HiddenKinds&, bool /*wanted*/) const {}
 };
 
@@ -56,7 +60,8 @@ struct MeaningContext {
   const std::vector<sense::NamedColor>& colors;
 };
 
-// One word of `predicates: {PREDICATE: {is: WORD, ...}}`, a file each.
+// A word that a scenario may give in `predicates: {PREDICATE: {is: WORD, ...}}`. Each word has its
+// own source file.
 struct MeaningWord {
   std::string_view name;
   std::string_view summary;
@@ -71,10 +76,11 @@ extern const MeaningWord kColored;    // {is: colored, color: NAME}
 extern const MeaningWord kAt;         // {is: at}
 extern const MeaningWord kOccupied;   // {is: occupied}
 
-// All of them.
+// Returns all skill words.
 std::span<const MeaningWord* const> MeaningWords();
 
-// Null for {is: internal}: nothing in the workcell, so that no audit asks it. Throws InputError.
+// Reads a map like {is: WORD, ...}. Returns null for {is: internal}, which stands for nothing in
+// the workcell, so that no audit checks it. Throws InputError.
 std::unique_ptr<const Meaning> ReadMeaning(const Value& map, const MeaningContext& context);
 
 }  // namespace assay::enact

@@ -4,7 +4,7 @@
 namespace assay::enact {
 namespace {
 
-// A part that is carried over a table is over it as one that stands there.
+// A part that is carried above a table is over it, just like a part that stands on it.
 class Over : public Meaning {
  public:
   explicit Over(const domain::Table* table) : table_(table) {}
@@ -20,7 +20,7 @@ class Over : public Meaning {
   }
 
  private:
-  const domain::Table* table_;  // null: the atom's
+  const domain::Table* table_;  // null: the table of the atom's arguments
 };
 
 }  // namespace

@@ -5,23 +5,25 @@
 
 namespace assay::enact {
 
-// What a numeric function of the domain is in the workcell; like a predicate's meaning.
+// The meaning of a domain's numeric function in the workcell. Meaning does the same for predicates.
 class Quantity {
  public:
   virtual ~Quantity() = default;
 
-  // What it lacks to be one of these arguments; empty: nothing.
+  // Returns the kind of argument that the quantity needs and the function lacks, like "part"; empty
+  // if nothing is missing.
   virtual std::string Lacks(const Roles& roles) const = 0;
   virtual double TrueValue(const Truth& truth, const Roles& roles) const = 0;
-  // By what sensors have told; none: they have told nothing of it.
+  // Returns the reading of the quantity; none if no sensor has read it.
   virtual std::optional<Reading> Told(const Readings& readings, const Roles& roles) const = 0;
-  // Moves what they have told by so much.
+  // Adds `by` to the reading, which must exist.
   virtual void Shift(Readings& readings, const Roles& roles, double by) const = 0;
-  // Keeps of what the part may be that of which it is within the interval.
+  // Removes the kinds of the part for which the quantity is outside the interval.
   virtual void Narrow(HiddenKinds& kinds, const Interval& within) const = 0;
 };
 
-// One word of `predicates: {FUNCTION: {is: WORD}}`, a file each.
+// A word that a scenario may give in `predicates: {FUNCTION: {is: WORD}}`. Each word has its own
+// source file.
 struct QuantityWord {
   std::string_view name;
   std::string_view summary;
@@ -29,16 +31,18 @@ struct QuantityWord {
 };
 extern const QuantityWord kMass;  // {is: mass}
 
-// All of them.
+// Returns all words for quantities.
 std::span<const QuantityWord* const> QuantityWords();
 
-// Null for {is: internal}. Throws InputError.
+// Reads a map like {is: WORD}. Returns null for {is: internal}. Throws InputError.
 std::unique_ptr<const Quantity> ReadQuantity(const Value& map);
 
+// Returns whether the bound holds for the value.
 bool Holds(const contingent::Bound& bound, double value);
-// The numbers for which it holds.
+// Returns the interval of the numbers for which the bound holds.
 Interval WhereHolds(const contingent::Bound& bound);
-// By a reading; none: its error leaves it open.
+// Returns whether the bound holds according to a reading; none if the reading's error leaves it
+// open.
 std::optional<bool> Told(const contingent::Bound& bound, const Reading& reading);
 
 }  // namespace assay::enact

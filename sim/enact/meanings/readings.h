@@ -8,19 +8,21 @@
 
 namespace assay::enact {
 
-// A measured quantity: the true one is within `error` of it.
+// A measured value. The true value is within `error` of it.
 struct Reading {
   double value = 0;
   double error = 0;
 };
 
-// What sensors have told during a walk, the last of each. All that branches are decided by.
+// The latest readings of the sensors during a walk. They alone decide which branch of the plan is
+// taken.
 struct Readings {
   std::map<domain::PartId, Reading> masses;  // kg
   std::map<domain::PartId, sense::ColorId> colors;
-  std::map<domain::PartId, std::string> poses;  // of parts whose pose was open: its name
-  std::map<std::string, std::string> errors;    // of steps of plans: what their verifications
-                                                // signal; empty: nothing
+  // The name of the observed pose, for parts whose pose was open.
+  std::map<domain::PartId, std::string> poses;
+  // The error that a step's verification signals, by the step's name; an empty text means no error.
+  std::map<std::string, std::string> errors;
 };
 
 }  // namespace assay::enact

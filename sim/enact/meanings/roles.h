@@ -12,19 +12,20 @@ namespace assay::enact {
 using domain::PartId;
 using domain::RobotId;
 
-// What the arguments of an action or an atom are in the workcell: a symbol that is the name of a
-// part, a table, a place or a robot stands for it. Other symbols stand for nothing.
+// The meaning of the arguments of an action or an atom in the workcell. A symbol that is the name
+// of a part, a table, a place or a robot stands for it. Other symbols have no meaning there.
 struct Roles {
-  PartId part = PartId::None();  // the first of these
-  std::vector<PartId> parts = {};
-  const domain::Table* table = nullptr;       // the first
-  const domain::Place* place = nullptr;       // the first
-  RobotId robot = RobotId::None();            // the first
+  PartId part = PartId::None();               // the first part among the arguments
+  std::vector<PartId> parts = {};             // all parts among the arguments
+  const domain::Table* table = nullptr;       // the first table
+  const domain::Place* place = nullptr;       // the first place
+  RobotId robot = RobotId::None();            // the first robot
   std::span<const std::string> symbols = {};  // the arguments themselves
 };
+// Finds the parts, tables, places and robots that the arguments name.
 Roles RolesOf(const domain::Problem& problem, std::span<const std::string> arguments);
 
-// The table that a file names. Throws InputError.
+// Returns the table that the file names. Throws InputError.
 const domain::Table& ReadTable(const Value& name, const domain::Problem& problem);
 
 }  // namespace assay::enact

@@ -23,15 +23,15 @@ using geometry::Vector2;
 using geometry::Vector3;
 using kinematics::JointVector;
 
-constexpr double kPlacePitch = 0.05;  // metres between places that are tried
-constexpr double kPlaceRoom = 0.06;   // metres between parts, for fingers that let go
-constexpr double kClearance = 0.015;  // metres: parts are where they are believed up to some errors
-constexpr double kLookPitch = 0.02;   // metres of the tool's way between looks at lines
-constexpr int kMostSearches = 20;     // in vain, the whole budget of each
-constexpr std::int64_t kBudget = 20'000;  // postures that a search looks at
+constexpr double kPlacePitch = 0.05;      // metres between tried places
+constexpr double kPlaceRoom = 0.06;       // metres between parts, room for fingers that open
+constexpr double kClearance = 0.015;      // metres, because believed poses have errors
+constexpr double kLookPitch = 0.02;       // metres of tool travel between checks on straight lines
+constexpr int kMostSearches = 20;         // path searches that use up their budget in vain
+constexpr std::int64_t kBudget = 20'000;  // postures that one search examines
 constexpr domain::Range kUprightTilts = {std::numbers::pi / 1800, std::numbers::pi / 2};
 
-// Places on a table, nearest to its middle first.
+// Returns places on the table, those nearest to its middle first.
 std::vector<Vector2> PlacesOn(const domain::Table& table) {
   Eigen::AlignedBox2d box;
   for (const Vector2& corner : table.top) box.extend(corner);
@@ -49,7 +49,8 @@ std::vector<Vector2> PlacesOn(const domain::Table& table) {
   return places;
 }
 
-// Looks for a free place on the table over which the held part can be carried, and for the way.
+// Searches for a free place on the table to which the held part can be carried, and for the arm's
+// path to a posture above it.
 class WaySearch {
  public:
   WaySearch(const domain::Table& table, std::optional<double> tilt, const Situation& situation)
@@ -63,7 +64,8 @@ class WaySearch {
         arm_on_lines_(scene_, {.clearance = motion::kTravelGap, .bodies = Bodies::kArm}),
         robots_on_lines_(scene_, {.clearance = motion::kTravelGap, .bodies = Bodies::kRobots}) {}
 
-  // The way, or why there is none; of what was tried first, if it is not for one reason.
+  // Returns the path, or why there is none. If several attempts failed, the reason is that of the
+  // first attempt.
   std::variant<motion::JointPath, std::string> Find() {
     const JointVector& from = execution_.commanded();
     if (const auto now = motion::MotionCheck(scene_, rules_).FindObstruction(from, from)) {
@@ -85,7 +87,8 @@ class WaySearch {
  private:
   using Bodies = motion::MotionRules::Bodies;
 
-  // What points up in the hand is to point up all the way.
+  // The tool's direction that points up at the start must stay within `tilt` of it on the whole
+  // way.
   motion::MotionRules RulesFor(std::optional<double> tilt) const {
     motion::MotionRules rules{.clearance = kClearance};
     if (!tilt) return rules;
@@ -96,7 +99,8 @@ class WaySearch {
 
   Pose X_WorldHeld() const { return world_.PartPose(world_.held(), execution_.BelievedTool()); }
 
-  // As it is held, turned about the vertical and over the place, on the table.
+  // Returns free poses of the part on the table, world frame. The part leans as it does in the hand
+  // and may be turned about the vertical.
   std::vector<Pose> FreePlaces() const {
     const domain::Part& part = situation_.problem().part(world_.held());
     const std::vector<domain::PlacedPart> standing = situation_.Standing(world_.held());
@@ -126,7 +130,8 @@ class WaySearch {
     });
   }
 
-  // Of the straight lines that follow when it is put down there: down, and up without it.
+  // Returns the corners of the straight lines that putting the part down takes: down with the part,
+  // then up without it.
   std::vector<Vector3> CornersOfPuttingDown(const Pose& X_WorldPart) const {
     const plan::Putdown putdown{world_.held(), world_.hold(), {"free", X_WorldPart}};
     const std::vector<exec::Command> commands =
@@ -136,8 +141,9 @@ class WaySearch {
         .corners;
   }
 
-  // The joint values of the tool at safe height over a place from which the arm can follow the
-  // lines; those in the configuration in which it is now first, and nearest.
+  // Returns the postures with the tool at safe height above the place from which the arm can follow
+  // the straight lines. Postures in the arm's present configuration come first, then nearer ones
+  // before farther ones.
   std::vector<JointVector> PosturesAbove(const Pose& X_WorldPart,
                                          const std::vector<Vector3>& corners) const {
     const JointVector& from = execution_.commanded();
@@ -155,8 +161,8 @@ class WaySearch {
     return postures;
   }
 
-  // The same as travels ask on their lines (motion::PlanTravel), so that putting down need not look
-  // for another posture.
+  // Returns whether the straight lines below posture `q` are free. The checks are those of
+  // motion::PlanTravel, so that putting the part down needs no other posture.
   bool IsFreeBelow(const JointVector& q, const std::vector<Vector3>& corners) {
     const auto lines = motion::FollowLines(workcell_, q, corners, kLookPitch);
     if (!lines) return false;
@@ -192,10 +198,10 @@ class WaySearch {
   const exec::WorldModel& world_;
   const motion::CollisionScene scene_;
   const motion::MotionRules rules_;
-  motion::MotionCheck arm_on_lines_;  // what the hand carries comes near to the table there
+  motion::MotionCheck arm_on_lines_;  // without the held part, which must come near the table
   motion::MotionCheck robots_on_lines_;
   int searches_in_vain_ = 0;
-  std::string why_;  // of the first place and posture that would not do
+  std::string why_;  // why the first place and posture failed
 };
 
 class Carry : public Skill {
@@ -225,8 +231,8 @@ class Carry : public Skill {
   }
 
  private:
-  const domain::Table* to_;     // null: the action's
-  std::optional<double> tilt_;  // greatest on the way, radians; none: any
+  const domain::Table* to_;     // null: the table of the action's arguments
+  std::optional<double> tilt_;  // the greatest tilt on the way, radians; none: any tilt
 };
 
 }  // namespace

@@ -3,8 +3,8 @@
 namespace assay::enact {
 namespace {
 
-// The arm that acts goes home, out of the camera's sight; the others are there. What cannot be told
-// is as if nobody had looked.
+// The acting robot goes home, out of the camera's sight. The other robots are at their homes
+// already. A part whose colour the camera cannot determine has no reading afterwards.
 class Look : public Skill {
  public:
   exec::Progress Do(const Roles& roles, Situation& situation) const override {

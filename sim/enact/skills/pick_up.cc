@@ -12,7 +12,8 @@ namespace {
 using domain::Grasp;
 using exec::Pose;
 
-// The tool's z of a grasp from straight above is -1: the part is then as upright as the tool.
+// Returns the vertical component of the tool's z axis. It is -1 for a grasp from straight above,
+// where the part stays as upright as the tool.
 double LeanOf(const Grasp& grasp, const Pose& X_WorldPart) {
   return (X_WorldPart * grasp.X_PartTool).linear()(2, 2);
 }
@@ -21,7 +22,7 @@ std::vector<domain::GraspId> MostUprightFirst(const domain::Part& part, const Po
   std::vector<domain::GraspId> grasps;
   for (std::size_t i = 0; i < part.grasps->size(); ++i) grasps.emplace_back(i);
   const auto lean = [&](domain::GraspId id) {
-    constexpr double kAlike = 1e-6;  // so that rounding decides nothing
+    constexpr double kAlike = 1e-6;  // so that rounding does not decide the order
     return std::round(LeanOf((*part.grasps)[id.index()], X_WorldPart) / kAlike);
   };
   std::ranges::stable_sort(grasps, {}, lean);
@@ -46,8 +47,8 @@ class PickUp : public Skill {
   }
 
  private:
-  // Of the grasps that the arm reaches, with room for the open fingers, the one that comes most
-  // from above.
+  // Returns the grasp that comes most from above. It must be reachable and leave room for the open
+  // fingers.
   static std::optional<plan::Hold> ChooseHold(PartId id, const Situation& situation) {
     const domain::Problem& problem = situation.problem();
     const domain::Part& part = problem.part(id);

@@ -15,9 +15,10 @@ using exec::Pose;
 using geometry::Vector2;
 
 constexpr double kSpotPitch = 0.10;  // metres between spots
-constexpr double kSpotRoom = 0.025;  // metres between parts, for errors and fingers that let go
+constexpr double kSpotRoom = 0.025;  // metres between parts, room for errors and opening fingers
 
-// As it is held, with its lowest point on the table.
+// Returns the pose of the held part after a move straight down until its lowest point is on the
+// table.
 Pose StraightBelow(const domain::Part& part, Pose X_WorldPart) {
   double lowest = (X_WorldPart * part.model->hull().vertices.front()).z();
   for (const auto& vertex : part.model->hull().vertices) {
@@ -27,7 +28,7 @@ Pose StraightBelow(const domain::Part& part, Pose X_WorldPart) {
   return X_WorldPart;
 }
 
-// The spots of a place, its middle first, then a ring around it.
+// Returns the spots of a place: its middle first, then a ring around the middle.
 std::vector<Vector2> SpotsOf(const domain::Place& place) {
   const Vector2 middle(place.middle.x, place.middle.y);
   std::vector<Vector2> spots = {middle};
@@ -63,8 +64,9 @@ class PutDown : public Skill {
     return {exec::ExecutionOutcome::kUnreachable, reason};
   }
 
-  // The first where the arm can let the part go, with room for it and for the open fingers; turned
-  // as little as can be from `below`.
+  // Returns the first pose in the place where the arm can release the part, with room for the part
+  // and for the open fingers. All turns about the vertical from `below` are tried at one spot
+  // before the next spot.
   static std::optional<Pose> FreeSpot(const domain::Place& place, const Pose& below,
                                       Situation& situation) {
     for (const Vector2& spot : SpotsOf(place)) {

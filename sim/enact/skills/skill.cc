@@ -28,7 +28,7 @@ std::unique_ptr<const Skill> ReadSkill(const Value& map, const SkillContext& con
 
 namespace {
 
-// No plan has looked at the arm on its way here.
+// The whole arm is checked for collisions, because no plan has checked this travel before.
 exec::Progress Travel(const exec::MoveAtSafeHeight& move, std::span<const exec::Command> rest,
                       exec::Execution& execution) {
   motion::TravelRequest request = exec::RequestFor(move, rest, execution);

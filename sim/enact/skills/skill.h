@@ -18,42 +18,44 @@
 
 namespace assay::enact {
 
-// What a skill works with: the execution of the robot that acts, which believes what commands and
-// sensors tell it, the robots as a whole, and what sensors have told besides.
+// What a skill works with: the robots, and the readings and sensors of the trial. The execution of
+// the acting robot holds the believed poses, which follow from commands and sensors.
 struct Situation {
   Robots& robots;
   Readings& readings;
   RandomStream& sensor_noise;
   sense::ColorSensor* color_sensor;                     // null if the scenario names no colours
   sense::PoseSensor* pose_sensor;                       // null if no pose is open
-  std::unique_ptr<exec::StepExecution> step = nullptr;  // of a plan, on its way
+  std::unique_ptr<exec::StepExecution> step = nullptr;  // a plan's step in progress
 
   exec::Execution& execution() const { return robots.acting(); }
   const domain::Problem& problem() const { return execution().problem(); }
-  // Where the parts other than `but` are believed to be; none of them is in the hand.
+  // Returns the believed poses of all parts but `but`. None of these parts may be in the hand.
   std::vector<domain::PlacedPart> Standing(PartId but) const;
 };
 
-// What an action of the domain is in the workcell.
+// The meaning of a domain's action in the workcell: how a robot carries it out.
 class Skill {
  public:
   virtual ~Skill() = default;
 
-  // What it lacks to be done with these arguments; empty: nothing.
+  // Returns the kind of argument that the skill needs and the action lacks, like "part"; empty if
+  // nothing is missing.
   virtual std::string Lacks(const Roles& roles) const { return roles.part.IsNone() ? "part" : ""; }
-  // What a part in the hand may touch meanwhile.
+  // Returns what a part in the hand may touch while the skill is carried out.
   virtual exec::HeldTouches HeldMayTouch() const { return exec::HeldTouches::kNothing; }
-  // Does it, by what is believed and felt alone.
+  // Carries out the skill. It may use only what is believed and felt, not the simulator's truth.
   virtual exec::Progress Do(const Roles& roles, Situation& situation) const = 0;
 };
 
 struct SkillContext {
   const domain::Problem& problem;
-  const domain::Units& units;  // of the scenario file
+  const domain::Units& units;  // the units of the scenario file
   const std::vector<sense::NamedColor>& colors;
 };
 
-// One word of `actions: {ACTION: {skill: WORD, ...}}`, a file each.
+// A word that a scenario may give in `actions: {ACTION: {skill: WORD, ...}}`. Each word has its own
+// source file.
 struct SkillWord {
   std::string_view name;
   std::string_view summary;
@@ -65,16 +67,16 @@ extern const SkillWord kCarry;    // {skill: carry, to: TABLE, upright: angle}
 extern const SkillWord kPutDown;  // {skill: put-down}
 extern const SkillWord kLook;     // {skill: look}
 
-// All of them.
+// Returns all skill words.
 std::span<const SkillWord* const> SkillWords();
 
-// Throws InputError.
+// Reads a map like {skill: WORD, ...}. Throws InputError.
 std::unique_ptr<const Skill> ReadSkill(const Value& map, const SkillContext& context);
 
-// Turns about the vertical that are tried wherever a part may be put down.
+// The number of yaws that are tried at each place where a part may be put down.
 inline constexpr int kYawsTried = 8;
 
-// Runs commands one after the other.
+// Executes the commands one after the other until one fails.
 exec::Progress RunAll(const std::vector<exec::Command>& commands, exec::Execution& execution);
 
 }  // namespace assay::enact

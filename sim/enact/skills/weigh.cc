@@ -8,7 +8,7 @@ constexpr double kDuration = 0.2;  // seconds over which the wrist's force is av
 constexpr double kDefaultError = 0.2;
 constexpr domain::Range kErrors = {0, 50};  // newtons
 
-// Held still, what hangs in the hand pulls at the wrist with its weight.
+// When the arm holds still, the part pulls at the wrist with its weight.
 class Weigh : public Skill {
  public:
   explicit Weigh(double error) : error_(error) {}
@@ -30,7 +30,7 @@ class Weigh : public Skill {
   }
 
  private:
-  double error_;  // of the wrist's force, newtons
+  double error_;  // the greatest error of the wrist's force, newtons
 };
 
 }  // namespace

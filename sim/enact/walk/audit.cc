@@ -25,7 +25,7 @@ bool Contains(const contingent::Range& range, double value) {
 
 std::string HowItIs(double value) { return fmt::format("it is {:.3f}", value); }
 
-// Empty: it was read, and no further off than this.
+// Returns what is wrong with the reading; empty if `value` was read within `error`.
 std::string WrongReading(const std::optional<Reading>& reading, double value, double error) {
   if (!reading) return "nothing has told it";
   if (std::abs(reading->value - value) <= error + kRounding) return {};

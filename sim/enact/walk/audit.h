@@ -8,22 +8,23 @@
 
 namespace assay::enact {
 
-// Something that is claimed to be known and is not so.
+// Something that a knowledge state claims to know and that is false in the simulator.
 struct FalseClaim {
-  int step = 0;  // after which it is claimed; 0: before the first
+  int step = 0;  // the number of steps executed before the claim; 0: before the first step
   std::string atom;
   bool claimed = false;
   bool is_true = false;
-  std::string truth = {};  // of numbers and relations, in words
+  std::string truth = {};  // the true state in words, for numbers and relations only
 };
 
-// What a knowledge state claims to know, against the simulator: every atom about what is so
-// (Meaning::IsAudited) that is known to be true or known to be false; every relation of Kx, in
-// which other atoms may be either; the interval of every numeric function that is a quantity of the
-// workcell; and if its value counts as sensed, that it has been read, within the error.
+// Compares what a knowledge state claims to know with the simulator's truth. The audit covers:
+// - every audited atom (Meaning::IsAudited) that is known to be true or known to be false;
+// - every relation of Kx, in which atoms that are not audited may have either value;
+// - the interval of every numeric function that is a quantity of the workcell;
+// - every numeric value that counts as sensed (Kv): a sensor must have read it, within the error.
 class Audit {
  public:
-  // Keep references.
+  // Keeps references to both arguments.
   Audit(const Interpretation& interpretation, const domain::Problem& problem)
       : interpretation_(interpretation), problem_(problem) {}
 
@@ -31,8 +32,9 @@ class Audit {
                                       const contingent::KnowledgeState& state, const Truth& truth,
                                       const Readings& readings, int step) const;
 
-  // The goal with what is true in place of what is known. What it asks of knowledge alone, Kw, Kv
-  // and that something is not known, counts as met: that is the walk's business (TreeWalk).
+  // Returns whether the goal holds when the truth takes the place of what is known. Parts of the
+  // goal that concern knowledge alone (Kw, Kv, and that something is unknown) count as met, because
+  // TreeWalk checks them.
   bool IsGoalTrue(const Truth& truth) const;
 
  private:
@@ -47,7 +49,7 @@ class Audit {
                                        const Readings& readings, int step) const;
   bool IsAudited(contingent::AtomId atom) const;
   bool IsTrue(contingent::AtomId atom, const Truth& truth) const;
-  // Of one that is a quantity of the workcell.
+  // `function` must be a quantity of the workcell.
   double TrueValue(contingent::FunctionId function, const Truth& truth) const;
   bool Holds(const contingent::GroundQuery& query, const Truth& truth) const;
 

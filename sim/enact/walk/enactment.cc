@@ -18,9 +18,9 @@ namespace assay::enact {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
-constexpr double kRest = 0.5;  // seconds, at the end
+constexpr double kRest = 0.5;  // seconds that the robots rest at the end of a trial
 
-// One trial: the simulation, the walk in it, and what is measured of both.
+// One trial: its simulation, the walk through the tree, and the measurements of both.
 class Trial {
  public:
   Trial(const KnowledgeScenario& scenario, const TrialWorld& trial, const TrialSettings& settings)
@@ -93,7 +93,8 @@ class Trial {
     return exec::TrueScene(std::move(options), noise_);
   }
 
-  // Where an error ended the walk the hand may be at its work.
+  // Returns whether the hand is free to move after this end of the walk. After an error it may be
+  // in the middle of its work.
   static bool IsAtRest(WalkEnd end) {
     return end != WalkEnd::kStopped && end != WalkEnd::kOperator;
   }
@@ -104,7 +105,7 @@ class Trial {
     scene_.SetPart(data_, fault.part, fault.After(scene_.TruePose(data_, fault.part)));
   }
 
-  // A hand that holds something stays where it is.
+  // A robot that holds a part does not go home.
   void ComeToRest(Robots& robots) {
     exec::Execution& execution = robots.acting();
     exec::Progress failure;
@@ -123,7 +124,7 @@ class Trial {
     for (std::size_t i = 0; i < problem_.parts.size(); ++i) {
       const PartId part(i);
       MeasureTilt(truth, part);
-      if (interpretation_.planned) continue;  // plans turn parts
+      if (interpretation_.planned) continue;  // assembly plans turn parts on purpose
       const bool is_held = IsHeld(part);
       const exec::Pose X_WorldPart = scene_.TruePose(data_, part);
       if (!is_held && StablePoseAt(problem_.part(part), X_WorldPart) != problem_.part(part).resting)
@@ -179,7 +180,7 @@ class Trial {
                        claim.claimed, claim.is_true, claim.truth.empty() ? "" : ": ", claim.truth);
   }
 
-  // The action in which it happened is told.
+  // The reason names the action during which the collision happened.
   std::string ReasonOf(const exec::CollisionRecord& collision) const {
     const auto& steps = result_.walk.steps;
     const auto step = std::ranges::find_if(

@@ -13,28 +13,28 @@
 
 namespace assay::enact {
 
-// What became of a trial: of what went wrong, the first of these.
+// The outcome of a trial. If several things went wrong, the outcome is the first in this list.
 enum class EnactmentOutcome {
-  kReached,     // a leaf, with the goal true in physics, nothing spilled, nothing claimed falsely
-  kFalseClaim,  // what was claimed to be known was not so, even if the goal is true
+  kReached,     // the walk reached a leaf with the goal true in physics, and nothing went wrong
+  kFalseClaim,  // something that was claimed to be known was false, even if the goal is true
   kStopped,     // a skill could not be done
   kOperator,    // a person was called
   kUncertain,   // sensing left a branch open
-  kEndless,     // the walk came to no leaf
-  kCollided,    // an arm touched something, a hand what it does not handle, a held part anything
-  kSpilled,     // a part was tilted further than it may be
-  kFallen,      // at the end a part does not rest as it did at the start
+  kEndless,     // the walk reached no leaf within its greatest number of actions
+  kCollided,    // an arm, a hand or a held part touched something that it must not touch
+  kSpilled,     // a part was tilted further than is allowed
+  kFallen,      // at the end a part does not rest in the stable pose of the start
   kMissed,      // the goal is not true
 };
 std::string_view Name(EnactmentOutcome outcome);  // "false-claim"
 
-// A trial's number, by which its errors are drawn, and what is hidden in it.
+// The number of a trial, which determines its random errors, and its hidden world.
 struct TrialWorld {
   int number = 0;  // from 1
   HiddenWorld world;
 };
 
-// The end of a step, for pictures.
+// The state of the simulation at the end of a step, for pictures.
 struct StepPicture {
   std::string action;  // empty: the start
   const scene::Scene& scene;
@@ -43,18 +43,18 @@ struct StepPicture {
 
 struct TrialSettings {
   std::uint64_t seed = 1;
-  double sensing_errors = 0;                                 // WalkOptions::sensing_errors
-  std::function<void(const StepPicture&)> on_step_end = {};  // and of the start
+  double sensing_errors = 0;                                 // see WalkOptions::sensing_errors
+  std::function<void(const StepPicture&)> on_step_end = {};  // called at the start, too
 };
 
 struct EnactedTrial {
   int number = 0;
   HiddenWorld world;
   EnactmentOutcome outcome = EnactmentOutcome::kReached;
-  std::string reason = {};  // of another outcome
+  std::string reason = {};  // why the outcome is not kReached
   Walk walk = {};
   bool is_goal_true = false;
-  double greatest_tilt = 0;  // of parts that can spill, radians
+  double greatest_tilt = 0;  // greatest tilt of a part that can spill, in radians
   std::string fault = {};    // of the world, in words
   std::vector<std::string> spilled = {};
   std::vector<std::string> fallen = {};
@@ -65,10 +65,10 @@ struct EnactedTrial {
   bool IsFailed() const;
 };
 
-// Walks the tree in this world, in a simulation with errors drawn from the seed and the trial's
-// number alone: where the parts are (`error` of the scenario's parts), where the hand goes
-// (`error` of its gripper, anew for each action), what the sensors read. Safe to call from many
-// threads.
+// Executes the tree in the trial's world, in a simulation with random errors. The seed and the
+// trial's number alone determine these errors: where the parts are (`error` of the scenario's
+// parts), where the hand goes (`error` of its gripper, drawn anew for each action), and what the
+// sensors read. Safe to call from many threads.
 EnactedTrial RunTrial(const KnowledgeScenario& scenario, const contingent::PlanTree& tree,
                       const TrialWorld& trial, const TrialSettings& settings);
 

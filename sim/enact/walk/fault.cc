@@ -15,11 +15,12 @@ namespace {
 
 using geometry::Vector3;
 
-constexpr double kAway = 0.06;                      // metres between a part and where it should be
-constexpr double kGap = 0.02;                       // metres to other parts, of what was moved
-constexpr double kFlush = 1e-6;                     // metres, of faces that lie in one plane
-constexpr Interval kPastTheRim = {0.0008, 0.0015};  // metres, beyond the play
-// Of a slip, between a tolerance and the greatest that a guarded move feels.
+constexpr double kAway = 0.06;   // metres that a part is moved away, beyond twice its radius
+constexpr double kGap = 0.02;    // metres between a moved part and other parts
+constexpr double kFlush = 1e-6;  // metres, the tolerance for faces in one plane
+constexpr Interval kPastTheRim = {0.0008, 0.0015};  // metres beyond the clearance
+// The length of a slip as a share of the way from the verification's tolerance (0) to the greatest
+// travel of a guarded move (1).
 constexpr Interval kSlip = {0.3, 0.7};
 
 double Draw(const Interval& range, RandomStream& random) {
@@ -70,9 +71,9 @@ class FaultMaker {
                        1e3 * greatest);
   }
 
-  // Turns the part about the grasped point so far that the pads meet opposite corners of what they
-  // are to close on: the line between these is their own, and they hold the part as it is. How far
-  // they stay open, in metres.
+  // Turns the part about the grasped point until the pads meet two opposite corners of it. The line
+  // between these corners then lies in the closing direction, so that the closing pads do not turn
+  // the part back. Returns the opening that is left between the pads, in metres.
   double TurnOntoCorners(const plan::Pickup& pickup) {
     const double width = pickup.hold.width;
     const double length = LengthBetweenPads(pickup);
@@ -82,11 +83,11 @@ class FaultMaker {
     return std::hypot(length, width);
   }
 
-  // Of the faces that the pads are to meet: horizontally along them, whichever way hand and part
-  // lean.
+  // Returns the horizontal length of the faces that the pads should meet, in metres. Neither the
+  // lean of the hand nor that of the part changes it.
   double LengthBetweenPads(const plan::Pickup& pickup) const {
     const geometry::Matrix3 R_PartTool = pickup.hold.X_PartTool.linear();
-    const Vector3 up = pickup.from.X_WorldPart.linear().row(2);  // in the part's axes
+    const Vector3 up = pickup.from.X_WorldPart.linear().row(2);  // in the part's frame
     const Vector3 horizontal = up.cross(Vector3(R_PartTool.col(1)));
     int axis = 0;
     horizontal.cwiseAbs().maxCoeff(&axis);
@@ -123,7 +124,7 @@ class FaultMaker {
       fault_.way = (IsAbove(check) ? -slip : slip) * Vector3::UnitZ();
       return fault_;
     }
-    // The height at which the move is to end is itself not known better than that.
+    // The height at which the guarded move should end is uncertain by this much.
     const double doubt = check.tolerance - ToleranceWithoutDoubt(check);
     if (check.tolerance + doubt >= guarded) {
       return fmt::format(
@@ -135,14 +136,15 @@ class FaultMaker {
     return fault_;
   }
 
-  // That the workcell states: a plan's tolerance has the errors added that it could not rule out.
+  // Returns the tolerance that the workcell states. The plan's tolerance includes the errors that
+  // the plan could not rule out.
   double ToleranceWithoutDoubt(const plan::Verification& check) const {
     const auto& known = problem_.workcell->uncertainty_operations().verifications;
     const auto found = std::ranges::find(known, check.name, &domain::VerificationTemplate::name);
     return found == known.end() ? check.tolerance : found->tolerance;
   }
 
-  // To the first free place on the table around where it is.
+  // Moves the part to the first free place on the table in a circle around it.
   void TakeAway(const exec::Pose& X_WorldPart) {
     const double reach = kAway + 2 * Radius(X_WorldPart);
     constexpr int kDirections = 16;
@@ -185,7 +187,7 @@ class FaultMaker {
   Fault fault_;
 };
 
-// The verification that signals it.
+// Returns the verification of the step that signals the error.
 const plan::Verification& Signalling(const plan::Plan& plan, plan::StepId step,
                                      const std::string& error) {
   const auto found = std::ranges::find_if(plan.verifications, [&](const auto& check) {

@@ -8,7 +8,7 @@
 namespace assay::enact {
 namespace {
 
-constexpr Interval kMasses = {0.001, 10};  // kg
+constexpr Interval kMasses = {0.001, 10};  // kg, the allowed masses
 
 Interval ReadMass(const Value& value) {
   const std::vector<double> ends = value.Numbers(2);

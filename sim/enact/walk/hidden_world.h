@@ -16,53 +16,56 @@ namespace assay::enact {
 
 using domain::PartId;
 
-// Something goes wrong just before an action of a plan, and nobody is told: a part is moved, or
-// slips in the hand.
+// A fault just before an action of a plan: a part is moved, or slips in the hand. Neither plan nor
+// executor knows of it.
 struct Fault {
-  std::string action = {};  // by its name in the task
-  std::string error = {};   // that its verification is to signal
+  std::string action = {};  // the action's name in the task
+  std::string error = {};   // the error that the action's verification should signal
   PartId part = PartId::None();
-  geometry::Vector3 way = geometry::Vector3::Zero();  // world, metres
-  double turn = 0;                                    // about the vertical, radians
+  geometry::Vector3 way = geometry::Vector3::Zero();
+  double turn = 0;
 
   geometry::Pose After(const geometry::Pose& X_WorldPart) const;
-  // "before plan1-action_2: block moved by (4.0, 0.0, 0.0) mm"; "... turned by 30 degrees"
+  // Describes the fault: "before plan1-action_2: block moved by (4.0, 0.0, 0.0) mm", or "before
+  // plan1-action_2: block turned by 30 degrees".
   std::string Text(const domain::Problem& problem) const;
 };
 
-// What a world hides from the planner and from the eye.
+// The properties of a world that neither the planner nor a look at the scene reveals at first.
 struct HiddenWorld {
   std::map<PartId, double> masses = {};  // kg
   std::map<PartId, sense::ColorId> colors = {};
-  int world = 0;  // of the scenario's worlds (domain::ReadWorlds): which poses are the true ones
+  int world = 0;
   std::optional<Fault> fault = {};
 };
 
-// What may be hidden in a part; an empty list: nothing of that sort.
+// The hidden properties that a part may have. An empty list means that this property is not hidden.
 struct HiddenKinds {
-  std::vector<Interval> masses;        // the range of each kind, kg
-  std::vector<sense::ColorId> colors;  // of each kind
+  std::vector<Interval> masses;        // the mass range of each kind, kg
+  std::vector<sense::ColorId> colors;  // the colour of each kind
 
   bool operator==(const HiddenKinds&) const = default;
 };
 
-// The worlds that there may be.
+// The hidden properties that each part may have.
 using HiddenParts = std::map<PartId, HiddenKinds>;
 
-// {can1: {mass: [[0.06, 0.12], [0.38, 0.48]]}, bottle: {color: [full, empty]}, ...}. Throws
-// InputError.
+// Reads a map like {can1: {mass: [[0.06, 0.12], [0.38, 0.48]]}, bottle: {color: [full, empty]}}.
+// Throws InputError.
 HiddenParts ReadHiddenParts(const Value& map, const domain::Problem& problem,
                             const std::vector<sense::NamedColor>& colors);
 
-// Keeps of the ranges of masses what is within the interval.
+// Narrows the mass ranges of `kinds` to the interval `within`, kg. Ranges outside it are removed.
 void KeepMasses(const Interval& within, HiddenKinds& kinds);
 
-// Which of the colours the file names. Throws InputError.
+// Reads the name of one of the colours. Throws InputError.
 sense::ColorId ReadColorName(const Value& name, const std::vector<sense::NamedColor>& colors);
 
-// A kind, each as likely, and a mass within it: what is hidden in one part, or in all.
+// Draws the hidden properties of one part into `world`. Each kind is equally likely, and the mass
+// is uniform within the range of its kind.
 void DrawPart(PartId part, const HiddenKinds& kinds, RandomStream& random, HiddenWorld& world);
-// `worlds`: how many the scenario has.
+// Draws a world and the hidden properties of all parts. `worlds` is the number of worlds of the
+// scenario.
 HiddenWorld DrawnWorld(const HiddenParts& parts, int worlds, RandomStream& random);
 
 }  // namespace assay::enact

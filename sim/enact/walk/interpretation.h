@@ -15,8 +15,8 @@
 
 namespace assay::enact {
 
-// What spills: a part of which a predicate is true, when it is tilted further than this from how
-// it stood.
+// The condition for spilling: a part of which `predicate` is true spills if it is tilted by more
+// than `beyond` from its orientation at the start.
 struct Spill {
   std::string predicate;
   double beyond = 0;  // radians
@@ -24,35 +24,37 @@ struct Spill {
 
 struct PlannedWorlds;
 
-// A problem of contingent planning, and what its words are in a workcell: which skill each action
-// is, what each predicate means. Symbols are the names of parts and tables.
+// A contingent planning problem together with the meaning of its words in a workcell: the skill of
+// each action, and the meaning of each predicate and function. The problem's symbols are the names
+// of parts and tables.
 struct Interpretation {
   contingent::GroundTask task;
-  std::map<std::string, std::unique_ptr<const Skill>> skills;         // by action
-  std::map<std::string, std::unique_ptr<const Meaning>> meanings;     // by predicate or function;
-                                                                      // null: internal
-  std::map<std::string, std::unique_ptr<const Quantity>> quantities;  // by numeric function; the
-                                                                      // same
-  std::vector<sense::NamedColor> colors;                              // that can be told
+  std::map<std::string, std::unique_ptr<const Skill>> skills;
+  std::map<std::string, std::unique_ptr<const Meaning>> meanings;
+  // The quantities by the names of their numeric functions. A function that is internal to the
+  // domain has a null pointer.
+  std::map<std::string, std::unique_ptr<const Quantity>> quantities;
+  std::vector<sense::NamedColor> colors;  // colours that the camera can distinguish
   HiddenParts hidden;
-  // What the extern `reachable` found that no grasp serves, and why: "bottle (tableRight, left):
-  // not true of its 12 grasps: the tool leans at most 60 deg from straight down for 12".
+  // The parts that the extern `reachable` found to be served by no grasp, and why: "bottle
+  // (tableRight, left): not true of its 12 grasps: the tool leans at most 60 deg from straight down
+  // for 12".
   std::vector<std::string> unserved;
   std::optional<Spill> spill;
-  // Of plans of assemblies (plan_interpretation.h); else null.
+  // The worlds of an assembly plan (plan_interpretation.h); null for other problems.
   std::shared_ptr<const PlannedWorlds> planned = nullptr;
 
-  int WorldCount() const;  // of the scenario: 1 unless poses are open
-  // Of an atom; null if it is internal.
+  int WorldCount() const;
+  // Returns the meaning of the atom's predicate; null if it is internal to the domain.
   const Meaning* MeaningOf(contingent::AtomId atom) const;
-  // Whether there are sensors that tell whether it is true.
+  // Returns whether a sensor can observe the truth of the atom.
   bool IsTold(contingent::AtomId atom) const {
     const Meaning* const meaning = MeaningOf(atom);
     return meaning != nullptr && meaning->IsTold();
   }
-  // Of a numeric function; null if it is internal.
+  // Returns the quantity of a numeric function; null if it is internal to the domain.
   const Quantity* QuantityOf(contingent::FunctionId function) const;
-  // A part of which the predicate `spill` is true, in the simulator.
+  // Returns whether the predicate of `spill` is true of the part in the simulator.
   bool CanSpill(const Truth& truth, PartId part) const;
 };
 

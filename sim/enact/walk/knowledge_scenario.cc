@@ -18,7 +18,7 @@ namespace {
 
 constexpr domain::Range kSpillTilts = {std::numbers::pi / 18000, std::numbers::pi};
 
-// Reads the key `knowledge`.
+// Reads the key `knowledge` of a scenario file.
 class KnowledgeFile {
  public:
   KnowledgeFile(const Value& root, const domain::Problem& problem)
@@ -61,7 +61,7 @@ class KnowledgeFile {
     return file;
   }
 
-  // {isReachable: reachable}
+  // Binds the externs of a map like {isReachable: reachable}.
   void BindExterns(const Value& map, contingent::Externs& externs) {
     for (const auto& [name, word] : map.Entries()) {
       name.OneOf(externs_);
@@ -73,7 +73,8 @@ class KnowledgeFile {
     }
   }
 
-  // Every part, as it stands at the start, by the robot at the place.
+  // Returns whether the robot of the arguments can reach every part at the middle of the place, in
+  // the stable pose that the part has at the start.
   bool CanBeReached(const Roles& roles, const std::string& arguments) {
     if (roles.place == nullptr) throw std::invalid_argument("it needs a place");
     const domain::Problem problem =
@@ -165,7 +166,7 @@ class KnowledgeFile {
     RequireRoles(place, symbol, arguments, meaning->Lacks(RolesOf(problem_, arguments)));
   }
 
-  // Branches are answered by readings.
+  // Readings decide the branches of a plan, so each formula that is sensed needs a sensor.
   void RequireSensible(const std::map<std::string, Value>& places) const {
     for (const contingent::FormulaId id : contingent::SensedFormulas(read_.task)) {
       const contingent::Formula& formula = read_.task.formulas[id.index()];
@@ -179,7 +180,7 @@ class KnowledgeFile {
     }
   }
 
-  // One of several literals may be what is left open.
+  // One observed literal suffices, because the other literals may be known when it is sensed.
   bool IsTold(const contingent::Formula& formula) const {
     if (formula.bound) return read_.QuantityOf(formula.bound->function) != nullptr;
     return std::ranges::any_of(formula.literals, [&](const contingent::GroundLiteral& literal) {
@@ -209,7 +210,7 @@ class KnowledgeFile {
                    domain::ReadWithin(map.At("beyond"), units_.angle, kSpillTilts)};
   }
 
-  // What spills is asked of each part, with nothing beside it.
+  // The predicate for spilling is evaluated for each part alone, without further arguments.
   void RequireMeaningOfParts(const Value& predicate) const {
     const Meaning& meaning = *read_.meanings.at(predicate.Text());
     for (std::size_t i = 0; i < problem_.parts.size(); ++i) {
@@ -225,13 +226,13 @@ class KnowledgeFile {
   domain::Units units_;
   std::vector<std::string> actions_;
   std::vector<std::string> predicates_;
-  std::set<std::string> numbers_;  // numeric functions; they are among the predicates
+  std::set<std::string> numbers_;  // numeric functions, which are in predicates_, too
   std::vector<std::string> externs_;
   Interpretation read_;
 };
 
-// A scenario without the key `knowledge`: what is to be known are its open poses, and whether steps
-// of its plans pass their verifications.
+// Reads a scenario without the key `knowledge`. Its knowledge concerns the open poses, and whether
+// steps of its plans pass their verifications.
 KnowledgeScenario ReadPlanned(const Document& document, const domain::ModelPath& models) {
   auto planned = std::make_shared<PlannedWorlds>();
   planned->worlds = domain::ReadWorlds(document, models, {});

@@ -8,16 +8,17 @@
 
 namespace assay::enact {
 
-// A scenario with its key `knowledge`.
+// A scenario and the interpretation that its key `knowledge` gives.
 struct KnowledgeScenario {
   scenario::Scenario scenario;
   Interpretation interpretation;
 };
 
 // Reads a scenario file that has a key `knowledge` (scenarios/README.md), with the domain and the
-// problem that it names, paths from the file's folder. Throws InputError, also for an action of the
-// domain without a skill, a predicate without a meaning, and arguments that name no part where a
-// skill or a meaning needs one.
+// problem that it names by paths from the file's folder. Without that key, the scenario's open
+// poses and the verifications of its plans make the contingent problem. Throws InputError for wrong
+// files, for an action of the domain without a skill, for a predicate without a meaning, and for
+// arguments that name no part where a skill or a meaning needs one.
 KnowledgeScenario Read(const Document& document, const domain::ModelPath& models);
 KnowledgeScenario Load(const std::filesystem::path& file, const domain::ModelPath& models);
 

@@ -20,7 +20,7 @@ using contingent::PlanNode;
 
 namespace {
 
-// Goes through the tree with what is known on the way.
+// Visits the tree depth first and keeps track of what is known at each node.
 class LeafSearch {
  public:
   LeafSearch(const contingent::GroundTask& task, const contingent::PlanTree& tree, std::size_t most)
@@ -88,7 +88,8 @@ class LeafSearch {
   std::vector<Leaf> leaves_;
 };
 
-// What a leaf asks of parts narrows what they may be; of that, what is hidden is drawn.
+// Draws a world for one leaf. The conditions of the leaf narrow the kinds that each part may have,
+// and the hidden properties are drawn from what is left.
 class WorldSearch {
  public:
   WorldSearch(const Leaf& leaf, const Interpretation& interpretation,
@@ -118,7 +119,8 @@ class WorldSearch {
   }
 
  private:
-  // Worlds in which nothing goes wrong come first.
+  // Chooses one of the scenario's worlds for the leaf. A world gets a fault only if the leaf
+  // refutes the world without a fault.
   bool ChooseWorld() {
     const int worlds = interpretation_.WorldCount();
     const int first = worlds > 1 ? random_.Index(worlds) : 0;
@@ -146,8 +148,8 @@ class WorldSearch {
     return false;
   }
 
-  // What is not hidden is known: the mass is that of the model, and the colour is none that is
-  // told.
+  // Returns the kinds that a part may have. A mass that is not hidden is that of the model, and a
+  // colour that is not hidden is none of the named ones.
   HiddenKinds KindsOf(PartId part) const {
     const auto hidden = interpretation_.hidden.find(part);
     HiddenKinds kinds = hidden == interpretation_.hidden.end() ? HiddenKinds{} : hidden->second;
@@ -218,15 +220,16 @@ class WorldSearch {
   const Interpretation& interpretation_;
   const domain::Problem& problem_;
   RandomStream& random_;
-  std::vector<HiddenKinds> kinds_;               // that each part may be
-  std::vector<std::vector<std::string>> asked_;  // of each part, and narrows it
+  std::vector<HiddenKinds> kinds_;               // the kinds that each part may have
+  std::vector<std::vector<std::string>> asked_;  // the conditions that narrowed each part's kinds
   HiddenWorld world_;
   std::string refuted_;   // of what the leaf asks, the last
   std::string no_fault_;  // why one that is needed cannot be
 };
 
-// A world for each way in which denied conjunctions can be false, until one is found: by a literal
-// that a sensor tells to be so, of conjunctions that none of the leaf's literals denies.
+// Tries the ways in which a leaf's denied conjunctions can be false until one way has a world. Each
+// conjunction is made false by one literal that a sensor can observe. Conjunctions that a literal
+// of the leaf denies already need no such choice.
 class CaseSearch {
  public:
   CaseSearch(const Interpretation& interpretation, const domain::Problem& problem,

@@ -11,22 +11,23 @@
 
 namespace assay::enact {
 
-// A way through a plan tree to one of its leaves, or to where it repeats: the branches that lead
-// there, and what they say is true.
+// A path through a plan tree that ends at a leaf or at a repeat. It holds the branches on the path
+// and the conditions that they state.
 struct Leaf {
   std::vector<TakenBranch> branches;
   std::vector<contingent::GroundLiteral> literals;
-  std::vector<std::vector<contingent::GroundLiteral>> denied;  // not all hold, of each
+  std::vector<std::vector<contingent::GroundLiteral>> denied;  // conjunctions that are false
   std::vector<contingent::Bound> bounds;
   bool is_repeat = false;
 
-  // "isSpillable(can1), !isSpillable(can2)"; "always"; with ", and again" where it repeats
+  // Returns the branches in words, like "isSpillable(can1), !isSpillable(can2)", or "always" if
+  // there are none. A repeat has ", and again" at its end.
   std::string Text() const;
-  bool IsOn(const Walk& walk) const;  // whether it came to this leaf, or repeated so
+  bool IsOn(const Walk& walk) const;
 };
 
-// All leaves and repeats of the tree as it unfolds, at most `most` of them; repeats are not gone.
-// In the order of the tree.
+// Returns the leaves and repeats of the unfolded tree in the order of the tree, at most `most` of
+// them. Repeats are not followed.
 std::vector<Leaf> LeavesOf(const contingent::GroundTask& task, const contingent::PlanTree& tree,
                            std::size_t most);
 
@@ -38,7 +39,7 @@ std::variant<HiddenWorld, std::string> FindWorld(const Leaf& leaf,
                                                  const Interpretation& interpretation,
                                                  const domain::Problem& problem,
                                                  RandomStream& random);
-// The same; none if there is none.
+// Draws a world as FindWorld does; none if there is no world for the leaf.
 std::optional<HiddenWorld> WorldFor(const Leaf& leaf, const Interpretation& interpretation,
                                     const domain::Problem& problem, RandomStream& random);
 

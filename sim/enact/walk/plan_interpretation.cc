@@ -30,7 +30,8 @@ bool IsMated(const Truth& truth, domain::MatingId id) {
                 truth.scene.TruePose(truth.data, mating.fixed) * mating.X_FixedHeld);
 }
 
-// Whether something may be measured that is in error by so much, by a sensor with this promise.
+// Returns whether a sensor can measure this deviation. `error` bounds the true deviation and
+// `promise` bounds the sensor's error.
 bool IsWithin(double measured, const Interval& error, const Interval& promise) {
   return error.low - promise.high <= measured && measured <= error.high - promise.low;
 }
@@ -57,9 +58,9 @@ class PlanSkill : public Skill {
   KnowledgeAction action_;
 };
 
-// The camera looks for the part in each of its poses; where just one of them is found, no farther
-// from there than its error and the sensor's allow, that is it, and the part is believed to be
-// where it was seen.
+// Looks for the part in each pose that it may have. A pose counts as found if the part is seen no
+// farther from it than the errors of part and sensor allow. If exactly one pose is found, the part
+// has that pose, and its believed pose is the one that the camera measured.
 class LookForPose : public PlanSkill {
  public:
   using PlanSkill::PlanSkill;
@@ -90,7 +91,8 @@ class LookForPose : public PlanSkill {
   }
 };
 
-// Without a verification the step is finished; with one, the tool waits for what it tells.
+// Executes a step of a plan. A step without a verification is finished at once. A step with a
+// verification leaves the tool in place until the verification is done.
 class DoStep : public PlanSkill {
  public:
   using PlanSkill::PlanSkill;
@@ -115,7 +117,7 @@ class Verify : public PlanSkill {
   }
 };
 
-// The verification has told already.
+// Names the error. It does nothing, because the verification has measured already.
 class Diagnose : public PlanSkill {
  public:
   using PlanSkill::PlanSkill;
@@ -161,7 +163,7 @@ std::unique_ptr<const Skill> SkillOf(const Planned& planned, const KnowledgeActi
   return nullptr;
 }
 
-// pose(part) = name
+// The meaning of pose(part) = name.
 class IsPosed : public Meaning {
  public:
   explicit IsPosed(Planned planned) : planned_(std::move(planned)) {}
@@ -190,7 +192,7 @@ class IsPosed : public Meaning {
   }
 
  private:
-  // As the scenario names them.
+  // The task's symbols stand for names of the scenario.
   PartId PartOf(const Roles& roles) const {
     const std::vector<domain::Part>& parts = planned_->worlds.front().parts;
     const std::string& name = planned_->assembly.knowledge.names.at(roles.symbols.front());
@@ -204,7 +206,7 @@ class IsPosed : public Meaning {
   Planned planned_;
 };
 
-// A step by the name that the task has for it: "plan1-action_2".
+// A predicate of a step, which the task names "plan1-action_2".
 class OfStep : public Meaning {
  public:
   explicit OfStep(Planned planned) : planned_(std::move(planned)) {}
@@ -214,7 +216,7 @@ class OfStep : public Meaning {
     return planned_->assembly.plans[ActionOf(roles).plan].plan;
   }
   plan::StepId StepOf(const Roles& roles) const { return ActionOf(roles).step; }
-  // As the workcell names it.
+  // Returns the error by its name in the workcell.
   const std::string& ErrorOf(const Roles& roles) const {
     return planned_->assembly.knowledge.names.at(roles.symbols.back());
   }

@@ -7,23 +7,23 @@
 
 namespace assay::enact {
 
-// What the words of that tree are in the workcell. Actions: a look tells which of the open poses a
-// part has, by the camera; steps of plans are executed, verified and recovered from like anywhere
-// (exec::StepExecution). Predicates, of the present:
-//   pose(part) = p       the part is nearest to that one of the poses that it may have
-//   signals(step, e)     what is measured, truly is so
-// and of what is done and told, which no audit asks:
-//   passed(step)         the verifications that follow the step signalled nothing. Whether the step
-//                        went well is not claimed: an opening tells nothing of a part that has
-//                        turned between the pads, nor a height of one that leans. If it did not,
-//                        later verifications or the goal tell.
+// Returns the meaning of the contingent plan's words in the workcell. A look uses the camera to
+// find which of its open poses a part has. Steps of plans are executed, verified and recovered by
+// exec::StepExecution. The audited predicates concern the present state:
+// - pose(part) = p: of all poses that the part may have, it is nearest to p;
+// - signals(step, e): the true value of what the step's verification measures means the error e.
+// One predicate concerns past verifications and is not audited:
+// - passed(step): the verifications after the step signalled nothing. This does not claim that the
+//   step succeeded. The opening of the gripper does not show that a part has turned between the
+//   pads, and the height of the tool does not show that a part leans. Later verifications or the
+//   goal show these errors.
 Interpretation InterpretationOf(std::shared_ptr<const PlannedWorlds> planned);
 
-inline constexpr double kNear = 0.003;         // metres
-inline constexpr double kNearlyTurned = 0.05;  // radians
+inline constexpr double kNear = 0.003;         // metres, the greatest distance from a mating
+inline constexpr double kNearlyTurned = 0.05;  // radians, the greatest rotation from a mating
 
-// Whether the goals of a world's scenario hold in the simulator: matings within kNear, parts in the
-// stable poses that are wanted.
+// Returns whether the goals of a world's scenario hold in the simulator. Mated parts must be within
+// kNear and kNearlyTurned of their mating, and other parts in one of the wanted stable poses.
 bool AreGoalsTrue(const Truth& truth);
 
 }  // namespace assay::enact

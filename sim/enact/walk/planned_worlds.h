@@ -6,12 +6,12 @@
 
 namespace assay::enact {
 
-// The plans of a scenario's worlds, as one tree.
+// The worlds of a scenario, and their plans as one contingent plan.
 struct PlannedWorlds {
   std::vector<domain::Problem> worlds;
   assembly::ContingentAssembly assembly;
 
-  // The plan of a world (null: it has none).
+  // Returns the plan of a world; null if the world has none.
   const plan::Plan* PlanOf(int world) const;
 };
 

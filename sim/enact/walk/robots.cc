@@ -33,7 +33,7 @@ bool Robots::HoldsBesides(RobotId robot) const {
   });
 }
 
-// What the one that told it holds is, for the other, where that hand has it.
+// A part in the hand of `from` is passed on at the pose in which that hand holds it.
 void Robots::Tell(const exec::Execution& from, exec::Execution& to) const {
   for (int i = 0; i < from.world().part_count(); ++i) {
     const domain::PartId part(i);
@@ -47,7 +47,7 @@ exec::Progress Robots::TakeOver(RobotId robot) {
   if (exec::Progress failure = GoHome()) return failure;
   Tell(acting(), *members_[robot.index()]->execution);
   acting_ = robot;
-  // A part creeps in the pads of a hand in large timesteps, also of one that rests.
+  // Large timesteps let a part creep between the pads of a hand, even of a hand at rest.
   options_.free_timestep = HoldsBesides(robot) ? 0 : free_timestep_;
   return std::nullopt;
 }

@@ -9,25 +9,25 @@ namespace assay::enact {
 
 using domain::RobotId;
 
-// The robots of a workcell on one simulation, an execution each. One acts at a time; the others
-// stand at their homes, also with a part in the hand.
+// The robots of a workcell in one simulation, with one execution for each robot. One robot acts at
+// a time. The other robots stand at their homes and may hold a part there.
 class Robots {
  public:
-  // All are at their homes, hands empty; the workcell's first robot acts. Keeps references to
-  // `data` and `options`.
+  // Starts with all robots at their homes with empty hands. The workcell's acting robot acts first.
+  // Keeps a reference to `data` and copies `options`.
   Robots(const domain::Problem& problem, const scene::Scene& scene, mujoco::Data& data,
          const exec::ExecutorOptions& options);
 
   exec::Execution& acting() { return *members_[acting_.index()]->execution; }
 
-  // From now on this robot acts (None: the same as before). The one before goes home first, and
-  // tells it where it believes the parts to be.
+  // Makes `robot` the acting robot; None changes nothing. The robot that acted before goes home
+  // first and passes on where it believes the parts to be.
   exec::Progress TakeOver(RobotId robot);
-  // The parts in all hands.
+  // Returns the parts in the hands of all robots.
   std::vector<domain::PartId> Held() const;
-  // What robots touched and were not to touch until now.
+  // Returns the forbidden contacts of all robots until now, in the order of time.
   std::vector<exec::CollisionRecord> Collisions() const;
-  // The robot that acts goes home, clear of everything (motion::FindPath).
+  // Moves the acting robot home on a path that is clear of everything (motion::FindPath).
   exec::Progress GoHome();
 
  private:

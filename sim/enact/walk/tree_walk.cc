@@ -22,9 +22,9 @@ using contingent::PlanNode;
 namespace {
 
 constexpr int kMostActions = 1000;
-constexpr int kMostSensings = 5;  // of one thing, one after the other
+constexpr int kMostSensings = 5;  // of the same thing in a row
 
-// Whether it does nothing but tell, so that it can be done again.
+// Returns whether the action only senses, so that it can be repeated.
 bool IsSensing(const GroundAction& action) {
   using Kind = contingent::GroundChange::Kind;
   return std::ranges::all_of(action.effects, [](const contingent::GroundEffect& effect) {
@@ -87,9 +87,9 @@ auto TreeWalk::Sensed(const Ask& ask) -> decltype(ask()) {
   }
 }
 
-// A plan may end with something sensed: then sensors must have told it, if the goal needs it; and
-// what they told is claimed. A goal may also ask that something is sensed and not known: then it
-// holds until that is learned.
+// A plan may end with something sensed. Sensors must then have read it if the goal needs it, and
+// their reading is claimed as knowledge. A goal may also require that something is sensed but not
+// yet known. Such a goal holds before the reading is learned, so `sensed` is asked, too.
 std::optional<NodeId> TreeWalk::Arrive() {
   KnowledgeState sensed = state_;
   std::vector<std::string> not_told = LearnSensedFormulas(sensed);
@@ -116,7 +116,8 @@ std::vector<std::string> TreeWalk::LearnSensedFormulas(KnowledgeState& sensed) {
   return not_told;
 }
 
-// Those of symbols: a number that was read is its own interval, which every audit asks.
+// Only functions whose values are symbols are learned here. The audit checks readings of numeric
+// functions itself.
 std::vector<std::string> TreeWalk::LearnSensedValues(KnowledgeState& sensed) {
   std::vector<std::string> not_told;
   for (std::size_t i = 0; i < interpretation_.task.functions.size(); ++i) {
@@ -165,7 +166,7 @@ exec::Progress TreeWalk::Do(const GroundAction& action) {
   const Skill& skill = *interpretation_.skills.at(action.name);
   exec::Progress failure = situation_.robots.TakeOver(roles.robot);
   exec::Execution& execution = situation_.execution();
-  if (!roles.part.IsNone()) {  // steps of plans say themselves what they handle
+  if (!roles.part.IsNone()) {  // a step of an assembly plan declares itself what it handles
     std::vector<PartId> handled = situation_.robots.Held();
     handled.push_back(roles.part);
     execution.Handle(std::move(handled), skill.HeldMayTouch());

@@ -10,12 +10,12 @@
 
 namespace assay::enact {
 
-// A branch that was taken.
+// A branch of the tree that a walk took.
 struct TakenBranch {
   contingent::NodeId node;
   std::size_t child = 0;
   std::string text;         // "isSpillable(can1)"
-  bool is_flipped = false;  // what was sensed has been made wrong
+  bool is_flipped = false;  // the sensed value was made wrong on purpose
 
   bool operator==(const TakenBranch&) const = default;
 };
@@ -26,41 +26,43 @@ struct WalkedStep {
 };
 
 enum class WalkEnd {
-  kGoal,       // a leaf was come to
-  kOperator,   // a person takes over: that leaf, or nothing that was tried mended an error
+  kGoal,       // the walk reached a leaf
+  kOperator,   // a person takes over: the tree ends so, or no recovery corrected an error
   kStopped,    // a skill could not be done
-  kUncertain,  // what was sensed left a branch open, however often it was sensed
+  kUncertain,  // repeated sensing left a branch open
   kEndless,    // too many actions
 };
 
 struct Walk {
   std::vector<WalkedStep> steps = {};
   std::vector<TakenBranch> branches = {};
-  std::vector<FalseClaim> false_claims = {};  // the first of each
-  bool is_flipped = false;                    // something that was sensed has been made wrong
+  std::vector<FalseClaim> false_claims = {};  // the first occurrence of each false claim
+  bool is_flipped = false;                    // some sensed value was made wrong on purpose
   WalkEnd end = WalkEnd::kGoal;
-  std::string reason = {};  // of another end
+  std::string reason = {};  // why the end is not kGoal
 };
 
 struct WalkOptions {
-  double sensing_errors = 0;       // probability that what is sensed is made wrong
-  RandomStream* random = nullptr;  // of these errors, and of the hand's
-  std::function<void(const std::string& action)> on_step_start = {};  // its name in the task
+  double sensing_errors = 0;       // probability that a sensed value is made wrong
+  RandomStream* random = nullptr;  // draws the errors of sensing and of the hand
+  // Called with the action's name in the task.
+  std::function<void(const std::string& action)> on_step_start = {};
   std::function<void(const WalkedStep&)> on_step_end = {};
 };
 
-// A contingent plan on its way: nodes that act run the skill of their action, branches follow what
-// sensors have told. After each action the knowledge that the plan claims is audited.
+// Executes a contingent plan. An action node runs the skill of its action, and a branch node
+// follows what the sensors have read. After each action and each branch an audit compares the
+// knowledge that the plan claims with the truth.
 class TreeWalk {
  public:
-  // Keeps references.
+  // Keeps references to all arguments.
   TreeWalk(const Interpretation& interpretation, const contingent::PlanTree& tree,
            Situation& situation, const WalkOptions& options);
 
   Walk Go();
 
  private:
-  // One node; none: the walk ends here.
+  // These functions execute one node and return the next one; none ends the walk.
   std::optional<contingent::NodeId> Arrive();
   std::optional<contingent::NodeId> Act(const contingent::PlanNode& node);
   std::optional<contingent::NodeId> Whether(contingent::NodeId id);
@@ -69,23 +71,26 @@ class TreeWalk {
   std::optional<bool> Told(contingent::AtomId atom) const;
   std::optional<bool> Told(const contingent::Bound& bound) const;
   std::optional<bool> Told(contingent::FormulaId formula) const;
-  // The place of the value that is told; none: nothing tells which of them it is.
+  // Returns the index of the value that sensors have observed; none if they leave it open.
   std::optional<std::size_t> ToldValue(const std::vector<contingent::AtomId>& values) const;
-  // What `ask` answers; as long as it is open, the last action, if it senses, is done again.
+  // Returns the answer of `ask`. While the answer is open, the last action is repeated if it is a
+  // sensing action.
   template <class Ask>
   auto Sensed(const Ask& ask) -> decltype(ask());
-  // What counts as sensed becomes known as sensors tell it. What they do not tell, in words; it no
-  // longer counts as sensed, in `sensed` neither, which otherwise stays as it is.
+  // Turn what counts as sensed into knowledge, by the readings of the sensors. Return in words what
+  // the sensors left open, which then counts as sensed neither in state_ nor in `sensed`. Nothing
+  // else in `sensed` changes.
   std::vector<std::string> LearnSensedFormulas(contingent::KnowledgeState& sensed);
   std::vector<std::string> LearnSensedValues(contingent::KnowledgeState& sensed);
-  // False if what sensors tell contradicts what is known: then they have told nothing.
+  // Takes over the new knowledge. Returns false, and changes nothing, if there is none because the
+  // readings contradict what is known.
   bool Learn(std::optional<contingent::KnowledgeState> learned);
   std::string WordsOf(contingent::FormulaId formula) const;
   const std::string& WordsOf(contingent::FunctionId function) const;
   std::optional<contingent::NodeId> NotTold(const std::string& what);
-  // Whether what is sensed now is to be wrong.
+  // Draws whether the value that is sensed now is made wrong.
   bool IsFlipped();
-  // A number that the action has read becomes further off than its claim allows.
+  // Draws which numbers of a sensing action are made wrong, by more than their claims allow.
   void FlipReadings(const contingent::GroundAction& action);
   std::size_t Flipped(std::size_t value, std::size_t count) const { return (value + 1) % count; }
   std::optional<contingent::NodeId> Take(contingent::NodeId id, std::size_t child, bool is_flipped);

@@ -14,18 +14,19 @@ namespace {
 using check::ContactSet;
 using finemotion::ContactKey;
 
-// In pixels.
-constexpr double kLeft = 48;  // for the dimensions
+// Lengths in pixels.
+constexpr double kLeft = 48;  // width of the labels of the dimensions
 constexpr double kTop = 34;
 constexpr double kRow = 92;
-constexpr double kGraphWidth = 620;  // of the graph, at least
-constexpr double kSpacing = 8;       // of its states, at least
-constexpr double kColumn = 74;       // of a state that is not in it
-constexpr double kNumberUp = 10;     // of numbers over their states
-constexpr double kLetter = 8;        // width, at most
-constexpr double kLine = 20;         // of the key
+constexpr double kGraphWidth = 620;  // least width of the graph
+constexpr double kSpacing = 8;       // least distance between states of the graph
+constexpr double kColumn = 74;       // width of the column of a state outside the graph
+constexpr double kNumberUp = 10;     // height of numbers above their states
+constexpr double kLetter = 8;        // greatest width of a letter
+constexpr double kLine = 20;         // height of a line of the key
 
-// A picture in a file of its own has no page about it; in a page its rules are for it alone.
+// The picture has its own style rules, because a picture file has no page around it. Their class
+// limits them to the picture if it is in a page.
 constexpr const char* kGraphRules =
     ".contacts text { font: 14px system-ui, sans-serif; fill: #33404f; } "
     ".contacts .ground { fill: #ffffff; } "
@@ -51,8 +52,8 @@ std::string TextOf(const ContactSet& contacts) {
   return names.empty() ? "free" : fmt::format("{}", fmt::join(names, ", "));
 }
 
-// Where the states of a graph are drawn: in each row by the middle of their parents, so that few
-// lines cross.
+// The places of the states of a graph. The states of a row are ordered by the middle of their
+// parents, so that few lines cross.
 class Layout {
  public:
   explicit Layout(const finemotion::ContactGraph& graph) : places_(graph.states.size()) {
@@ -89,10 +90,10 @@ class Layout {
   int least_dimension_ = finemotion::kPoseDimensions;
 };
 
-// What is drawn, and what it means.
+// A kind of dot or line, and its meaning.
 struct Kind {
-  const char* name;  // class
-  double radius;     // of a dot; 0: a line
+  const char* name;  // class in the style rules
+  double radius;     // radius of a dot; 0 for a line
   const char* meaning;
 };
 constexpr std::array kKinds = {
@@ -104,14 +105,14 @@ constexpr std::array kKinds = {
     Kind{"way", 0, "the way of the plan"},
 };
 
-// A state that the plan leads through.
+// A state that the plan reaches.
 struct Stop {
   ContactSet contacts;
-  std::vector<int> motions = {};  // that end in it, from 1; 0: it starts in it
+  std::vector<int> motions = {};  // the motions that end in it, from 1; 0 for the start
   Place place = {};
 };
 
-// "start, 3-5, 8".
+// Returns the numbers of a stop's motions: "start, 3-5, 8".
 std::string NumbersOf(const Stop& stop) {
   std::vector<std::string> numbers;
   const std::vector<int>& motions = stop.motions;
@@ -260,7 +261,7 @@ class Picture {
     }
   }
 
-  // What the longest text below the graph needs.
+  // Returns the width that the longest text below the graph needs.
   double TextWidth() const {
     std::size_t letters = 0;
     for (const Kind& kind : kKinds) letters = std::max(letters, std::string(kind.meaning).size());
@@ -272,7 +273,7 @@ class Picture {
   }
   std::size_t KeyLines() const { return kKinds.size() + stops_.size(); }
 
-  // What dots and lines mean.
+  // Adds the meanings of dots and lines.
   static void AddKey(Element& svg, double top) {
     double y = top;
     for (const Kind& kind : kKinds) {
@@ -293,7 +294,7 @@ class Picture {
     }
   }
 
-  // Which contacts hold where the motions of these numbers end.
+  // Adds the contacts of each stop, with the numbers of the motions that end there.
   void AddContactsOfStops(Element& svg, double top) const {
     double y = top;
     for (const Stop& stop : stops_) {
@@ -304,7 +305,7 @@ class Picture {
 
   const finemotion::LocalTopology& topology_;
   Layout layout_;
-  int least_;  // dimension of a row
+  int least_;  // the least dimension of a row
   int columns_ = 0;
   std::vector<Stop> stops_;
   std::vector<Place> way_;

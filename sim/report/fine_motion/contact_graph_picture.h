@@ -8,24 +8,24 @@
 
 namespace assay::report {
 
-// Motions of a plan, by index.
+// A range of motions of a plan, by index.
 struct MotionRange {
   std::size_t begin = 0;
-  std::size_t end = 0;  // past the last; as begin: none
+  std::size_t end = 0;  // one past the last motion; equal to `begin` if the range is empty
 };
 
-// The contact states at a critical point as an SVG drawing that needs no style sheet: a dot for
-// each, in a row for each dimension from 6 down; a line where one contact is made or broken (Dakin
-// and Popplestone, figure 4). Initial states and goals are marked. States that these motions of a
-// plan lead through are joined in its order and numbered by the motions that end in them. Those
-// that the graph has not, since their contacts exist where the part is tilted only, stand in
-// columns of their own beside it. Below stand what dots and lines mean, and the contacts of the
-// states that the plan leads through, by their numbers. Pointing at a state tells its contacts and
-// how far it is from a goal.
+// Returns an SVG drawing of the contact states at a critical point, which needs no style sheet
+// (Dakin and Popplestone, figure 4). Each state is a dot, in one row for each dimension from 6
+// down. A line joins two states that differ by one contact. Initial states and goals are marked.
+// The states that these motions of a plan reach are joined in the plan's order and numbered by the
+// motions that end in them. Some of them are not in the graph, because their contacts exist only
+// for a tilted part; these have columns of their own beside the graph. A key below explains dots
+// and lines and lists the contacts of the numbered states. Pointing at a state shows its contacts
+// and its distance from a goal.
 Element ContactGraphPicture(const finemotion::LocalTopology& topology,
                             const check::PlannedContacts& planned, const MotionRange& motions);
 
-// The same as a file of its own.
+// Returns the contents of an SVG file of the picture.
 std::string SvgFile(const Element& picture);
 
 }  // namespace assay::report

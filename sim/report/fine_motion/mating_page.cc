@@ -8,7 +8,7 @@
 namespace assay::report {
 namespace {
 
-// A table that is narrow enough stands beside the graph, pictures side by side.
+// If the window is wide enough, the table is beside the graph, and pictures are side by side.
 constexpr const char* kMatingRules = R"css(
 .beside { display: flex; flex-wrap: wrap; gap: 1.5rem; align-items: flex-start; }
 .graphs { flex: 1 1 34rem; min-width: 0; }
@@ -40,7 +40,7 @@ Element Graphs(std::vector<Element> pictures) {
   return graphs;
 }
 
-using Row = std::vector<std::string>;  // its first entry names it
+using Row = std::vector<std::string>;  // the first entry is the row's name
 
 Element TableOf(const char* caption, const Row& names, const std::vector<Row>& rows) {
   Element frame("div");

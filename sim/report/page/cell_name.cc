@@ -13,7 +13,8 @@
 namespace assay::report {
 namespace {
 
-// "spar-fig15" of "../spar-fig15.yaml".
+// Returns the scenario's name without folder dots and ending: "spar-fig15" for
+// "../spar-fig15.yaml".
 std::string ScenarioName(const sweep::CellRecord& cell) {
   const std::filesystem::path file(cell.scenario);
   std::filesystem::path name;

@@ -47,10 +47,10 @@ void AddMark(Element& svg, Standing standing, double x, double y) {
       .Set("height", 12);
 }
 
-// A stretch of numbers, drawn from left to right.
+// An interval of numbers that is drawn from left to right.
 struct Axis {
   double low = 0, high = 1;
-  double left = 0, right = 1;  // where its ends are drawn
+  double left = 0, right = 1;  // pixels, where the interval's ends are drawn
 
   double At(double value) const {
     const double share = std::clamp((value - low) / (high - low), 0.0, 1.0);
@@ -58,8 +58,7 @@ struct Axis {
   }
 };
 
-// Round numbers, at most `most` of them, that the axis passes; a step of 1, 2
-// or 5.
+// Returns at most `most` round numbers on the axis. Their step is 1, 2 or 5 times a power of ten.
 std::vector<double> Ticks(const Axis& axis, int most) {
   const double rough = (axis.high - axis.low) / most;
   double step = std::pow(10, std::floor(std::log10(rough)));
@@ -105,11 +104,10 @@ std::string RateWords(const CellFindings& cell) {
 
 constexpr double kErrorWidth = 300;
 constexpr double kErrorHeight = 40;
-constexpr double kMiddle = 12;  // y of the bars
+constexpr double kMiddle = 12;  // pixels, the vertical middle of the bars
 
-// What an axis must show: all that is finite of prediction and observations,
-// and some room beside it; of a prediction with one end, zero and a stretch
-// beyond.
+// Returns the axis for a claim. It shows every finite end of the prediction and of the
+// observations, with some room beside them.
 Axis ErrorAxis(const ClaimFindings& row) {
   const Observed& seen = row.observed;
   double low = std::numeric_limits<double>::infinity();
@@ -144,7 +142,7 @@ void AddPrediction(Element& svg, const Axis& axis, const sweep::ClaimRecord& cla
   if (std::isfinite(claim.high)) AddLine(svg, "end", right, kMiddle - 11, right, kMiddle + 11);
 }
 
-// An end of what was observed that lies outside has the mark of its verdict.
+// Adds an end of the observed interval. An end outside the prediction has the mark of its verdict.
 void AddEnd(Element& svg, const Axis& axis, const ClaimFindings& row, double value) {
   const auto& [low, high] = Interval{row.claim.low, row.claim.high};
   const double margin = std::min(value - low, high - value);
@@ -266,7 +264,7 @@ Element VerdictBar(const StandingCounts& counts) {
   for (const Standing standing : kStandings) {
     const auto count = static_cast<double>(counts.Of(standing));
     if (count == 0) continue;
-    // What there is can be seen, however little it is.
+    // Even the smallest share stays visible.
     const double width = std::clamp(kWidth * count / sum, 3.0, kWidth - x);
     AddBox(svg, fmt::format("share {}", Name(standing)), x, 1, width, 10);
     x = std::min(x + width, kWidth - 3);

@@ -5,30 +5,31 @@
 
 namespace assay::report {
 
-// Small drawings that stand in the rows of tables, all of one kind equally
-// wide, so that a column of them reads as one plot. Colours come from the
-// page's style sheet by class.
+// Small drawings in the rows of tables. All drawings of one kind are equally wide, so that a column
+// of them reads as one plot. Their classes get their colours from the page's style sheet.
 
-// The sign of a standing; its word stands beside it.
+// Returns the mark of a standing. The page shows the word of the standing beside it.
 Element Mark(Standing standing);
-// Defines what the marks look like; once on a page.
+// Returns the definitions of the shapes of all marks. A page needs them once.
 Element MarkDefinitions();
 
-// Success rates from 0 to 100 %, each a dot in its Wilson interval: filled
-// under noise, hollow for the control arm.
+// Returns a chart of a cell's success rates from 0 to 100 %. Each rate is a dot in its Wilson
+// interval. The dot is filled for trials with noise, and hollow for trials without noise
+// (controls).
 Element RateChart(const CellFindings& cell);
+// Returns the axis of all rate charts, for the head of their column.
 Element RateAxis();
 
-// What share of certificates came out how.
+// Returns a bar with the share of each standing.
 Element VerdictBar(const StandingCounts& counts);
 
-// A claim on an axis of its own: what was predicted as a bar, with the honesty
-// gate beside it; what was observed as a line from least to greatest with a box
-// of the middle half.
+// Returns a chart of a claim on an axis of its own. A bar shows the prediction, with the noise
+// floor beside it. A line from the least to the greatest value shows the observations, with a box
+// for their middle half.
 Element ErrorChart(const ClaimFindings& claim);
 
-// Multiples of the noise: what is guaranteed as a bar, what broke the plan as a
-// cross. `greatest`: of the axis.
+// Returns a chart of multiples of the noise. A bar shows the multiple that is guaranteed, and a
+// cross the multiple that broke the plan. `greatest` is the greatest multiple on the axis.
 Element ConservatismChart(const sweep::ConservatismRecord& row, double greatest);
 
 }  // namespace assay::report

@@ -4,13 +4,13 @@
 
 namespace assay::report {
 
-// As one word of a shell's command line.
+// Returns the text as one word of a shell's command line.
 std::string ShellWord(const std::string& text);
 
-// The command that runs a trial of a database again.
+// Returns the command that runs a trial of a database again.
 std::string ReplayCommand(const std::string& database, int trial);
 
-// A stored command with the database's path in place of its word DB.
+// Returns a stored command with the database's path in place of the word DB.
 std::string WithDatabase(const std::string& command, const std::string& database);
 
 }  // namespace assay::report

@@ -28,7 +28,7 @@ class Csv {
   CsvFile Take() { return std::move(file_); }
 
  private:
-  // With the comma after it.
+  // Appends an entry and a comma after it.
   void Append(const std::string& text) {
     file_.text += text;
     file_.text += ',';

@@ -7,14 +7,14 @@
 
 namespace assay::report {
 
-// A table for programs (RFC 4180, lines ended by a newline alone): numbers with
-// all their digits, in metres, radians and seconds; what there is not is empty.
+// A table for programs (RFC 4180, but lines end with a newline alone). Numbers have all their
+// digits and are in metres, radians and seconds. Missing values are empty.
 struct CsvFile {
-  std::string name;  // "verdicts.csv"
+  std::string name;  // like "verdicts.csv"
   std::string text;
 };
 
-// One for each table of the report, of all cells.
+// Returns one file for each table of the report, with all cells.
 std::vector<CsvFile> CsvFiles(const Findings& findings);
 
 }  // namespace assay::report

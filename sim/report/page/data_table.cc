@@ -41,7 +41,7 @@ Element DataTable::Take() {
   frame.Set("class", "scroll").Set("role", "region").Set("tabindex", "0");
   frame.Set("aria-label", caption_);
   Element& table = frame.Add("table");
-  // Narrower than a table that is scrolled, and always in sight.
+  // The caption is narrower than a table that is scrolled, so that it is always visible.
   table.Add("caption").Add("span", caption_);
   Element& head = table.Add("thead").Add("tr");
   for (std::size_t i = 0; i < columns_.size(); ++i) {

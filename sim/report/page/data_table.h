@@ -7,28 +7,28 @@
 
 namespace assay::report {
 
-// A table of a page: with a caption, a head, and rows whose first entry names
-// them. It can be scrolled by itself where the window is narrower, by keyboard
-// too.
+// A table of a page with a caption, a head, and rows whose first entry is the row's name. If the
+// window is too narrow, the table alone can be scrolled, with the keyboard as well.
 class DataTable {
  public:
   struct Column {
     std::string name;
-    std::string kind = {};  // class of its entries: "number", "chart"; empty: words
+    std::string kind = {};  // class of the entries: "number" or "chart"; empty for words
   };
 
   DataTable(const std::string& caption, std::vector<Column> columns);
 
-  // What stands in the head of a column below its name.
+  // Adds an element to the head of a column, below its name.
   void AddToHead(std::size_t column, Element element);
 
-  // An entry for each column (checked). A row with a heading for all of its
-  // columns starts a group.
+  // Adds a row with one entry for each column (checked).
   void AddRow(std::vector<Element> entries);
+  // Starts a group of rows with a heading across all columns.
   void AddGroup(const std::string& name);
 
   bool empty() const { return rows_ == 0; }
-  Element Take();  // at the end
+  // Returns the finished table. Call it once, at the end.
+  Element Take();
 
  private:
   std::string caption_;
@@ -38,10 +38,10 @@ class DataTable {
   int rows_ = 0;
 };
 
-// Contents of an entry.
+// The functions below make the contents of an entry.
 Element Words(std::string_view text);
-Element Command(const std::string& command);  // a click selects it
-// Its mark and its words.
+Element Command(const std::string& command);  // a click selects the command
+// Returns the mark and the words of a standing.
 Element StandingWords(Standing standing);
 
 }  // namespace assay::report

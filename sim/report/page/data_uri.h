@@ -5,8 +5,7 @@
 
 namespace assay::report {
 
-// A file's contents as an address that holds them (RFC 2397, base64 of RFC
-// 4648).
+// Returns a URI that contains the contents of a file (RFC 2397, base64 of RFC 4648).
 std::string DataUri(std::string_view media_type, std::string_view contents);
 
 }  // namespace assay::report

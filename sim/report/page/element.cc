@@ -10,13 +10,14 @@
 namespace assay::report {
 namespace {
 
-// Elements of HTML that have no content and no end tag.
+// Returns whether the element has no content and no end tag in HTML.
 bool IsVoid(std::string_view name) {
   constexpr std::array<std::string_view, 5> kVoid = {"br", "hr", "img", "link", "meta"};
   return std::ranges::find(kVoid, name) != kVoid.end();
 }
 
-// Each on a line of its own, so that the page can be read and compared as text.
+// Returns whether the element gets a line of its own, so that the page can be read and compared as
+// text.
 bool IsBlock(std::string_view name) {
   constexpr std::array<std::string_view, 25> kBlocks = {
       "head", "body",  "meta",  "title", "style",  "header",  "main", "nav", "section",

@@ -9,13 +9,12 @@
 
 namespace assay::report {
 
-// For text and for values of attributes: no letter of it is taken for markup.
-// Control characters, which no page may hold, become U+FFFD.
+// Returns the text in a form that is safe as text or attribute value: no character is taken for
+// markup. Control characters, which no page may contain, become U+FFFD.
 std::string Escaped(std::string_view text);
 
-// An element of a page that is being written: HTML, or SVG in it, in the form
-// that is also well-formed XML. Attributes stand in the order in which they
-// were set, children in the order in which they were added; all text is
+// An element of a page to be written, in HTML or SVG that is also well-formed XML. Attributes keep
+// the order in which they were set, and children the order in which they were added. All text is
 // escaped.
 class Element {
  public:
@@ -26,7 +25,7 @@ class Element {
   Element&& Set(std::string_view attribute, std::string_view value) && {
     return std::move(Set(attribute, value));
   }
-  // To a tenth: coordinates of drawings.
+  // Rounds the value to a tenth, for coordinates of drawings.
   Element& Set(std::string_view attribute, double value) &;
   Element&& Set(std::string_view attribute, double value) && {
     return std::move(Set(attribute, value));
@@ -35,7 +34,7 @@ class Element {
   Element& Text(std::string_view text) &;
   Element&& Text(std::string_view text) && { return std::move(Text(text)); }
 
-  // A new last child; the reference stays good while this element lives.
+  // Adds a new last child. The reference stays valid while this element lives.
   Element& Add(Element child);
   Element& Add(std::string name) { return Add(Element(std::move(name))); }
   Element& Add(std::string name, std::string_view text) {

@@ -14,7 +14,7 @@ namespace {
 constexpr const char* kMinus = "−";
 constexpr const char* kNothing = "–";
 
-// "1234567.89" to "1,234,567.89".
+// Converts "1234567.89" to "1,234,567.89".
 std::string Grouped(const std::string& digits) {
   const std::size_t point = std::min(digits.find('.'), digits.size());
   std::string grouped;
@@ -38,7 +38,7 @@ std::string Scientific(double magnitude, int digits) {
   return fmt::format("{} × 10{}", text.substr(0, e), Superscript(std::stoi(text.substr(e + 1))));
 }
 
-// No zeros at the end of a fraction: "0.50" to "0.5".
+// Removes zeros at the end of a fraction: "0.50" becomes "0.5".
 std::string Trimmed(std::string text) {
   if (text.find('.') == std::string::npos) return text;
   text.resize(text.find_last_not_of('0') + 1);
@@ -61,7 +61,7 @@ std::string WithUnit(std::string number, std::string_view unit) {
   return fmt::format("{}{}{}", number, shown == "°" ? "" : " ", shown);
 }
 
-// A percentage with one digit after the point, or as many as it takes to differ
+// Returns a percentage with one digit after the point, or with as many digits as it needs to differ
 // from 0 and 100.
 std::string Percentage(double rate) {
   for (int decimals = 1; decimals < 6; ++decimals) {

@@ -8,32 +8,33 @@
 
 namespace assay::report {
 
-// Numbers as people read them. The minus is U+2212, thousands are parted by
-// commas; what is not a number is an en dash.
+// These functions write numbers for people. The minus sign is U+2212, commas separate thousands,
+// and an en dash stands for a value that is not a number.
 
 std::string CountText(std::int64_t count);  // "20,000"
-// "1 trial", "2 trials"
+// Writes a count with its noun: "1 trial" or "2 trials" if `what` is "trial".
 std::string CountText(std::int64_t count, std::string_view what);
 
-// With that many significant digits: "0.136", "1,230", "2.1 × 10⁻⁷", "∞".
+// Writes a number with `digits` significant digits: "0.136", "1,230", "2.1 × 10⁻⁷", "∞".
 std::string NumberText(double value, int digits = 3);
 
-// A value of a claim in the unit in which it is shown: metres as millimetres,
-// radians as degrees.
+// Converts a value of a claim to the unit in which it is shown: metres to millimetres, radians to
+// degrees.
 double Shown(double value, std::string_view unit);
-std::string_view ShownUnit(std::string_view unit);  // "mm", "°"; empty for what has none
+std::string_view ShownUnit(std::string_view unit);  // "mm" or "°"; empty for a value without a unit
 
-// "0.136 mm", "−0.31°".
+// Writes a value with its unit, like "0.136 mm" or "−0.31°".
 std::string QuantityText(double value, std::string_view unit);
-// "±0.136 mm", "−0.2 to 0.31 mm", "≥ 0 mm", "0.1 mm" if both ends are the same.
+// Writes an interval: "±0.136 mm", "−0.2 to 0.31 mm", "≥ 0 mm", or "0.1 mm" if both ends are the
+// same.
 std::string IntervalText(const Interval& interval, std::string_view unit);
 
-// "98.1 %"; never 0 or 100 unless it is all of them or none.
+// Writes a rate, like "98.1 %". It is 0 or 100 only if none or all of the trials succeeded.
 std::string RateText(int successes, int trials);
-// Wilson's, 95 %: "97.1 to 98.8 %".
+// Writes Wilson's 95 % interval of a rate, like "97.1 to 98.8 %".
 std::string WilsonText(int successes, int trials);
 
-// "2 min", of seconds.
+// Writes a number of seconds in a readable unit, like "2 min".
 std::string DurationText(double seconds);
 
 }  // namespace assay::report

@@ -6,7 +6,7 @@
 
 namespace assay::report {
 
-// Of a page that fetches nothing and runs nothing, in the house's style.
+// Returns the head of a page that fetches nothing and runs no scripts, with the style sheet.
 Element Head(const std::string& title);
 
 }  // namespace assay::report

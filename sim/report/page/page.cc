@@ -15,8 +15,8 @@ namespace {
 constexpr const char* kPictureId = "pictures";
 constexpr const char* kPictureTitle = "Best, typical and worst trial";
 
-// The sweep file's title; its path where it has none, or where this version
-// cannot read it.
+// Returns the sweep file's title. Returns its path if it has no title or this version cannot read
+// it.
 std::string TitleOf(const Findings& findings) {
   const auto text = findings.facts.find("text");
   const auto path = findings.facts.find("path");

@@ -8,13 +8,13 @@
 namespace assay::report {
 
 struct PageOptions {
-  int cells_in_full = 12;  // at most so many have their certificates told step by step
-  // A picture of a trial, the contents of a PNG file; empty: no pictures.
+  int cells_in_full = 12;  // the most cells whose certificates are shown step by step
+  // Returns a picture of a trial as the contents of a PNG file. If empty, there are no pictures.
   std::function<std::string(int trial)> picture = {};
 };
 
-// One HTML page, complete in itself: it fetches nothing, runs nothing, and is
-// well-formed XML. The same for the same findings and pictures.
+// Returns a self-contained HTML page that fetches nothing, runs no scripts, and is well-formed XML.
+// The same findings and pictures give the same page.
 std::string Page(const Findings& findings, const PageOptions& options);
 
 }  // namespace assay::report

@@ -7,14 +7,13 @@
 
 namespace assay::report {
 
-// The colour language: one meaning each, the same on every page and picture.
-// Told apart by people with any kind of colour vision (tested on a model of
-// it), and never the only sign: verdicts have marks and words as well,
-// predicted and observed have shapes.
+// A colour with one meaning, which is the same on every page and picture. People with any kind of
+// colour vision can distinguish the colours (tested on a model of colour vision). Colour is never
+// the only sign: verdicts have marks and words, too, and predicted and observed values have shapes.
 struct Colour {
   std::string_view name;
-  std::string_view light;  // "#rrggbb", on a light ground
-  std::string_view dark;   // on a dark one
+  std::string_view light;  // "#rrggbb", for a light background
+  std::string_view dark;   // "#rrggbb", for a dark background
 };
 
 inline constexpr Colour kContained{"contained", "#0a9a78", "#5be3bd"};

@@ -7,8 +7,8 @@
 namespace assay::report {
 namespace {
 
-// Neither & nor < nor > nor quotes: what is escaped in a page is not in a style
-// sheet.
+// The rules contain no &, <, > or quotes. Element escapes these characters, but a browser does not
+// decode them in a style sheet.
 constexpr const char* kPageRules = R"css(
 * { box-sizing: border-box; }
 html { font: 16px/1.5 system-ui, -apple-system, Segoe UI, Roboto, Noto Sans, DejaVu Sans, sans-serif;

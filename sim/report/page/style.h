@@ -4,8 +4,8 @@
 
 namespace assay::report {
 
-// The style sheet of a page: for screens wide and narrow, light and dark, and
-// for paper. Nothing in it is fetched.
+// Returns the style sheet of a page for wide and narrow screens, for light and dark ones, and for
+// paper. Nothing in it is fetched.
 std::string StyleSheet();
 
 }  // namespace assay::report

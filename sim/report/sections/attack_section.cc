@@ -15,8 +15,8 @@
 namespace assay::report {
 namespace {
 
-constexpr std::size_t kMostClaims = 12;    // of a cell
-constexpr std::size_t kMostExamples = 20;  // of the page
+constexpr std::size_t kMostClaims = 12;    // shown for one cell
+constexpr std::size_t kMostExamples = 20;  // shown on the page
 
 Element CountTable(const Subject& subject) {
   DataTable table("Attempts on single steps from saved states, and how the certificates came out",
@@ -42,7 +42,8 @@ Element CountTable(const Subject& subject) {
   return table.Take();
 }
 
-// Worst first: by verdict, then by how much of the predicted width is left.
+// Returns the worst claims, ordered by verdict and then by their margin as a share of the predicted
+// width.
 std::vector<sweep::WorstClaimRecord> Tightest(const sweep::AttackRecord& attack) {
   const auto key = [](const sweep::WorstClaimRecord& claim) {
     const double width = claim.high - claim.low;
@@ -79,14 +80,14 @@ Element WorstTable(const Subject& subject, const CellFindings& cell) {
   return table.Take();
 }
 
-// The unit of an error by its name, as the noise writes them.
+// Returns the unit of an error by its name in the text of a noise.
 std::string UnitOf(const std::string& variable) {
   if (variable.starts_with("theta_")) return "rad";
   const bool length = variable.size() > 3 && variable[0] == 'd' && variable[2] == '_';
   return length || variable == "clearance" ? "m" : "";
 }
 
-// "dx_block=0.0028 theta_block=-0.09" to "dx_block = 2.8 mm, ...".
+// Converts "dx_block=0.0028 theta_block=-0.09" to "dx_block = 2.8 mm, ...".
 std::string NoiseText(const std::string& noise) {
   std::vector<std::string> errors;
   std::istringstream words(noise);

@@ -26,7 +26,7 @@ std::string ObservedText(const ClaimFindings& row) {
   return IntervalText({seen.least, seen.greatest}, row.claim.unit);
 }
 
-// The worst, with how often it came out so.
+// Returns the worst standing and how often it occurred.
 Element Worst(const StandingCounts& counts) {
   const std::int64_t all = counts.Total();
   for (const Standing standing :
@@ -72,7 +72,7 @@ Element StepTable(const StepFindings& step) {
   return table.Take();
 }
 
-// An example of a row, with what its shapes mean.
+// Returns an example of a chart with the meaning of its shapes.
 Element DrawingKey() {
   ClaimFindings example;
   example.claim.name = std::string("example");

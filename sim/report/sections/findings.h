@@ -17,13 +17,14 @@ namespace assay::report {
 using check::ClaimVerdict;
 using check::VerdictCounts;
 
-// What the trials of a cell observed of one claim, in the trials in which its
-// step's certificate claimed anything; in the claim's unit.
+// The observations of one claim in the trials of a cell, in the claim's unit. Only trials in which
+// the certificate of its step claimed anything count.
 struct Observed {
   double least = 0, lower_quartile = 0, median = 0, upper_quartile = 0, greatest = 0;
-  StandingCounts verdicts = {};  // of every observation, one that is not claimed included
+  StandingCounts verdicts = {};  // of every observation, even of those that are not claimed
 
-  // Observations that the five numbers are of.
+  // Returns the number of claimed observations, which the five values from `least` to `greatest`
+  // summarize.
   std::int64_t claimed() const { return verdicts.Total() - verdicts.Of(Standing::kNotClaimed); }
 };
 
@@ -32,30 +33,30 @@ struct ClaimFindings {
   Observed observed;
 };
 
-// The verdict on a certificate in the trial in which it came out worst.
+// The worst verdict on a certificate in all trials, and its trial.
 struct WorstVerdict {
   sweep::VerdictRecord verdict;
-  std::string about, unit;  // of the claim; empty if it is not known
+  std::string about, unit;  // taken from the claim; empty if the claim is unknown
   int trial = 0;
 };
 
-// All that trials say of the certificate of one step.
+// All findings of the trials about the certificate of one step.
 struct StepFindings {
-  int step = 0;  // place in the order of execution, from 1
+  int step = 0;  // position in the order of execution, from 1
   std::string action;
-  std::string what;  // "pickup(peg)"; empty if the plan does not tell
+  std::string what;  // like "pickup(peg)"; empty if the plan does not name the action
   StandingCounts counts;
   WorstVerdict worst;
   std::vector<ClaimFindings> claims;
 
-  StandingCounts ObservedClaims() const;  // of all claims together
+  StandingCounts ObservedClaims() const;  // the sum over all claims
 };
 
-// What verifications and recoveries did in the trials of a cell.
+// The results of verifications and recoveries in the trials of a cell.
 struct RecoveryFindings {
-  int signalled = 0;      // errors, in all trials together
-  int mended = 0;         // of them, those after which the plan went on
-  int unaided = 0;        // trials that succeeded without an error
+  int signalled = 0;      // signalled errors, in all trials together
+  int mended = 0;         // signalled errors after which the plan went on
+  int unaided = 0;        // trials that succeeded without a signalled error
   bool verifies = false;  // the plan has verifications
 };
 
@@ -63,9 +64,10 @@ struct CellFindings {
   sweep::CellSummary summary;
   RecoveryFindings recovery;
   std::vector<StepFindings> steps;
-  // The worst claims by step, conservatism of all errors together first.
+  // The falsification of the plan. Its worst claims are ordered by step, and its conservatism
+  // begins with all errors together.
   std::optional<sweep::AttackRecord> attack = {};
-  // Trials without noise of the same plan; 0 done: there are none.
+  // The trials of the same plan without noise. If control_done is 0, there are none.
   int control_done = 0;
   int control_succeeded = 0;
 
@@ -75,23 +77,23 @@ struct CellFindings {
   bool has_conservatism() const { return attack && !attack->conservatism.empty(); }
 };
 
-// The trials that pictures are taken of.
+// The trials of which pictures are taken, by their numbers in the sweep; 0 if there is none.
 struct NotableTrials {
   int best = 0, typical = 0,
       worst = 0;  // numbers in the sweep; 0: there is none
 };
 
-// All that a report tells, in the database's units.
+// All facts of a report, in the database's units.
 struct Findings {
-  std::string database;  // path, as the user gave it
+  std::string database;  // the path, as the user gave it
   sweep::SweepFacts facts;
   std::vector<sweep::RunRecord> runs;
   std::vector<CellFindings> cells;
   double mean_trial_seconds = 0;
-  double planning_seconds = 0;  // of all cells
+  double planning_seconds = 0;  // the sum over all cells
   NotableTrials notable;
 
-  int trials() const;  // of the whole sweep, whether they are done or not
+  int trials() const;  // the number of trials of the whole sweep, done or not
   int done() const;
 };
 

@@ -12,13 +12,14 @@ using sweep::ClaimRecord;
 using sweep::Statement;
 using sweep::VerdictRecord;
 
-// Metres and radians are compared as check::ByStep does.
+// Converts radians to metres at an arm of a tenth of a metre, as check::ByStep does, so that
+// margins can be compared.
 double AsLength(double margin, std::string_view unit) {
   constexpr double kArm = 0.1;
   return unit == "rad" ? kArm * margin : margin;
 }
 
-// Of sorted values, linear between them.
+// Returns a quantile of sorted values by linear interpolation.
 double Quantile(const std::vector<double>& values, double share) {
   const double place = share * static_cast<double>(values.size() - 1);
   const auto below = static_cast<std::size_t>(place);
@@ -37,8 +38,8 @@ void Summarize(std::vector<double> values, Observed& observed) {
   observed.greatest = values.back();
 }
 
-// Of a claim of that name that predicts the same: a name may be one of an input
-// and of an output.
+// Returns the claim of the verdict; null if there is none. The prediction must agree, too, because
+// an input and an output may have the same name.
 const ClaimRecord* FindClaim(const std::vector<ClaimRecord>& claims, const VerdictRecord& verdict) {
   const auto found = std::ranges::find_if(claims, [&](const ClaimRecord& claim) {
     return claim.step == verdict.step && claim.name == verdict.claim && claim.low == verdict.low &&
@@ -55,7 +56,7 @@ bool IsWorse(const WorstVerdict& a, const WorstVerdict& b) {
   return key(a) < key(b);
 }
 
-// Collects what one cell's rows say.
+// Collects the findings of one cell from the rows of the database.
 class StepReader {
  public:
   StepReader(const sweep::Store& store, int cell)
@@ -124,7 +125,8 @@ class StepReader {
     std::vector<double> values;
     while (rows.Next()) {
       const ClaimVerdict verdict = VerdictOn(claim, rows.Real(0), VerdictNamed(rows.Text(1)));
-      // By the claim's own gate: what is inconclusive by it is within what the engine resolves.
+      // The standing follows from the claim's own noise floor, so that an inconclusive verdict
+      // means within the engine's resolution.
       const double margin = std::min(rows.Real(0) - claim.low, claim.high - rows.Real(0));
       observed.verdicts.Add(StandingOf({check::Name(verdict), margin, claim.gate}));
       if (verdict != ClaimVerdict::kNotClaimed) values.push_back(rows.Real(0));
@@ -139,17 +141,17 @@ class StepReader {
   std::map<int, StepFindings> steps_;
 };
 
-// How well a trial went; greater is better.
+// The merit of a trial. Greater keys are better.
 struct Merit {
   bool succeeded = false;
-  int rank = 3;  // of its worst verdict
+  int rank = 3;  // rank of its worst verdict
   double margin = std::numeric_limits<double>::infinity();
   int trial = 0;
 
   auto Key() const { return std::tuple(succeeded, rank, margin, -trial); }
 };
 
-// One for each trial. `condition`: of SQL, on the cell.
+// Returns the merit of each trial. `condition` is an SQL condition on the cell.
 std::vector<Merit> Merits(const sweep::Store& store, const std::string& condition) {
   Statement rows = store.database().Prepare(
       "SELECT t.trial, t.outcome = 'succeeded', coalesce(v.verdict, ''), v.margin, (SELECT unit "

@@ -9,25 +9,24 @@
 
 namespace assay::report {
 
-// What the trials of a cell say of each of its claims and certificates: the
-// members `claims`, `counts` and `worst` of its steps, in the order of
-// execution.
+// Returns the steps of a cell in the order of execution. Their members `claims`, `counts` and
+// `worst` hold the findings of the cell's trials about claims and certificates.
 std::vector<StepFindings> ReadSteps(const sweep::Store& store, int cell);
 
-// The verdict on one observation. The database has a verdict for each step and
-// trial, of its worst claim; what follows for another claim of that step:
-//   step not claimed    nothing was claimed of the step
-//   outside by more than the gate, step not violated, or outside and step
-//   contained
-//                       it was not claimed, or the step's verdict would be as
-//                       bad
-// Where a certificate is violated by one claim and another, no longer claimed,
-// lies outside as well, that one counts as violated too.
+// Returns the verdict on one observation of a claim. The database has one verdict for each step and
+// trial, that of the step's worst claim. The verdict on another claim of the step follows from it:
+// - If nothing was claimed of the step, the claim was not claimed.
+// - If the observation alone would give a worse verdict than the step's, the claim was not claimed.
+//   Otherwise the step's verdict would be as bad.
+// - All other observations are judged by the claim's prediction and noise floor.
+// If the step's certificate is violated, a claim that was not claimed counts as violated, too, if
+// its observation is outside its prediction.
 ClaimVerdict VerdictOn(const sweep::ClaimRecord& claim, double observed, ClaimVerdict of_step);
 
-// Best first: whether trials succeeded, then their worst verdict, then the
-// least margin of their certificates, radians as lengths at a tenth of a metre.
-// Only trials under noise, if there are any.
+// Returns the best, the typical and the worst trial. Trials are ordered by success, then by their
+// worst verdict, then by the least margin of their certificates. A margin in radians counts as a
+// length at a distance of a tenth of a metre. If there are trials with noise, only these are
+// considered.
 NotableTrials FindNotable(const sweep::Store& store);
 
 }  // namespace assay::report

@@ -69,15 +69,15 @@ Element CellTable(const Subject& subject) {
   return table.Take();
 }
 
-// What the cells with one value of an axis came to.
+// The results of all cells that have the same value on an axis.
 struct Group {
   std::string value;
   int cells = 0, done = 0, succeeded = 0;
   std::int64_t violated = 0;
 };
 
-// In the order in which the values come first. Trials without noise count only
-// where noise itself is the axis.
+// Returns one group for each value of the axis, in the order in which the values first occur.
+// Trials without noise count only if the axis is the noise itself.
 std::vector<Group> GroupsOf(const Findings& findings, const CellAxis& axis) {
   const bool of_noise = std::string_view(axis.name) == "noise";
   std::vector<Group> groups;
@@ -124,7 +124,7 @@ Element Outcomes(const Subject& subject) {
   if (const std::string common = CommonText(subject.findings.cells); !common.empty()) {
     section.Add("p", fmt::format("In all cells: {}.", common));
   }
-  // Of few cells, the table of cells tells it all.
+  // For few cells the table of cells suffices.
   if (subject.findings.cells.size() > 4) section.Add(AxisTable(subject));
   section.Add(CellTable(subject));
   if (subject.findings.cells.size() > kMostRows) {

@@ -17,7 +17,7 @@ using sweep::CellRecord;
 using sweep::Database;
 using sweep::Statement;
 
-// "assemble(peg, block)"
+// Returns the text of an action, like "assemble(peg, block)".
 std::string ActionText(const json& action) {
   const json arguments = action.value("arguments", json::object());
   std::vector<std::string> parts;
@@ -29,8 +29,8 @@ std::string ActionText(const json& action) {
   return fmt::format("{}({})", action.value("name", "action"), fmt::join(parts, ", "));
 }
 
-// What the plan says that its steps are, by their names. A plan that does not
-// tell leaves them out.
+// Returns the actions of a plan by the names of its steps. Steps whose action the plan does not
+// name are left out.
 std::map<std::string, std::string> ActionsOf(const json& plan) {
   std::map<std::string, std::string> actions;
   if (!plan.is_object()) return actions;
@@ -66,8 +66,7 @@ std::optional<sweep::AttackRecord> ReadAttack(const sweep::Store& store, int cel
   return attack;
 }
 
-// Whether two cells differ in nothing but the noise that the trials are done
-// under.
+// Returns whether two cells differ only in the noise of their trials.
 bool SamePlan(const CellRecord& a, const CellRecord& b) {
   return a.scenario == b.scenario && a.clearance == b.clearance && a.error_scale == b.error_scale &&
          a.propagation == b.propagation && a.resolvers == b.resolvers && a.sensing == b.sensing &&

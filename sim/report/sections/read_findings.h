@@ -6,7 +6,7 @@
 
 namespace assay::report {
 
-// Throws as Store does.
+// Reads the findings from a database of results. Throws the errors of sweep::Store.
 Findings ReadFindings(const sweep::Store& store, const std::string& database);
 
 }  // namespace assay::report

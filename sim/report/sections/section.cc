@@ -10,7 +10,7 @@ bool HasViolation(const CellFindings& cell) {
          (cell.attack && cell.attack->certificates.violated > 0);
 }
 
-// Smaller: told sooner where not all are.
+// Returns the priority of a cell if not all cells can be shown in full. Smaller numbers come first.
 int Priority(const CellFindings& cell) {
   if (HasViolation(cell)) return 0;
   return cell.is_control() ? 2 : 1;

@@ -10,21 +10,22 @@
 
 namespace assay::report {
 
-// What the sections of a page are made of.
+// The data from which the sections of a page are made.
 struct Subject {
   const Findings& findings;
-  std::vector<CellAxis> axes;                // on which the cells differ
-  std::vector<const CellFindings*> in_full;  // cells whose certificates are told step by step
+  std::vector<CellAxis> axes;                // the axes on which the cells differ
+  std::vector<const CellFindings*> in_full;  // cells whose certificates are shown step by step
 
   std::string NameOf(const CellFindings& cell) const { return CellName(cell.cell(), axes); }
-  int left_out() const;  // cells that have certificates and are not told in full
+  // Returns the number of cells that have certificates and are not shown step by step.
+  int left_out() const;
 };
 
-// At most `most` cells in full, in the order of the grid: those with a
-// violation first, then those with noise.
+// Returns the subject of the findings with at most `most` cells shown step by step, in the order of
+// the grid. Cells with a violation are chosen first, then cells with noise.
 Subject SubjectOf(const Findings& findings, int most);
 
-// A part of the page with a heading of its own; none of them is empty.
+// A part of the page with a heading of its own. No section is empty.
 struct Section {
   std::string id;
   std::string title;
@@ -41,7 +42,7 @@ Element Attacks(const Subject& subject);
 Element ConservatismRatios(const Subject& subject);
 Element Setup(const Subject& subject);
 
-// Of the best, the typical and the worst trial.
+// Returns pictures of the best, the typical and the worst trial.
 Element Pictures(const Findings& findings, const std::function<std::string(int trial)>& picture);
 
 }  // namespace assay::report

@@ -8,14 +8,16 @@
 
 namespace assay::report {
 
-// How a verdict is told to people. An inconclusive one is nothing to worry about where the
-// prediction is only narrower than what the engine resolves: it has a name and a colour of its own.
+// A verdict as it is shown to people. Some inconclusive verdicts only mean that the prediction is
+// narrower than the engine's resolution. They are no sign of an error, and have a name and a colour
+// of their own.
 enum class Standing {
   kContained,
-  // Outside by less than the engine resolves for that very quantity (the claim's gate).
+  // Outside the prediction by less than the claim's noise floor, which is the engine's resolution
+  // of this quantity.
   kWithinResolution,
-  // Outside by more, and not confirmed: the execution with half the timestep did not come to where
-  // it can be observed (check::Confirmed).
+  // Outside by more than the noise floor, and not confirmed. The execution with half the timestep
+  // did not reach the point where the quantity is observed (check::Confirmed).
   kInconclusive,
   kViolated,
   kNotClaimed,
@@ -23,27 +25,27 @@ enum class Standing {
 inline constexpr std::array kStandings = {Standing::kContained, Standing::kWithinResolution,
                                           Standing::kInconclusive, Standing::kViolated,
                                           Standing::kNotClaimed};
-std::string_view Name(Standing standing);    // "within-resolution", of its colour and its mark
-std::string_view TextOf(Standing standing);  // "within the engine's resolution"
+std::string_view Name(Standing standing);
+std::string_view TextOf(Standing standing);
 
-// By its name; a name that there is not is not claimed.
+// Returns the verdict with this name. An unknown name gives the verdict not claimed.
 check::ClaimVerdict VerdictNamed(std::string_view name);
 
-// A verdict as it is stored: its name ("inconclusive"; a name that no verdict has counts as not
-// claimed), and the claim's margin and gate in one unit. A violation that was not confirmed has its
-// gate widened to just its margin.
+// A verdict as it is stored in the database: its name, like "inconclusive", and the claim's margin
+// and noise floor (`gate`) in one unit. An unknown name counts as not claimed. The noise floor of a
+// violation that was not confirmed is widened to exactly its margin.
 struct StoredVerdict {
   std::string_view name;
   double margin = 0;
   double gate = 0;
 };
 Standing StandingOf(const StoredVerdict& verdict);
-// The standing of a record with a verdict, a margin and a gate.
+// Returns the standing of a record that has the members verdict, margin and gate.
 Standing StandingOf(const auto& record) {
   return StandingOf(StoredVerdict{record.verdict, record.margin, record.gate});
 }
 
-// How many are told how.
+// The number of verdicts of each standing.
 class StandingCounts {
  public:
   void Add(Standing standing, std::int64_t count = 1) { Count(standing) += count; }

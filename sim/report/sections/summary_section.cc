@@ -10,13 +10,13 @@
 namespace assay::report {
 namespace {
 
-// Of many cells together.
+// The sums over several cells.
 struct Tally {
   int done = 0, succeeded = 0;                  // trials under noise
-  int control_done = 0, control_succeeded = 0;  // trials without
-  StandingCounts certificates;                  // in trials
-  std::int64_t attacked = 0, attacked_violated = 0,
-               attacked_inconclusive = 0;  // steps
+  int control_done = 0, control_succeeded = 0;  // trials without noise
+  StandingCounts certificates;                  // the certificates of these trials
+  // Attempts of falsifications on single steps.
+  std::int64_t attacked = 0, attacked_violated = 0, attacked_inconclusive = 0;
 
   std::int64_t violated() const { return certificates.Of(Standing::kViolated); }
   std::int64_t all_violated() const { return violated() + attacked_violated; }
@@ -28,7 +28,7 @@ void Add(const CellFindings& cell, Tally& tally) {
     tally.attacked_violated += cell.attack->certificates.violated;
     tally.attacked_inconclusive += cell.attack->certificates.inconclusive;
   }
-  if (cell.is_attack()) return;  // its one trial is all of these attempts
+  if (cell.is_attack()) return;  // its only trial stands for all these attempts
   (cell.is_control() ? tally.control_done : tally.done) += cell.summary.done;
   (cell.is_control() ? tally.control_succeeded : tally.succeeded) += cell.summary.succeeded;
   for (const StepFindings& step : cell.steps) tally.certificates += step.counts;
@@ -123,7 +123,7 @@ std::string Lead(const Tally& tally) {
       EvaluationsText(tally));
 }
 
-// Where more than one was tried: which of them was right.
+// Adds the violations of each propagation mode if the sweep has several modes.
 void AddPropagations(Element& section, const Findings& findings) {
   std::set<std::string> modes;
   for (const CellFindings& cell : findings.cells) modes.insert(cell.cell().propagation);

@@ -16,7 +16,7 @@ Element StepWords(const StepFindings& step) {
   return words;
 }
 
-// The worst claim, and the command that shows it again.
+// Returns the worst claim and the command that runs its trial again.
 Element WorstWords(const WorstVerdict& worst, const std::string& database) {
   Element words("div");
   words.Add(StandingWords(StandingOf(worst.verdict)));
@@ -36,7 +36,7 @@ std::string CountsText(const StandingCounts& counts) {
   return fmt::format("{}", fmt::join(words, ", "));
 }
 
-// What there is, drawn and in numbers.
+// Returns the verdicts on a step as a drawing and as numbers.
 Element CountWords(const StepFindings& step) {
   Element contents("div");
   contents.Add(VerdictBar(step.counts));

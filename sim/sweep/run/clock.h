@@ -4,7 +4,7 @@
 
 namespace assay::sweep {
 
-// Wall time: no result depends on it.
+// Returns the seconds of wall time since `start`. No result depends on wall time.
 using Clock = std::chrono::steady_clock;
 
 inline double SecondsSince(Clock::time_point start) {

@@ -7,7 +7,7 @@
 namespace assay::sweep {
 namespace {
 
-// Every cell once for each value of the axis.
+// Returns a copy of every cell for each value of the axis.
 template <class T>
 std::vector<Cell> Spread(const std::vector<Cell>& cells, const std::vector<T>& axis,
                          T Cell::*member) {

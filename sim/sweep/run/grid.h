@@ -9,7 +9,7 @@
 
 namespace assay::sweep {
 
-// One point of a sweep's grid, at which a plan is executed in trials that differ in their noise.
+// A point of a sweep's grid. Its plan is executed in trials that differ only in their errors.
 struct Cell {
   int number = 0;  // from 1
   std::string scenario;
@@ -23,30 +23,32 @@ struct Cell {
   std::uint64_t seed = 0;
   int trials = 0;
   int first_trial = 1;  // the number of its first trial in the whole sweep
-  int attack = 0;       // its number among the attacked cells, from 1; 0: it is none
+  int attack = 0;       // its number among the falsification cells, from 1; 0: it is not one
 
   bool operator==(const Cell&) const = default;
 };
 
-// All cells, in the order of the axes as the members of Cell stand: seeds change fastest.
+// Returns all cells. The axes are nested in the order of the members of Cell, so that seeds change
+// fastest.
 std::vector<Cell> Cells(const Sweep& sweep);
 
-// Of the whole sweep: their numbers are 1 to this.
+// Returns the number of trials of the whole sweep. Trials are numbered from 1 to it.
 int TrialCount(const std::vector<Cell>& cells);
 
-// Where a trial stands. The number counts from 1; checked that there is such a trial.
+// The place of a trial in the grid.
 struct TrialPlace {
   std::size_t cell = 0;  // index in the cells
-  int number = 0;        // in its cell, from 1
+  int number = 0;        // number in its cell, from 1
 };
+// Returns the place of a trial with a number from 1. The trial must exist (checked).
 TrialPlace PlaceOf(const std::vector<Cell>& cells, int trial);
 
-// The same plan, executed under other noise.
+// Returns whether both cells execute the same plan, with different noise, sensing or seed.
 bool SharePlan(const Cell& a, const Cell& b);
 
-// A share of the trials of a sweep: those with numbers index, index + count, ... Every cell is cut
-// alike, so that shards take equally long; each makes the plans of its cells anew. Attacks, which
-// take longer, are dealt out by themselves.
+// A share of the trials of a sweep: the trials with numbers index, index + count, and so on. Each
+// shard has an equal share of every cell, so that shards take equally long. Each shard makes the
+// plans of its cells anew. Falsifications take longer and are distributed separately.
 struct Shard {
   int index = 1;  // 1 to count
   int count = 1;

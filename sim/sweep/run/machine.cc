@@ -12,7 +12,7 @@
 namespace assay::sweep {
 namespace {
 
-// The value of the first line "key: value"; empty if there is none.
+// Returns the value of the first line "key: value"; empty if there is no such line.
 std::string ValueIn(const char* file, const std::string& key, char separator) {
   std::ifstream in(file);
   for (std::string line; std::getline(in, line);) {

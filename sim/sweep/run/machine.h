@@ -4,7 +4,7 @@
 
 namespace assay::sweep {
 
-// What this start of the program runs on, and when.
+// Returns the record of this start of the program: its machine, its time and its arguments.
 RunRecord ThisRun(const std::string& version, const std::string& shard, int jobs);
 
 }  // namespace assay::sweep

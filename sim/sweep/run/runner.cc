@@ -17,10 +17,10 @@
 namespace assay::sweep {
 namespace {
 
-// How many results may wait, for each thread, for a longer trial before them.
+// The number of results per thread that may wait for an earlier trial that takes longer.
 constexpr int kWaitingPerThread = 8;
 
-// Collects results and writes them in batches. Not for several threads at once.
+// Collects results and writes them in batches. Only one thread may use it at a time.
 class BatchWriter {
  public:
   BatchWriter(Store& store, const RunOptions& options) : store_(store), options_(options) {}
@@ -33,7 +33,7 @@ class BatchWriter {
   }
 
   void Write() {
-    // Not twice, if it fails.
+    // The batch is emptied first, so that a failed batch is not written again.
     const std::vector<TimedTrial> batch = std::exchange(batch_, {});
     store_.Add(batch);
     done_ += static_cast<int>(batch.size());
@@ -50,7 +50,7 @@ class BatchWriter {
   Clock::time_point written_ = Clock::now();
 };
 
-// Ends an attack from inside.
+// The exception by which the progress callback ends a falsification.
 struct BreakOff {};
 
 class Running {
@@ -113,7 +113,7 @@ class Running {
 
   // ---- plans
 
-  // Indices of the cells that have trials to do, those that share a plan together.
+  // Returns the indices of the cells that have trials to do, in groups that share a plan.
   std::vector<std::vector<std::size_t>> CellsByPlan() const {
     std::vector<std::vector<std::size_t>> groups;
     std::vector<bool> needed(cells_.size());
@@ -147,7 +147,8 @@ class Running {
     });
   }
 
-  // One plan for all of them: stored, if any of them is.
+  // Makes one plan for all cells of the group. If the plan of one of them is stored, that plan is
+  // restored.
   void PlanGroup(const std::vector<std::size_t>& group) {
     const Clock::time_point start = Clock::now();
     const auto stored = std::ranges::find_if(
@@ -179,7 +180,7 @@ class Running {
 
   bool HasPlan(int trial) const {
     const std::string& outcome = planned_[PlaceOf(cells_, trial).cell].record.outcome;
-    // Without an outcome: the run was stopped before it was planned.
+    // The outcome is empty if the run was stopped before the cell was planned.
     return outcome.empty() || outcome == "planned";
   }
 
@@ -229,11 +230,11 @@ class Running {
     throughput_.seconds = SecondsSince(start);
   }
 
-  // ---- attacks
+  // ---- falsifications
 
-  // They share the threads: a thread that finds none to begin helps with another one. An error must
-  // not cancel the tasks of the others, which would take what they had until then for all there is;
-  // they are broken off.
+  // The falsifications share the threads: a thread that finds no new one to begin helps with
+  // another one. After an error the others are broken off by their progress callbacks. TBB must not
+  // cancel their tasks, because they would take their partial results for complete ones.
   void RunAttacks(BatchWriter& writer) {
     attacks_started_ = Clock::now();
     const auto run = [&](std::size_t i) {
@@ -257,7 +258,7 @@ class Running {
     if (error_) std::rethrow_exception(error_);
   }
 
-  // None: it was broken off.
+  // Returns none if the falsification was broken off.
   std::optional<TimedTrial> AttackUnlessStopped(int trial) {
     {
       const std::lock_guard lock(mutex_);
@@ -278,7 +279,7 @@ class Running {
       SetNumbers(trial, timed.record);
       return timed;
     } catch (...) {
-      // On its way out the exception may have become another one (NLopt has its own).
+      // The exception may be another one than BreakOff, because NLopt throws its own.
       const std::lock_guard lock(mutex_);
       if (BreaksOff()) return std::nullopt;
       throw;
@@ -291,18 +292,18 @@ class Running {
   Store& store_;
   const RunOptions& options_;
   const std::vector<Cell> cells_;
-  const std::int64_t attempts_;  // of an attack
-  std::vector<int> to_do_;       // trials that are no attacks, once all plans are made
-  std::vector<int> attacks_;     // trials
+  const std::int64_t attempts_;  // attempts of each falsification
+  std::vector<int> to_do_;       // trials; without falsifications once all plans are made
+  std::vector<int> attacks_;     // trials that are falsifications
   int before_ = 0;
-  std::map<int, CellRecord> stored_;  // by cell
+  std::map<int, CellRecord> stored_;  // by number of the cell
   std::vector<PlannedCell> planned_;  // by index of the cell
-  // Over the store, the advance and what ends the run, while plans and attacks are made.
+  // Guards the store, the advance and the reasons to end, while plans and falsifications are made.
   std::mutex mutex_;
   Advance advance_;
   Throughput throughput_;
   Clock::time_point attacks_started_;
-  std::exception_ptr error_;  // of an attack
+  std::exception_ptr error_;  // the first error of a falsification
   bool stopped_ = false;
 };
 

@@ -6,11 +6,11 @@
 
 namespace assay::sweep {
 
-// For the shell, as one word, in quotes.
+// Returns the text as one quoted word for the shell.
 std::string Quoted(const std::string& text);
-// The same, without quotes where it needs none.
+// Returns the text as one word for the shell, without quotes if it needs none.
 std::string Word(const std::string& text);
-// " --models FOLDER" for each folder, in this order.
+// Returns " --models FOLDER" for each folder, in the order of the path.
 std::string ModelsOption(const domain::ModelPath& models);
 
 }  // namespace assay::sweep

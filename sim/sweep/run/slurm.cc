@@ -9,12 +9,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Slurm puts a job where it was submitted, which need not be where the script was made.
+// Paths in the script are absolute, because Slurm runs a job in the folder from which it was
+// submitted.
 std::string Absolute(const fs::path& path) {
   return Quoted(fs::absolute(path).lexically_normal().string());
 }
 
-// The names of all shards' databases, for the shell.
+// Returns the paths of all shards' databases as words for the shell.
 std::string AllShards(const SlurmJob& job) {
   std::string names;
   for (int i = 1; i <= job.tasks; ++i) {

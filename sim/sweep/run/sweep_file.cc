@@ -15,13 +15,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kMostTrials = 10'000'000;           // of a cell
-constexpr int kMostAttempts = 10'000'000;         // of an attack
+constexpr int kMostTrials = 10'000'000;           // trials of a cell
+constexpr int kMostAttempts = 10'000'000;         // attempts of a falsification
 constexpr domain::Range kClearances = {0, 0.01};  // metres
 constexpr domain::Range kErrorScales = {0, 100};
 constexpr int kLargestBudget = std::numeric_limits<int>::max();
 
-// A list of values, each once.
+// Reads a list of values, none of which may occur twice.
 template <class T, class Read>
 void ReadAxis(const Value& list, std::vector<T>& axis, const Read& read) {
   axis.clear();
@@ -35,19 +35,19 @@ void ReadAxis(const Value& list, std::vector<T>& axis, const Read& read) {
   if (axis.empty()) list.Fail("the list is empty", "one value or more");
 }
 
-// `axis` stays as it is if the key is left out.
+// Reads an axis. It keeps its values if the key is missing.
 template <class T, class Read>
 void ReadAxis(const Value& root, const char* key, std::vector<T>& axis, const Read& read) {
   if (const std::optional<Value> list = root.Find(key)) ReadAxis(*list, axis, read);
 }
 
-// Values with names, in the order of their enumeration.
+// Returns a reader of enumeration values. The names must be in the order of the enumeration.
 template <class Enum>
 auto Named(const std::vector<std::string>& names) {
   return [&names](const Value& value) { return static_cast<Enum>(value.OneOf(names)); };
 }
 
-// In their order, whatever that of the list is.
+// Reads resolvers and sorts them by their enumeration.
 Resolvers ReadResolvers(const Value& list) {
   Resolvers resolvers;
   ReadAxis(list, resolvers, Named<domain::ResolverKind>(domain::ResolverNames()));
@@ -113,7 +113,7 @@ void ReadTrials(const Value& root, Sweep& sweep) {
   }
 }
 
-// An attack goes on from saved states, in which no camera is.
+// A falsification continues from saved states, which contain no camera.
 void RequireDrawnSensing(const Value& root, const Sweep& sweep) {
   if (std::ranges::find(sweep.sensings, Sensing::kCamera) == sweep.sensings.end()) return;
   root.At("sensing").Fail("an attack has no camera",
@@ -137,7 +137,7 @@ void ReadAttack(const Value& root, Sweep& sweep) {
 }
 
 void CheckSize(const Value& root, const Sweep& sweep) {
-  // Axes are short; their product need not be.
+  // Axes are short, but their product can be large.
   double trials = std::max(sweep.trials, sweep.control_trials);
   for (const std::size_t length :
        {sweep.scenarios.size(), sweep.clearances.size(), sweep.error_scales.size(),

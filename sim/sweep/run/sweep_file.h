@@ -15,23 +15,23 @@
 
 namespace assay::sweep {
 
-// What a sensor of the plan does in a trial.
+// The way in which a sensor of the plan measures in a trial.
 enum class Sensing {
-  kDrawn,   // it errs within its promise, as drawn from the error box
-  kCamera,  // pictures are rendered, and the parts found in them
+  kDrawn,   // its error is drawn from the error box, within the promise of the sensor
+  kCamera,  // it finds the parts in rendered pictures
 };
 
-// How the trials of a cell come by their errors.
+// The source of the errors in the trials of a cell.
 enum class NoiseKind {
-  kNone,  // as noise::Mode says
+  kNone,  // see noise::Mode for the first four
   kUniform,
   kVertices,
   kLowDiscrepancy,
-  kAttack,  // the whole cell is one trial: an attack (check/attack.h)
+  kAttack,  // the whole cell is one trial, a falsification of the plan
 };
-noise::Mode ModeOf(NoiseKind kind);  // checked that it is no attack
+noise::Mode ModeOf(NoiseKind kind);
 
-// In the order of their enumerations.
+// Return the names of all values, in the order of the enumeration.
 const std::vector<std::string>& NoiseNames();
 const std::vector<std::string>& SensingNames();
 const std::vector<std::string>& PropagationNames();
@@ -41,37 +41,38 @@ std::string_view Name(Sensing sensing);
 std::string_view Name(uncertainty::Propagation propagation);
 
 using Resolvers = std::vector<domain::ResolverKind>;  // ascending
-std::string Name(const Resolvers& resolvers);         // "sensing,fine-motion"
+std::string Name(const Resolvers& resolvers);         // like "sensing,fine-motion"
 
-// A sweep file ("assay-sweep/1"): a grid of trials. Each list is an axis; no value is in it twice.
+// The contents of a sweep file ("assay-sweep/1"), a grid of trials. Each list is an axis of the
+// grid and has no value twice.
 struct Sweep {
-  std::filesystem::path file;  // as the user gave it
-  std::string text;            // the whole file
+  std::filesystem::path file;  // the path as the user gave it
+  std::string text;            // the text of the whole file
 
   std::string title = {};
-  std::vector<std::string> scenarios = {};  // paths from the file's folder, as they stand there
-  std::vector<std::optional<double>> clearances = {std::nullopt};  // metres; none: the scenario's
+  std::vector<std::string> scenarios = {};  // paths from the file's folder, as written there
+  std::vector<std::optional<double>> clearances = {std::nullopt};
   std::vector<double> error_scales = {1};  // factors on the errors of parts and hand
   std::vector<uncertainty::Propagation> propagations = {uncertainty::Propagation::kSound};
-  std::vector<std::optional<Resolvers>> resolvers = {std::nullopt};  // none: the scenario's
+  std::vector<std::optional<Resolvers>> resolvers = {std::nullopt};  // none: those of the scenario
   std::vector<scene::GraspMode> grasps = {scene::GraspMode::kFriction};
   std::vector<Sensing> sensings = {Sensing::kDrawn};
   std::vector<NoiseKind> noises = {NoiseKind::kUniform};
   std::vector<std::uint64_t> seeds = {0};
-  int trials = 0;             // of each cell; 0 if there are attacks only
-  int control_trials = 1;     // of each cell without noise
-  int attempts = 1000;        // of each attack
-  bool conservatism = false;  // each attack also measures how much more noise it takes
-  // Of the planner: budgets, for all cells.
+  int trials = 0;             // trials of each cell; 0 if all cells are falsifications
+  int control_trials = 1;     // trials of each cell without noise
+  int attempts = 1000;        // attempts of each falsification
+  bool conservatism = false;  // falsifications measure the noise that breaks the plan, too
+  // Budgets of the planner, for all cells.
   std::int64_t partial_plans = constraint_posting::PlannerOptions().partial_plans;
   std::int64_t instances = constraint_posting::UncertaintyOptions().instances;
 
   std::filesystem::path PathOf(const std::string& scenario) const;
 };
 
-// All throw InputError.
+// Read a sweep file. Throw InputError.
 Sweep Load(const std::filesystem::path& file);
-// `text`: of the document.
+// `text` is the text of the document.
 Sweep ReadSweep(const Document& document, const std::filesystem::path& file, std::string text);
 
 }  // namespace assay::sweep

@@ -42,8 +42,8 @@ scenario::Scenario LoadScenario(const Sweep& sweep, const domain::ModelPath& mod
   return scenario;
 }
 
-// The command that makes the plan of a cell again and runs it under errors; empty where `assay run`
-// has no words for the cell.
+// Returns the command that makes the plan of a cell again and runs it with errors. Returns an empty
+// text if no options of `assay run` describe the cell.
 std::string RunCommand(const Sweep& sweep, const domain::ModelPath& models, const Cell& cell,
                        scene::GraspMode grasp_of_scenario) {
   const constraint_posting::PlannerOptions planner;
@@ -92,7 +92,7 @@ check::Experiment ExperimentOf(const Preparation& preparation) {
           .gate = preparation.gate};
 }
 
-// Makes what the trials of cells have in common.
+// Makes the data that all trials of a cell share.
 class Planning {
  public:
   Planning(const Sweep& sweep, const domain::ModelPath& models) : sweep_(sweep), models_(models) {}
@@ -123,7 +123,7 @@ class Planning {
   }
 
  private:
-  // Trials say something only of a plan that holds without noise.
+  // A plan that does not hold without noise cannot be tested by trials with noise.
   static void ExecuteWithoutNoise(const Preparation& preparation, CellRecord& record) {
     const check::Noiseless noiseless = check::ExecuteWithoutNoise(ExperimentOf(preparation));
     if (noiseless.Holds()) return;
@@ -174,7 +174,7 @@ TimedTrial RunAttack(const Sweep& sweep, const PlannedCell& cell, const AttackCo
   const check::AttackResult result = check::Attack(experiment, options);
   std::vector<check::ConservatismRatio> ratios;
   if (sweep.conservatism) {
-    // Told before each of its trials, progress may throw, as it may before each attempt.
+    // The progress callback is called before each trial, too, so that it can break off by throwing.
     const auto tell = [&] {
       if (control.progress) control.progress(result.attempts);
       return false;
@@ -202,14 +202,14 @@ check::NoisyTrial Execute(const PlannedCell& cell, const noise::Noise& noise,
                           exec::Observer* observer) {
   const Preparation& preparation = *cell.preparation;
   const check::Experiment experiment = ExperimentOf(preparation);
-  // The series of samples is of no use for verdicts.
+  // Verdicts do not use the series of samples.
   exec::ExecutorOptions options;
   options.sample_rate = 0;
   options.observer = observer;
   if (cell.cell.sensing == Sensing::kDrawn || !Senses(preparation.plan)) {
     return check::RunNoisyTrial(experiment, noise, options);
   }
-  // A camera belongs to its thread, and sees the true world.
+  // Each trial has its own camera, because a camera belongs to a thread and sees the true world.
   const scene::Scene scene(experiment.problem, exec::TrueScene(experiment.scene, noise));
   sense::OverheadCamera camera(scene, experiment.problem);
   options.sensor = &camera;

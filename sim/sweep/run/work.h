@@ -15,52 +15,52 @@
 
 namespace assay::sweep {
 
-// What the trials of a cell have in common.
+// The data that all trials of a cell share.
 struct Preparation {
-  scenario::Scenario scenario;  // with the cell's clearance, errors and grasp
+  scenario::Scenario scenario;  // has the cell's clearance, errors and grasp
   plan::Plan plan;
   std::vector<noise::Channel> box;
   check::NoiseFloor gate;
-  std::string run_command;  // "assay run ...", that makes the same plan; empty:
-                            // none does
+  std::string run_command;
 };
 
-// A cell whose plan is made.
+// A cell after planning.
 struct PlannedCell {
   Cell cell;
   CellRecord record;
-  std::shared_ptr<const Preparation> preparation;  // if there is a plan
+  std::shared_ptr<const Preparation> preparation;  // null if there is no plan
 };
 
-// How an attack is made.
+// The control of a falsification.
 struct AttackControl {
-  int jobs = 1;  // threads; they change nothing
-  // Told of how many attempts were made so far, from one thread at a time. If it throws, the attack
-  // is broken off.
+  int jobs = 1;  // threads; the result does not depend on their number
+  // Called with the number of attempts made so far, by one thread at a time. If it throws, the
+  // falsification is broken off.
   std::function<void(std::int64_t)> progress = {};
 };
 
-// What is done for cells and trials. All functions can be called from many threads, and depend on
-// nothing but their arguments.
+// The operations on cells and trials. All functions can be called from many threads, and depend
+// only on their arguments.
 struct Work {
-  // Makes the plan and measures the honesty gate.
+  // Makes the plan of a cell and measures the noise floor.
   std::function<PlannedCell(const Cell&)> plan;
-  // The same from what is stored.
+  // Restores the plan and the noise floor of a cell from its record.
   std::function<PlannedCell(const Cell&, const CellRecord&)> restore;
-  // `number`: of the trial in its cell, from 1. The record's numbers in the sweep are filled in by
-  // who calls.
+  // Runs a trial. `number` is its number in the cell, from 1. The caller fills in the record's
+  // numbers in the sweep.
   std::function<TimedTrial(const PlannedCell&, int number)> run;
-  // The only trial of a cell that is attacked.
+  // Runs the only trial of a falsification cell.
   std::function<TimedTrial(const PlannedCell&, const AttackControl&)> attack;
 };
 
-// Plans with the planner, executes in physics. `models`: the folder; empty: each scenario's own.
+// Returns the work that plans with the planner and executes in the simulator. `models` are the
+// folders of models; empty: each scenario's own.
 Work RealWork(const Sweep& sweep, const domain::ModelPath& models);
 
-// The noise of a trial, which is no attack.
+// Returns the noise of a trial that is not a falsification.
 noise::Noise NoiseOf(const PlannedCell& cell, int number);
 
-// A trial with its noise. `observer`: looks on, unless it is null.
+// Executes a trial with its noise. `observer` observes the execution and may be null.
 check::NoisyTrial Execute(const PlannedCell& cell, const noise::Noise& noise,
                           exec::Observer* observer);
 }  // namespace assay::sweep

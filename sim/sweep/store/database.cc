@@ -17,14 +17,14 @@
 namespace assay::sweep {
 namespace {
 
-// How long another program may keep the file to itself.
+// The greatest time to wait while another program locks the file.
 constexpr int kPatienceMilliseconds = 10'000;
 
 std::string SystemWords(int error) {
   return error == 0 ? "" : fmt::format(" ({})", std::generic_category().message(error));
 }
 
-// What is wrong and what to do, for what the environment can mend.
+// Returns what is wrong and what the user can do about it.
 std::string Trouble(int code, const char* words, int system_error) {
   switch (code & 0xff) {
     case SQLITE_FULL:
@@ -45,7 +45,7 @@ std::string Trouble(int code, const char* words, int system_error) {
           "with --resume",
           SystemWords(system_error));
     case SQLITE_CONSTRAINT:
-      // Keys are the numbers of trials.
+      // Keys are numbers of trials, so that a conflict means that a trial is stored already.
       return fmt::format(
           "what is to be written is there already ({}); is another program doing the "
           "same sweep?",
@@ -70,7 +70,7 @@ Statement::Statement(const Database& database, std::string_view sql) : database_
 }
 
 void Statement::Begin(std::size_t parameters) {
-  // A failure of the last use was told then.
+  // The result is ignored, because a failure of the last use was reported by that use.
   sqlite3_reset(statement_.get());
   ASSAY_CHECK(sqlite3_bind_parameter_count(statement_.get()) == static_cast<int>(parameters),
               "{} values for: {}", parameters, sqlite3_sql(statement_.get()));
@@ -130,7 +130,8 @@ std::string Statement::Text(int column) const {
 
 void Database::Closer::operator()(sqlite3* handle) const { sqlite3_close_v2(handle); }
 
-// SQLite takes names that begin with a colon for databases in memory.
+// The path is made absolute, because SQLite takes names that begin with a colon for databases in
+// memory.
 Database::Database(const std::filesystem::path& file, Access access) : file_(file) {
   const int flags =
       access == Access::kRead ? SQLITE_OPEN_READONLY : SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE;
@@ -145,8 +146,8 @@ Database::Database(const std::filesystem::path& file, Access access) : file_(fil
   if (access == Access::kRead) RememberInput(file);
 }
 
-// The system lets go of the lock when the program ends, however that comes about. Where the file
-// system knows no locks, transactions still keep their own.
+// The operating system releases the lock when the program ends in any way. If the file system has
+// no locks, the transactions of SQLite still exclude each other.
 void Database::KeepOtherWritersOut() {
   lock_.reset(std::fopen(file_.c_str(), "re"));
   if (lock_ != nullptr && flock(fileno(lock_.get()), LOCK_EX | LOCK_NB) != 0 &&
@@ -177,7 +178,7 @@ void Database::Fail(int code) const {
     throw InputError({.file = file_.string()}, "not a database",
                      "a database that assay sweep has written");
   }
-  // SQLite says of a damaged list of tables that it is an error of the query.
+  // SQLite reports a damaged list of tables as an error of the query (SQLITE_ERROR).
   if (kind == SQLITE_CORRUPT || kind == SQLITE_ERROR) {
     throw InputError({.file = file_.string()},
                      fmt::format("the database is damaged ({})", sqlite3_errmsg(handle_.get())),
@@ -193,12 +194,12 @@ Transaction::Transaction(Database& database) : database_(database) {
 }
 
 Transaction::~Transaction() {
-  // SQLite itself rolls back where the disk is full.
+  // SQLite has rolled back itself if the disk is full.
   if (!database_.InTransaction()) return;
   try {
     database_.Execute("ROLLBACK");
   } catch (const std::runtime_error&) {
-    // The handle is closed next, or the next transaction tells.
+    // The error can be ignored: the handle is closed next, or the next transaction reports it.
   }
 }
 

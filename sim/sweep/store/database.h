@@ -14,10 +14,10 @@ namespace assay::sweep {
 
 class Database;
 
-// A prepared statement of a database that outlives it. Parameters and columns count from 0.
+// A prepared statement. The database must outlive it. Parameters and columns are numbered from 0.
 class Statement {
  public:
-  // Binds all parameters, in order; checked that there are as many.
+  // Binds all parameters in order. Their number must agree with the statement (checked).
   template <class... Values>
   Statement& Bind(const Values&... values) {
     Begin(sizeof...(values));
@@ -25,11 +25,12 @@ class Statement {
     (BindOne(parameter++, values), ...);
     return *this;
   }
-  bool Next();  // to the next row; false: there is none, and the statement can be bound again
-  void Run();   // a statement without rows
+  // Goes to the next row. Returns false if there is none; then the statement can be bound again.
+  bool Next();
+  void Run();  // executes a statement without rows
 
   std::int64_t Integer(int column) const;
-  int Int(int column) const;      // throws InputError if it is none
+  int Int(int column) const;      // throws InputError if the value does not fit an int
   double Real(int column) const;  // NULL is NaN
   std::string Text(int column) const;
 
@@ -51,25 +52,25 @@ class Statement {
   std::unique_ptr<sqlite3_stmt, Finalizer> statement_;
 };
 
-// An SQLite database: owns its handle. Whatever fails names the file and the remedy: an InputError
-// where the file is no database or a damaged one, else an EnvironmentError (no room, no permission,
-// somebody else writes into it).
+// An SQLite database, which owns its handle. Errors name the file and the remedy. An InputError
+// means that the file is no database or a damaged one. An EnvironmentError means anything else: no
+// room on the disk, no permission, or another program that writes into the file.
 class Database {
  public:
   enum class Access { kRead, kWrite };
 
-  // For kWrite the file is made if there is none, and no other Database, of any program, may write
-  // into it while this one lives; readers come and go.
+  // Opens the file. With kWrite the file is made if there is none. No other Database of any program
+  // may write into it while this one lives, but others may read it.
   Database(const std::filesystem::path& file, Access access);
 
   const std::filesystem::path& file() const { return file_; }
 
-  void Execute(const std::string& sql);  // any number of statements, whose rows do not matter
+  void Execute(const std::string& sql);  // executes any number of statements and ignores their rows
   Statement Prepare(std::string_view sql) const;
-  std::int64_t Integer(std::string_view sql) const;  // the one value of a query
+  std::int64_t Integer(std::string_view sql) const;  // returns the only value of a query
   bool InTransaction() const;
 
-  // Throws what this error code of the last call comes to.
+  // Throws the error that belongs to this error code of the last call.
   [[noreturn]] void Fail(int code) const;
 
  private:
@@ -83,16 +84,18 @@ class Database {
   void KeepOtherWritersOut();
 
   std::filesystem::path file_;
-  // Closed after the handle: closing any stream of a file lets go of SQLite's own locks on it.
+  // Must be closed after the handle, because closing any stream of a file releases SQLite's own
+  // locks on it.
   std::unique_ptr<std::FILE, FileCloser> lock_;
   std::unique_ptr<sqlite3, Closer> handle_;
 };
 
-// All that is written between its start and Commit is there as a whole, or not at all.
+// Everything that is written between the start of a transaction and Commit is stored as a whole, or
+// not at all.
 class Transaction {
  public:
   explicit Transaction(Database& database);
-  ~Transaction();  // without a commit: nothing was written
+  ~Transaction();  // without a commit nothing was written
   Transaction(const Transaction&) = delete;
   Transaction& operator=(const Transaction&) = delete;
 

@@ -7,7 +7,7 @@
 namespace assay::sweep {
 namespace {
 
-// Everything in a record by its name. Numbers are written so that they read back as the same ones.
+// All values of a record by name. Numbers are written so that they read back to the same bits.
 using Fields = std::map<std::string, std::string>;
 
 void AddVerdict(const VerdictRecord& verdict, Fields& fields) {

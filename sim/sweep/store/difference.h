@@ -7,10 +7,10 @@
 
 namespace assay::sweep {
 
-// In what two records of one trial differ: "simulated: 10.5 and 10.25". Nothing if they are equal,
-// bit for bit.
+// Returns the differences between two records of one trial, like "simulated: 10.5 and 10.25".
+// Returns nothing if they are equal, bit for bit.
 std::vector<std::string> Differences(const TrialRecord& stored, const TrialRecord& again);
-// The same for two records of an attack; the commands in them do not matter.
+// Returns the differences between two records of a falsification. The commands in them are ignored.
 std::vector<std::string> Differences(const AttackRecord& stored, const AttackRecord& again);
 
 }  // namespace assay::sweep

@@ -12,13 +12,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A table of results, and of it the columns that must be the same in all parts.
+// A table of results, and its columns that must be the same in all databases.
 struct ResultTable {
   const char* name;
   const char* compared = "*";
 };
 
-// In the order of their references. Paths in commands depend on where the program was started.
+// The tables are ordered so that a table comes after those that it refers to. The column with a
+// command is not compared, because paths in it depend on where the program was started.
 constexpr std::array kResults = {
     ResultTable{"cell"},
     ResultTable{"gate"},
@@ -49,7 +50,7 @@ void Copy(Database& database, const char* table) {
   database.Execute(fmt::format("INSERT OR IGNORE INTO main.{0} SELECT * FROM part.{0}", table));
 }
 
-// Of rows with the same key the first is kept; the others must be equal to it.
+// Returns whether a row of the part differs from the row with the same key that was copied first.
 bool Contradicts(const Database& database, const ResultTable& table) {
   return database.Integer(fmt::format(
              "SELECT count(*) FROM (SELECT {1} FROM part.{0} EXCEPT SELECT {1} FROM main.{0})",

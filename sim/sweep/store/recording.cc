@@ -8,13 +8,13 @@
 namespace assay::sweep {
 namespace {
 
-// "2/after/x of peg"; in an attack each has it to itself.
+// Returns the name of a claim, like "2/after/x of peg". It is unique within a falsification.
 std::string ClaimName(const plan::Plan& plan, const check::Claim& claim) {
   return fmt::format("{}/{}/{}", plan.step(claim.step).executed, check::Name(claim.about),
                      claim.name);
 }
 
-// Of the claims of a trial, in their order; with a number where a name comes again.
+// Returns the names of the claims of a trial, in their order. A repeated name gets a number.
 std::vector<std::string> ClaimNames(const plan::Plan& plan,
                                     const std::vector<check::Claim>& claims) {
   std::map<std::string, int> seen;
@@ -53,7 +53,7 @@ VerdictRecord RecordOf(const plan::PlannedStep& step, const check::CertificateVe
           .gate = worst.gate};
 }
 
-// In the order of execution, as a database has them.
+// Adds the verdicts in the order of execution, which is their order in a database.
 void AddVerdicts(const plan::Plan& plan, const std::vector<check::Claim>& claims,
                  TimedTrial& timed) {
   const auto place = [&](const check::CertificateVerdict& verdict) {
@@ -122,13 +122,13 @@ AttackRecord RecordOf(const plan::Plan& plan, const Attacked& attacked) {
   for (const check::ConservatismRatio& ratio : attacked.ratios) {
     record.conservatism.push_back({ratio.variable, ratio.guaranteed, ratio.broken, ratio.ratio()});
   }
-  // As a database has them.
+  // A database returns the records in this order.
   std::ranges::sort(record.worst, {}, &WorstClaimRecord::claim);
   std::ranges::sort(record.conservatism, {}, &ConservatismRecord::variable);
   return record;
 }
 
-// Of all claims; null if nothing was claimed.
+// Returns the worst of all claims; null if nothing was claimed.
 const check::WorstClaim* WorstOf(const check::AttackResult& result) {
   const auto worst = std::ranges::min_element(
       result.worst, [](const check::WorstClaim& a, const check::WorstClaim& b) {
@@ -137,7 +137,8 @@ const check::WorstClaim* WorstOf(const check::AttackResult& result) {
   return worst == result.worst.end() ? nullptr : &*worst;
 }
 
-// "step 2 (action_3): y of peg: observed 0.0012 m, predicted [-0.001, 0.001]".
+// Returns a claim in words: "step 2 (action_3): y of peg: observed 0.0012 m, predicted [-0.001,
+// 0.001]".
 std::string Told(const plan::Plan& plan, const check::Claim& claim) {
   const plan::PlannedStep& step = plan.step(claim.step);
   return fmt::format("step {} ({}): {}: observed {:.6g} {}, predicted [{:.6g}, {:.6g}]",
@@ -184,7 +185,7 @@ TimedTrial Recorded(const plan::Plan& plan, const check::NoisyTrial& trial) {
   for (const check::CertificateVerdict& verdict : timed.verdicts) {
     timed.record.counts.Add(verdict.verdict);
   }
-  // As a database has them.
+  // A database returns the observations in this order.
   std::ranges::sort(timed.record.observations, {}, &ObservationRecord::claim);
   return timed;
 }

@@ -10,24 +10,25 @@
 
 namespace assay::sweep {
 
-// What is kept of a trial; its numbers in the sweep are left out.
+// Returns the record of a trial. Its numbers in the sweep are left out.
 TimedTrial Recorded(const plan::Plan& plan, const check::NoisyTrial& trial);
 
-// What is wrong with a plan without noise, one claim a line.
+// Returns what is wrong with the plan without noise, one line for each claim.
 std::string WrongWithoutNoise(const plan::Plan& plan, const check::Noiseless& noiseless,
                               const check::NoiseFloor& gate);
 
-// A whole attack on a plan.
+// A whole falsification of a plan.
 struct Attacked {
   const check::AttackResult& result;
-  const std::vector<check::ConservatismRatio>& ratios;  // empty: not asked for
-  // The command that runs the plan under errors: after it, "--errors '...'" is written. Empty:
-  // there is none.
+  const std::vector<check::ConservatismRatio>& ratios;  // empty if they were not measured
+  // The command that runs the plan with errors if "--errors '...'" is appended. Empty if there is
+  // none.
   std::string run_command;
-  std::string replay_command;  // the one that makes the attack again
+  std::string replay_command;  // the command that repeats the falsification
 };
 
-// What is kept of an attack, as a trial. It succeeded if no certificate was violated.
+// Returns the record of a falsification as a trial. The trial succeeded if no certificate was
+// violated.
 TimedTrial Recorded(const plan::Plan& plan, const Attacked& attacked);
 
 }  // namespace assay::sweep

@@ -12,50 +12,51 @@ namespace assay::sweep {
 
 using check::VerdictCounts;
 
-// Rows of the database. Apart from the seconds, they depend on nothing but the sweep file, the
-// files that it names and the program's version.
+// Records of the rows of the database. Apart from the seconds, they depend only on the sweep file,
+// the files that it names and the program's version.
 
-// What was planned for a cell: one row of table `cell`, and of `gate` for each
-// step, with one of `gate_component` for each component.
+// The plan of a cell: one row of table `cell`. Each step has a row of table `gate`, and each
+// component of the step's noise floor a row of table `gate_component`.
 struct CellRecord {
   int cell = 0;
-  std::string scenario;  // its path, as in the sweep file
-  double clearance = 0;  // metres, what it really is
+  std::string scenario;  // path of the scenario, as in the sweep file
+  double clearance = 0;  // metres, the actual clearance
   double error_scale = 1;
   std::string propagation;
-  std::string resolvers;  // "sensing,squeezing", what they really are
+  std::string resolvers;  // the actual resolvers, like "sensing,squeezing"
   std::string noise, sensing;
   std::int64_t seed = 0;
   int trials = 0;
   std::string grasp;
-  // "planned", "untestable" (check::Noiseless does not hold), "none" or "budget"; there are trials
-  // if planned.
+  // "planned", "untestable" (check::Noiseless does not hold), "none" or "budget". Only a planned
+  // cell has trials.
   std::string outcome;
   int actions = 0;
-  int errors = 0;  // steps not all of whose preconditions are proved
+  int errors = 0;  // steps with a precondition that is not proved
   bool proved = false;
-  // Constraints that cannot hold together, limits, or what is wrong without noise; one a line.
+  // Why there are no trials, one reason per line: constraints that cannot hold together, limits of
+  // the planner, or errors without noise.
   std::string conflict;
-  std::string plan;  // plan.json on one line
+  std::string plan;  // the contents of plan.json on one line
   check::NoiseFloor gate = {};
 };
 
-// What a certificate says, in all trials of a cell alike: a row of table `claim`.
+// A claim of a certificate, which is the same in all trials of a cell: a row of table `claim`.
 struct ClaimRecord {
-  std::string claim;   // its name in the cell: "2/after/x of peg"
-  int step = 0;        // place in the order of execution, from 1
-  std::string action;  // the step's name: "action_3"
-  std::string about;   // "before", "precondition", "after"
+  std::string claim;   // name of the claim in the cell, like "2/after/x of peg"
+  int step = 0;        // position in the order of execution, from 1
+  std::string action;  // name of the step, like "action_3"
+  std::string about;   // "before", "precondition" or "after"
   std::string name, unit;
   double low = 0;
   double high = 0;
   bool proved = true;
-  double gate = 0;  // in the same unit
+  double gate = 0;  // noise floor, in the same unit
 
   bool operator==(const ClaimRecord&) const = default;
 };
 
-// How a step's certificate came out in a trial: a row of table `verdict`.
+// The verdict on a step's certificate in a trial: a row of table `verdict`.
 struct VerdictRecord {
   int step = 0;
   std::string action;
@@ -66,7 +67,7 @@ struct VerdictRecord {
   bool operator==(const VerdictRecord&) const = default;
 };
 
-// What was observed of a claim: a row of table `observation`.
+// The observed value of a claim: a row of table `observation`.
 struct ObservationRecord {
   std::string claim;
   double observed = 0;
@@ -74,22 +75,23 @@ struct ObservationRecord {
   bool operator==(const ObservationRecord&) const = default;
 };
 
-// One trial: a row of table `trial`, with its verdicts and observations. A whole attack is one,
-// too: its noise is that of the worst claim, its counts are of the certificates of all attempts,
-// its verdicts the worst claims of each step; what was simulated is not counted, and 0.
+// One trial: a row of table `trial`, with its verdicts and observations. A whole falsification is
+// one trial, too. Its noise is that of the worst claim. Its counts are sums over the certificates
+// of all attempts, and its verdicts are the worst claims of each step. Its simulated time and steps
+// are 0.
 struct TrialRecord {
-  int trial = 0;  // in the sweep, from 1
+  int trial = 0;  // number in the sweep, from 1
   int cell = 0;
-  int number = 0;          // in the cell, from 1
-  std::string noise;       // noise::Text
-  std::string outcome;     // check::Name; of an attack "succeeded" or "violated"
-  std::string reason;      // empty if succeeded; of an attack: the worst claim
+  int number = 0;          // number in the cell, from 1
+  std::string noise;       // as noise::Text writes it
+  std::string outcome;     // check::Name; for a falsification "succeeded" or "violated"
+  std::string reason;      // empty if succeeded; for a falsification the worst claim
   double simulated = 0;    // seconds
-  std::int64_t steps = 0;  // of the engine
+  std::int64_t steps = 0;  // timesteps of the engine
   int errors_signalled = 0;
   int recovered = 0;
   bool operator_called = false;
-  std::string warnings;  // of the engine
+  std::string warnings;  // warnings of the engine
   VerdictCounts counts = {};
   std::vector<VerdictRecord> verdicts = {};
   std::vector<ObservationRecord> observations = {};
@@ -97,49 +99,50 @@ struct TrialRecord {
   bool operator==(const TrialRecord&) const = default;
 };
 
-// A claim as it came out at its worst in an attack: a row of table `attack_worst`.
+// The worst observation of a claim in a falsification: a row of table `attack_worst`.
 struct WorstClaimRecord {
-  std::string claim;  // as in table `claim`
+  std::string claim;  // the name in table `claim`
   int step = 0;
   std::string action, about, name, unit;
   double observed = 0, low = 0, high = 0, margin = 0, gate = 0;
-  std::string verdict, phase;  // check::Name
-  std::int64_t attempt = 0;    // from 1
-  std::string noise;           // noise::Text
+  std::string verdict, phase;  // as check::Name writes them
+  std::int64_t attempt = 0;    // number of the attempt, from 1
+  std::string noise;           // as noise::Text writes it
 
   bool operator==(const WorstClaimRecord&) const = default;
 };
 
-// A shrunk violation: a row of table `counterexample`.
+// A shrunk violation, which needs every one of its errors: a row of table `counterexample`.
 struct CounterexampleRecord {
-  int number = 0;  // in its cell, from 1
+  int number = 0;  // number in its cell, from 1
   std::string claim, action, name, unit;
   double observed = 0, low = 0, high = 0, margin = 0, gate = 0;
   std::string noise;
-  int steps = 0;          // how far the plan must be executed
-  bool replayed = false;  // also from the start of the plan
-  double multiple = 1;    // of its errors, with which it is violated still
-  // The command that runs it again: with `assay run`, or, where that has no words for the cell,
-  // with `assay replay DB TRIAL`, which makes the whole attack again.
+  int steps = 0;          // the number of steps that must be executed
+  bool replayed = false;  // violated in an execution from the start of the plan, too
+  double multiple = 1;    // a multiple of its errors with which the claim is still violated
+  // The command that shows the violation again. It is `assay run` if its options can describe the
+  // cell. Otherwise it is `assay replay DB TRIAL`, which repeats the whole falsification.
   std::string replay;
 
   bool operator==(const CounterexampleRecord&) const = default;
 };
 
-// How much more noise than guaranteed it takes to break a plan: a row of table `conservatism`.
+// The noise that breaks a plan, compared with the guaranteed noise: a row of table `conservatism`.
 struct ConservatismRecord {
-  std::string variable;  // "all": of all together
+  std::string variable;  // "all" stands for all variables together
   double guaranteed = 0;
   std::optional<double> broken = {}, ratio = {};
 
   bool operator==(const ConservatismRecord&) const = default;
 };
 
-// What an attack came to, apart from its trial: a row of table `attack`, with those of the others.
+// The results of a falsification beside its trial: a row of table `attack`, with the rows of the
+// tables for worst claims, counterexamples and conservatism.
 struct AttackRecord {
   std::int64_t attempts = 0;
   VerdictCounts certificates = {}, claims = {};
-  // In the order of their keys.
+  // The records are in the order of their keys.
   std::vector<WorstClaimRecord> worst = {};
   std::vector<CounterexampleRecord> counterexamples = {};
   std::vector<ConservatismRecord> conservatism = {};

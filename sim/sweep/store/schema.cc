@@ -41,10 +41,10 @@ constexpr std::array kRules = {
 
 const std::span<const ContentRule> kContentRules = kRules;
 
-// Lengths are metres, angles radians, times seconds; gate.id is a StepId; run.steps are of the
-// engine, in run.seconds of sampled trials. A broken or ratio that is NULL: nothing broke. Keys are
-// given by the grid, not by the order of writing, so that the rows of a table are in one order,
-// whoever wrote them when.
+// Lengths are in metres, angles in radians, and times in seconds. gate.id is a StepId. run.steps
+// are timesteps of the engine in run.seconds, without falsifications. If conservatism.broken or
+// .ratio is NULL, nothing broke the plan. The grid determines the keys, so that the rows of a table
+// have the same order, whatever the order in which they were written.
 const char* const kSchema = R"sql(
 CREATE TABLE sweep(key TEXT PRIMARY KEY, value TEXT NOT NULL) WITHOUT ROWID;
 

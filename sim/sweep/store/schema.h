@@ -5,15 +5,16 @@
 namespace assay::sweep {
 
 inline constexpr int kApplicationId = 0x41535359;  // "ASSY"
-inline constexpr int kFormatVersion = 4;           // in the database as user_version
+inline constexpr int kFormatVersion = 4;           // stored as user_version of the database
 
-// Makes the tables. What a database holds is compared with it word for word: a change of it, of a
-// space even, is a new version of the format.
+// The SQL statements that make the tables. The tables of an existing database are compared with
+// them word for word. Therefore any change, even of a space, needs a new version of the format.
 extern const char* const kSchema;
 
-// What rows must be for the program to go on with them, beyond the types of their columns.
+// A rule for the contents of rows, beyond the types of their columns. The program accepts only
+// databases that obey all rules.
 struct ContentRule {
-  const char* wrong;  // a query: what is wrong, in words, for each row that is
+  const char* wrong;  // a query that returns a description of each wrong row
   const char* allowed;
 };
 extern const std::span<const ContentRule> kContentRules;

@@ -23,7 +23,7 @@ bool IsEmptyOrMissing(const fs::path& file) {
   return error ? !fs::exists(file, error) : size == 0;
 }
 
-// A killed program may have left a database without a table.
+// Returns whether the database has no tables, which a killed program may have left.
 bool HasNothing(const Database& database) {
   return database.Integer("SELECT count(*) FROM sqlite_schema") == 0 &&
          database.Integer("PRAGMA application_id") == 0;
@@ -183,7 +183,7 @@ std::vector<CounterexampleRecord> ReadCounterexamples(const Database& database, 
   return examples;
 }
 
-// Absent is NULL.
+// A missing value is NULL in the database.
 double OrNull(const std::optional<double>& value) {
   return value.value_or(std::numeric_limits<double>::quiet_NaN());
 }
@@ -205,7 +205,7 @@ std::vector<ConservatismRecord> ReadConservatism(const Database& database, int c
   return ratios;
 }
 
-// What differs, for people.
+// Returns in words what differs.
 std::string Difference(const std::string& key) {
   if (key == "text") return "the sweep file has changed";
   if (key == "version") return "another version of the program made it";
@@ -215,7 +215,7 @@ std::string Difference(const std::string& key) {
 
 }  // namespace
 
-// Every statement that writes trials, prepared once.
+// The statements that write cells and trials, each prepared once.
 struct Store::Writing {
   explicit Writing(const Database& database)
       : trial(database.Prepare("INSERT INTO trial VALUES(?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)")),
@@ -253,7 +253,8 @@ SweepFacts FactsOf(const Sweep& sweep, const std::string& version) {
 Store::Store(const fs::path& file, Database::Access access)
     : database_(std::make_unique<Database>(file, access)) {
   if (access == Database::Access::kWrite) {
-    // The log is on the disk before a commit returns; readers do not wait for the writer.
+    // With these settings the log is on the disk before a commit returns, and readers do not wait
+    // for the writer.
     database_->Execute(
         "PRAGMA journal_mode = WAL; PRAGMA synchronous = FULL; PRAGMA foreign_keys = ON");
   }
@@ -325,7 +326,7 @@ void Store::RequireFormat() const {
   RequireContents();
 }
 
-// SQLite keeps the statements that made them.
+// SQLite stores the statements that made the tables, so that they can be compared with kSchema.
 void Store::RequireTables() const {
   Statement made = database_->Prepare("SELECT count(*) FROM sqlite_schema WHERE sql = ?");
   for (std::string_view rest = kSchema; rest.find(';') != std::string_view::npos;) {
@@ -341,7 +342,7 @@ void Store::RequireTables() const {
   }
 }
 
-// SQLite keeps any value in any column.
+// The types are checked because SQLite stores values of any type in any column.
 void Store::RequireTypes() const {
   const std::map<std::string, std::string> allowed = {{"INTEGER", "'integer', 'null'"},
                                                       {"REAL", "'real', 'integer', 'null'"},
@@ -353,7 +354,7 @@ void Store::RequireTypes() const {
     const std::string table = columns.Text(0);
     const std::string column = columns.Text(1);
     const auto types = allowed.find(columns.Text(2));
-    if (types == allowed.end()) continue;  // of another's table
+    if (types == allowed.end()) continue;  // a table of another program
     const std::int64_t wrong = database_->Integer(
         fmt::format("SELECT count(*) FROM \"{}\" WHERE typeof(\"{}\") NOT IN ({})", table, column,
                     types->second));
@@ -379,7 +380,7 @@ void Store::RequireContents() const {
 void Store::RequireSameSweep(const SweepFacts& facts) const {
   const SweepFacts stored = Facts();
   for (const auto& [key, value] : facts) {
-    // The same file may be reached by several paths.
+    // The path may differ, because several paths can lead to the same file.
     if (key == "path") continue;
     const auto found = stored.find(key);
     if (found != stored.end() && found->second == value) continue;
@@ -429,7 +430,7 @@ void Store::WriteCell(const CellRecord& cell) {
 }
 
 void Store::WriteGate(int cell, int id, const check::StepNoiseFloor& gate) {
-  // Bound one by one, so that a new member does not go without its column unnoticed.
+  // The structured binding lets the compiler find a new member that has no column yet.
   const auto& [components, arm, penetration, lag, lag_turn] = gate;
   writing_->gate.Bind(cell, id, arm, penetration, lag, lag_turn).Run();
   int number = 0;
@@ -503,7 +504,7 @@ void Store::WriteAttack(int cell, const AttackRecord& attack) {
 }
 
 void Store::Close() {
-  // Not while somebody reads; then the log stays beside the file, which does no harm.
+  // This fails while another program reads. Then the log stays beside the file, which does no harm.
   try {
     writing_.reset();
     database_->Execute("PRAGMA journal_mode = DELETE");
@@ -519,7 +520,7 @@ SweepFacts Store::Facts() const {
   return facts;
 }
 
-// As RequireContents has found it.
+// The conversion cannot fail, because RequireContents has checked the value.
 int Store::TrialsInAll() const { return std::stoi(Facts().at("trials")); }
 
 std::vector<RunRecord> Store::Runs() const {

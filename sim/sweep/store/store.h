@@ -12,89 +12,95 @@
 
 namespace assay::sweep {
 
-// What a sweep is, by which a database is told from that of another one: "format" and "text" of the
-// sweep file, the program's "version", "trials" in all, and the text of each scenario file as
-// "scenario PATH"; and the sweep file's "path", which may differ.
+// Returns the facts that identify a sweep, by which its database is distinguished from others. They
+// are the "format" and "text" of the sweep file, the "version" of the program, the number of all
+// "trials", and the text of each scenario file under the key "scenario PATH". The "path" of the
+// sweep file is stored, too, but may differ.
 using SweepFacts = std::map<std::string, std::string>;
 SweepFacts FactsOf(const Sweep& sweep, const std::string& version);
 
-// How fast trials were done, attacks left out.
+// The speed of trials, without falsifications.
 struct Throughput {
   int trials = 0;
-  std::int64_t steps = 0;  // of the engine
-  double seconds = 0;      // from the first trial's start to the last one's end, on all threads
+  std::int64_t steps = 0;  // timesteps of the engine
+  double seconds = 0;      // wall time from the start of the first trial to the end of the last
 
   double StepsPerSecond() const { return seconds > 0 ? static_cast<double>(steps) / seconds : 0; }
 };
 
-// One start of the program on a database: a row of table `run`, which differs between machines.
+// A start of the program on a database: a row of table `run`. It differs between machines.
 struct RunRecord {
-  std::string started;  // UTC
-  std::string shard;    // "1/1"
+  std::string started;  // time in UTC
+  std::string shard;    // like "1/1"
   int jobs = 1;
   std::string version, machine;
   int cores = 0;
   std::string os;
-  Throughput throughput = {};  // nothing until it ends
+  Throughput throughput = {};  // empty until the run ends
 };
 
-// What was finished, and how long it took.
+// A finished trial and the time that it took.
 struct TimedTrial {
   TrialRecord record;
-  std::vector<ClaimRecord> claims = {};  // of its observations; those that are known already do
-                                         // not matter
+  // The claims of its observations. Claims that are stored already are ignored.
+  std::vector<ClaimRecord> claims = {};
   double seconds = 0;
-  std::optional<AttackRecord> attack = {};  // if it is one
-  // The verdicts of `record`, in the same order, with all of their claims. They are not stored.
+  std::optional<AttackRecord> attack = {};  // only if it is a falsification
+  // The verdicts of `record` in the same order, with all of their claims. These claims are not
+  // stored.
   std::vector<check::CertificateVerdict> verdicts = {};
 };
 
-// The results of a sweep in an SQLite database, in tables that keep their meaning once released:
-// sweep, run, cell, gate, gate_component, claim, trial, verdict, observation, attack, attack_worst,
-// counterexample, conservatism, timing and planning (schema.cc). All but `run`, `timing` and
-// `planning` are the same, row for row, for the same sweep, in however many threads, shards and
-// starts it was done.
+// The results of a sweep in an SQLite database. Its tables are sweep, run, cell, gate,
+// gate_component, claim, trial, verdict, observation, attack, attack_worst, counterexample,
+// conservatism, timing and planning (schema.cc). They keep their meaning once released. All tables
+// but `run`, `timing` and `planning` are the same, row for row, for the same sweep. They do not
+// depend on the number of threads, shards and starts of the program.
 //
-// What is added is on the disk when the call returns, all of it or nothing. Errors as of Database.
+// Added data are on the disk when the call returns, either all of them or none. Errors are those of
+// Database.
 class Store {
  public:
-  // A new database. Throws InputError if there is something in the file.
+  // Makes a new database. Throws InputError if the file is not empty.
   static Store Create(const std::filesystem::path& file, const SweepFacts& facts);
-  // One that is to be gone on with; if the file is not there or still empty, a new one. Throws
-  // InputError if it belongs to another sweep.
+  // Opens a database to continue its sweep, or makes a new one if the file is missing or empty.
+  // Throws InputError if it belongs to another sweep.
   static Store Resume(const std::filesystem::path& file, const SweepFacts& facts);
-  // One that is only read. Like Resume it throws InputError unless the file is a database of ours,
-  // of this version, undamaged, with all tables and with contents that can be (schema.h).
+  // Opens a database for reading. Resume and Open throw InputError unless the file is an undamaged
+  // database of this program and of this version of the format, with all tables and with contents
+  // that obey the rules (schema.h).
   static Store Open(const std::filesystem::path& file);
 
-  // Throws InputError if it belongs to another sweep.
+  // Throws InputError if the database belongs to another sweep.
   void RequireSameSweep(const SweepFacts& facts) const;
 
   const std::filesystem::path& file() const { return database_->file(); }
 
   void Add(const RunRecord& run);
-  void Finish(const Throughput& throughput);  // of the run that was added last
-  // Cells that share a plan, and how long planning took for all of them.
+  // Sets the throughput of the run that was added last.
+  void Finish(const Throughput& throughput);
+  // Adds cells that share a plan. `seconds` is the planning time for all of them.
   void Add(const std::vector<CellRecord>& cells, double seconds);
   void Add(const std::vector<TimedTrial>& trials);
-  // The database becomes a single file again, which can be copied and read anywhere.
+  // Closes the database and makes it a single file, which can be copied and read anywhere.
   void Close();
 
   SweepFacts Facts() const;
-  int TrialsInAll() const;  // of the sweep, done or not
+  int TrialsInAll() const;  // number of trials of the sweep, done or not
   std::vector<RunRecord> Runs() const;
-  std::vector<CellRecord> Cells() const;  // by number
+  std::vector<CellRecord> Cells() const;  // in the order of their numbers
   std::vector<ClaimRecord> Claims(int cell) const;
-  std::vector<int> Trials() const;  // that are done, in order
+  std::vector<int> Trials() const;  // numbers of the done trials, in order
   std::optional<TrialRecord> FindTrial(int trial) const;
   std::optional<AttackRecord> FindAttack(int cell) const;
-  double MeanSeconds() const;  // of the trials that are no attacks; 0: none is done
+  // Returns the mean time of the trials that are not falsifications; 0 if none is done.
+  double MeanSeconds() const;
 
   Database& database() { return *database_; }
   const Database& database() const { return *database_; }
 
  private:
-  struct Writing;  // statements
+  struct Writing;  // prepared statements
   Store(const std::filesystem::path& file, Database::Access access);
   void Initialize(const SweepFacts& facts);
   void RequireFormat() const;
@@ -107,7 +113,7 @@ class Store {
   void WriteTrial(const TimedTrial& trial);
   void WriteAttack(int cell, const AttackRecord& attack);
 
-  std::unique_ptr<Database> database_;  // does not move: statements refer to it
+  std::unique_ptr<Database> database_;  // on the heap, because statements refer to its address
   std::shared_ptr<Writing> writing_;
 };
 

@@ -8,19 +8,19 @@
 
 namespace assay::sweep {
 
-// What the trials of a cell came to.
+// The results of the trials of a cell.
 struct CellSummary {
   CellRecord cell;
   int done = 0;
   int succeeded = 0;
-  std::map<std::string, int> failed = {};  // trials, by outcome
-  VerdictCounts certificates = {};         // of all trials together
+  std::map<std::string, int> failed = {};  // failed trials by outcome
+  VerdictCounts certificates = {};         // the sum over all trials
   int with_errors = 0;                     // trials in which a verification signalled an error
-  int recovered = 0;                       // of them, those that succeeded all the same
-  int operator_called = 0;                 // trials
+  int recovered = 0;                       // trials with a signalled error that succeeded
+  int operator_called = 0;                 // trials in which a person was called
 };
 
-// In the order of the cells.
+// Returns the summaries in the order of the cells.
 std::vector<CellSummary> Summarize(const Store& store);
 
 }  // namespace assay::sweep

@@ -10,7 +10,8 @@
 namespace assay::algebra {
 
 // A pool with variables x0, x1, ... in [-2, 2], and random expressions over them with every
-// operator. Numbers are of few digits or of many, so that some sums are exact and some are not.
+// operator. Some numbers have few digits and some have many, so that some sums are exact and some
+// are not.
 class RandomExpressions {
  public:
   RandomExpressions(RandomStream& random, int variables) : random_(random) {

@@ -6,8 +6,8 @@
 
 namespace assay::algebra {
 
-// A system of small integers and eighths; about a third of the intervals' ends are there. It may be
-// unbounded or contradict itself.
+// Returns a system with small integers and eighths. About a third of the ends of intervals are
+// finite. The system may be unbounded or contradictory.
 inline oracle::LinearProgram RandomLinearProgram(RandomStream& random, int variables, int rows) {
   const auto is_one_in = [&](int n) { return random.Index(n) == 0; };
   const auto number = [&](int most) {

@@ -31,7 +31,7 @@ std::vector<domain::Problem> WorldsFrom(const std::string& text) {
                             std::string(ASSAY_SOURCE_DIR) + "/models", {});
 }
 
-// Block and peg without errors: nothing is left to verify.
+// Returns a scenario with block and peg without errors, so that no verification is needed.
 std::string Exact(const std::string& block_pose, const std::string& peg_pose) {
   return constraint_posting::PegAndBlock(block_pose, peg_pose);
 }
@@ -57,7 +57,7 @@ int Count(const ContingentAssembly& assembly, Kind kind) {
   return count;
 }
 
-// As `assay know` reads it from the exported files.
+// Reads the task back as `assay know` reads the exported files.
 contingent::GroundTask ReadBack(const PlanKnowledge& knowledge) {
   contingent::Externs externs;
   return contingent::Ground(contingent::ReadPksDomain(knowledge.domain, "d.pks"),
@@ -71,7 +71,7 @@ void ExpectHoldsInAllWorlds(const ContingentAssembly& assembly) {
   EXPECT_TRUE(check.AreAllWorlds());
 }
 
-// Spar's figures 15 and 16, whichever of the two it turns out to be.
+// The scenario is figure 15 or 16 of Spar, and the pose of the peg decides which.
 TEST(ContingentAssembly, AnOpenPoseIsLookedAtAndEachPoseHasItsPlan) {
   std::string text = Exact(kBlockOnBack, kLyingOrStanding);
   text.insert(text.find("goal:"), "sensing: [overhead-camera]\n");
@@ -103,12 +103,14 @@ TEST(ContingentAssembly, NothingIsLookedAtThatDoesNotMatter) {
 TEST(ContingentAssembly, WithoutASensorNothingTellsWhichPoseItIs) {
   const ContingentAssembly assembly =
       MakeContingentPlan(WorldsFrom(Exact(kBlockOnBack, kLyingOrStanding)), {}, {});
-  // A plan that needs no look may exist all the same: of each world, one plan is looked at.
+  // The outcome is no proof, because a plan that needs no look may exist. Only one plan is tried
+  // for each world.
   EXPECT_EQ(assembly.outcome, Outcome::kBudget);
   EXPECT_EQ(assembly.unplanned.limits.back(), "no sensor tells which pose peg has");
 }
 
-// A tenth of a millimetre is less than the camera promises, half an inch is more.
+// A distance of a tenth of a millimetre is less than the camera promises to resolve, and half an
+// inch is more.
 TEST(ContingentAssembly, PosesThatLookAlikeAreNotToldApart) {
   const auto assembly_with = [](const std::string& x) {
     std::string text = Exact(kBlockOnBack,
@@ -128,9 +130,9 @@ TEST(ContingentAssembly, PosesThatLookAlikeAreNotToldApart) {
   ExpectHoldsInAllWorlds(assembly_with("20.5"));
 }
 
-// Spar's verifications and recoveries as branches: after the pickup error1 (a groping search, so a
-// repeat) and error2 (the operator), after the assembly error3 (the operator) and error4 (a
-// search).
+// Spar's verifications and recoveries become branches. After the pickup these are error1 (a groping
+// search, which is a repeat) and error2 (the operator). After the assembly they are error3 (the
+// operator) and error4 (a search).
 TEST(ContingentAssembly, VerificationsBranchAndRecoveriesRepeat) {
   const domain::Problem problem = constraint_posting::LoadScenario("uncertain-failing");
   const ContingentAssembly assembly = MakeContingentPlan({problem}, {}, {});
@@ -143,7 +145,7 @@ TEST(ContingentAssembly, VerificationsBranchAndRecoveriesRepeat) {
   EXPECT_EQ(contingent::SizeOf(assembly.tree).repeats, 2);
 }
 
-// What a tree tells of a plan that needs no look is the plan: every step, in its order.
+// Expects that the tree of a plan without looks is the plan itself, with every step in its order.
 void ExpectIsThePlan(const ContingentAssembly& assembly) {
   const plan::Plan& plan = assembly.plans.front().plan;
   EXPECT_EQ(Count(assembly, Kind::kLook), 0);
@@ -184,7 +186,7 @@ TEST(ContingentAssembly, EveryScenarioHasATreeThatHoldsInAllWorlds) {
   }
 }
 
-// Spar's figures 15 and 16 with their errors, so that plans begin with looks.
+// Returns the figures 15 and 16 of Spar with their errors, so that plans begin with looks.
 std::string Uncertain(const std::string& block_pose, const std::string& peg_pose,
                       const std::string& sensor = "overhead-camera") {
   constexpr const char* kErrors = ", error: {x: 0.11, y: 0.11, z: 0.11, theta: 5.5}";
@@ -196,7 +198,7 @@ constexpr const char* kBlockHereOrThere =
     "{one-of: {here: {stable: on-back, at: [24, 2], yaw: 30}, "
     "there: {stable: on-back, at: [26, 4], yaw: 0}}}";
 
-// The look at the block tells the worlds apart, that at the peg is a step of both plans.
+// The look at the block distinguishes the worlds. The look at the peg is a step of both plans.
 TEST(ContingentAssembly, APartWhosePoseIsKnownIsLookedAtInAStep) {
   const std::string text =
       Uncertain(kBlockHereOrThere, "{stable: on-side, at: [20, -8], yaw: -120}");
@@ -205,19 +207,21 @@ TEST(ContingentAssembly, APartWhosePoseIsKnownIsLookedAtInAStep) {
   ASSERT_EQ(assembly.plans.size(), 2U);
   EXPECT_EQ(ActionOf(assembly, assembly.tree.root).kind, Kind::kLook);
   EXPECT_EQ(Count(assembly, Kind::kLook), 1);
-  int steps = -2;  // the looks at the block, one in each plan
+  int steps = -2;  // without the look at the block, which is in each plan
   for (const PlanOfWorlds& planned : assembly.plans) {
     steps += static_cast<int>(planned.plan.steps.size());
   }
   EXPECT_EQ(Count(assembly, Kind::kStep), steps);
 }
 
-// One look at the first part, then one at the other in either case, with nothing looked at twice.
+// The tree has one look at the first part, and then one at the other part in either case. Nothing
+// is looked at twice.
 TEST(ContingentAssembly, TwoOpenPosesAreLookedAtOnceEach) {
   const ContingentAssembly assembly = MakeContingentPlan(
       WorldsFrom(Uncertain(kBlockHereOrThere, kLyingOrStanding, "coarse-camera")), {}, {});
   ASSERT_EQ(assembly.outcome, Outcome::kFound);
-  // A few of the 5,832 worlds: of each, repeats are followed in all worlds that forgetting leaves.
+  // Only a few of the 5,832 worlds are checked, because repeats of each are followed in all worlds
+  // that forgetting leaves.
   const auto check =
       contingent::CheckTree(ReadBack(assembly.knowledge), assembly.tree, {.worlds = 8});
   EXPECT_TRUE(check.holds) << check.failure;
@@ -232,7 +236,8 @@ int PlaceOf(const Texts& texts, const std::string& text, auto projection) {
   return static_cast<int>(found - texts.begin());
 }
 
-// Knowledge of the present: where the peg lay and how precisely says nothing of it in the hand.
+// Knowledge concerns the present. The pose of the peg and its precision say nothing about the peg
+// in the hand.
 TEST(ContingentAssembly, APickupForgetsThePoseAndItsIntervals) {
   const ContingentAssembly assembly =
       MakeContingentPlan(WorldsFrom(Uncertain(kBlockOnBack, kLyingOrStanding)), {}, {});
@@ -263,7 +268,7 @@ TEST(ContingentAssembly, APickupForgetsThePoseAndItsIntervals) {
   EXPECT_FALSE(knowledge.Holds(look.precondition, *taken));
 }
 
-// Scenarios are named after their files, which may have any name.
+// A scenario is named after its file, which may have any name.
 TEST(ContingentAssembly, TheKnowledgeOfAScenarioOfAnyNameIsReadBackFromItsText) {
   domain::Problem problem = constraint_posting::LoadScenario("uncertain-failing");
   problem.name = "parts (2), of -all- kinds";
@@ -273,7 +278,7 @@ TEST(ContingentAssembly, TheKnowledgeOfAScenarioOfAnyNameIsReadBackFromItsText) 
   EXPECT_EQ(contingent::ReadPksProblem(knowledge.problem, "p.pks").domain, domain.name);
 }
 
-// Texts that stand for a text of the workcell's or the scenario's file.
+// Pairs of a text in the file of the workcell or scenario and its replacement.
 using Names = std::vector<std::pair<std::string, std::string>>;
 
 std::string Renamed(const std::filesystem::path& file, const Names& names) {
@@ -288,7 +293,7 @@ std::string Renamed(const std::filesystem::path& file, const Names& names) {
   return text;
 }
 
-// The fallen peg in a workcell that has other names.
+// Returns the scenario of the fallen peg in a workcell with other names.
 std::vector<domain::Problem> FallenPegWith(const Names& names) {
   const std::filesystem::path root = ASSAY_SOURCE_DIR;
   const std::filesystem::path models = ScratchFile("models");
@@ -301,8 +306,8 @@ std::vector<domain::Problem> FallenPegWith(const Names& names) {
   return domain::ReadWorlds(Document::Parse(scenario, "scenario.yaml"), models, {});
 }
 
-// What no .pks file can spell, and what means something else there: a section, a step; two that are
-// spelled alike.
+// The names include texts that no .pks file can spell, texts that mean a section or a step there,
+// and two that would be spelled alike.
 TEST(ContingentAssembly, SensorsAndErrorsMayHaveAnyNames) {
   for (const auto& [below, above] :
        {std::pair{"goal", "plan1-action_1"}, {"2nd try?", "-- 2nd try"}}) {
@@ -324,7 +329,8 @@ TEST(ContingentAssembly, SensorsAndErrorsMayHaveAnyNames) {
   }
 }
 
-// Words of .pks files, names of other things in them, and what they cannot spell.
+// The names include words of .pks files, names of other things in them, and texts that they cannot
+// spell.
 TEST(ContingentAssembly, PartsAndPosesMayHaveAnyNames) {
   std::string text = Exact(kBlockOnBack, kLyingOrStanding);
   text.insert(text.find("goal:"), "sensing: [overhead-camera]\n");

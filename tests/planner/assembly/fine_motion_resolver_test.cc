@@ -38,7 +38,7 @@ uncertainty::Unproved Unproved(const std::string& condition) {
   return unproved;
 }
 
-// A scenario's first instance, and what is asked about its last step, an assemble.
+// The first instance of a scenario, and unmet goals of its last step, an assemble.
 struct Asked {
   explicit Asked(domain::Problem of) : problem(std::move(of)) {
     actions = constraint_posting::ActionsOf(constraint_posting::FirstInstance(problem));
@@ -55,7 +55,7 @@ struct Asked {
   std::vector<plan::Action> actions;
 };
 
-// By a rotation vector and a displacement: the difference of two poses of the tip.
+// Returns the difference of two poses of the tip as a displacement and a rotation vector.
 std::pair<Vector3, Vector3> ErrorOf(const Pose& truth, const Pose& believed) {
   const Eigen::AngleAxisd turn(geometry::Matrix3(truth.linear() * believed.linear().inverse()));
   return {truth.translation() - believed.translation(), turn.angle() * turn.axis()};
@@ -69,7 +69,7 @@ uncertainty::TipWay SomeWay(const domain::Problem& problem, const domain::Mating
   return way;
 }
 
-// Plans are executed with errors that are drawn, by an oracle that shares nothing with the bounds.
+// Plans are executed with drawn errors by an oracle that shares no code with the bounds.
 class TipErrors : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(TipErrors, AreInTheBox) {
@@ -98,7 +98,7 @@ TEST_P(TipErrors, AreInTheBox) {
   for (const int axis : {0, 1, 2}) {
     EXPECT_LE(most_d[axis], box.d[axis] + kRounding) << axis;
     EXPECT_LE(most_w[axis], box.w[axis] + kRounding) << axis;
-    EXPECT_GE(most_d[axis], box.d[axis] / 4) << axis;  // and it is not much too large
+    EXPECT_GE(most_d[axis], box.d[axis] / 4) << axis;  // the bound is not much too large
   }
 }
 
@@ -151,13 +151,13 @@ TEST(FineMotionResolver, ProvesWhatLooksAndSqueezesDoNot) {
   EXPECT_EQ(MakeCertifiedPlan(as_in_spar, {}, {}).plan.errors, 1);
 }
 
-// The walls know where the part is, better than the hand.
+// The walls determine the place of the part more precisely than the hand does.
 TEST(FineMotionResolver, LeavesTheHeldPartWhereTheFixedOneIs) {
   const plan::Certificate& certificate = AssembleOf(FeltPlan().plan).certificate;
   const plan::ErrorSet& peg = certificate.after[0];
   const plan::ErrorSet& block = certificate.after[1];
   EXPECT_FALSE(peg.in_hand);
-  EXPECT_GE(peg.x.high, block.x.high + 0.00025);  // with the play at least
+  EXPECT_GE(peg.x.high, block.x.high + 0.00025);  // the play is included
   EXPECT_LE(peg.x.high, block.x.high + 0.003);
 }
 

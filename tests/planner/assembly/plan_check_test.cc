@@ -54,7 +54,7 @@ TEST(PlanCheck, StrategiesAreCertainForTheArmsVelocity) {
               Contains(Field(&plan::Flaw::what, HasSubstr("err by 0.002, and they may by 0.003"))));
 }
 
-// The strategy was found for holes that may be narrower than they should be.
+// The strategy was found for holes that may be narrower than nominal.
 TEST(PlanCheck, TakesTheNarrowestHoles) {
   domain::Problem problem = constraint_posting::LoadScenario("uncertain-fine-motion");
   problem.tolerances.clearance = 0.02e-3;

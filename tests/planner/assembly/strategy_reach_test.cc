@@ -13,8 +13,8 @@ namespace {
 using geometry::Pose;
 using geometry::Vector3;
 
-// The square peg's mating by hand: from before the hole, leaning, to a few millimetres before the
-// seat.
+// A mating of the square peg that was made by hand. It leads from a leaning pose before the hole to
+// a few millimetres before the seat.
 class StrategyReachTest : public ::testing::Test {
  protected:
   const domain::Problem problem_ = constraint_posting::LoadScenario("mate-square");
@@ -27,7 +27,7 @@ class StrategyReachTest : public ::testing::Test {
                               .contacts = {},
                               .motions = {MotionTo(Back(0.08, 0)), MotionTo(Back(0.004, 0))}};
 
-  // The tip short of its seat by so many metres, and leaning.
+  // Returns a leaning pose of the tip that is `metres` short of its seat.
   Pose Back(double metres, double lean) const {
     Pose X = geometry_.X_FixedSeat;
     X.translation() -= metres * geometry_.passage.mating;
@@ -61,7 +61,7 @@ TEST_F(StrategyReachTest, APoseThatIsTooFarAwayIsTold) {
   EXPECT_TRUE(X_WorldTip.isApprox(assemble_.fixed.X_WorldPart * Back(1.5, 0), 1e-9));
 }
 
-// Beyond the seat by the length of the shaft the hand is where the block is.
+// If the tip goes beyond the seat by the length of the shaft, the hand collides with the block.
 TEST_F(StrategyReachTest, APartInTheHandsWayIsTold) {
   strategy_.motions[1].X_FixedTip = Back(-0.05, 0);
   EXPECT_EQ(WhatIsUnreached().motion, 2);

@@ -39,7 +39,7 @@ const plan::Plan& PlanBesideTheMast() {
   return plan;
 }
 
-// Those that the arm comes to by another than the usual way.
+// Returns the steps to which the arm does not travel the usual way.
 std::vector<plan::StepId> StepsByPath(const plan::Plan& plan) {
   std::vector<plan::StepId> steps;
   for (const plan::StepId id : plan.ExecutionOrder()) {
@@ -54,7 +54,7 @@ const plan::CertifiedPrecondition* Claim(const plan::PlannedStep& step, const ch
   return found == claims.end() ? nullptr : &*found;
 }
 
-// Nothing is in the way in the paper's figures.
+// In the figures of the paper nothing is in the way.
 TEST(TravelPlan, GoesTheUsualWayWhereItIsFree) {
   const domain::Problem problem = constraint_posting::LoadScenario("spar-fig15");
   const plan::PlanResult result = MakeCertifiedPlan(problem, {}, {});
@@ -86,7 +86,8 @@ TEST(TravelPlan, InPaperModeNothingIsSaidOfTheArm) {
   EXPECT_THAT(FlawsOfTravels(problem, plan), IsEmpty());
 }
 
-// A claim that says more than can be computed anew; a posture on the other side of the shoulder.
+// A plan is refused if a claim is stronger than the computed one, or if a posture is on the other
+// side of the shoulder.
 TEST(TravelPlan, WhatIsClaimedOfWaysIsComputedAnew) {
   const domain::Problem problem = constraint_posting::LoadScenario("uncertain-known");
   const plan::Plan plan = MakeCertifiedPlan(problem, {}, {}).plan;
@@ -102,7 +103,7 @@ TEST(TravelPlan, WhatIsClaimedOfWaysIsComputedAnew) {
               Contains(Field(&plan::Flaw::what, HasSubstr("in the posture in which"))));
 }
 
-// Of the arm's ways the plan names what it does not claim, also of the way home.
+// The plan names what it does not claim about the ways of the arm, including the way home.
 TEST(TravelPlan, WhatIsNotClaimedOfWaysIsNamed) {
   const plan::Plan plan =
       MakeCertifiedPlan(constraint_posting::LoadScenario("uncertain-known"), {}, {}).plan;
@@ -123,7 +124,7 @@ TEST(TravelPlan, GoesAroundTheMast) {
   EXPECT_THAT(assembly::Check(Mast(), PlanBesideTheMast(), 10).flaws, IsEmpty());
 }
 
-// Oracle: at every thousandth of each path, no link of the arm comes nearer to the mast than the
+// Oracle: at every thousandth of each path, no link of the arm is nearer to the mast than the
 // clearance that the plan claims.
 TEST(TravelPlan, PathsKeepTheirClearance) {
   motion::Surroundings surroundings;
@@ -148,7 +149,7 @@ TEST(TravelPlan, PathsKeepTheirClearance) {
   }
 }
 
-// A path starts where the step before leaves the tool, and the executor goes on from its end.
+// A path starts where the step before leaves the tool, and the executor continues from its end.
 TEST(TravelPlan, PathsJoinTheStraightLines) {
   for (const plan::StepId id : StepsByPath(PlanBesideTheMast())) {
     const plan::PlannedStep& step = PlanBesideTheMast().step(id);
@@ -176,7 +177,7 @@ TEST(TravelPlan, FlawsAreTold) {
   expect([](plan::Travel& t) { t.path = {t.path.front(), t.path.back()}; }, "the mast");
 }
 
-// Five centimetres farther, the mast stands where the forearm is while the hand takes the peg.
+// The mast is moved by 5 cm to where the forearm is while the hand takes the peg.
 TEST(TravelPlan, TellsWhatIsInTheWay) {
   domain::Problem problem = Mast();
   problem.parts[kMast.index()].X_WorldPart.translation().x() += 0.05;

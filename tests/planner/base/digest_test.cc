@@ -31,7 +31,7 @@ TEST(Digest, KnowsOrderAndEndsOfTexts) {
   EXPECT_EQ(all.size(), 14u);
 }
 
-// Every bit of a text changes about half of the hash's 128, in each half by itself.
+// A change of any bit of the text changes about half of the 64 bits in each half of the hash.
 TEST(Digest, IsChangedByEveryBit) {
   const std::string text = "the quick brown fox";
   const auto half = [](const std::string& hex, int which) {

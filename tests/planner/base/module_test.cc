@@ -32,7 +32,7 @@ TEST(ModuleTest, AMissingOneIsNamedWithItsPackages) {
                     HasSubstr("No such file"), EndsWith("; apt-get install libwish1 libwell2")));
 }
 
-// A library that every program has stands for a module here.
+// A library that every program has takes the place of a module here.
 TEST(ModuleTest, OneWithoutTheEntryIsOfAnotherVersion) {
   EXPECT_EQ(Error({.file = "libc.so.6",
                    .entry = "AssayNothing",

@@ -43,7 +43,7 @@ std::uint64_t Fnv1a(std::string_view text) {
   return hash;
 }
 
-// The values of Rosetta Code, "Pseudo-random numbers/Splitmix64", for the state 1234567.
+// The values are those of Rosetta Code, "Pseudo-random numbers/Splitmix64", for the state 1234567.
 TEST(RandomStreamTest, TheOracleGivesThePublishedSequence) {
   SplitMix64 oracle(1234567);
   for (std::uint64_t expected :
@@ -53,7 +53,7 @@ TEST(RandomStreamTest, TheOracleGivesThePublishedSequence) {
   }
 }
 
-// Reference values of FNV-1a with 64 bits (Fowler, Noll and Vo).
+// The values are reference values of FNV-1a with 64 bits (Fowler, Noll and Vo).
 TEST(RandomStreamTest, TheHashOfTheOracleGivesThePublishedValues) {
   EXPECT_EQ(Fnv1a(""), 0xcbf29ce484222325ULL);
   EXPECT_EQ(Fnv1a("a"), 0xaf63dc4c8601ec8cULL);
@@ -88,7 +88,8 @@ TEST(RandomStreamTest, DiffersBySeedAndByName) {
   EXPECT_EQ(first.size(), 500u);
 }
 
-// Under independence the correlation of n pairs has the standard deviation 1 / sqrt(n).
+// If the streams are independent, the correlation of n pairs has the standard deviation 1 /
+// sqrt(n).
 TEST(RandomStreamTest, StreamsWithOtherNamesAreUncorrelated) {
   constexpr int kDraws = 10000;
   RandomStream a(kSeed, "part 1"), b(kSeed, "part 2");
@@ -132,8 +133,8 @@ TEST(UniformTest, ScalesToAnyInterval) {
 
 class IndexTest : public testing::TestWithParam<int> {};
 
-// Chi-square against the uniform law. The bound is the mean plus five standard deviations of the
-// statistic with count - 1 degrees of freedom.
+// The chi-square statistic is compared with that of the uniform law. The bound is the mean plus
+// five standard deviations of the statistic with count - 1 degrees of freedom.
 TEST_P(IndexTest, IsUnbiased) {
   const int count = GetParam();
   const int draws = 1000 * count;

@@ -37,9 +37,8 @@ using ::testing::IsEmpty;
 using uncertainty::Propagation;
 using uncertainty::UncertainWorld;
 
-// The models of the project, with a workcell `three-places`, where everything can be looked
-// through: parts can be put down at three places, turned as they are, and the tool comes straight
-// down.
+// Returns a copy of the project's models with a workcell `three-places`, which allows an exhaustive
+// search. Parts can be put down at three places without a turn, and the tool comes straight down.
 std::string ModelsWithThreePlaces() {
   const std::filesystem::path models = std::string(ASSAY_SOURCE_DIR) + "/models";
   const std::filesystem::path scratch = ScratchFile("clutter-models");
@@ -61,13 +60,13 @@ std::string ModelsWithThreePlaces() {
   return scratch;
 }
 
-// A peg on its shaft, to be put into a block, with bricks beside it.
+// A scene with a peg on its shaft that must be put into a block, and with bricks beside the peg.
 struct Scene {
-  double peg_error = 0;  // mm, in x and y
+  double peg_error = 0;  // mm, error in x and y
   struct Brick {
     double x = 0;  // mm
     double y = 0;
-    double error = 0;  // mm, in x and y
+    double error = 0;  // mm, error in x and y
   };
   std::vector<Brick> bricks = {};
 
@@ -100,8 +99,9 @@ struct Scene {
   }
 };
 
-// Bricks beside the peg, so near that the fingers have a few millimetres between them and the peg;
-// and one beside the first of them, which is in the way of moving that one.
+// Draws a scene with bricks so near the peg that the fingers have a few millimetres between brick
+// and peg. One brick can stand at the corner between two others, where it is in the way when they
+// are moved.
 Scene RandomScene(RandomStream& random, int most) {
   std::vector<std::pair<int, int>> sides = {{1, 0}, {-1, 0}, {0, 1}, {0, -1}, {1, 1}};
   Scene scene = {.peg_error = random.Uniform(0.05, 1.5)};
@@ -117,20 +117,20 @@ Scene RandomScene(RandomStream& random, int most) {
   return scene;
 }
 
-// What is known of a cluttered scene after some bricks have been moved.
+// The knowledge of a cluttered scene after some bricks were moved.
 struct Moment {
   UncertainWorld world;
   std::vector<Pose> poses;  // by part
   std::vector<bool> moved;  // by part
 };
 
-// Looks through all sequences in which bricks are moved, each once at most, in every order, with
-// every grasp and to every place, and tells how few of them are enough: naive, and exhaustive.
+// Finds the least number of moved bricks that suffices for a proof. It tries all sequences that
+// move each brick at most once, with every grasp and to every place.
 class Exhaustive {
  public:
   explicit Exhaustive(const Problem& problem) : problem_(problem) {}
 
-  // None: not even all of them.
+  // Returns none if not even moving all bricks suffices.
   std::optional<int> LeastMoved() {
     std::vector<Moment> moments = {Beginning()};
     for (int moved = 0; !moments.empty(); ++moved) {
@@ -151,7 +151,7 @@ class Exhaustive {
     return moment;
   }
 
-  // Moments in which the same bricks are at the same places, known as well, are one.
+  // Snapshots with the same bricks at the same places and the same errors count as one.
   std::vector<Moment> AfterOneMore(const std::vector<Moment>& moments) const {
     std::map<std::string, Moment> after;
     for (const Moment& moment : moments) {
@@ -284,14 +284,15 @@ int FromEnvironment(const char* name, int otherwise) {
   return said == nullptr ? otherwise : std::atoi(said);
 }
 
-// Whenever moving some of the bricks gives a proof, the planner finds one, and moves as few as can
-// be. ASSAY_CLUTTER_SCENES: how many scenes; ASSAY_CLUTTER_BRICKS: in each at most, up to five.
+// If moving some of the bricks gives a proof, the planner finds one, and it moves as few bricks as
+// possible. The variable ASSAY_CLUTTER_SCENES sets the number of scenes. ASSAY_CLUTTER_BRICKS sets
+// the greatest number of bricks in each, up to five.
 TEST(Clutter, IsMovedWheneverThatGivesAProofAndAsLittleAsCanBe) {
   const int scenes = FromEnvironment("ASSAY_CLUTTER_SCENES", 12);
   const int bricks = FromEnvironment("ASSAY_CLUTTER_BRICKS", 4);
-  UncertaintyOptions looks;  // with no sensor there are none: the oracle knows no squeezes, either
+  UncertaintyOptions looks;  // the oracle has no sensor and no squeezes
   looks.resolvers = {std::make_shared<SensingResolver>()};
-  std::map<int, int> count;  // of scenes, by how many bricks have to be moved; -1: no proof
+  std::map<int, int> count;  // number of scenes by the number of bricks to move; -1: no proof
   for (int seed = 1; seed <= scenes; ++seed) {
     RandomStream random(static_cast<std::uint64_t>(seed), "clutter");
     const Scene scene = RandomScene(random, bricks);
@@ -340,7 +341,7 @@ TEST(Clutter, IsMovedForTheReasonThatTheStepTells) {
   EXPECT_EQ(told, 1);
 }
 
-// The first place for the regrasp is beside the block, where the hand may meet it.
+// The first place for the regrasp would be beside the block, where the hand may meet it.
 TEST(Clutter, TheRegraspOfFigure16IsNotBesideTheBlock) {
   const plan::PlanResult result = MakeCertifiedPlan(LoadScenario("spar-fig16"), {}, {});
   EXPECT_LE(result.plan.errors, 1);
@@ -355,7 +356,7 @@ TEST(Clutter, TheRegraspOfFigure16IsNotBesideTheBlock) {
   }
 }
 
-// Whatever is objected to, the plan is one that the judge lets pass.
+// Whatever a judge objects to, the resulting plan is one that the judge accepts.
 
 Problem BlockToBeTurned() {
   return ScenarioFrom(R"(format: assay-scenario/1
@@ -418,8 +419,8 @@ TEST(Judge, APartThatIsInTheWayIsMovedAndThePlanSaysWhy) {
   EXPECT_EQ(resolutions.front().steps, (std::vector{order[0], order[1]}));
 }
 
-// An objection that no place and no history can meet leads to no longer plan; one that may be met
-// does, until the budget is spent.
+// An objection that no place and no history can meet does not lead to longer plans. An objection
+// that may be met does, until the budget is spent.
 TEST(Judge, WhoAlwaysObjectsGetsNoPlan) {
   const Problem problem = BlockToBeTurned();
   std::map<bool, std::int64_t> judged;

@@ -19,7 +19,7 @@ bool Respects(const std::vector<int>& order, const Arcs& arcs) {
                              [&](const auto& arc) { return place(arc.first) < place(arc.second); });
 }
 
-// All orders that respect the arcs, by trying every permutation.
+// Returns all orders that respect the arcs, by trying every permutation.
 std::set<std::vector<int>> AllOrders(int steps, const Arcs& arcs) {
   std::set<std::vector<int>> orders;
   std::vector<int> order(steps);

@@ -10,7 +10,7 @@ namespace {
 using domain::ActionKind;
 using domain::PartId;
 
-// The null plan of Spar's worked example: the block must be turned, the peg lies on its side.
+// The null plan of Spar's worked example. The block must be turned, and the peg lies on its side.
 class ExamplePlan : public ::testing::Test {
  protected:
   ExamplePlan() : problem_(LoadScenario("spar-example")), relations_(problem_) {}
@@ -22,7 +22,7 @@ class ExamplePlan : public ::testing::Test {
     return PartId::None();
   }
 
-  // Establishes the goal on top by a new action of its only rule.
+  // Establishes the first goal of the agenda by a new action, for which there is only one rule.
   StepId EstablishByNewStep(PartialPlan& plan) {
     const OperationalGoal goal = *plan.PopOperational();
     const StepId step = plan.AddStep(plan.Establishers(goal).front());
@@ -42,7 +42,7 @@ TEST_F(ExamplePlan, TheNullPlanHasTheUsersGoalsAlone) {
   EXPECT_TRUE(plan.goals().geometric.empty());
 }
 
-// Figure 6: assemble owns goals 1 to 5, two operational and three geometric ones.
+// In figure 6 the assemble action owns goals 1 to 5, two operational and three geometric ones.
 TEST_F(ExamplePlan, AssembleBringsTheGoalsOfFigure6) {
   PartialPlan plan(problem_, relations_);
   const StepId assemble = EstablishByNewStep(plan);
@@ -56,14 +56,15 @@ TEST_F(ExamplePlan, AssembleBringsTheGoalsOfFigure6) {
             domain::ConstraintKind::kInPositionClass);
   EXPECT_EQ(plan.step(assemble).geometric[2].constraint.kind,
             domain::ConstraintKind::kMateReachable);
-  // Only the pose on its back leaves the block's mating features free and takes the mating vector
-  // into the friction cone (Spar: [BP5]).
+  // Only the pose on its back leaves the mating features of the block free and brings the mating
+  // vector into the friction cone (Spar: [BP5]).
   const auto& poses = problem_.part(Part("block")).model->stable_poses();
   ASSERT_EQ(plan.step(assemble).geometric[1].constraint.labels.size(), 1u);
   EXPECT_EQ(poses[plan.step(assemble).geometric[1].constraint.labels[0]].name, "on-back");
 }
 
-// Figure 7: the pickup comes before the assemble, and the goal's variable is the pickup's grasp.
+// In figure 7 the pickup comes before the assemble, and the variable of the goal is the grasp of
+// the pickup.
 TEST_F(ExamplePlan, EstablishingBindsAndOrders) {
   PartialPlan plan(problem_, relations_);
   const StepId assemble = EstablishByNewStep(plan);
@@ -75,7 +76,7 @@ TEST_F(ExamplePlan, EstablishingBindsAndOrders) {
             domain::GraspLabelCount(problem_.part(Part("peg"))));
 }
 
-// "goal_4 ... fails (because the block is not initially resting in stable pose BP5)".
+// Spar: "goal_4 ... fails (because the block is not initially resting in stable pose BP5)".
 TEST_F(ExamplePlan, TheInitialPositionOfTheBlockIsNotInTheClass) {
   PartialPlan plan(problem_, relations_);
   const StepId assemble = EstablishByNewStep(plan);
@@ -86,8 +87,8 @@ TEST_F(ExamplePlan, TheInitialPositionOfTheBlockIsNotInTheClass) {
   EXPECT_FALSE(plan.Post({.consumer = assemble, .goal = 1}));
 }
 
-// action_4 (pickup block) violates gripper(open) of action_2 (pickup peg), and action_3 (putdown
-// block) re-establishes it: "an arc from action_3 to action_2".
+// action_4 (pickup block) violates gripper(open) of action_2 (pickup peg). action_3 (putdown block)
+// re-establishes it: "an arc from action_3 to action_2".
 TEST_F(ExamplePlan, AThreatenedGripperIsReopenedByThePutdown) {
   PartialPlan plan(problem_, relations_);
   EstablishByNewStep(plan);                                                  // action_1: assemble
@@ -127,15 +128,15 @@ TEST_F(ExamplePlan, PromotionPutsTheViolatorAfterTheConsumer) {
   EXPECT_FALSE(plan.IsThreat(*threat));
 }
 
-// A pickup of the block from one place does not take away the block's being in another, if the two
-// positions do not codesignate.
+// If two positions do not codesignate, a pickup of the block from one of them does not undo that
+// the block is at the other.
 TEST_F(ExamplePlan, SeparationKeepsTheTwoPositionsApart) {
   PartialPlan plan(problem_, relations_);
   const StepId assemble = EstablishByNewStep(plan);
-  plan.PopOperational();                            // holding(peg) is left aside
+  plan.PopOperational();                            // holding(peg) stays open
   const StepId putdown = EstablishByNewStep(plan);  // part_location(block, pos)
   const OperationalGoal holding = *plan.PopOperational();
-  const StepId pickup = plan.AddStep(plan.Establishers(holding).front());  // tied to no goal
+  const StepId pickup = plan.AddStep(plan.Establishers(holding).front());  // establishes no goal
   const OperationalGoal location = *plan.PopOperational();
   const StepId other = plan.AddStep(plan.Establishers(location).front());  // a second putdown
   ASSERT_TRUE(plan.Establish(other, location));
@@ -154,7 +155,8 @@ TEST_F(ExamplePlan, SeparationKeepsTheTwoPositionsApart) {
   }
 }
 
-// Posting never leaves the network without a labeling: it is refused instead.
+// Constraint posting never leaves the network without a labeling: it refuses the constraint
+// instead.
 TEST_F(ExamplePlan, AnInconsistentConstraintIsRefused) {
   const domain::Problem problem = LoadScenario("spar-fig13");
   const GeometricRelations relations(problem);
@@ -164,10 +166,10 @@ TEST_F(ExamplePlan, AnInconsistentConstraintIsRefused) {
   const StepId putdown = EstablishByNewStep(plan);
   const StepId pickup = EstablishByNewStep(plan);
   ASSERT_TRUE(plan.Establish(PartialPlan::kStart, *plan.PopOperational()));  // part_location
-  ASSERT_TRUE(plan.Post({.consumer = assemble, .goal = 1}));                 // on its back
-  ASSERT_TRUE(plan.Post({.consumer = pickup, .goal = 0}));                   // reachable face down
+  ASSERT_TRUE(plan.Post({.consumer = assemble, .goal = 1}));  // the block is on its back
+  ASSERT_TRUE(plan.Post({.consumer = pickup, .goal = 0}));    // the grasp is reachable face down
   const GeometricGoalRef both{.consumer = putdown, .goal = 0};
-  EXPECT_FALSE(plan.Post(both));  // no grasp is reachable in both
+  EXPECT_FALSE(plan.Post(both));  // no grasp is reachable in both poses
   EXPECT_EQ(plan.WhyRefused(both).size(), 3u);
   EXPECT_EQ(plan.WhyRefused(both).back(), plan.Text(plan.ConstraintOf(both)));
 }

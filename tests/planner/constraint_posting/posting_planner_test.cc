@@ -56,7 +56,7 @@ std::vector<std::string> Flaws(const domain::Problem& problem, const plan::Plan&
   return flaws;
 }
 
-// The plan of a scenario, checked by the independent checker.
+// Returns the actions of the plan of a scenario, after the independent checker has accepted it.
 std::vector<std::string> PlanOf(const domain::Problem& problem) {
   const plan::PlanResult result = MakePlan(problem, {});
   EXPECT_EQ(result.outcome, Outcome::kFound);
@@ -64,7 +64,8 @@ std::vector<std::string> PlanOf(const domain::Problem& problem) {
   return InOrderOfExecution(problem, result.plan);
 }
 
-// Spar, figures 13 to 17. The block is put on an end or a side in between.
+// The tests below plan figures 13 to 17 of Spar. The block is put on an end or on a side in
+// between.
 TEST(PostingPlanner, Figure13TurnsTheBlockTwice) {
   const domain::Problem problem = LoadScenario("spar-fig13");
   const auto plan = PlanOf(problem);
@@ -97,8 +98,9 @@ TEST(PostingPlanner, Figure16RegraspsThePeg) {
   EXPECT_EQ(plan[3], "assemble peg block");
 }
 
-// Figure 8: assemble, pickup peg, putdown block, pickup block were added in this order, and are
-// executed 4, 3, 2, 1. Figure 9: 2 before 1, 3 before 1, 4 before 3, 3 before 2.
+// In figure 8, assemble, pickup peg, putdown block and pickup block are added in this order, and
+// are executed 4, 3, 2, 1. In figure 9 the ordering is 2 before 1, 3 before 1, 4 before 3, and 3
+// before 2.
 TEST(PostingPlanner, TheWorkedExampleAddsItsStepsInThePapersOrder) {
   const domain::Problem problem = LoadScenario("spar-example");
   const plan::PlanResult result = MakePlan(problem, {});
@@ -169,7 +171,7 @@ goal:
   EXPECT_EQ(std::ranges::count(plan, "assemble peg block"), 1);
 }
 
-// Each brick takes two manipulations by itself; their order is free, and the hand serves one at a
+// Each brick needs two manipulations. The order of the bricks is free, and the hand holds one at a
 // time.
 TEST(PostingPlanner, GoalsOfManyPartsAreMetTogether) {
   std::string parts;
@@ -193,8 +195,8 @@ TEST(PostingPlanner, GoalsOfManyPartsAreMetTogether) {
             4);
 }
 
-// A part that something is mated with stays where it is then: the planner carries no parts that are
-// mated. Others might, so that this is no proof.
+// After a mating the fixed part stays where it is, because the planner does not carry mated parts.
+// Other planners might, so that there is no proof of impossibility.
 TEST(PostingPlanner, MatedPartsAreNotCarriedTogether) {
   const plan::PlanResult result =
       MakePlan(ScenarioFrom(PegAndBlock("{stable: face-down, at: [22, 6], yaw: 30}",
@@ -233,7 +235,7 @@ TEST(PostingPlanner, TheImpossibleScenarioSaysWhy) {
                                    HasSubstr("block starts face-down")));
 }
 
-// The conflict is minimal: the scenario without any one of its constraints has a plan.
+// The conflict is minimal: if any one of its constraints is left out, there is a plan.
 TEST(PostingPlanner, LeavingOutAnyConstraintOfTheConflictGivesAPlan) {
   const auto result = [](const std::string& start, const std::string& end, int lean) {
     return MakePlan(ScenarioFrom(fmt::format(
@@ -271,7 +273,7 @@ struct LabelOf {
   std::string operator()(const auto& action) const { return action.hold.grasp; }
 };
 
-// Instances come lazily, each with other labels, and each works.
+// Instances are made one by one. Each has other labels, and each works.
 TEST(PostingPlanner, InstancesAreDistinctAndWork) {
   const domain::Problem problem = LoadScenario("spar-fig15");
   std::set<std::string> seen;
@@ -291,8 +293,8 @@ TEST(PostingPlanner, InstancesAreDistinctAndWork) {
   EXPECT_EQ(wrong, 0);
 }
 
-// Moved and turned parts: the plans fit, and the independent checker accepts every one. Where there
-// is none, that is proved: parts stand where the arm does not get.
+// The planner finds plans for moved and turned parts, and the independent checker accepts every
+// plan. If there is no plan, because parts are out of reach, the planner proves it.
 TEST(PostingPlanner, MovedAndTurnedPartsGetPlansThatFit) {
   const std::vector<std::string> block_poses = {"face-down", "on-back", "on-end", "on-side"};
   const std::vector<std::string> peg_poses = {"on-side", "shaft-up"};

@@ -15,7 +15,7 @@ inline domain::Problem LoadScenario(const std::string& name) {
                              root + "/models");
 }
 
-// A scenario from its text, with the models of the project.
+// Reads a scenario from its text, with the models of the project.
 inline domain::Problem ScenarioFrom(const std::string& text) {
   return domain::ReadProblem(Document::Parse(text, "scenario.yaml"),
                              std::string(ASSAY_SOURCE_DIR) + "/models");
@@ -28,12 +28,12 @@ inline domain::PartId PartNamed(const domain::Problem& problem, const std::strin
   return domain::PartId::None();
 }
 
-// The first plan instance, without regard to uncertainty.
+// Returns the first plan instance, without regard to uncertainty.
 inline plan::Plan FirstInstance(const domain::Problem& problem) {
   return MakePlan(problem, {}).plan;
 }
 
-// The first ones, at most so many.
+// Returns the first plan instances, at most `most` of them.
 inline std::vector<plan::Plan> Instances(const domain::Problem& problem, std::size_t most) {
   std::vector<plan::Plan> instances;
   PlannerOptions options;
@@ -45,14 +45,14 @@ inline std::vector<plan::Plan> Instances(const domain::Problem& problem, std::si
   return instances;
 }
 
-// In the order of execution.
+// Returns the actions of a plan in the order of execution.
 inline std::vector<plan::Action> ActionsOf(const plan::Plan& plan) {
   std::vector<plan::Action> actions;
   for (const plan::StepId id : plan.ExecutionOrder()) actions.push_back(plan.step(id).action);
   return actions;
 }
 
-// How many of the actions are of a kind.
+// Returns the number of actions of one kind.
 template <class Kind>
 int Count(const std::vector<plan::Action>& actions) {
   int count = 0;
@@ -60,7 +60,7 @@ int Count(const std::vector<plan::Action>& actions) {
   return count;
 }
 
-// Peg and block as in Spar's example, with these poses of the part file.
+// Returns the text of a scenario like Spar's example, with these stable poses of the parts.
 inline std::string PegAndBlock(const std::string& block_pose, const std::string& peg_pose,
                                const std::string& more = "") {
   return R"(format: assay-scenario/1

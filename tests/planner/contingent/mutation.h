@@ -7,16 +7,17 @@
 
 #include "planner/base/random.h"
 
-// Slips of the pen in files of domains and problems.
+// Random mistakes in files of domains and problems.
 namespace assay::contingent {
 
-// How many files are mutated: more of them with ASSAY_MUTATIONS=10000.
+// Returns the number of mutated files. The variable ASSAY_MUTATIONS sets another number, like
+// 10000.
 inline int MutationCount() {
   const char* count = std::getenv("ASSAY_MUTATIONS");
   return count == nullptr ? 1000 : std::atoi(count);
 }
 
-// A word of the text, at `at` or after it, becomes another one.
+// Replaces a word of the text, at `at` or after it, by another word of the text.
 inline std::string WithOtherWord(std::string text, int at, RandomStream& random) {
   constexpr const char* kLetters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789";
   const int size = static_cast<int>(text.size());
@@ -28,8 +29,8 @@ inline std::string WithOtherWord(std::string text, int at, RandomStream& random)
   return text.replace(from, from_end - from, std::string(text, to, to_end - to));
 }
 
-// The text with one slip: something left out, one of `pieces` put in, something written twice, the
-// rest cut off, a word in place of another.
+// Returns the text with one mistake: a piece is left out, one of `pieces` is inserted, a piece is
+// doubled, the rest is cut off, or a word is replaced.
 inline std::string Mutated(const std::string& text, std::span<const char* const> pieces,
                            RandomStream& random) {
   std::string mutated = text;

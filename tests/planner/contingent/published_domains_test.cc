@@ -8,12 +8,12 @@
 namespace assay::contingent::published_domains_test {
 namespace {
 
-// The answers that the literature, or a count by hand, gives of the scenarios in scenarios/know.
+// The known answers to the scenarios in scenarios/know, from the literature or counted by hand.
 struct Known {
   const char* domain;
   const char* problem;
   int least_depth;
-  double leaves;  // of a tree of least depth that looks no more than it must
+  double leaves;  // leaves of a tree of least depth that looks no more than necessary
   Guarantee guarantee = Guarantee::kLeastDepth;
 };
 
@@ -22,26 +22,27 @@ class PublishedDomains : public testing::TestWithParam<Known> {};
 INSTANTIATE_TEST_SUITE_P(
     Scenarios, PublishedDomains,
     testing::Values(
-        // The paper's table II: 4 actions for each can, on every path.
+        // Table II of the paper has 4 actions for each can on every path.
         Known{"force-sensing", "two-cans", 8, 4},
-        // Table I's goal as printed holds at once.
+        // The goal of table I as printed holds at once.
         Known{"force-sensing", "two-cans-as-printed", 0, 1},
-        // The paper's visual scenario: look, then hand the bottle over by the shared place.
+        // The visual scenario of the paper is to look, and then to hand the bottle over at the
+        // shared place.
         Known{"visual-sensing", "one-bottle", 5, 2},
         Known{"visual-sensing", "one-bottle-as-printed", 4, 1},
-        // n - 1 looks and a dunk; by dunking alone it would be 2 n - 1 with the flushes between.
+        // The tree has n - 1 looks and a dunk. By dunking alone it would have 2 n - 1 actions with
+        // the flushes between them.
         Known{"bomb-in-the-toilet", "four-packages", 4, 4},
-        // One more dial than wrong combinations that can be tried.
+        // The plan has one dial action more than there are wrong combinations.
         Known{"opening-a-safe", "safe-by-trial", 5, 5},
-        // The note gives a run-time value: no branch.
+        // The note gives a run-time value, so that no branch is needed.
         Known{"opening-a-safe", "safe-with-note", 2, 1},
-        // Stain, n - 1 looks, medicate.
+        // The tree has a stain, n - 1 looks and a medication.
         Known{"medicate", "four-illnesses", 5, 4},
-        // 10 steps through the tree of directories, 3 of its 4 leaves listed, mv.
+        // The tree has 10 steps through the directories, lists 3 of its 4 leaves, and ends with mv.
         Known{"unix", "find-a-file", 14, 4},
         Known{"slippery-grasp", "hold-the-cup", 1, 1, Guarantee::kIfFair},
-        // At least 2 is in the jug, and a pour adds at least 1: two pours are enough without a
-        // look.
+        // At least 2 is in the jug, and a pour adds at least 1. Two pours suffice without a look.
         Known{"pouring", "half-full-jug", 3, 1}),
     [](const testing::TestParamInfo<Known>& known) {
       std::string name = known.param.problem;
@@ -71,7 +72,7 @@ TEST_P(PublishedDomains, FirstTreeHolds) {
   EXPECT_TRUE(check.holds) << check.failure;
 }
 
-// A cup is grasped where it turns out to be, and is then nowhere that is known.
+// A cup is grasped at the place where it turns out to be. Afterwards its place is unknown.
 TEST(RunTimeVariables, TheValueThatTheyStandForCanBeForgotten) {
   const std::string problem =
       "problem test domain kitchen\n"
@@ -94,7 +95,7 @@ TEST(RunTimeVariables, TheValueThatTheyStandForCanBeForgotten) {
   EXPECT_TRUE(check.holds) << check.failure;
 }
 
-// Table II, whose end the paper leaves out.
+// The tree is that of table II, whose end the paper leaves out.
 TEST(ForceSensing, ThePapersTree) {
   const GroundTask task = GroundScenario("force-sensing", "two-cans");
   const ContingentPlan plan = PlanFor(task, Wanted::kFirst);
@@ -120,8 +121,8 @@ TEST(ForceSensing, ThePapersTree) {
                 second);
 }
 
-// What is known of a can that has been moved away matters no more: the tree of 2^n leaves has 5 n
-// actions and 6 n + 1 nodes.
+// What is known about a can that was moved away does not matter afterwards. The tree of 2^n leaves
+// therefore has only 5 n actions and 6 n + 1 nodes.
 TEST(ForceSensing, SharedSubPlansGrowLinearly) {
   for (const auto& [problem, cans] : {std::pair("two-cans", 2), std::pair("three-cans", 3),
                                       std::pair("five-cans", 5), std::pair("ten-cans", 10)}) {
@@ -163,7 +164,7 @@ TEST(Plans, BudgetAndProofOfNone) {
   const GroundTask cans = GroundScenario("force-sensing", "five-cans");
   EXPECT_EQ(PlanFor(cans, Wanted::kFirst, 5).outcome, Outcome::kBudget);
   EXPECT_EQ(PlanFor(cans, Wanted::kLeastDepth, 5).outcome, Outcome::kBudget);
-  // Nobody can tell which door hides the tiger, and one of them must be opened.
+  // Nobody can find out which door hides the tiger, and one door must be opened.
   const GroundTask tiger = GroundText(
       "domain tiger types: door predicates: tiger(door), eaten, out\n"
       "action open(?d: door) effects: add(Kf, out), K(tiger(?d)) => add(Kf, eaten)",
@@ -174,7 +175,8 @@ TEST(Plans, BudgetAndProofOfNone) {
   EXPECT_EQ(PlanFor(tiger, Wanted::kLeastDepth).outcome, Outcome::kNone);
 }
 
-// What is told where something else is known contradicts that: a plan with it serves there no more.
+// A sub-plan whose action adds knowledge is not reused where this knowledge contradicts what else
+// is known.
 TEST(Plans, AreNotReusedWhereWhatIsToldContradicts) {
   const GroundTask alternatives = GroundText(
       "domain kx predicates: a, c\n"
@@ -186,7 +188,7 @@ TEST(Plans, AreNotReusedWhereWhatIsToldContradicts) {
       "action shuffle effects: del(Kf, n = 2)\n"
       "action tell effects: add(Kf, n <= 1), add(Kf, g)\n",
       "problem n domain n init: add(Kf, n = 2), add(Kf, !g) goal: K(g)");
-  // And what is told where r is known, where it is not.
+  // A sub-plan whose action adds knowledge where r is known is not reused where r is unknown.
   const GroundTask under_condition = GroundText(
       "domain r predicates: r functions: n: number\n"
       "action learn effects: add(Kf, r)\n"
@@ -201,7 +203,7 @@ TEST(Plans, AreNotReusedWhereWhatIsToldContradicts) {
   }
 }
 
-// A switch that may not be connected: trying again tells the same again.
+// A switch may not be connected. Trying again gives the same result.
 TEST(Plans, RepeatNothingThatStaysAsItIs) {
   const GroundTask task = GroundText(
       "domain lamp predicates: connected, lit\n"

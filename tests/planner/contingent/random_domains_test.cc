@@ -16,7 +16,7 @@ namespace {
 constexpr int kAtoms = 4;
 constexpr int kTrees = 1000;
 constexpr int kDomains = 1000;
-constexpr int kQuarters = 4;  // to run side by side
+constexpr int kQuarters = 4;  // quarters run side by side
 constexpr int kOraclesDepth = 5;
 
 std::string Atom(RandomStream& random) { return fmt::format("p{}", random.Index(kAtoms)); }
@@ -25,7 +25,7 @@ std::string RandomLiteral(RandomStream& random) {
   return (random.Index(2) == 0 ? "" : "!") + Atom(random);
 }
 
-// "p1", "!p0 & p3".
+// Returns a random conjunction, like "p1" or "!p0 & p3".
 std::string RandomConjunction(RandomStream& random) {
   if (random.Index(3) > 0) return Atom(random);
   const int first = random.Index(kAtoms);
@@ -39,7 +39,7 @@ std::string RandomKnown(RandomStream& random) {
   return fmt::format("K({})", RandomLiteral(random));
 }
 
-// Of what is known, and of what is not.
+// Returns a random query about what is known or unknown.
 std::string RandomQuery(RandomStream& random) {
   switch (random.Index(8)) {
     case 0:
@@ -55,8 +55,8 @@ std::string RandomQuery(RandomStream& random) {
   }
 }
 
-// Each action writes to one half of the atoms and forgets of the other, so that what it does is the
-// same in whatever order its effects are read.
+// Returns random effects. They set one half of the atoms and forget the other half, so that their
+// order does not matter.
 std::string RandomEffects(RandomStream& random) {
   std::string effects;
   const int groups = 1 + random.Index(3);
@@ -119,8 +119,8 @@ std::string RandomProblem(RandomStream& random) {
 
 class RandomDomains : public testing::TestWithParam<int> {
  protected:
-  // Calls `test` with tasks of this quarter until it has returned true so often; init that
-  // contradicts itself is redrawn.
+  // Calls `test` with tasks of this quarter until it has returned true `count / kQuarters` times. A
+  // contradictory init is drawn again.
   template <class Test>
   void ForTasks(int count, const Test& test) {
     int counted = 0;
@@ -159,7 +159,8 @@ TEST_P(RandomDomains, TreesHoldInEveryWorld) {
   });
 }
 
-// One of the tree's actions is another one, or the cases of a branch change places.
+// Returns the tree with another action in place of one of its actions, or with swapped children of
+// a branch.
 PlanTree Corrupted(const GroundTask& task, PlanTree tree, RandomStream& random) {
   PlanNode& node = tree.nodes[random.Index(static_cast<int>(tree.nodes.size()))];
   if (node.kind == PlanNode::Kind::kAct) {
@@ -169,7 +170,8 @@ PlanTree Corrupted(const GroundTask& task, PlanTree tree, RandomStream& random) 
   return tree;
 }
 
-// Oracle: all worlds, one by one. Where sets tell at all, they tell the same, for as many worlds.
+// Oracle: all worlds one by one. Where sets of worlds give an answer, it is the same answer for the
+// same number of worlds.
 TEST_P(RandomDomains, SetsOfWorldsTellWhatWorldsTell) {
   RandomStream random(GetParam(), "corrupted trees");
   int told = 0;

@@ -9,15 +9,15 @@
 #include "planner/contingent/tree/tree_text.h"
 #include "tests/planner/contingent/tasks.h"
 
-// Random domains with all that the language has: functions of objects and numbers, run-time
-// variables, conjunctions in Kw, update rules. There is no oracle for their depth, but each tree
-// must hold.
+// Random domains with everything in the language: functions of objects and numbers, run-time
+// variables, conjunctions in Kw, and update rules. There is no oracle for the depth of their trees,
+// but each tree must hold.
 namespace assay::contingent::rich_domains_test {
 namespace {
 
-constexpr int kQuarters = 4;  // to run side by side
+constexpr int kQuarters = 4;  // quarters run side by side
 
-// So many trees; more of them with ASSAY_TREES=20000.
+// Returns the number of trees. The variable ASSAY_TREES sets another number, like 20000.
 int TreeCount() {
   const char* count = std::getenv("ASSAY_TREES");
   return count == nullptr ? 1000 : std::atoi(count);
@@ -54,14 +54,14 @@ std::string RandomFact(RandomStream& random) {
   return Pick(random, {"add(Kf, p)", "add(Kf, !p)", "add(Kf, q)", "add(Kf, !q)", "add(Kf, r)"});
 }
 
-// Of worlds, or of what is not known; most often none.
+// Returns a random condition on the world or on what is unknown. Most often it is empty.
 std::string RandomCondition(RandomStream& random) {
   return Pick(random, {"", "", "", "K(q) => ", "K(!r) => ", "K(f = a) => ", "K(s) => ",
                        "K(p) | K(!q) => ", "K(q) & K(r) => ", "!Kw(r) => ", "!K(s) => ",
                        "K(n > 2) => ", "K(q & n <= 1) => ", "K(n > 1) | K(r) => "});
 }
 
-// What an action tells.
+// Returns random knowledge that an action adds.
 std::string RandomTold(RandomStream& random) {
   return Pick(random, {"add(Kx, p | q)", "add(Kx, q | !r | s)", "add(Kx, some(p | !q))",
                        "add(Kx, f = a | f = b)", "add(Kx, f = a | q)", "add(Kx, some(f = b | !p))",
@@ -142,7 +142,7 @@ std::string RandomProblem(RandomStream& random) {
                                    "Kv(n within 0.1)", "Kv(n)"}));
 }
 
-// Bounds carried back for ever: a limit of the checker.
+// Returns whether bounds were carried back without end, which is a limit of the checker.
 bool IsOfTooManyNumbers(const TreeCheck& check) {
   return check.failure.find("a sample of numbers cannot tell") != std::string::npos;
 }

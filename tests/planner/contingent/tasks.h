@@ -8,7 +8,7 @@
 #include "planner/contingent/grounding/grounding.h"
 #include "planner/contingent/search/contingent_planner.h"
 
-// Tasks for tests: from text, and from the scenarios.
+// Tasks for tests, from text and from the scenarios.
 namespace assay::contingent {
 
 inline GroundTask GroundText(const std::string& domain, const std::string& problem,
@@ -30,7 +30,7 @@ inline ContingentPlan PlanFor(const GroundTask& task, Wanted wanted,
   return MakePlan(task, wanted, budget);
 }
 
-// What InputError says, or "no error".
+// Returns the message of the InputError, or "no error".
 template <class Function>
 std::string MessageOf(const Function& function) {
   try {
@@ -41,7 +41,7 @@ std::string MessageOf(const Function& function) {
   return "no error";
 }
 
-// Nodes of trees by hand, that go on with those of these places.
+// These functions make nodes of trees by hand. Their arguments are the places of the next nodes.
 inline PlanNode ActOf(const GroundTask& task, const std::string& name, int then) {
   const auto action = std::ranges::find(task.actions, name, &GroundAction::name);
   PlanNode node;

@@ -9,7 +9,7 @@
 #include "planner/contingent/worlds/world_progression.h"
 #include "tests/planner/contingent/tasks.h"
 
-// A function has one value at most, in all that is known of it.
+// A function has at most one value in everything that is known about it.
 namespace assay::contingent::unique_names_test {
 namespace {
 
@@ -50,7 +50,7 @@ GroundTask RandomTask(RandomStream& random) {
       domain, "problem u domain u init: " + init + " goal: K(p) & K(q) & K(f = a) & K(g = a)");
 }
 
-// Oracle: what is true in all worlds.
+// Oracle: what is true in all worlds is known.
 void ExpectKnown(const GroundTask& task, const KnowledgeBase& knowledge,
                  const KnowledgeState& state, const Worlds& worlds) {
   for (std::size_t a = 0; a < task.atoms.size(); ++a) {
@@ -95,7 +95,7 @@ TEST(UniqueNames, TellWhatWorldsTell) {
   EXPECT_GT(applied, kTasks);
 }
 
-// Motion detectors of two rooms, and one guest.
+// Two rooms have motion detectors, and there is one guest.
 TEST(UniqueNames, NoOneIsInTwoRooms) {
   const GroundTask task = GroundText(
       "domain house types: room constants: hall, kitchen, cellar: room\n"
@@ -113,7 +113,7 @@ TEST(UniqueNames, NoOneIsInTwoRooms) {
   EXPECT_TRUE(CheckTree(task, plan.tree).holds);
 }
 
-// Where both happen; where they may, and where they surely do not.
+// The cases are that both effects happen, that they may happen, and that they surely do not.
 TEST(TwoValues, AreNotGivenAtOnce) {
   const auto task_with = [](const std::string& init) {
     return GroundText(
@@ -141,7 +141,7 @@ TEST(TwoValues, AreNotGivenAtOnce) {
   }
 }
 
-// The sub-plan of one branch, where r is known, is none for the other, where it is not.
+// The sub-plan of the branch in which r is known is not reused in the branch in which r is unknown.
 TEST(TwoValues, AreNotGivenByReusedSubPlans) {
   const GroundTask task = GroundText(
       "domain two types: thing constants: a, b, c: thing predicates: r, s, mixed\n"
@@ -174,7 +174,7 @@ TEST(TwoValues, AreAnErrorWhereTheyAreEvident) {
   EXPECT_THAT(message("add(Kf, n = 1), add(Kf, n = 2)"),
               HasSubstr("domain.pks:2:20: n gets two values at once"));
   EXPECT_EQ(message("add(Kf, f = a); add(Kf, f = a)"), "no error");
-  // In every instance, and in those where ?x is not ?y.
+  // The error concerns every instance, or the instances in which ?x is not ?y.
   const auto message_of_parameters = [](const std::string& parameters, const std::string& effects) {
     return MessageOf([&] {
       GroundText(

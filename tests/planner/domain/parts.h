@@ -40,7 +40,8 @@ inline const std::vector<std::string>& PartNames() {
   return names;
 }
 
-// An octagonal shaft through an octagonal flange: boxes at odd angles, solids that overlap.
+// Returns a part file with an octagonal shaft through an octagonal flange. Its boxes are at odd
+// angles, and its solids overlap.
 inline std::string OctagonalPeg() {
   return R"(
 format: assay-part/1

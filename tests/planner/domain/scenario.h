@@ -25,7 +25,7 @@ inline Problem ParseScenario(const std::string& text) {
   return ReadProblem(Document::Parse(text, "scenario.yaml"), ModelsFolder());
 }
 
-// The names of all scenarios, sorted.
+// Returns the sorted names of all scenarios.
 inline std::vector<std::string> AllScenarios() {
   std::vector<std::string> names;
   for (const auto& entry : std::filesystem::directory_iterator(ScenarioPath("any").parent_path())) {

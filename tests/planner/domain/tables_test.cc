@@ -18,7 +18,7 @@ using testing::HasSubstr;
 
 class TwoTables : public testing::Test {
  protected:
-  // The first can, upright at a place.
+  // Returns whether the first can, upright at this place, is on a table.
   bool IsOnTable(double x, double y) const { return OnTable(problem_, PartId(0), At(x, y)); }
   std::string TableAt(double x, double y) const {
     return TableUnder(*problem_.workcell, problem_.parts[0], At(x, y)).name;
@@ -30,7 +30,7 @@ class TwoTables : public testing::Test {
   const Problem problem_ = LoadScenario("two-cans");
 };
 
-// Each table is by itself: nothing stands with one foot on each, or over the gap.
+// The tables are separate: a part cannot stand on both or over the gap.
 TEST_F(TwoTables, APartStandsOnOneOfThem) {
   EXPECT_TRUE(IsOnTable(0.6, -0.4));
   EXPECT_TRUE(IsOnTable(0.6, 0.4));
@@ -46,7 +46,7 @@ TEST_F(TwoTables, TheFirstIsTheOneThatIsLookedAt) {
   ASSERT_EQ(problem_.workcell->tables().size(), 2u);
 }
 
-// The message about the workcell's file with something in place of its tables.
+// Returns the error message for the workcell file with other text in place of its tables.
 std::string ErrorOf(const std::string& tables) {
   std::ostringstream text;
   text << std::ifstream(ModelsFolder() / "workcells/two-tables/workcell.yaml").rdbuf();

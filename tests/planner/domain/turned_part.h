@@ -6,10 +6,10 @@
 
 #include "planner/geometry/pose.h"
 
-// A peg with a plate, written as a part file in a frame of one's choice: the same part, moved.
+// A peg with a plate, written as a part file in any frame, so that the same part is moved.
 namespace assay::domain {
 
-// X_NewOld turns by multiples of 90 degrees.
+// Returns the part file of the peg moved by X_NewOld, whose rotation must consist of quarter turns.
 inline std::string MovedPeg(const geometry::Pose& X_NewOld) {
   const auto box = [&](const geometry::Vector3& a, const geometry::Vector3& b) {
     const geometry::Vector3 p = X_NewOld * a, q = X_NewOld * b;

@@ -6,7 +6,8 @@
 
 namespace assay::finemotion {
 
-// All sums of the center and the generators with any signs: the corners, and points inside.
+// Returns all sums of the center and the generators with any signs. These include the corners, and
+// points inside.
 inline std::vector<Eigen::VectorXd> Corners(const Zonotope& of) {
   std::vector<Eigen::VectorXd> corners = {of.center};
   for (const auto generator : of.generators.colwise()) {

@@ -12,9 +12,9 @@
 
 #include "planner/finemotion/contacts/primitive_contact.h"
 
-// All sets of primitive contacts that can touch together, by linear programs: of every contact a
-// program says that it touches, that its gap is positive, or that one of its limits is exceeded,
-// and every combination is tried that is not already impossible without the rest.
+// Finds all sets of primitive contacts that can touch together, by linear programs. For each
+// contact a program states that it touches, that its gap is positive, or that one of its limits is
+// exceeded. Every combination is tried unless a part of it is impossible already.
 namespace assay::oracle {
 
 using finemotion::HalfSpace;
@@ -23,39 +23,39 @@ using finemotion::PrimitiveContact;
 
 class FeasibleContacts {
  public:
-  // In poses whose six scaled coordinates (d, radius w) are in [-reach, reach] metres.
+  // Considers poses whose six scaled coordinates (d, radius w) are in [-reach, reach] metres.
   FeasibleContacts(const std::vector<PrimitiveContact>& contacts, double reach, double radius)
       : reach_(reach), radius_(radius) {
     for (std::size_t i = 0; i < contacts.size(); ++i) AddContact(contacts[i], static_cast<int>(i));
     CloseEnds();
   }
 
-  // Each set names the first contact of those on one C-surface.
+  // Returns the sets. Each names the first contact of those on one C-surface.
   std::set<std::vector<int>> All() {
     all_.clear();
     Decide(0, {});
     return all_;
   }
 
-  // Of all programs that had a solution, the least margin to a strict inequality, as far as it
-  // decided something, metres; and how many programs there were.
+  // Returns the least margin to a strict inequality over all programs with a solution, if it
+  // decided something, in metres. `programs` is the number of programs.
   double least_margin() const { return least_margin_; }
   int programs() const { return programs_; }
 
  private:
-  // a . x <= b, or = b; strict: by a margin that is maximized.
+  // A condition a . x <= b or a . x = b. A strict condition has a margin, which is maximized.
   struct Condition {
     Eigen::VectorXd a;
     double b = 0;
     enum class Kind { kEqual, kAtMost, kBelow } kind = Kind::kAtMost;
   };
   using Conditions = std::vector<Condition>;
-  using Clause = std::vector<Conditions>;  // all conditions of one of them
+  using Clause = std::vector<Conditions>;  // one set of conditions must hold completely
 
   struct Limit {
     Eigen::VectorXd a;
     double b = 0;
-    bool open = false;  // the end of a face or an edge where no other face rises
+    bool open = false;  // the end of a face or edge beyond which no other face rises
   };
   using Patch = std::vector<Limit>;
 
@@ -96,8 +96,8 @@ class FeasibleContacts {
     }
   }
 
-  // An end belongs to a patch where what is past it is behind another surface: in front of all of
-  // them the end can just be reached.
+  // An end belongs to a patch if everything past it is behind another surface. The end can just be
+  // reached if it is in front of all surfaces.
   void CloseEnds() {
     for (Surface& surface : surfaces_) {
       Conditions in_front = {surface.gap_is_0};
@@ -117,8 +117,9 @@ class FeasibleContacts {
 
   static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
 
-  // Inside of a patch, whatever one of its limits says. Where things can move across a limit, the
-  // set of contacts has the dimension that its rows leave it only if the limit is not reached.
+  // Returns conditions for being inside a patch, without one of its limits. If things can move
+  // across a limit, the set of contacts has the dimension of its rows only if the limit is not
+  // reached.
   static Conditions Inside(const Patch& patch, const Eigen::MatrixXd& free,
                            std::size_t except = kNone) {
     Conditions inside;
@@ -142,7 +143,7 @@ class FeasibleContacts {
     return outside;
   }
 
-  // For every seam of two patches of the surface: the patches and the limits.
+  // Calls `todo` for every seam of two patches of the surface, with the patches and the limits.
   template <class Do>
   static void ForSeams(const Surface& surface, const Do& todo) {
     for (std::size_t p = 0; p < surface.patches.size(); ++p) {
@@ -173,7 +174,7 @@ class FeasibleContacts {
     return covered;
   }
 
-  // Neither touched nor behind: all of these.
+  // Returns the clauses for a surface that is neither touched nor behind. All of them must hold.
   static std::vector<Clause> Left(const Surface& surface) {
     using Kind = Condition::Kind;
     const Conditions in_front = {{-surface.gap_is_0.a, -surface.gap_is_0.b, Kind::kBelow}};
@@ -194,7 +195,7 @@ class FeasibleContacts {
     return left;
   }
 
-  // Of the surfaces before k, these are touched and no others.
+  // Decides sets in which exactly `touched` of the surfaces before k are touched.
   void Decide(std::size_t k, const std::vector<std::size_t>& touched) {
     if (!Satisfiable({}, Clauses(k, touched, Eigen::MatrixXd(kPoseDimensions, 0)))) return;
     if (k < surfaces_.size()) {
@@ -224,7 +225,8 @@ class FeasibleContacts {
     return clauses;
   }
 
-  // A basis of what the gaps of these surfaces do not change along, a column each.
+  // Returns a basis, one vector per column, of the directions that do not change the gaps of these
+  // surfaces.
   Eigen::MatrixXd FreeDirections(const std::vector<std::size_t>& touched) const {
     Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(std::ssize(touched) + 1, kPoseDimensions);
     for (std::size_t i = 0; i < touched.size(); ++i) {
@@ -273,7 +275,7 @@ class FeasibleContacts {
     });
   }
 
-  // The point with the greatest margin, if it is enough. Variables are in millimetres.
+  // Returns the point with the greatest margin if it is large enough. Variables are in millimetres.
   std::optional<Solution> Solve(const Conditions& conditions, double least_margin = kLeastMargin) {
     ++programs_;
     const std::unique_ptr<glp_prob, decltype(&glp_delete_prob)> problem(glp_create_prob(),

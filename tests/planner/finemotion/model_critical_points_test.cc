@@ -6,14 +6,15 @@
 #include "planner/finemotion/contacts/mating.h"
 #include "tests/planner/domain/scenario.h"
 
-// The matings of the repository's parts: where on the way in other faces begin to touch, by the
-// dimensions of the part files.
+// The critical points of the matings of the parts in the repository. The expected values follow
+// from the dimensions in the part files.
 namespace assay::finemotion::model_critical_points_test {
 namespace {
 
 constexpr double kInch = 0.0254;
 
-// Along the mating vector of the scenario's goal, of the parts without clearance.
+// Returns the critical points along the mating vector of the goal of the scenario, for parts
+// without clearance.
 std::vector<CriticalPoint> CriticalPointsIn(const std::string& scenario) {
   const domain::Problem problem = domain::LoadScenario(scenario);
   const domain::Mating& mating = problem.matings.front();
@@ -24,7 +25,7 @@ std::vector<CriticalPoint> CriticalPointsIn(const std::string& scenario) {
                         mating.mating_vector);
 }
 
-// The ways, in inches, that are left at the critical points, and how many pairs of faces touch
+// The remaining ways in inches at the critical points, and the numbers of pairs of faces that touch
 // after them.
 struct Expected {
   const char* scenario;
@@ -47,16 +48,17 @@ TEST_P(ModelCriticalPoints, AreWhereTheDimensionsSay) {
 INSTANTIATE_TEST_SUITE_P(
     Scenarios, ModelCriticalPoints,
     testing::Values(
-        // The shaft enters; the plate lands.
+        // The shaft enters, and then the plate lands.
         Expected{"spar-fig15", {2.75, 0}, {4, 5}},
-        // Shaft and key enter together: three sides of each, and of the shaft's fourth side what is
-        // to the left and to the right of the key.
+        // Shaft and key enter together. Three sides of each touch. Of the fourth side of the shaft,
+        // the pieces to the left and right of the key touch.
         Expected{"keyed", {2.75, 0}, {8, 9}}, Expected{"mate-keyed", {2.75, 0}, {8, 9}},
-        // The narrow shaft, 1.65 of it, enters its hole in the step; then the wide one; the plate.
+        // The narrow shaft, 1.65 of it, enters its hole in the step. Then the wide shaft enters,
+        // and then the plate lands.
         Expected{"mate-stepped", {1.65, 1.05, 0}, {4, 8, 9}},
         Expected{"mate-octagonal", {2.75, 0}, {8, 9}},
-        // The head enters the mouth: both ends and the back. Then it goes under the two lips, and
-        // the stem between them. The plate lands.
+        // The head enters the mouth with both ends and the back. Then it goes under the two lips,
+        // with the stem between them. Then the plate lands.
         Expected{"mate-t-slot", {2.75, 1.95, 0}, {3, 7, 8}}),
     [](const auto& test) {
       std::string name = test.param.scenario;

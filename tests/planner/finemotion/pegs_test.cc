@@ -29,8 +29,8 @@ TEST_P(Pegs, APegIsAPrism) {
   EXPECT_EQ(peg.vertices.size(), 2 * n);
 }
 
-// Its walls are so far outside of the peg's sides, and it has a convex edge at the rim of each,
-// besides the edges of the block's outside.
+// The walls of the hole are outside the sides of the peg by the play. The hole has a convex edge at
+// the rim of each wall, beside the edges on the outside of the block.
 TEST_P(Pegs, AHoleIsWiderByThePlay) {
   const auto n = static_cast<std::size_t>(GetParam());
   const Polyhedron block = MakePassage(kPlay).stationary;
@@ -42,11 +42,11 @@ TEST_P(Pegs, AHoleIsWiderByThePlay) {
     if (!is_wall(face)) continue;
     EXPECT_NEAR(face.height, -(kHalf + kPlay), 1e-9);
   }
-  EXPECT_EQ(block.edges.size(), 2 * n + 3 * n);  // rims above and below, and outside
+  EXPECT_EQ(block.edges.size(), 2 * n + 3 * n);  // the rims above and below, and the outside
   EXPECT_EQ(block.vertices.size(), 2 * n);
 }
 
-// Over the hole each side of the peg is as far from its wall as the play says.
+// Over the hole, the distance of each side of the peg from its wall is the play.
 TEST_P(Pegs, FitsWithItsPlay) {
   const Passage passage = MakePassage(kPlay);
   Pose in = passage.X_StationaryEntry;
@@ -58,10 +58,10 @@ TEST_P(Pegs, FitsWithItsPlay) {
     EXPECT_NEAR(contact.offset, kPlay, 1e-9);
     ++sides;
   }
-  EXPECT_EQ(sides, 2 * GetParam());  // each lower corner against two walls
+  EXPECT_EQ(sides, 2 * GetParam());  // each lower corner touches two walls
 }
 
-// Without play its sides slide on the walls as soon as it is in.
+// Without play the sides of the peg slide on the walls as soon as it is in.
 TEST_P(Pegs, TouchesAllWallsWithoutPlay) {
   const Passage passage = MakePassage(0);
   const auto points = CriticalPoints(passage.moving, passage.stationary,
@@ -77,7 +77,7 @@ TEST_P(Pegs, TouchesAllWallsWithoutPlay) {
 
 INSTANTIATE_TEST_SUITE_P(Sides, Pegs, ::testing::Values(4, 6, 8, 12, 16));
 
-// The same piece whichever generator makes it.
+// Both generators make the same piece.
 TEST(Pieces, ABoxIsASquarePrism) {
   const Polyhedron prism =
       OutsideOf({workloads::PrismPiece({.sides = 4, .half = kHalf, .length = 0.07})});

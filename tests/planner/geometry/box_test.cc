@@ -41,7 +41,7 @@ Vector3 PointNear(RandomStream& random, const Box& box) {
   return box.X_FrameBox * factors.cwiseProduct(box.half_extents);
 }
 
-// A prism with 2k sides as a union of k boxes that share an axis.
+// Returns a prism with 2k sides as a union of k boxes that share an axis.
 std::vector<Box> Prism(int k, double inradius, double half_height) {
   const double half_side = inradius * std::tan(kPi / (2 * k));
   std::vector<Box> boxes;
@@ -146,7 +146,7 @@ TEST(SubtractTest, VolumesAddUpAndMembershipAgrees) {
   }
 }
 
-// The closed form of a solid box.
+// Returns the mass properties of a solid box in closed form.
 MassProperties SolidBox(const Box& box, double density) {
   const double mass = density * box.Volume();
   const Vector3 squares = box.half_extents.cwiseAbs2();
@@ -155,7 +155,7 @@ MassProperties SolidBox(const Box& box, double density) {
   return {mass, box.X_FrameBox.translation(), R * own.asDiagonal() * R.transpose()};
 }
 
-// Both about the whole's centre, by the parallel-axis law; scale -1 takes b away.
+// Combines two bodies about their common centre by the parallel-axis law. A scale of -1 removes b.
 MassProperties Combined(const MassProperties& a, const MassProperties& b, double scale) {
   const double mass = a.mass + scale * b.mass;
   const Vector3 center = (a.mass * a.center + scale * b.mass * b.center) / mass;
@@ -225,9 +225,9 @@ TEST(MassTest, PrismsOfRotatedBoxesHaveTheClosedForm) {
   for (int k : {2, 3, 4, 6, 8}) {
     for (double half_height : {0.02, 1.0, 8.0}) {
       const double side = 2 * std::tan(kPi / (2 * k));
-      const double area = k * side;  // 2k triangles of height 1
+      const double area = k * side;  // the area of 2k triangles of height 1
       const double mass = 2 * half_height * area;
-      // A regular polygon's polar moment: area * (inradius^2 / 2 + side^2 / 24).
+      // The polar moment of a regular polygon is area * (inradius^2 / 2 + side^2 / 24).
       const double polar = mass * (0.5 + side * side / 24);
       const double lateral = polar / 2 + mass * half_height * half_height / 3;
       const MassProperties expected{mass, Vector3::Zero(),
@@ -241,7 +241,7 @@ TEST(MassTest, PrismsOfRotatedBoxesHaveTheClosedForm) {
 TEST(MassTest, BoxesAtOddAnglesWithinATenthOfAPercent) {
   RandomStream random(kSeed, "odd angles");
   for (int i = 0; i < 50; ++i) {
-    // A small box inside a large one adds nothing; one far away adds itself.
+    // A small box inside a large one adds no volume. A box far away adds its own volume.
     const Box large = RandomBox(random, 1, 0.5, 1);
     const Box inside = Box{RandomPose(random, 0.1), {0.2, 0.1, 0.1}}.Transformed(large.X_FrameBox);
     Box apart = RandomBox(random, 1, 0.1, 1);

@@ -19,7 +19,7 @@ using oracle::RandomQuarterTurns;
 using oracle::RandomVector;
 
 constexpr std::uint64_t kSeed = 51;
-constexpr double kAccuracy = 1e-7;  // metres, of distances
+constexpr double kAccuracy = 1e-7;  // metres, the accuracy of distances
 
 CollisionShape ShapeOf(const Box& box) { return CollisionShape(std::span(&box, 1)); }
 
@@ -40,7 +40,8 @@ struct BoxPair {
   Box b;
 };
 
-// Pairs at random angles, at quarter turns, and at angles off those by 1e-12 to 1e-3.
+// Draws a pair of boxes at random angles, at quarter turns, or at angles that differ from these by
+// 1e-12 to 1e-3.
 BoxPair RandomPair(RandomStream& random, double reach) {
   BoxPair pair{RandomBox(random, reach, 0.005, 0.1), RandomBox(random, reach, 0.005, 0.1)};
   const int kind = random.Index(3);
@@ -155,7 +156,7 @@ Shape RandomShape(RandomStream& random, double reach) {
   return shape;
 }
 
-// Every box against every box, in the world.
+// The oracle's answer: the least values over all pairs of boxes, in the world frame.
 struct Nearest {
   double separation = std::numeric_limits<double>::infinity();
   double distance = std::numeric_limits<double>::infinity();

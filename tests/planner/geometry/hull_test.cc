@@ -20,7 +20,8 @@ using oracle::RandomVector;
 constexpr std::uint64_t kSeed = 41;
 constexpr double kPi = std::numbers::pi;
 
-// The divergence theorem: a third of the sum of offset times area.
+// Returns the volume by the divergence theorem: a third of the sum of offset times area of all
+// facets.
 double VolumeOf(const ConvexHull& hull) {
   double volume = 0;
   for (const Facet& facet : hull.facets) {
@@ -32,7 +33,8 @@ double VolumeOf(const ConvexHull& hull) {
   return volume;
 }
 
-// Every edge is shared by two facets that run along it in opposite directions; Euler's formula.
+// Expects that every edge is shared by two facets that run along it in opposite directions, and
+// that Euler's formula holds.
 void ExpectClosed(const ConvexHull& hull) {
   std::map<std::pair<int, int>, int> edges;
   for (const Facet& facet : hull.facets) {
@@ -56,7 +58,7 @@ void ExpectHullOf(const ConvexHull& hull, std::span<const Vector3> points, doubl
       EXPECT_NEAR(facet.normal.dot(hull.vertices[i]), facet.offset, tolerance);
     }
   }
-  auto next = points.begin();  // vertices are input points, in their order
+  auto next = points.begin();  // vertices are input points in the order of the input
   for (const Vector3& vertex : hull.vertices) {
     next = std::find(next, points.end(), vertex);
     ASSERT_NE(next, points.end());
@@ -87,7 +89,7 @@ TEST(HullTest, RandomBoxesHaveSixFacetsOfFourCorners) {
   for (int i = 0; i < 300; ++i) {
     const Box box = RandomBox(random, 2, 0.001, 1);
     std::vector<Vector3> points = CornersOf(std::span(&box, 1));
-    for (int k = 0; k < 20; ++k) {  // points in the box, on its faces and on its edges
+    for (int k = 0; k < 20; ++k) {  // points inside the box, on its faces and on its edges
       Vector3 p = RandomVector(random, 1);
       for (int fixed = random.Index(3); fixed > 0; --fixed) p[random.Index(3)] = 1;
       points.push_back(box.X_FrameBox * p.cwiseProduct(box.half_extents));
@@ -101,7 +103,8 @@ TEST(HullTest, RandomBoxesHaveSixFacetsOfFourCorners) {
   }
 }
 
-// Without Qhull: vertices, facets and their order are those that Qhull's planes lead to.
+// The hull of a box is made without Qhull. Its vertices, its facets and their order must agree with
+// those from Qhull.
 TEST(HullTest, ABoxHasTheHullOfItsCorners) {
   RandomStream random(kSeed, "corners");
   for (int i = 0; i < 300; ++i) {

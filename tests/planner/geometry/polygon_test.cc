@@ -33,14 +33,15 @@ Polygon Moved(const Polygon& polygon, double angle, const Vector2& shift) {
   return moved;
 }
 
-// The distance from a segment.
+// Returns the distance of p from the segment between a and b.
 double SegmentDistance(const Vector2& a, const Vector2& b, const Vector2& p) {
   const double length2 = (b - a).squaredNorm();
   const double t = length2 > 0 ? std::clamp((b - a).dot(p - a) / length2, 0.0, 1.0) : 0.0;
   return (a + t * (b - a) - p).norm();
 }
 
-// Brute force: corner against edge if disjoint; if not, the least way out along any edge's normal.
+// Computes the gap by brute force. For disjoint polygons it is the least distance of corners and
+// edges. Otherwise it is the least way out along the normal of an edge.
 double NaiveGap(const Polygon& a, const Polygon& b) {
   double way_out = std::numeric_limits<double>::infinity();
   double apart = way_out;
@@ -64,7 +65,8 @@ TEST(PolygonTest, HullHoldsAllPointsTurnsLeftAndUsesThemOnly) {
   for (int i = 0; i < 2000; ++i) {
     std::vector<Vector2> points;
     for (int k = 3 + random.Index(30); k > 0; --k) {
-      points.emplace_back(random.Index(8), random.Index(8));  // many repeated and collinear points
+      // Small integers make many repeated and collinear points.
+      points.emplace_back(random.Index(8), random.Index(8));
     }
     const Polygon hull = Hull2(points);
     for (size_t k = 0; k < hull.size(); ++k) {

@@ -17,7 +17,7 @@ RoundedHull HullOfBox(const Box& box, double radius = 0) {
   return RoundedHull(box.Corners(), radius);
 }
 
-// Boxes are hulls, too, and their distance is known from elsewhere.
+// Boxes are hulls whose distance is known independently.
 TEST(RoundedHull, SeparationIsTheDistanceOfBoxesWithoutTheRadii) {
   RandomStream random(61, "separation");
   for (int i = 0; i < 2000; ++i) {
@@ -38,7 +38,8 @@ std::vector<Vector3> RandomPoints(RandomStream& random, int count) {
   return points;
 }
 
-// Law: no two points of the bodies are nearer than the separation; and it moves with the bodies.
+// Law: no two points of the bodies are nearer than the separation, and the separation moves with
+// the bodies.
 TEST(RoundedHull, NoTwoPointsAreNearerThanTheSeparation) {
   RandomStream random(62, "points");
   for (int i = 0; i < 300; ++i) {
@@ -65,8 +66,8 @@ TEST(RoundedHull, NoTwoPointsAreNearerThanTheSeparation) {
   }
 }
 
-// Law: whoever asks whether two bodies are as far apart as `enough` hears the same, seen or
-// measured.
+// Law: the question whether two bodies are at least `enough` apart has the same answer as the
+// measured separation.
 TEST(RoundedHull, AnythingIsToldFromEnoughOn) {
   RandomStream random(65, "enough");
   for (int i = 0; i < 2000; ++i) {

@@ -24,7 +24,7 @@ using workloads::RandomJoints;
 
 constexpr double kPi = std::numbers::pi;
 constexpr double kDegree = kPi / 180;
-constexpr double kTight = 1e-12;  // pose error of a product of a dozen rotations, metres
+constexpr double kTight = 1e-12;  // metres, pose error of a product of a dozen rotations
 constexpr double kPoseTolerance = 1e-9;
 
 const std::filesystem::path kPuma =
@@ -47,7 +47,7 @@ std::filesystem::path WriteUrdf(const std::string& name, const std::string& text
   return path;
 }
 
-// The Puma's text with one passage replaced; the passage must be there.
+// Returns the Puma's URDF text with one passage replaced. The passage must be there.
 std::string PumaWith(const std::string& from, const std::string& to) {
   std::string text = PumaText();
   const std::size_t at = text.find(from);
@@ -55,7 +55,7 @@ std::string PumaWith(const std::string& from, const std::string& to) {
   return at == std::string::npos ? text : text.replace(at, from.size(), to);
 }
 
-// The Puma with an offset a3 between elbow and axis 4, like the 560.
+// Returns the Puma with an offset a3 between elbow and axis 4, like that of the Puma 560.
 Arm ArmWithElbowOffset(double a3) {
   return Arm::FromUrdf(WriteUrdf("elbow_offset.urdf",
                                  PumaWith("<origin xyz=\"0 0 0.600\"/>",
@@ -72,7 +72,7 @@ double PoseError(const Pose& a, const Eigen::Matrix4d& b) {
   return (a.matrix() - b).cwiseAbs().maxCoeff();
 }
 
-// The largest difference of two joint vectors, whole turns aside.
+// Returns the largest difference of two joint vectors, without whole turns.
 double TurnError(const JointVector& a, const JointVector& b) {
   double largest = 0;
   for (int i = 0; i < 6; ++i) {
@@ -87,7 +87,7 @@ double NearestTurnError(const InverseSolutions& solutions, const JointVector& q)
   return nearest;
 }
 
-// How far q is from the nearest singularity, in metres and sines.
+// Returns the distance of q from the nearest singularity, in metres and sines.
 double DistanceToSingularity(const Arm& arm, const JointVector& q) {
   const ArmGeometry& g = arm.geometry();
   const double q23 = q[1] + q[2];
@@ -137,8 +137,8 @@ TEST(Forward, AgreesWithTableAndUrdf) {
   }
 }
 
-// Every solution reproduces the pose and carries its own indicators, all eight differ, and the
-// generating vector is among them.
+// Expects eight different solutions that include the generating joint vector. Every solution must
+// reproduce the pose and have its own indicators.
 void ExpectCompleteInverse(const Arm& arm, const JointVector& q) {
   const Pose X = arm.Forward(q);
   const InverseSolutions solutions = arm.Inverse(X);
@@ -159,7 +159,8 @@ void ExpectCompleteInverse(const Arm& arm, const JointVector& q) {
   ASSERT_EQ(seen.size(), 8u) << q.transpose();
 }
 
-// Of a chain of rigid links, each turning about its own axis.
+// The Jacobian must agree with that of a chain of rigid links, each of which turns about its own
+// axis.
 TEST(Jacobian, IsThatOfTheLinks) {
   RandomStream random(1, "jacobian");
   for (const Arm& arm : {Puma(), ArmWithElbowOffset(-0.0203)}) {
@@ -206,7 +207,7 @@ TEST(Inverse, CompleteWithElbowOffset) {
 
 TEST(Inverse, NoneBeyondReach) {
   RandomStream random(4, "beyond reach");
-  const double reach = std::hypot(1.25, 0.19);  // of the wrist centre
+  const double reach = std::hypot(1.25, 0.19);  // greatest reach of the wrist centre, metres
   for (int i = 0; i < 1000; ++i) {
     Pose X = Puma().Forward(RandomJoints(kPi, random));
     const Vector3 hand = 0.125 * X.linear().col(2);
@@ -245,7 +246,8 @@ TEST(Singular, WristKeepsReference) {
     const InverseSolutions solutions = Puma().Inverse(X, reference);
     ExpectAllReproduce(Puma(), solutions, X);
     for (const InverseSolution& s : solutions) {
-      if (std::abs(std::sin(s.q[4])) > 1e-9) continue;  // the other branches bend the wrist
+      // Solutions of the other branches have a bent wrist.
+      if (std::abs(std::sin(s.q[4])) > 1e-9) continue;
       const double expected = reference[3] + (s.indicators.wrist == Wrist::kFlip ? kPi : 0);
       EXPECT_NEAR(std::remainder(s.q[3] - expected, 2 * kPi), 0, 1e-9);
     }
@@ -269,17 +271,17 @@ TEST(Singular, ElbowStretchedAndFolded) {
     for (int i = 0; i < 1000; ++i) {
       JointVector q = RandomJoints(kPi, random);
       q[2] = elbow;
-      if (std::abs(std::sin(q[4])) < 0.01) continue;  // a second singularity costs more digits
+      if (std::abs(std::sin(q[4])) < 0.01) continue;  // a second singularity loses more digits
       const Pose X = Puma().Forward(q);
       const InverseSolutions solutions = Puma().Inverse(X, q);
       ExpectAllReproduce(Puma(), solutions, X);
-      // The square root at the border of the reach halves the digits.
+      // The square root at the border of the reach leaves half of the digits.
       EXPECT_LT(NearestTurnError(solutions, q), 1e-5) << q.transpose();
     }
   }
 }
 
-// The pose whose wrist centre is at p, the hand pointing along x.
+// Returns the pose with the wrist centre at p and the hand along x.
 Pose PoseWithWristCentre(const Vector3& p) {
   Pose X = geometry::RotationY(kPi / 2);
   X.translation() = p + 0.125 * X.linear().col(2);
@@ -305,10 +307,10 @@ TEST(Singular, ShoulderWristCentreNearestToAxisOne) {
   const ArmGeometry& g = Puma().geometry();
   for (int i = 0; i < 1000; ++i) {
     JointVector q = RandomJoints(kPi, random);
-    // d4 s23 + a2 c2 = 0
+    // The wrist centre lies on axis 1 if d4 s23 + a2 c2 = 0.
     if (std::abs(g.a2 * std::cos(q[1]) / g.d4) > 1) continue;
     q[2] = std::asin(-g.a2 * std::cos(q[1]) / g.d4) - q[1];
-    if (std::abs(std::sin(q[4])) < 0.01) continue;  // a second singularity costs more digits
+    if (std::abs(std::sin(q[4])) < 0.01) continue;  // a second singularity loses more digits
     const Pose X = Puma().Forward(q);
     const InverseSolutions solutions = Puma().Inverse(X, q);
     ExpectAllReproduce(Puma(), solutions, X);
@@ -337,7 +339,7 @@ TEST(Singular, WristCentreOnAxisTwo) {
   ExpectAllReproduce(arm, solutions, X);
 }
 
-// Also at singular poses, where two solutions may be one, and out of reach.
+// Holds at singular poses, where two solutions may be one, and out of reach.
 TEST(Inverse, OneAskedForByItsIndicatorsIsOneOfAll) {
   RandomStream random(8, "one of all");
   constexpr std::array kPlaces = {0.0, 0.5, 1.0};

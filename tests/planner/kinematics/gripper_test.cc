@@ -21,7 +21,7 @@ const Gripper& Jaw() {
   return gripper;
 }
 
-// The extent of an unrotated box along one axis.
+// The extent of an unrotated box along one axis, metres.
 struct Extent {
   double low;
   double high;
@@ -69,7 +69,7 @@ TEST(Gripper, FingersStayWithinTheHandsWidthAndClearOfThePart) {
   for (const Box& box : Jaw().FingerBoxes(Jaw().max_opening())) {
     EXPECT_GE(ExtentOf(box, 1).low, ExtentOf(hand, 1).low);
     EXPECT_LE(ExtentOf(box, 1).high, ExtentOf(hand, 1).high);
-    // A finger hangs on the hand without overlapping it.
+    // A finger touches the hand without overlapping it.
     EXPECT_GE(ExtentOf(box, 2).low, ExtentOf(hand, 2).high - 1e-12);
   }
 }

@@ -22,7 +22,7 @@ const Arm& Puma() {
   return arm;
 }
 
-// Difference of two angles, whole turns aside.
+// Returns the difference of two angles without whole turns, radians.
 double Apart(double a, double b) { return std::abs(std::remainder(a - b, 2 * kPi)); }
 
 TEST(Arctangent, AgreesWithTheLibraryInAllDirectionsAndSizes) {
@@ -35,7 +35,8 @@ TEST(Arctangent, AgreesWithTheLibraryInAllDirectionsAndSizes) {
     const double x = length * std::cos(angle);
     worst = std::max(worst, std::abs(Arctangent(y, x) - std::atan2(y, x)));
   }
-  EXPECT_LE(worst, 5e-16 + std::numeric_limits<double>::epsilon());  // the library rounds, too
+  // The rounding of the library adds to the error.
+  EXPECT_LE(worst, 5e-16 + std::numeric_limits<double>::epsilon());
 }
 
 TEST(Arctangent, KnowsTheAxesAndDiagonals) {
@@ -71,7 +72,7 @@ TEST(InverseBatch, GivesTheSolutionsOfTheArmInItsOrder) {
   EXPECT_GT(regular, 7'990);
 }
 
-// Eight times the same pose.
+// Returns whether the pose is regular. The batch holds the same pose eight times.
 bool IsRegular(const Pose& X_BaseFlange) {
   std::array<Pose, kBatch> poses;
   poses.fill(X_BaseFlange);

@@ -41,7 +41,7 @@ struct DrawIn {
   }
 };
 
-// What is drawn of the arm lies within what collides.
+// The drawn shapes of the arm lie within its collision shapes.
 TEST(PumaShapes, CollisionsHoldWhatIsDrawn) {
   const RobotModel arm =
       ReadUrdf(std::string(ASSAY_SOURCE_DIR) + "/models/robots/puma762/puma762.urdf");

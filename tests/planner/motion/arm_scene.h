@@ -10,7 +10,7 @@
 
 namespace assay::motion {
 
-// What the tests of gross motion stand in: the scenario with the brick in the way.
+// Returns the scenario with the brick in the way, in which the tests of gross motion take place.
 inline const domain::Problem& Clutter() {
   static const domain::Problem problem = domain::ReadProblem(
       Document::Load(ASSAY_SOURCE_DIR "/scenarios/clutter.yaml"), ASSAY_SOURCE_DIR "/models");
@@ -25,7 +25,8 @@ inline Surroundings PartsAtTheStart(double opening = 0.05) {
   return surroundings;
 }
 
-// The peg in the hand, by its first grasp; the other parts stand.
+// Returns surroundings with the peg in the hand, in its first grasp. The other parts are at their
+// places.
 inline Surroundings PegInTheHand() {
   Surroundings surroundings = PartsAtTheStart();
   const PartId peg(1);
@@ -42,7 +43,7 @@ inline JointVector RandomPosture(const kinematics::Arm& arm, RandomStream& rando
   return q;
 }
 
-// Every pair of bodies, at one posture.
+// Returns whether every pair of bodies keeps the clearance at one posture.
 inline bool IsClear(const CollisionScene& scene, const JointVector& q, double clearance) {
   const LinkPoses X_BaseLink = scene.arm().LinkPoses(q);
   return std::ranges::all_of(scene.pairs(), [&](const BodyPair& pair) {
@@ -50,7 +51,7 @@ inline bool IsClear(const CollisionScene& scene, const JointVector& q, double cl
   });
 }
 
-// A posture at rest whose tool is within the space above the table, low enough that parts matter.
+// Returns a posture at rest with the tool above the table, so low that parts matter.
 inline JointVector RandomPostureAtTheTable(const CollisionScene& scene, double clearance,
                                            RandomStream& random) {
   const domain::Workcell& workcell = scene.workcell();

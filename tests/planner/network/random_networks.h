@@ -26,8 +26,8 @@ inline std::shared_ptr<const Relation> RandomRelation(int rows, int columns, dou
   return Relation::Where(rows, columns, [&](Label, Label) { return random.Uniform() < fraction; });
 }
 
-// Nodes of different sizes, restricted label sets, and arcs that may join a node to itself or two
-// nodes several times.
+// Returns a network with nodes of different sizes and restricted label sets. Arcs may join a node
+// to itself, or two nodes several times.
 inline NetworkWorkload RandomMixedNetwork(RandomStream& random) {
   NetworkWorkload workload;
   const int nodes = 1 + random.Index(6), arcs = random.Index(10);
@@ -44,7 +44,7 @@ inline NetworkWorkload RandomMixedNetwork(RandomStream& random) {
   return workload;
 }
 
-// One of several kinds of small networks; about half of them have a labeling.
+// Returns one of several kinds of small networks. About half of them have a labeling.
 inline NetworkWorkload RandomSmallNetwork(RandomStream& random) {
   switch (random.Index(5)) {
     case 0:
@@ -69,7 +69,7 @@ inline NetworkWorkload RandomSmallNetwork(RandomStream& random) {
   }
 }
 
-// Some networks of label sets of several words, with few labels left in them.
+// Returns a network whose label sets have several words and few labels.
 inline NetworkWorkload RandomWideNetwork(RandomStream& random) {
   NetworkWorkload workload;
   const int nodes = 3;

@@ -9,7 +9,7 @@
 #include "planner/domain/problem/problem_file.h"
 #include "planner/plan/data/plan.h"
 
-// Spar's peg and block, with plans written by hand.
+// Spar's peg and block, and plans that were written by hand.
 namespace assay::plan {
 
 using geometry::Vector3;
@@ -20,11 +20,11 @@ constexpr PartId kBlock(0);
 constexpr PartId kPeg(1);
 constexpr MatingId kPegIntoBlock(0);
 
-// Poses as a scenario writes them, inches and degrees.
+// The poses of the parts as text of a scenario, in inches and degrees.
 struct Start {
   std::string block = "{stable: on-back, at: [24, 6], yaw: 0}";
   std::string peg = "{stable: on-side, at: [24, -8], yaw: 90}";
-  std::string other_parts = "";  // whole lines of the scenario
+  std::string other_parts = "";  // further parts as whole lines of the scenario
   std::string sensing = "";      // names of sensors
   std::string goals =
       "  - assembled: {held: peg, fixed: block, features: [[7, 8], [7, 8]],\n"
@@ -48,7 +48,8 @@ inline domain::Problem PegAndBlock(const Start& start) {
                              ASSAY_SOURCE_DIR "/models");
 }
 
-// The tool at `p` of a part (inches), with its approach and closing directions in the part's frame.
+// The tool at point `p` of a part (inches), with its approach and closing directions in the frame
+// of the part.
 struct ToolInPart {
   Vector3 p;
   Vector3 approach;
@@ -62,8 +63,8 @@ inline Hold HoldWith(const std::string& grasp, const ToolInPart& tool) {
           tool.width * kInch};
 }
 
-// Across the plate, on its upper and lower sides; `angle` from the shaft's direction, towards -y,
-// is how far the tool leans when the peg stands over the hole.
+// Returns a hold across the plate, on its upper and lower sides. When the peg is over the hole, the
+// tool leans by `angle` from the direction of the shaft, towards -y.
 inline Hold PlateHold(double angle) {
   return HoldWith("across the plate", {.p = {-0.5, 0, 0},
                                        .approach = {std::cos(angle), -std::sin(angle), 0},
@@ -71,7 +72,8 @@ inline Hold PlateHold(double angle) {
                                        .width = 3});
 }
 
-// Across the block's sides, leaning 45 degrees both when it stands on its end and on its back.
+// Returns a hold across the sides of the block. The tool leans 45 degrees both when the block
+// stands on its end and when it lies on its back.
 inline Hold BlockHold() {
   return HoldWith(
       "across the block",
@@ -82,8 +84,8 @@ inline Place PlaceNow(const domain::Problem& problem, PartId part) {
   return {"initial", problem.part(part).X_WorldPart};
 }
 
-// Lying on its back with its origin at (x, y), metres; its z axis points along the table's -x,
-// turned by yaw.
+// The place of the block on its back, with its origin at (x, y), metres. Its z axis points along
+// the table's -x axis, turned by yaw (radians).
 struct OnBack {
   double x = 0.6;
   double y = 0;
@@ -106,8 +108,8 @@ inline Plan WithNumbers(const domain::Problem& problem, std::vector<Action> in_o
   return plan;
 }
 
-// Figure 15: the block lies on its back already. Two actions; the assemble action is inserted
-// first, as in the paper's listings.
+// Returns a plan for figure 15, where the block lies on its back already. It has two actions. The
+// assemble action is inserted first, as in the listings of the paper.
 inline Plan TwoSteps(const domain::Problem& problem) {
   const Hold hold = PlateHold(45 * kDegree);
   return {.problem = problem.name,
@@ -116,7 +118,7 @@ inline Plan TwoSteps(const domain::Problem& problem) {
           .ordering = {{StepId(1), StepId(0)}}};
 }
 
-// Figure 14: the block stands on its end.
+// Returns the start of figure 14, where the block stands on its end.
 inline Start BlockOnEnd() { return {.block = "{stable: on-end, at: [24, 6], yaw: 0}"}; }
 
 inline Plan FourSteps(const domain::Problem& problem) {

@@ -9,7 +9,7 @@
 #include "planner/uncertainty/preconditions/certify.h"
 #include "tests/oracle/executed_errors.h"
 
-// Problems and action lists to certify.
+// Problems and lists of actions for tests that certify.
 namespace assay::uncertainty {
 
 using oracle::CertifiedAction;
@@ -35,7 +35,7 @@ inline domain::PoseError Symmetric(double length, double angle) {
   return {l, l, l, {-angle, angle}};
 }
 
-// The first plan of the first phase, in its order of execution.
+// Returns the first plan of the first phase, in its order of execution.
 inline std::vector<plan::Action> FirstPlan(const domain::Problem& problem) {
   const plan::PlanResult result = constraint_posting::MakePlan(problem, {});
   std::vector<plan::Action> actions;
@@ -45,7 +45,7 @@ inline std::vector<plan::Action> FirstPlan(const domain::Problem& problem) {
   return actions;
 }
 
-// The part's reachable grasps where it is at the start.
+// Returns the grasps of the part that are reachable at its initial pose.
 inline std::vector<plan::Hold> HoldsAtStart(const domain::Problem& problem, PartId part) {
   std::vector<plan::Hold> holds;
   const domain::Part& body = problem.part(part);

@@ -6,7 +6,7 @@
 #include "planner/uncertainty/preconditions/certify.h"
 #include "tests/planner/uncertainty/action_lists.h"
 
-// In sound mode no certificate is false: plans are executed thousands of times with drawn errors.
+// In sound mode no certificate is false. Plans are executed thousands of times with drawn errors.
 namespace assay::uncertainty::executed_errors_test {
 namespace {
 
@@ -20,8 +20,10 @@ enum class Inserted { kNothing, kSensing, kSqueezing };
 struct Trial {
   std::string scenario;
   Inserted inserted = Inserted::kNothing;
-  double gripper = 0;  // metres; ten times as many radians; 0: the scenario's
-  double parts = 1;    // times the scenario's errors
+  // The error of the hand: this many metres, and ten times as many radians. 0 stands for the
+  // scenario's error.
+  double gripper = 0;
+  double parts = 1;  // factor on the scenario's errors of parts
 };
 
 void PrintTo(const Trial& trial, std::ostream* out) {
@@ -41,8 +43,8 @@ domain::Problem ProblemOf(const Trial& trial) {
   return problem;
 }
 
-// Before every pickup a look, or a squeeze with the grasp of the pickup; before every assemble a
-// look at its fixed part.
+// Inserts a look before every pickup and, for its fixed part, before every assemble. With
+// kSqueezing it inserts a squeeze with the grasp of the pickup before every pickup.
 std::vector<plan::Action> With(Inserted inserted, const domain::Problem& problem,
                                const std::vector<plan::Action>& actions) {
   std::vector<plan::Action> all;
@@ -91,7 +93,8 @@ INSTANTIATE_TEST_SUITE_P(
                       Trial{"keyed", Inserted::kSensing, 0.00001, 0.02},  // all is proved
                       Trial{"two-pegs", Inserted::kSensing, 0.00002, 0.05}));
 
-// The oracle bites: with errors beyond what was assumed, certificates are false.
+// The oracle can find false certificates: if errors exceed the assumed bounds, executions
+// contradict the certificates.
 TEST(ExecutedErrors, BeyondTheirBoundsContradict) {
   const Trial trial{"keyed", Inserted::kSensing, 0.00001, 0.02};
   const domain::Problem assumed = ProblemOf(trial);

@@ -7,23 +7,24 @@
 #include "planner/uncertainty/preconditions/certify.h"
 #include "tests/oracle/certified_expressions.h"
 
-// Bounding all preconditions of a plan of n pick-and-place actions on one part grows polynomially
-// in n, where the paper says exponentially. Counted, not timed.
+// The work of bounding all preconditions of a plan of n pick-and-place actions on one part grows
+// polynomially in n. The paper says that it grows exponentially. The test counts operations and
+// does not measure time.
 namespace assay::uncertainty::growth_test {
 namespace {
 
 constexpr int kMost = 50;
 constexpr double kLean = 0.5235987755982988;  // 30 deg
 
-// Where growth is exponential the test must end all the same.
+// The test stops at this number of characters, so that it ends even if growth is exponential.
 constexpr std::int64_t kTooMuchText = 20'000'000;
 
-// Up to and with the nth pick and place.
+// The work up to and including the nth pick and place.
 struct Work {
   std::int64_t preconditions = 0;
-  std::int64_t variables = 0;    // of each certificate
-  std::int64_t terms = 0;        // operations and operands of the preconditions as they are written
-  std::int64_t evaluations = 0;  // to bound these
+  std::int64_t variables = 0;    // sum over the certificates
+  std::int64_t terms = 0;        // operations and operands in the written preconditions
+  std::int64_t evaluations = 0;  // evaluations that bounding the preconditions takes
   std::int64_t text = 0;
 };
 
@@ -48,7 +49,8 @@ void Count(const plan::Certificate& certificate, Work& work) {
   }
 }
 
-// works[n - 1], for n up to kMost or to where it became too much.
+// Returns the works, where works[n - 1] belongs to n. They end at kMost or where the text becomes
+// too long.
 std::vector<Work> WorkOf(double lean) {
   const auto plan = bench::MakePickAndPlace(kMost, lean);
   UncertainWorld world(plan.problem, Propagation::kSound);
@@ -72,8 +74,8 @@ TEST_P(Growth, IsPolynomial) {
   const auto exponent = [](std::int64_t few, std::int64_t many) {
     return std::log(static_cast<double>(many) / static_cast<double>(few)) / std::log(5.0);
   };
-  // As many with each action, up to where sets are so great that more vertices may come beside a
-  // neighbour.
+  // Each action has the same number of preconditions, until the sets are so large that more
+  // vertices may come near a neighbour.
   EXPECT_LT(exponent(at_10.preconditions, at_50.preconditions), 2);
   EXPECT_LT(exponent(at_10.variables, at_50.variables), 3);
   EXPECT_LT(exponent(at_10.terms, at_50.terms), 3);

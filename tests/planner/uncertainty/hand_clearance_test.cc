@@ -11,7 +11,7 @@
 namespace assay::uncertainty::hand_clearance_test {
 namespace {
 
-// The corners of hand and fingers where the peg is grasped and above it, in the world.
+// Returns the corners of hand and fingers, world frame, at the grasp of the peg and above it.
 std::vector<Vector3> HandCorners(const domain::Problem& problem, const Pose& X_WorldTool,
                                  double width) {
   const kinematics::Gripper& gripper = problem.workcell->gripper();
@@ -30,21 +30,21 @@ std::vector<Vector3> HandCorners(const domain::Problem& problem, const Pose& X_W
   return corners;
 }
 
-// The pickup of figure 15's peg without errors but the block's in x and y, and the block moved
-// beside the hand.
+// The pickup of the peg of figure 15 with the block beside the hand. Only the block's x and y have
+// errors.
 class BesideTheHand : public ::testing::Test {
  protected:
   BesideTheHand() {
     for (domain::Part& part : problem_.parts) part.error = {};
     problem_.gripper_error = {};
-    // A side of the block that stands upright.
+    // Takes the normal of a vertical side of the block.
     const geometry::Matrix3 axes = problem_.part(block_).X_WorldPart.linear();
     for (int i = 0; i < 3 && !normal_; ++i) {
       if (std::abs(axes(2, i)) < 1e-9) normal_ = axes.col(i);
     }
   }
 
-  // The least margin of "hand clear" with the block's side `gap` metres from the hand.
+  // Returns the least margin of "hand clear" if the block's side is `gap` metres from the hand.
   double Margin(double gap, double error) {
     domain::Part& block = problem_.parts[block_.index()];
     const Pose X_WorldTool = problem_.part(peg_).X_WorldPart * hold_.X_PartTool;
@@ -88,7 +88,7 @@ TEST_F(BesideTheHand, MarginIsTheGapLessTheError) {
   }
 }
 
-// What no error is great enough for is not even asked.
+// No precondition is made for a body that no error brings near the hand.
 TEST_F(BesideTheHand, FarOffNothingIsRequired) {
   ASSERT_TRUE(normal_);
   const double reach = 0.002 * normal_->cwiseAbs().sum();

@@ -10,7 +10,7 @@ namespace {
 constexpr double kGravity = 9.81;  // m/s^2
 const HeldError kExact = {.x = 0, .z = 0};
 
-// The block without errors, and this workcell.
+// Returns the block without errors in a workcell with this force and friction.
 domain::Problem Block(double grip_force, double pad_friction, double tolerance = 0) {
   domain::Problem problem = UprightBlock({.length = 0, .angle = 0, .hand = 0});
   domain::WorkcellRules rules = problem.workcell->rules();
@@ -21,7 +21,8 @@ domain::Problem Block(double grip_force, double pad_friction, double tolerance =
   return problem;
 }
 
-// From above, the pads' middle this far from the centre of mass in the part's axes.
+// Returns a hold from above. The middle of the pads is `from_center` from the centre of mass, in
+// the part's axes.
 plan::Hold HoldAt(const domain::Problem& problem, const Vector3& from_center) {
   plan::Hold hold = HoldFromAbove(problem, Vector3::UnitY());
   hold.X_PartTool.translation() = problem.part(kBlock).model->mass().center + from_center;
@@ -43,8 +44,8 @@ double MassOfBlock(const domain::Problem& problem) {
   return problem.part(kBlock).model->mass().mass;
 }
 
-// Held at its centre of mass, it takes weight and acceleration over twice friction times force;
-// what turning asks for in addition is little.
+// A part that is held at its centre of mass loads the pads with its weight and acceleration. The
+// ratio is this load over twice friction times force. Turning adds little to it.
 TEST(Holding, AtTheCentreOfMassTheWeightCountsAlone) {
   const domain::Problem problem = Block(100, 0.15);
   const double load = MassOfBlock(problem) * (kGravity + plan::kCarryingAcceleration);
@@ -53,7 +54,8 @@ TEST(Holding, AtTheCentreOfMassTheWeightCountsAlone) {
   EXPECT_LE(ratio, 1.5 * load / (2 * 0.15 * 100));
 }
 
-// At least the torsion of the weight over that of an even pressure, exactly.
+// The ratio is at least the torsion of the weight over the exact torsion that an even pressure
+// bears.
 TEST(Holding, ALeverAsideIsBorneByTorsion) {
   const domain::Problem problem = Block(100, 0.15);
   const double a = problem.workcell->gripper().pad_half_extents().x();
@@ -71,11 +73,13 @@ TEST(Holding, GoesDownWithForceAndFriction) {
   };
   EXPECT_LT(ratio(100, 0.15, 0), ratio(50, 0.15, 0));
   EXPECT_LT(ratio(100, 0.15, 0), ratio(100, 0.1, 0));
-  EXPECT_EQ(ratio(100, 0.15, 0.05), ratio(100, 0.15 - 0.05, 0));  // the least that is tolerated
-  EXPECT_GT(ratio(0.001, 0.15, 0), 1000);                         // weaker than the weight's push
+  // The least friction within the tolerance counts.
+  EXPECT_EQ(ratio(100, 0.15, 0.05), ratio(100, 0.15 - 0.05, 0));
+  // This grip is weaker than the push of the weight.
+  EXPECT_GT(ratio(0.001, 0.15, 0), 1000);
 }
 
-// Errors make levers longer and patches smaller, never the load less.
+// Errors make levers longer and patches smaller, so that the load never becomes smaller.
 TEST(Holding, ErrorsInTheHandOnlyAdd) {
   const domain::Problem problem = Block(100, 0.15);
   for (const double lever : {0.0, 0.01, 0.02}) {
@@ -86,7 +90,7 @@ TEST(Holding, ErrorsInTheHandOnlyAdd) {
   }
 }
 
-// Two corners that touch a part keep it from turning about no line through both of them.
+// Two corners that touch a part cannot keep it from turning about the line through both of them.
 TEST(Holding, JammedPadsHoldNothing) {
   const domain::Problem problem = Block(100, 0.15);
   const plan::Hold hold = HoldAt(problem, Vector3::Zero());
@@ -94,14 +98,14 @@ TEST(Holding, JammedPadsHoldNothing) {
   EXPECT_GT(RatioOf(problem, hold, {.x = 0, .z = 0, .tip = 0.001}), 1000);
 }
 
-// Where the pads stand out over the part's edge, what surely touches is smaller.
+// If the pads stand out over the edge of the part, the area that surely touches is smaller.
 TEST(Holding, BesideTheFaceNothingIsHeld) {
   const domain::Problem problem = Block(100, 0.15);
   const double half = 1.5 * kInch;
   EXPECT_GT(RatioOf(problem, HoldAt(problem, {half + 0.02, 0, 0})), 1000);
 }
 
-// The same hand, leaning as it likes on its way, is never better off than it is in any one pose.
+// The ratio for a hand that may lean in any way is at least the ratio in each single pose.
 TEST(Holding, HoweverTheHandLeansTheRatioIsNoGreater) {
   const domain::Problem level = Block(100, 0.15);
   const plan::Hold hold = HoldAt(level, {0.01, 0, 0.05});

@@ -5,14 +5,14 @@
 #include "tests/oracle/certified_expressions.h"
 #include "tests/planner/uncertainty/part_on_table.h"
 
-// What holds of propagation and certificates whatever the plan.
+// Laws of propagation and certificates that hold for every plan.
 namespace assay::uncertainty::laws_test {
 namespace {
 
 using ::testing::IsEmpty;
 
 constexpr double kRounding = 1e-12;
-constexpr double kBoundGap = 1e-6;  // how tightly sets are asked for
+constexpr double kBoundGap = 1e-6;  // gap of the bounds of sets
 
 domain::Problem Scaled(domain::Problem problem, double factor) {
   const auto scale = [&](Interval& i) { i = {factor * i.low, factor * i.high}; };
@@ -38,7 +38,8 @@ bool Inside(const plan::ErrorSet& inner, const plan::ErrorSet& outer, double tol
 
 class EachMode : public ::testing::TestWithParam<Propagation> {};
 
-// With a look at every part first, so that sensing takes part.
+// Returns the actions of the first plan after a look at every part, so that the tests cover
+// sensing.
 std::vector<plan::Action> Actions(const domain::Problem& problem) {
   std::vector<plan::Action> actions;
   for (std::size_t p = 0; p < problem.parts.size(); ++p) {
@@ -67,8 +68,8 @@ TEST_P(EachMode, WithoutErrorsSetsAreZeroAndEverythingIsProved) {
   }
 }
 
-// The greater the errors are, the more corners may come beside something: of those preconditions
-// there are more.
+// Returns the preconditions whose number does not depend on the errors. Of "hand clear" and
+// "neighbour clear" there are more if larger errors bring more corners near something.
 std::vector<plan::CertifiedPrecondition> OfFixedNumber(
     const std::vector<plan::CertifiedPrecondition>& claims) {
   std::vector<plan::CertifiedPrecondition> fixed;
@@ -160,7 +161,8 @@ TEST_P(EachMode, CopiesGoOnIndependently) {
   }
 }
 
-// The text is over the certificate's variables, and what it says is what was bounded.
+// The texts use the variables of the certificate, and they have the bounds that the certificate
+// states.
 TEST_P(EachMode, TextsReadBackAndReproduceTheirBounds) {
   const domain::Problem problem = LoadScenario("spar-fig15");
   RandomStream random(3, "texts of certificates");
@@ -225,8 +227,9 @@ TEST(Squeezing, OnceLeavesTheOtherCoordinateAndTwiceLeavesTheHandsError) {
       const domain::Problem problem =
           UprightBlock({.length = kLength, .angle = 0.02, .hand = hand});
       UncertainWorld world(problem, mode);
-      // Displacement of the grasped point by the hand, and of the origin by its turn about it. The
-      // second squeeze undoes the first one's turn, with a slip of as much along the first pads.
+      // The error is the displacement of the grasped point by the hand, and that of the origin by
+      // the hand's turn. The second squeeze undoes the turn of the first, with a slip of the same
+      // size along the first pads.
       const double reach = 6 * kInch;
       const double own = 2 * hand + 3 * reach * 10 * hand + 1e-9;
       CertifyStep(world, SqueezeAlong(Vector3::UnitX(), problem), {});
@@ -239,7 +242,7 @@ TEST(Squeezing, OnceLeavesTheOtherCoordinateAndTwiceLeavesTheHandsError) {
       EXPECT_LE(Magnitude(twice.x), 2 * own);
       EXPECT_LE(Magnitude(twice.y), own);
       EXPECT_LE(Magnitude(twice.theta), 10 * hand + 1e-12);
-      EXPECT_NEAR(Magnitude(twice.z), kLength, 1e-9);  // it stays on the table
+      EXPECT_NEAR(Magnitude(twice.z), kLength, 1e-9);  // the height is still that of the table
     }
   }
 }

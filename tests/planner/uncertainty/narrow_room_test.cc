@@ -10,8 +10,8 @@
 #include "planner/uncertainty/preconditions/certify.h"
 #include "tests/planner/uncertainty/action_lists.h"
 
-// Parts that leave a hand, or each other, a room that is known: what errors leave of it is told,
-// and where that is anything, no draw of the errors makes bodies meet.
+// Parts that leave a known room to a hand or to each other. The certificate must state what errors
+// leave of this room. While some room is left, no draw of the errors may make bodies meet.
 namespace assay::uncertainty::narrow_room_test {
 namespace {
 
@@ -38,7 +38,7 @@ features:
   1: {face: body, normal: [0, 0, 1], what: top}
   2: {hole: bore, axis: [0, 0, -1], what: bore}
 )";
-// A cap with a foot wider than where it is held.
+// A cap whose foot is wider than the neck at which it is held.
 constexpr char kFootedCap[] = R"(
 solids:
   body: {box: [[-20, -20, 0], [20, 20, 25]], color: [0.2, 0.6, 0.7, 1]}
@@ -57,7 +57,7 @@ features:
   1: {face: base, normal: [0, 0, 1], what: top}
   2: {shaft: pin, axis: [0, 0, 1], what: pin}
 )";
-// Within walls as far off as open fingers reach, and 3 mm.
+// A pin between walls that are 3 mm farther away than open fingers reach.
 constexpr char kWalledPin[] = R"(
 solids:
   base: {box: [[-120, -120, 0], [120, 120, 20]], color: [0.5, 0.4, 0.3, 1]}
@@ -70,7 +70,8 @@ features:
   1: {face: base, normal: [0, 0, 1], what: top}
   2: {shaft: pin, axis: [0, 0, 1], what: pin}
 )";
-// Under lips between which the foot passes with 3 mm on each side, well before it gets to the pin.
+// A pin below two lips. The foot passes between the lips with 3 mm on each side, well before it
+// reaches the pin.
 constexpr char kLippedPin[] = R"(
 solids:
   base: {box: [[-90, -100, 0], [90, 100, 20]], color: [0.5, 0.4, 0.3, 1]}
@@ -91,18 +92,19 @@ std::string Replaced(std::string text, const std::string& word, const std::strin
   return text;
 }
 
-// Millimetres: as far as open fingers reach from the middle of the hand, where the pads are.
+// Returns the distance in millimetres to which open fingers reach from the middle of the hand, at
+// the height of the pads.
 double OpenReach(const domain::Workcell& workcell) {
   const kinematics::Gripper& gripper = workcell.gripper();
   double reach = 0;
   for (const geometry::Box& box : gripper.FingerBoxes(gripper.max_opening())) {
-    if (box.X_FrameBox.translation().z() + box.half_extents.z() < 0) continue;  // behind them
+    if (box.X_FrameBox.translation().z() + box.half_extents.z() < 0) continue;  // behind the pads
     reach = std::max(reach, 1000 * (box.X_FrameBox.translation().y() + box.half_extents.y()));
   }
   return reach;
 }
 
-// A folder of models with two parts of its own, gone with it.
+// Makes a folder of models with two parts of its own, and removes it at the end.
 class NarrowRoom : public ::testing::Test {
  protected:
   NarrowRoom() : folder_(fs::temp_directory_path() / fmt::format("assay-narrow-{}", getpid())) {
@@ -122,7 +124,8 @@ class NarrowRoom : public ::testing::Test {
         << solids << "stable_poses:\n  upright: [0, 0, -1]\n";
   }
 
-  // `cap` onto the pin of `stand`. Errors in x and y, of one or the other, millimetres.
+  // The errors of `cap` or `stand` in x and y, millimetres. The cap is mated onto the pin of the
+  // stand.
   struct Off {
     double cap = 0;
     double stand = 0;
@@ -154,7 +157,7 @@ goal:
     return domain::ReadProblem(Document::Load(file), folder_);
   }
 
-  // The least margin of all claims of a kind, metres; infinite where nothing had to be asked.
+  // Returns the least margin of all claims of a kind, metres; infinite if there is none.
   static double Margin(const std::vector<CertifiedAction>& actions, const std::string& condition) {
     double margin = std::numeric_limits<double>::infinity();
     for (const CertifiedAction& action : actions) {
@@ -165,7 +168,8 @@ goal:
     return margin;
   }
 
-  // Executes with many draws: no certificate is contradicted. How many came to the end.
+  // Executes the actions with many draws of the errors and expects no contradiction to a
+  // certificate. Returns how many executions were completed.
   static int Completed(const domain::Problem& problem,
                        const std::vector<CertifiedAction>& actions) {
     RandomStream random(27, "narrow room");
@@ -178,7 +182,7 @@ goal:
     return completed;
   }
 
-  // `room`: millimetres that errors may take before bodies can meet.
+  // Expects that bodies can meet only if errors exceed `room` millimetres.
   template <class ProblemOf>
   static void ExpectRoom(double room, const std::string& condition, const ProblemOf& problem_of) {
     for (const double error : {0.3 * room, 0.98 * room, 1.02 * room, 1.5 * room}) {
@@ -201,7 +205,7 @@ goal:
   fs::path folder_;
 };
 
-// The fingers go into pockets beside the rib: 22 mm for 16 mm.
+// The fingers of 16 mm go into pockets of 22 mm beside the rib.
 TEST_F(NarrowRoom, FingersHitTheVeryPartThatTheyTake) {
   Write("cap", kPlateWithRib);
   Write("stand", kPin);

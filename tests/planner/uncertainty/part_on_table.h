@@ -2,18 +2,19 @@
 
 #include "tests/planner/uncertainty/action_lists.h"
 
-// Spar's block on its end, its axes along the world's, and hands that come to it from above.
+// Spar's block, which stands on its end with its axes along the world's, and hands from above.
 namespace assay::uncertainty {
 
 constexpr PartId kBlock(0);
 
 struct Errors {
-  double length = 0.002;  // of the part: metres
-  double angle = 0.05;    // radians
-  double hand = 1e-4;     // metres; its angle is ten times as many radians
+  double length = 0.002;  // error of the part, metres
+  double angle = 0.05;    // error of the part, radians
+  double hand = 1e-4;     // error of the hand, metres; its angle errs by ten times as many radians
 };
 
-// Pads that do not jam: 3 degrees of friction are less than their contacts can lie aside.
+// Returns a problem with this block. Its pads do not jam, because their friction cone of 3 degrees
+// is smaller than the angle at which their contacts can lie aside.
 inline domain::Problem UprightBlock(const Errors& errors) {
   domain::Problem problem = LoadScenario("spar-example");
   domain::Part& block = problem.parts[kBlock.index()];
@@ -26,7 +27,8 @@ inline domain::Problem UprightBlock(const Errors& errors) {
   return problem;
 }
 
-// From straight above, above the centre of mass, closing along a direction of the part.
+// Returns a hold from straight above the centre of mass. The pads close along `closing`, a
+// direction of the part.
 inline plan::Hold HoldFromAbove(const domain::Problem& problem, const Vector3& closing) {
   const Vector3 down = -Vector3::UnitZ();
   const Vector3 above = problem.part(kBlock).model->mass().center + Vector3(0, 0, 0.05);

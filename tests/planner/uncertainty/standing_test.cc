@@ -16,9 +16,10 @@
 namespace assay::uncertainty::standing_test {
 namespace {
 
-constexpr double kPad = 0.008;  // half extent of a pad, metres, at least
+constexpr double kPad = 0.008;  // least half extent of a pad, metres
 
-// Spar's block, 3 by 3 inches and 6.5 high, on its end, its origin's y axis in its middle.
+// Spar's block, 3 by 3 inches and 6.5 inches high. It stands on its end, with its origin in the
+// middle of its side along y.
 struct OnEnd {
   domain::Problem problem = UprightBlock({});
   UncertainWorld world{problem, Propagation::kSound};
@@ -29,7 +30,8 @@ struct OnEnd {
 
 Push Down(const Vector3& at, double newtons) { return {{at}, newtons, 0}; }
 
-// The lever beyond the edge over the weight's lever inside it, exactly.
+// The ratio is exact. It is the push times its lever beyond the edge, over the weight times its
+// lever inside the edge.
 TEST(Support, APushBeyondAnEdgeIsHeldByTheWeight) {
   const OnEnd block;
   const double edge = block.X_WorldPart().translation().x() + 3 * kInch;
@@ -56,7 +58,7 @@ TEST(Support, AClampHoldsBesides) {
               1e-9);
 }
 
-// Two blocks, the upper one on the lower one's end, half an inch aside.
+// Two blocks: the upper one stands on the end of the lower one, half an inch to the side.
 TEST(Support, WhatStandsOnAnotherPassesItsPushOn) {
   domain::Problem problem = UprightBlock({});
   domain::Part upper = problem.part(kBlock);
@@ -70,7 +72,7 @@ TEST(Support, WhatStandsOnAnotherPassesItsPushOn) {
   EXPECT_EQ(standings.front().on, kBlock);
   for (const Vector3& p : standings.front().at) EXPECT_NEAR(p.z(), 6.5 * kInch, 1e-9);
   EXPECT_EQ(TippingEdgesOf(standings).size(), 4);
-  // Nothing of it is beyond the lower one's edges, and it stands by itself.
+  // No part of the upper block is beyond the edges of the lower one, and it stands by itself.
   EXPECT_NEAR(TippingRatio(world, top, {}, 0), 0, 1e-6);
   const Vector3 beyond = upper.X_WorldPart * Vector3(3 * kInch, 0, 0);
   EXPECT_GT(TippingRatio(world, top, {Down(beyond, 5)}, 0), 0);
@@ -106,8 +108,8 @@ plan::Hold HoldAtHeight(const domain::Problem& problem, double height) {
   return hold;
 }
 
-// Friction pushes back at the table, the pad at the height of its lower edge: it topples where
-// friction times height is more than half the depth.
+// Friction pushes at the table, and the pad pushes with its lower edge. The block topples if
+// friction times height exceeds half of its depth.
 TEST(Upright, FrictionTimesHeightOverHalfTheDepth) {
   const domain::Problem problem = UprightBlock({.length = 0.0002, .angle = 0.001, .hand = 1e-5});
   const double friction = problem.part(kBlock).model->friction();
@@ -147,7 +149,7 @@ TEST(NeighbourClear, GoesDownAsANeighbourComesNearer) {
   EXPECT_GT(room_at(0.05), 0.05 - 0.01) << "errors of millimetres";
 }
 
-// A T that stands on its stem of a square inch, its bar 6 inches long.
+// Returns a T that stands on its stem of one square inch, with a bar of 6 inches.
 std::shared_ptr<const domain::PartModel> LetterT() {
   const std::filesystem::path file = ScratchFile("letter-t.yaml");
   std::ofstream(file) << R"(format: assay-part/1
@@ -166,7 +168,7 @@ stable_poses: {upside-down: [0, 0, 1]}
   return domain::PartFile::Load(file, 0.001);
 }
 
-// What "pads that press" says of the T where they hold it `aside` of its middle.
+// Returns the ratio of "pads that press" if the pads hold the T `aside` of its middle (metres).
 double PressedAside(double aside, double grip_force) {
   domain::Problem problem = UprightBlock({});
   domain::Part& part = problem.parts[kBlock.index()];
@@ -186,9 +188,9 @@ double PressedAside(double aside, double grip_force) {
   return RatioOf(world, conditions, "pressed");
 }
 
-// Weak pads press with the most that they can, as far beyond the stem as they are. Strong ones
-// bear what the stem's edge gives back: the torsion of that push over the mean distance of their
-// friction, at least.
+// Weak pads press with their greatest force at their own distance beyond the stem. Strong pads must
+// bear the reaction of the stem's edge. The ratio is then at least the torsion of that push over
+// the torsion that their friction bears, by its mean distance.
 TEST(Pressed, PadsBesideTheSupportTipItOrBearIt) {
   const double weight = LetterT()->mass().mass * kGravity;
   const domain::Problem problem = UprightBlock({});
@@ -198,7 +200,8 @@ TEST(Pressed, PadsBesideTheSupportTipItOrBearIt) {
   const double beyond = aside - kInch / 2;
   EXPECT_EQ(PressedAside(0, 100), 0);
   EXPECT_NEAR(PressedAside(aside, 20), 2 * friction * 20 * beyond / (kInch / 2) / weight, 1e-9);
-  const double torsion = 2 * friction * (std::sqrt(2.0) + std::asinh(1.0)) / 3 * a;  // a newton's
+  // The torsion that a grip of one newton bears.
+  const double torsion = 2 * friction * (std::sqrt(2.0) + std::asinh(1.0)) / 3 * a;
   for (const double force : {1000.0, 10000.0}) {
     const double ratio = PressedAside(aside, force);
     EXPECT_GE(ratio, plan::kResistance * beyond / (torsion * force));
@@ -206,7 +209,8 @@ TEST(Pressed, PadsBesideTheSupportTipItOrBearIt) {
   }
 }
 
-// Leaning by as much as its half width over the height of its centre of mass, it would fall.
+// The ratio is 1 if the tangent of the lean is the half width over the height of the centre of
+// mass. A part that leans more would fall.
 TEST(Standing, WhatLeansFallsBackUnlessItIsTooTall) {
   domain::Problem problem = UprightBlock({});
   domain::Part& part = problem.parts[kBlock.index()];

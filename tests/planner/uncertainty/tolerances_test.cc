@@ -8,14 +8,14 @@
 #include "planner/uncertainty/preconditions/precondition.h"
 #include "tests/planner/uncertainty/part_on_table.h"
 
-// What tolerances of clearance and friction do to certificates.
+// The effect of tolerances of clearance and friction on certificates.
 namespace assay::uncertainty::tolerances_test {
 namespace {
 
 constexpr double kRounding = 1e-15;
-constexpr double kTolerance = 0.0001;  // of the clearance, metres
+constexpr double kTolerance = 0.0001;  // tolerance of the clearance, metres
 
-// Half a millimetre of clearance, the peg taken by any grasp.
+// Returns the preconditions of the mating, with the first grasp of the held part.
 std::vector<Precondition> OfMating(const domain::Problem& problem,
                                    Propagation propagation = Propagation::kSound) {
   UncertainWorld world(problem, propagation);
@@ -41,13 +41,14 @@ void ExpectSame(const std::vector<Precondition>& a, const std::vector<Preconditi
   }
 }
 
-// Those of a mating whose meaning ends like this.
+// Returns the preconditions whose meaning ends with this text.
 std::vector<Precondition> Ending(const std::string& end, std::vector<Precondition> all) {
   std::erase_if(all, [&](const Precondition& p) { return !p.meaning.ends_with(end); });
   return all;
 }
 
-// Every wall of these holes is set back by the clearance; nothing but limits depends on it.
+// The clearance moves every wall of these holes outward. Only the limits of preconditions depend on
+// it.
 TEST(ToleranceOfClearance, TakesItselfFromEntryAndSlideIn) {
   for (const char* name : {"spar-example", "keyed", "two-pegs"}) {
     domain::Problem problem = LoadScenario(name);
@@ -63,7 +64,7 @@ TEST(ToleranceOfClearance, TakesItselfFromEntryAndSlideIn) {
   }
 }
 
-// Between two walls both tolerances count, however the wrist yields.
+// The tolerances of both walls count, even if the wrist yields.
 TEST(ToleranceOfClearance, CountsTwiceForTheWidth) {
   domain::Problem problem = Keyed();
   domain::WorkcellRules rules = problem.workcell->rules();
@@ -79,7 +80,7 @@ TEST(ToleranceOfClearance, CountsTwiceForTheWidth) {
   }
 }
 
-// An octagon leans between four pairs of walls, of which two stand at 45 degrees to its axes.
+// An octagon leans between four pairs of walls. Two of the pairs are at 45 degrees to its axes.
 TEST(Tilt, IsAskedForAcrossEveryPairOfWalls) {
   const domain::Problem problem = LoadScenario("mate-octagonal");
   std::size_t slots = 0;
@@ -92,7 +93,8 @@ TEST(Tilt, IsAskedForAcrossEveryPairOfWalls) {
       << "the two pairs along its axes, to either side; equal ones are kept once";
 }
 
-// Of all limits of tilt the least: a wedged shaft is short and wide.
+// Returns the least limit of tilt. It is the limit of the shaft that wedges first, which is short
+// and wide.
 double LeastTilt(const domain::Problem& problem) {
   double least = 10;
   for (const Precondition& p : OfMating(problem)) {
@@ -101,7 +103,7 @@ double LeastTilt(const domain::Problem& problem) {
   return least;
 }
 
-// The same as for a part that is really as narrow.
+// A tolerance has the same effect as a hole that is really narrower by it.
 TEST(ToleranceOfClearance, IsTheNarrowestHole) {
   domain::Problem tolerant = Keyed();
   domain::Problem narrow = tolerant;
@@ -142,7 +144,7 @@ HeldError CloseOn(UncertainWorld& world) {
   return ClosePads(world, kBlock, hold, world.DrawManipulator());
 }
 
-// The pads jam at the sum of friction and tolerance, no matter how it is made up.
+// The pads jam if the sum of friction and tolerance is large enough, however the sum is divided.
 TEST(ToleranceOfPadFriction, IsFrictionThatMayJam) {
   for (const double friction : {0.05, 0.2, 0.4, 0.8}) {
     for (const double share : {0.0, 0.3, 0.9}) {
@@ -157,7 +159,8 @@ TEST(ToleranceOfPadFriction, IsFrictionThatMayJam) {
   }
 }
 
-// What the first pad may do to a part depends on where its centre of mass is.
+// The effect of the first pad on a part depends on the place of the centre of mass, which depends
+// on the clearance.
 TEST(ToleranceOfClearance, MovesTheCentreOfMass) {
   const auto slip = [](double tolerance) {
     domain::Problem problem = UprightBlock({});

@@ -7,10 +7,10 @@
 #include "tests/oracle/certified_expressions.h"
 #include "tests/planner/uncertainty/action_lists.h"
 
-// The worked example of Spar ("Derivation of Uncertainty-Reduction Goals") through CertifyStep: the
-// workcell's gripper opens 4 inches and the block is 3 inches wide, as in the paper. The block
-// stands on its end with its axes along the world's; the gripper comes from above with its y along
-// the world's x, 1 inch along y from the block's origin.
+// Computes the worked example of Spar ("Derivation of Uncertainty-Reduction Goals") by CertifyStep.
+// As in the paper the gripper opens 4 inches, and the block is 3 inches wide. The block stands on
+// its end with its axes along the world's. The gripper comes from above with its y axis along the
+// world's x axis, 1 inch along y from the block's origin.
 namespace assay::uncertainty::worked_example_test {
 namespace {
 
@@ -39,14 +39,15 @@ CertifiedStep CertifyPaper(const domain::Problem& problem, algebra::BoundingMeth
   return CertifyStep(world, PickupOf(problem), {.highest = highest});
 }
 
-// Table 2 with its erratum (the leading constant, and angles in degrees).
+// The values are those of table 2 with its erratum (the leading constant, and angles in degrees).
 TEST(WorkedExample, TermwiseBoundsOfTheFourPreconditions) {
   const auto step = CertifyPaper(WorkedExample(), algebra::BoundingMethod::kTermwise);
   const auto& claims = step.certificate.preconditions;
   ASSERT_THAT(claims, SizeIs(4));
   EXPECT_THAT(claims, Each(Field(&plan::CertifiedPrecondition::condition, "between fingers")));
   EXPECT_THAT(claims, Each(Field(&plan::CertifiedPrecondition::method, "termwise")));
-  // INF y(P1^-1 C1), INF y(P1^-1 C2), SUP y(P2^-1 C1), SUP y(P2^-1 C2), in inches.
+  // The bounds are INF y(P1^-1 C1), INF y(P1^-1 C2), SUP y(P2^-1 C1) and SUP y(P2^-1 C2), in
+  // inches.
   std::vector<double> inches;
   for (const auto& claim : claims) inches.push_back(claim.bound / kInch);
   std::ranges::sort(inches);
@@ -97,7 +98,8 @@ void ExpectNear(const Interval& actual, const Interval& expected) {
   EXPECT_NEAR(actual.high, expected.high, 1e-9);
 }
 
-// T'_d: the object's origin in the axes of the hand, y and the rotation from the hand alone.
+// T'_d is the error of the object's origin in the axes of the hand. Its y and its rotation come
+// from the hand alone.
 TEST(WorkedExample, AfterPickupThePublishedSet) {
   const auto after =
       CertifyPaper(WorkedExample(), algebra::BoundingMethod::kTermwise).certificate.after;
@@ -110,11 +112,11 @@ TEST(WorkedExample, AfterPickupThePublishedSet) {
   EXPECT_EQ(after[0].twist, (Interval{0, 0}));
 }
 
-// R_T R_G [t' - (R' - I) R_G^t t_G], yaw -tg for a tool that points down; the height is the
-// table's.
+// The displacement is R_T R_G [t' - (R' - I) R_G^t t_G]. The yaw is -tg for a tool that points
+// down, and the height is that of the table.
 TEST(WorkedExample, AfterPutdownThePublishedSet) {
   domain::Problem problem = WorkedExample();
-  problem.gripper_error = Symmetric(0.001 * kInch, 2 * kDegree);  // so that the yaw shows
+  problem.gripper_error = Symmetric(0.001 * kInch, 2 * kDegree);
   const plan::Pickup pickup = PickupOf(problem);
   const Pose X_Target = geometry::Translation(0.5, 0.1, 0) * geometry::RotationZ(0.7);
   UncertainWorld world(problem, Propagation::kPaper);
@@ -125,7 +127,7 @@ TEST(WorkedExample, AfterPutdownThePublishedSet) {
   ASSERT_THAT(after, SizeIs(1));
   ExpectNear(after[0].theta, {-2 * kDegree, 2 * kDegree});
   ExpectNear(after[0].z, Inches(0.11));
-  // The extremes over corners, and over the angle in small steps.
+  // Computes the extremes over the corners of the error box, and over the angle in small steps.
   const geometry::Matrix3 R_G = pickup.hold.X_PartTool.linear();
   const Vector3 t_G = pickup.hold.X_PartTool.translation();
   Vector3 most = Vector3::Zero();

@@ -105,7 +105,7 @@ TEST(BoundFile, RefusesNoExpressions) {
               AllOf(StartsWith("file:2:14:"), HasSubstr("allowed: at least one")));
 }
 
-// Counted by hand, in bytes from 1.
+// The columns were counted by hand, in bytes from 1.
 TEST(BoundFile, ColumnsOfWhatIsQuoted) {
   EXPECT_THAT(ErrorOf(R"({"variables":{"x":[0,1]},"expressions":["x + y"]})"),
               StartsWith("file:1:46: unknown variable 'y'"));
@@ -120,7 +120,8 @@ TEST(BoundFile, ColumnsOfWhatIsQuoted) {
               HasSubstr("')' for the '(' in column 16"));
 }
 
-// The place is that of the scalar's start, without an offset that would be false.
+// For these texts the error has the place where the scalar begins. An offset within the text would
+// be wrong.
 TEST(BoundFile, TextsThatStandOtherwiseInTheFile) {
   const auto error = [](const std::string& rest) {
     return ErrorOf("variables: {x: [0, 1]}\n" + rest);

@@ -19,7 +19,7 @@ namespace {
 using oracle::ValueAt;
 
 constexpr double kDegree = std::numbers::pi / 180;
-constexpr double kRounding = 1e-14;  // of a few operations on numbers near 1
+constexpr double kRounding = 1e-14;  // rounding of a few operations on numbers near 1
 constexpr BoundingMethod kBoundingMethods[] = {BoundingMethod::kTermwise, BoundingMethod::kMonotone,
                                                BoundingMethod::kCentred,
                                                BoundingMethod::kBranchAndBound};
@@ -35,7 +35,7 @@ double DoubleAt(const Expression& e, const std::vector<double>& point) {
   return Evaluate(e, std::span<const double>(point));
 }
 
-// What the fields of a bound promise of each other. `sign`: 1 of SUP, -1 of INF.
+// Expects that the fields of a bound are consistent. `sign` is 1 for SUP and -1 for INF.
 void ExpectHonest(const Bound& bound, int sign, const Expression& e,
                   const ConstraintSet& constraints) {
   ASSERT_FALSE(std::isnan(bound.value));
@@ -66,14 +66,14 @@ void ExpectHonest(const Bound& bound, int sign, const Expression& e,
   }
 }
 
-// ---- The worked example of Spar, facts on its published expression ----
+// ---- The worked example of Spar: known facts about its published expression ----
 
 struct SparBounds {
   double theta = 5.5 * kDegree;
   double dx = 0.11;
 };
 
-// y of contact point C1 or C2, seen from finger P1 (leading 2) or P2 (leading -2).
+// Returns y of contact point C1 or C2, seen from finger P1 (leading 2) or P2 (leading -2).
 Expression FingerCoordinate(double leading, double contact_x, const SparBounds& bounds,
                             ExpressionPool& pool) {
   const double small = 0.001;
@@ -156,7 +156,7 @@ TEST(Bounds, CentredIsTightWhereTheExpressionIsConcave) {
   ExpressionPool pool;
   const Expression x = pool.Declare("x", {-1, 2});
   const Expression y = pool.Declare("y", {-1, 2});
-  const Expression e = x + y - Power(x, 2) - x * y - Power(y, 2);  // at (1/3, 1/3)
+  const Expression e = x + y - Power(x, 2) - x * y - Power(y, 2);  // greatest at (1/3, 1/3)
   const Bound sup = BoundAbove(e, DeclaredBox(pool), {});
   EXPECT_NEAR(sup.value, 1.0 / 3, 1e-9);
   EXPECT_EQ(sup.method, BoundingMethod::kCentred);
@@ -167,7 +167,7 @@ TEST(Bounds, BranchAndBoundFindsTheHigherOfTwoHills) {
   const Expression x = pool.Declare("x", {0, 12});
   const Bound sup = BoundAbove(Sin(x) + x / 10, DeclaredBox(pool), {});
   EXPECT_EQ(sup.method, BoundingMethod::kBranchAndBound);
-  // At x = 2 pi + acos(-1/10).
+  // The greatest value is at x = 2 pi + acos(-1/10).
   const double top = 2 * std::numbers::pi + std::acos(-0.1);
   EXPECT_NEAR(sup.value, std::sin(top) + top / 10, 1e-6);
   EXPECT_LE(sup.gap, 1e-6);
@@ -188,7 +188,7 @@ TEST(Bounds, HigherRungsAreNeverLooser) {
   }
 }
 
-// Rounding errors of the greatest value do not loosen the least one.
+// Rounding errors near the greatest value do not loosen the bound of the least value.
 TEST(Bounds, LargeNumbersAreBoundedToTheGapWhereTheyAreSmall) {
   ExpressionPool pool;
   const Expression x = pool.Declare("x", {0, 1e6});
@@ -272,7 +272,7 @@ TEST(Bounds, LinearInequalitiesGiveTheLinearCore) {
   ConstraintSet constraints = DeclaredBox(pool);
   constraints.inequalities = {{x + 2 * y, 4}, {3 * x + y, 6}};
   const Bound sup = BoundAbove(x + y, constraints, {});
-  EXPECT_NEAR(sup.value, 2.8, 1e-12);  // at (1.6, 1.2)
+  EXPECT_NEAR(sup.value, 2.8, 1e-12);  // attained at (1.6, 1.2)
   EXPECT_EQ(sup.method, BoundingMethod::kLinear);
   EXPECT_LE(sup.gap, 1e-6);
   ExpectHonest(sup, 1, x + y, constraints);
@@ -413,7 +413,7 @@ ConstraintSet RandomBox(double widest, RandomStream& random, const ExpressionPoo
   return constraints;
 }
 
-// A question's answer does not depend on the questions before it.
+// The bound of an expression does not depend on earlier requests.
 TEST(PreparedExpression, AnswersAsIfAskedForTheFirstTime) {
   RandomStream random(19, "prepared");
   for (const bool is_chain : {true, false}) {
@@ -433,7 +433,8 @@ TEST(PreparedExpression, AnswersAsIfAskedForTheFirstTime) {
   }
 }
 
-// What always holds keeps the question from the search for multi-affine forms.
+// A constraint that always holds makes BoundAbove and BoundBelow use other methods than the
+// multi-affine form, so that both ways can be compared.
 TEST(PreparedExpression, OfAMultiaffineFormAgreesWithTheLadder) {
   RandomStream random(23, "agrees");
   for (int i = 0; i < 60; ++i) {
@@ -459,7 +460,8 @@ TEST(PreparedExpression, OfAMultiaffineFormAgreesWithTheLadder) {
   }
 }
 
-// Angles of all sizes, whole turns and more; ends that are the same; ends that are far away.
+// The boxes have angles of all sizes, beyond whole turns, ends that are equal, and ends that are
+// far away.
 TEST(PreparedExpression, OfAMultiaffineFormOverAnyBox) {
   RandomStream random(29, "any box");
   for (int i = 0; i < 200; ++i) {

@@ -26,7 +26,7 @@ TEST_F(Sensitivity, AShareOfALinearExpressionIsCoefficientTimesHalfWidth) {
 }
 
 TEST_F(Sensitivity, WhatCostsNothingIsLeftOut) {
-  // x^2 is least in the middle: INF does not care how wide x is.
+  // The least value of x^2 is in the middle, so that INF does not depend on the width of x.
   const Expression e = Power(x_, 2) + y_;
   const auto shares = SharesOfInf(e, DeclaredBox(pool_), {});
   ASSERT_EQ(shares.size(), 1u);
@@ -35,7 +35,8 @@ TEST_F(Sensitivity, WhatCostsNothingIsLeftOut) {
 }
 
 TEST_F(Sensitivity, TighteningsAreAsMildAsTheyCanBe) {
-  // SUP is 3 + 6 = 9. Below 7.5: y at factor 0.25, less a little; x at 0.5.
+  // SUP is 3 + 6 = 9. To bring it below 7.5, y needs a factor just below 0.25, or x one just below
+  // 0.5.
   const Expression e = 3 * x_ + y_;
   const auto tightenings = TighteningsToBringSupBelow(7.5, e, DeclaredBox(pool_), {});
   ASSERT_EQ(tightenings.size(), 2u);
@@ -46,7 +47,8 @@ TEST_F(Sensitivity, TighteningsAreAsMildAsTheyCanBe) {
 }
 
 TEST_F(Sensitivity, OnlyVariablesThatCanDoItAloneAreNamed) {
-  // INF is -3 + 2 = -1. Above 0.5: x can bring it to 2, y to 1.
+  // INF is -3 + 2 = -1. To bring it above 0.5, x alone suffices (up to 2), and y alone does (up to
+  // 1).
   const Expression e = 3 * x_ + y_;
   EXPECT_EQ(TighteningsToBringInfAbove(0.5, e, DeclaredBox(pool_), {}).size(), 2u);
   const auto only_x = TighteningsToBringInfAbove(1.5, e, DeclaredBox(pool_), {});

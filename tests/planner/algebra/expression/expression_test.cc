@@ -78,7 +78,7 @@ TEST_F(ExpressionTest, NumbersInAPoolFoldOnlyExactly) {
   EXPECT_EQ(Sqrt(pool_.Constant(9)), Expression(3));
   EXPECT_EQ(Sqrt(pool_.Constant(2)).op(), Operator::kSqrt);
   EXPECT_EQ(Power(pool_.Constant(-2), 3), Expression(-8));
-  // Outside a pool nothing holds them apart.
+  // Outside a pool, constants are computed at once.
   EXPECT_EQ(Expression(0.1) + 0.2, Expression(0.1 + 0.2));
   EXPECT_EQ(Sin(Expression(1)), Expression(std::sin(1.0)));
 }
@@ -154,7 +154,7 @@ TEST_F(ExpressionTest, DepthCostsNoStackAndSharingNoTime) {
   EXPECT_EQ(VariablesOf(deep).size(), 2U);
   EXPECT_EQ(Substitute(Substitute(deep, {{x_.variable(), y_}}), {}).op(), Operator::kSum);
 
-  Expression doubled = x_;  // 2^100 leaves, as a tree
+  Expression doubled = x_;  // written as a tree it would have 2^100 leaves
   Expression squared = x_;
   for (int i = 0; i < 100; ++i) {
     doubled = doubled + doubled;
@@ -180,7 +180,7 @@ TEST_F(ExpressionTest, IntervalEvaluationHoldsEveryValue) {
     for (int k = 0; k < 10; ++k) {
       const double value = Evaluate(e, std::span<const double>(expressions.DrawPoint()));
       if (std::isnan(value)) continue;
-      const double slack = 1e-9 * (1 + std::abs(value));  // the point's own rounding
+      const double slack = 1e-9 * (1 + std::abs(value));  // rounding of the evaluation at the point
       ASSERT_TRUE(range.low - slack <= value && value <= range.high + slack)
           << value << " outside [" << range.low << ", " << range.high << "]";
     }

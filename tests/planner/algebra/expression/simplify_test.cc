@@ -39,7 +39,7 @@ TEST_F(SimplifyTest, SquaredSinesBecomeCosines) {
   ExpectSame("sin(x)^4", "1 - 2*cos(x)^2 + cos(x)^4");
   ExpectSame("sin(x)^3*sin(y)", "sin(x)*sin(y) - sin(x)*sin(y)*cos(x)^2");
   ExpectSame("(sin(x)*sin(y))^2", "(1 - cos(x)^2)*(1 - cos(y)^2)");
-  // The chain of the benchmark's `cancel` files.
+  // This expression is that of the `cancel` files of the benchmark.
   EXPECT_EQ(Text(Simplify(Read("3.2*cos(x)*cos(x) + 0.7*cos(x)*cos(x)*y + 3.2*sin(x)*sin(x) + "
                                "0.7*sin(x)*sin(x)*y"))),
             "3.2 + 0.7*y");
@@ -83,7 +83,7 @@ TEST_F(SimplifyTest, KeepsValuesAndIsIdempotent) {
     const std::vector<double> point = expressions.DrawPoint();
     const double value = Evaluate(e, std::span<const double>(point));
     if (std::isnan(value) || std::abs(value) > 1e6) continue;
-    // Points near a pole of the expression lose digits: what the interval says they may lose.
+    // Points near a pole of the expression lose digits. The interval shows how many they may lose.
     std::vector<Interval> box;
     for (const double x : point) box.push_back({x, x});
     const Interval range = Evaluate(simple, std::span<const Interval>(box));

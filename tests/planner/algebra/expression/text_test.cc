@@ -112,7 +112,7 @@ TEST_F(TextTest, WhatIsSharedReadsBackAsItself) {
   }
 }
 
-// 2^40 terms, if it were written in full.
+// Written in full, the expression would have 2^40 terms.
 TEST_F(TextTest, WhatDoublesAtEachLevelIsWrittenInProportionToWhatIsStored) {
   Expression e = x_;
   for (int i = 0; i < 40; ++i) e = Sin(e) * Cos(e);

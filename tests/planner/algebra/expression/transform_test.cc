@@ -43,7 +43,8 @@ void ExpectNear(const Matrix& a, const Matrix& b) {
   }
 }
 
-// A rotation by Rodrigues' formula, as an independent account of the three elementary ones.
+// Returns a rotation by Rodrigues' formula, computed independently of the three elementary
+// rotations.
 Matrix RotationAbout(std::size_t axis, double angle) {
   Matrix m = {};
   const std::size_t u = (axis + 1) % 3;
@@ -117,9 +118,9 @@ TEST_F(TransformTest, InverseTimesItselfIsTheIdentity) {
   }
 }
 
-// Spar, "Satisfying Uncertainty-Reduction Goals": the pickup of the worked example. The gripper's y
-// axis lies along the world's x, its z points down; the grasp's origin is (1.5, 1) in the object's
-// frame, the gripper is 4 wide and the object 3 where it is held.
+// The pickup of Spar's worked example ("Satisfying Uncertainty-Reduction Goals"). The gripper's y
+// axis lies along the world's x axis, and its z axis points down. The origin of the grasp is (1.5,
+// 1) in the frame of the object. The gripper is 4 wide, and the object is 3 wide where it is held.
 TEST(WorkedExample, GivesThePublishedExpression) {
   ExpressionPool pool;
   const auto declare = [&](const char* name) { return pool.Declare(name, {-1, 1}); };
@@ -147,7 +148,7 @@ TEST(WorkedExample, GivesThePublishedExpression) {
   const auto published = [&](const std::string& leading) {
     return NormalFormOf(Parse(leading + rest, pool, {}));
   };
-  // The contact at the object's edge, seen from either finger.
+  // The contact at the edge of the object is seen from each finger.
   const NormalForm from_first = NormalFormOf((Inverse(finger(-1)) * contact(1))[1]);
   EXPECT_EQ(from_first, published("2"));
   EXPECT_EQ(from_first.terms.size(), 11U);

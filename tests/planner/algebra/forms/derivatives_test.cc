@@ -22,7 +22,7 @@ std::vector<VariableId> AllVariables(const ExpressionPool& pool) {
 
 Interval Single(double x) { return {x, x}; }
 
-// A form with its box, and what is to be evaluated of it.
+// A form, its box, and functions that evaluate it.
 struct Sample {
   Sample(const Expression& e, const ExpressionPool& pool)
       : form(Compile(NormalFormOf(e), AllVariables(pool))), box(DeclaredBox(pool).box) {}
@@ -39,7 +39,7 @@ struct Sample {
 
 bool Meet(const Interval& a, const Interval& b) { return a.low <= b.high && b.low <= a.high; }
 
-// gradient * (b - a)
+// Returns gradient * (b - a).
 Interval Rise(const std::vector<Interval>& gradient, const std::vector<Interval>& a,
               const std::vector<Interval>& b) {
   Interval rise = {0, 0};
@@ -72,7 +72,8 @@ TEST(Derivatives, AffineVariablesAreThoseThatOnlyMultiply) {
   EXPECT_EQ(sample.form.affine, (std::vector<bool>{true, false, false}));
 }
 
-// The mean value theorem: between any two points the form rises by the slopes in between.
+// Mean value theorem: the difference of the form at two points is bounded by the slopes between
+// them.
 TEST(Derivatives, OverABoxExplainEveryRise) {
   RandomStream random(1, "rise");
   int compared = 0;
@@ -140,7 +141,7 @@ TEST(MonotoneVariables, AreSetOneAfterAnother) {
   ExpressionPool pool;
   const Expression x = pool.Declare("x", {-1, 2});
   const Expression y = pool.Declare("y", {1, 2});
-  // x rises since y > 0. Only where x is 2 does y rise, too.
+  // The expression increases in x because y > 0. It increases in y only where x is 2.
   const Maximization problem = MaximizationOf(x * y, 1, DeclaredBox(pool));
   Probe probe(problem);
   const MonotoneBox monotone = SetMonotoneVariables(probe, problem.box);
@@ -168,9 +169,9 @@ TEST(Concavity, IsSeenWhereItHoldsAllOver) {
   EXPECT_TRUE(IsConcaveInAll(x * y - Power(x, 2) - Power(y, 2), pool));
   EXPECT_FALSE(IsConcaveInAll(3 * x * y - Power(x, 2) - Power(y, 2), pool));
   EXPECT_FALSE(IsConcaveInAll(x * y, pool));
-  EXPECT_FALSE(IsConcaveInAll(Cos(x) * Cos(y), pool));  // not at (1, 1): cos^2 < sin^2
+  EXPECT_FALSE(IsConcaveInAll(Cos(x) * Cos(y), pool));
   EXPECT_TRUE(IsConcaveInAll(Cos(x / 2) + Cos(y / 2), pool));
-  EXPECT_FALSE(IsConcaveInAll(-Abs(x) - Power(y, 2), pool));  // it is, but has no curvature at 0
+  EXPECT_FALSE(IsConcaveInAll(-Abs(x) - Power(y, 2), pool));
 }
 
 }  // namespace

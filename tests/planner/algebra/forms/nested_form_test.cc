@@ -36,7 +36,7 @@ std::vector<double> RandomPlace(RandomStream& random) {
   return place;
 }
 
-// Term by term: the oracle.
+// Returns the sum term by term, as the oracle.
 double Sum(const Terms& terms, const std::vector<double>& place) {
   double sum = 0;
   for (const NestedForm::Term& term : terms) {
@@ -49,7 +49,7 @@ double Sum(const Terms& terms, const std::vector<double>& place) {
   return sum;
 }
 
-// The form is affine in each atom: a difference is the slope.
+// Returns the slope along an atom as a difference, because the form is affine in each atom.
 double Slope(const Terms& terms, std::vector<double> place, int atom) {
   place[atom] = 1;
   const double at_one = Sum(terms, place);
@@ -95,7 +95,7 @@ TEST(NestedForm, SlopesAreThoseOfTheTerms) {
   }
 }
 
-// Along one atom slopes are affine, too: a difference is how they change.
+// Along one atom the slopes are affine, too, so that a difference shows their change.
 TEST(NestedForm, SlopesAlongATangentAreTheirChange) {
   RandomStream random(3, "along");
   for (int i = 0; i < 100; ++i) {
@@ -151,7 +151,7 @@ TEST(NestedReduction, PutsInWhatIsKnown) {
     NestedForm reduced;
     const NestedForm::AtomSet left = reduction.Reduce(Nested(terms), -1, free, place, reduced);
     EXPECT_EQ(left & ~free, 0U);
-    EXPECT_LE(reduced.node_count(), 2);  // of four products at most
+    EXPECT_LE(reduced.node_count(), 2);  // at most four products remain
     std::vector<double> elsewhere(kAtoms, std::nan(""));
     elsewhere[1] = place[1];
     elsewhere[4] = place[4];

@@ -59,7 +59,7 @@ TEST_F(NormalFormTest, FunctionsOfNumbersAreTightNumbers) {
   const NormalForm form = NormalFormOf(Sin(pool_.Constant(0.5)) * Sqrt(pool_.Constant(2)) * x_);
   ASSERT_EQ(form.terms.size(), 1U);
   EXPECT_TRUE(Contains(form.terms[0].coefficient, std::sin(0.5) * std::sqrt(2.0)));
-  // Eight units for the sine, four for the root, four for their product.
+  // The error is eight units for the sine, four for the root, and four for their product.
   EXPECT_LT(Width(form.terms[0].coefficient), 16 * std::numeric_limits<double>::epsilon());
 }
 
@@ -71,7 +71,7 @@ TEST_F(NormalFormTest, ReciprocalsDoNotCancel) {
   EXPECT_EQ(Evaluate(ToExpression(form), std::span<const Interval>(box)), kWholeLine);
   EXPECT_EQ(NormalFormOf(Power(x_ * y_, -2)), NormalFormOf(1 / (x_ * x_) / y_ / y_));
   EXPECT_EQ(NormalFormOf(x_ / 4), NormalFormOf(0.25 * x_));
-  // 1 / 0 stands.
+  // 1 / 0 is kept as it is.
   EXPECT_EQ(NormalFormOf(x_ / pool_.Constant(0)).terms[0].factors.size(), 2U);
   EXPECT_EQ(NormalFormOf(1 / (x_ - x_)), NormalFormOf(pool_.Constant(1) / 0));
 }
@@ -84,7 +84,8 @@ TEST_F(NormalFormTest, ArgumentsAreSimplifiedOnlyExactly) {
             Sin((0.1 + 0.2) * x_));
 }
 
-// Value of the normal form over the point's own box: must hold the expression's value.
+// Returns the value of the normal form over the box of the point. It must contain the value of the
+// expression.
 Interval ValueOf(const NormalForm& form, std::span<const Interval> point) {
   Interval sum = {0, 0};
   for (const Term& term : form.terms) {
@@ -110,7 +111,7 @@ TEST_F(NormalFormTest, HoldsTheValueOfRandomExpressions) {
     for (const double x : numbers) point.push_back({x, x});
     const Interval direct = Evaluate(e, std::span<const Interval>(point));
     const Interval through_form = ValueOf(form, point);
-    // Both hold the true value.
+    // Both intervals contain the true value.
     EXPECT_LE(direct.low, through_form.high);
     EXPECT_GE(direct.high, through_form.low);
     ++compared;
@@ -156,8 +157,8 @@ TEST_F(NormalFormTest, DepthCostsNoStack) {
   EXPECT_EQ(NormalFormOf(deep).terms.size(), 2U);
 }
 
-// In a pool that keeps them, many expressions one after another have the normal forms that each has
-// alone, in the same order.
+// In a pool that keeps normal forms, many expressions one after another have the same normal forms
+// as each has alone.
 TEST(KeptNormalForms, AreTheSame) {
   for (int seed = 0; seed < 20; ++seed) {
     SCOPED_TRACE(seed);

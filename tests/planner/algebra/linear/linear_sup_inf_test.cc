@@ -92,8 +92,9 @@ struct Size {
 
 class AgainstGlpk : public testing::TestWithParam<Size> {};
 
-// The answer is the exact one, rounded; both the recursion's and, after a single step, the simplex
-// method's. Contradictory systems are GLPK's and the simplex method's alone.
+// The answer is the exact value, rounded. This holds for the recursion and, with a limit of one
+// step, for the simplex method. Contradictory systems are compared only between GLPK and the
+// simplex method.
 TEST_P(AgainstGlpk, SupIsExact) {
   const auto [variables, rows, systems] = GetParam();
   RandomStream random(2026, "linear-sup-inf");
@@ -118,10 +119,10 @@ TEST_P(AgainstGlpk, SupIsExact) {
 INSTANTIATE_TEST_SUITE_P(Small, AgainstGlpk,
                          testing::Values(Size{2, 3, 1000}, Size{3, 3, 800}, Size{3, 6, 800},
                                          Size{4, 5, 600}, Size{5, 5, 400}));
-// Most of these spend their steps.
+// Most of these systems use up the steps of the recursion.
 INSTANTIATE_TEST_SUITE_P(Larger, AgainstGlpk, testing::Values(Size{7, 12, 30}));
 
-// The recursion itself, not the simplex method behind it, is exact: with a limit that is never met.
+// With a limit that is never reached, the recursion alone is exact, without the simplex method.
 TEST(LinearSupInf, IsExactWithoutTheSimplexMethod) {
   RandomStream random(2026, "recursion");
   for (int system = 0; system < 500; ++system) {
@@ -133,8 +134,8 @@ TEST(LinearSupInf, IsExactWithoutTheSimplexMethod) {
   }
 }
 
-// x + y over y <= x, y <= 4 - 2x, 0 <= x <= 2: the greatest value is at (4/3, 4/3), where the least
-// of two bounds on y is greatest.
+// The system is x + y over y <= x, y <= 4 - 2x, 0 <= x <= 2. The greatest value is at (4/3, 4/3),
+// where the least of two bounds on y is greatest.
 TEST(LinearSupInf, SumsAreExact) {
   const std::vector<LinearForm> rows = {Form({{kY, 1}, {kX, -1}}, 0), Form({{kY, 1}, {kX, 2}}, -4),
                                         Form({{kX, -1}}, 0), Form({{kX, 1}}, -2)};
@@ -142,7 +143,7 @@ TEST(LinearSupInf, SumsAreExact) {
               ElementsAre(Form({}, Rational(8) / 3)));
 }
 
-// Wherever the rows hold, what is kept bounds the form; the kept columns alone are in the answer.
+// Where the rows hold, each kept bound bounds the form. The answer contains only kept columns.
 TEST(LinearSupInf, KeptColumnsBound) {
   RandomStream random(2026, "kept");
   int symbolic = 0;
@@ -153,7 +154,7 @@ TEST(LinearSupInf, KeptColumnsBound) {
     for (const LinearForm& form : sup.Forms()) {
       symbolic += form.IsConstant() ? 0 : 1;
       ASSERT_TRUE(form.Without(kZ).IsConstant());
-      // The form minus the bound is nowhere positive.
+      // The form minus the bound is positive nowhere.
       const double worst = GreatestOf(Maximize(ObjectiveOf(program) - form, rows));
       ASSERT_LE(worst, 0) << system;
     }

@@ -14,7 +14,7 @@
 namespace assay::algebra::sup_inf_test {
 namespace {
 
-// x, y, z and the constraints between them.
+// The variables x, y, z and the constraints between them.
 class SupInf : public testing::Test {
  protected:
   Expression Declare(const std::string& name, const Interval& bounds = kWholeLine) {
@@ -73,7 +73,7 @@ TEST_F(SupInf, NumbersAndEmptyConstraints) {
   EXPECT_EQ(SupOf(x / 4), Expression(0.5));
 }
 
-// What the normal form shows to be linear counts as linear.
+// An expression counts as linear if its normal form is linear.
 TEST_F(SupInf, LinearUpToNormalForm) {
   const Expression x = Declare("x"), y = Declare("y");
   Post(x * (y + 1) - y * x, y + 1);
@@ -83,7 +83,7 @@ TEST_F(SupInf, LinearUpToNormalForm) {
   EXPECT_EQ(TightenedBox(constraints)[0], (Interval{-kInfinity, 3}));
 }
 
-// Numbers that are not doubles come out as bounds all the same.
+// Numbers that are no doubles give valid bounds, too.
 TEST_F(SupInf, SymbolicNumbersStayBounds) {
   const Expression x = Declare("x", {-2, 2}), y = Declare("y", {-2, 2});
   Post(3 * x, y + 1);
@@ -108,7 +108,7 @@ TEST_F(SupInf, ProductsOfKnownSignKeepVariables) {
   EXPECT_EQ(InfOf(x * down, {down.variable()}), 3 * down);
   const Expression of_square = SupOf(Power(x, 2) * up + 1, {up.variable()});
   EXPECT_NEAR(Evaluate(of_square, std::vector{0., 1.5, 0., 0.}), 9 * 1.5 + 1, 1e-14);
-  // Of unknown sign: a number.
+  // The sign of the factor is unknown, so that the bound is a number.
   EXPECT_NEAR(SupOf(x * any, {any.variable()}).constant(), 6, 1e-14);
 }
 
@@ -127,11 +127,11 @@ TEST_F(SupInf, OperandsOfMinAndMax) {
   EXPECT_EQ(InfOf(Max(x, y)), Expression(0));
   EXPECT_EQ(SupOf(Max(x, y - 1)), Expression(4));
   EXPECT_EQ(SupOf(Max(x, y), {y.variable()}), Max(SupOf(x, {y.variable()}), y));
-  // min(x, y) <= (x + y) / 2
+  // The bound follows from min(x, y) <= (x + y) / 2.
   EXPECT_EQ(SupOf(Min(3 * x, y)), Expression(3));
 }
 
-// A product that stands in a constraint and in the question is the same unknown.
+// A product that occurs in a constraint and in the bounded expression is treated as one unknown.
 TEST_F(SupInf, NonLinearConstraintsBoundTheirTerms) {
   const Expression x = Declare("x", {0, 2}), t = Declare("t", {-1, 1});
   Post(x + Cos(t), 1.5);
@@ -228,7 +228,7 @@ TEST(SupInfAgainstGlpk, LinearSystemsExactly) {
 
 // ---- Laws on random non-linear expressions ------------------------------------------------------
 
-// An expression of every operation, over boxes that hold the origin.
+// Random expressions with every operation, over boxes that contain the origin.
 class RandomProblem {
  public:
   explicit RandomProblem(RandomStream& random) : random_(random) {
@@ -239,7 +239,7 @@ class RandomProblem {
     for (int i = 0; i < 3; ++i) {
       constraints.inequalities.push_back({Make(2) - Evaluate(Make(1), kOrigin), Make(1) + 1});
       Inequality& inequality = constraints.inequalities.back();
-      // The origin is a solution.
+      // The constraint is shifted so that the origin satisfies it.
       const double slack =
           Evaluate(inequality.greater, kOrigin) - Evaluate(inequality.lesser, kOrigin);
       if (!(slack >= 0)) inequality.greater = inequality.greater - slack + 0.5;
@@ -297,7 +297,7 @@ class RandomProblem {
   RandomStream& random_;
 };
 
-// Values are computed in doubles.
+// The tolerance for values that are computed in doubles.
 double Slack(double value) { return 1e-9 * (1 + std::abs(value)); }
 
 TEST(SupInfLaws, FeasiblePointsAreNeverOutside) {
@@ -329,7 +329,7 @@ TEST(SupInfLaws, FeasiblePointsAreNeverOutside) {
   EXPECT_GT(points, 2000);
 }
 
-// Up to the rounding of non-linear terms.
+// The law holds up to the rounding of nonlinear terms.
 TEST(SupInfLaws, InfIsTheMirrorOfSup) {
   RandomStream random(2026, "mirror");
   for (int i = 0; i < 200; ++i) {
@@ -351,7 +351,7 @@ TEST(SupInfLaws, NeverWorseThanIntervalArithmetic) {
   }
 }
 
-// More constraints never make a bound of a linear expression worse.
+// More constraints never loosen the bound of a linear expression.
 TEST(SupInfLaws, ConstraintsTighten) {
   RandomStream random(2026, "monotone");
   for (int i = 0; i < 300; ++i) {

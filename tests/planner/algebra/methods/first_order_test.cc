@@ -29,7 +29,7 @@ TEST(FirstOrder, OfALinearExpressionIsExact) {
   EXPECT_NEAR(below.attained, -6, 1e-12);
 }
 
-// What cancels to first order cancels, however it is written.
+// Terms that cancel to first order do so however the expression is written.
 TEST(FirstOrder, LeavesOnlyCurvature) {
   for (const double width : {0.1, 0.01}) {
     ExpressionPool pool;
@@ -42,7 +42,7 @@ TEST(FirstOrder, LeavesOnlyCurvature) {
   }
 }
 
-// x^2 over [-r, r]: what one variable does has one sign.
+// Over [-r, r], the contribution of x^2 has one sign.
 TEST(FirstOrder, KnowsThatSquaresAreNotNegative) {
   ExpressionPool pool;
   const Expression x = pool.Declare("x", {-0.5, 0.5});
@@ -62,7 +62,7 @@ TEST(FirstOrder, TellsNothingOfWhatItDoesNotKnow) {
   }
 }
 
-// No value is beyond the bound, and the extremum is beyond what is attained.
+// No value is beyond the bound, and the extremum is at least the attained value.
 TEST(FirstOrder, HoldsForRandomExpressions) {
   RandomStream random(31, "first order");
   int told = 0;
@@ -86,7 +86,8 @@ TEST(FirstOrder, HoldsForRandomExpressions) {
     const BoundRequest request = {.evaluations = 1000};
     EXPECT_LE(above.attained, BoundAbove(e, box, request).value);
     EXPECT_GE(below.attained, BoundBelow(e, box, request).value);
-    // A limit in between is a reason to look at a corner: then more is attained, never too much.
+    // A limit between attained value and bound makes the method evaluate a corner. The attained
+    // value then grows but never exceeds the true extremum.
     const double limit = (above.bound + above.attained) / 2;
     const Glance asked = forms.Above(e, box.box, limit);
     EXPECT_EQ(asked.bound, above.bound);
@@ -99,7 +100,7 @@ TEST(FirstOrder, HoldsForRandomExpressions) {
   EXPECT_GT(answered, told / 4);
 }
 
-// In whatever order it is asked, of whatever else.
+// The answer does not depend on the order of the requests or on other expressions.
 TEST(FirstOrder, IsTheSameForOneAsForOneOfMany) {
   RandomStream random(32, "first order of many");
   ExpressionPool pool;

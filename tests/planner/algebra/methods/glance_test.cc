@@ -17,7 +17,7 @@ using oracle::ValueAt;
 TEST(Glance, SetsMonotoneVariables) {
   ExpressionPool pool;
   const Expression x = pool.Declare("x", {0, 1});
-  const Expression e = x - Sin(x) / 2;  // grows; intervals alone say [-0.42, 1]
+  const Expression e = x - Sin(x) / 2;  // increasing; interval arithmetic alone gives [-0.42, 1]
   const std::vector<Interval> box = DeclaredBox(pool).box;
   EXPECT_NEAR(GlanceAbove(e, box, 0).bound, 1 - std::sin(1) / 2, 1e-14);
   EXPECT_NEAR(GlanceAbove(e, box, 0).attained, 1 - std::sin(1) / 2, 1e-14);
@@ -39,8 +39,8 @@ TEST(Glance, OfANumberIsTheNumber) {
   EXPECT_EQ(GlanceBelow(2.5, {}, 7).bound, 2.5);
 }
 
-// No value, sampled or climbed to, lies outside; and what is attained is inside the bounds that the
-// ladder gives.
+// No value that was sampled or found by ascent is outside the bounds. The attained value is within
+// the bounds of the full method.
 TEST(Glance, HasNoValueOutsideItsBounds) {
   RandomStream random(23, "glance");
   for (int i = 0; i < 2500; ++i) {

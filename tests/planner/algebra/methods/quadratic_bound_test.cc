@@ -47,11 +47,12 @@ TEST(PositiveDefinite, RefusesWhatIsNot) {
 TEST(PositiveDefinite, DeviationsCount) {
   const SymmetricMatrix centre = Matrix({{1}, {0.5, 1}});
   EXPECT_TRUE(IsSurelyPositiveDefinite(centre, Matrix({{0.1}, {0.1, 0.1}})));
-  // [[0.8, 0.8], [0.8, 0.8]] is among these.
+  // The matrix [[0.8, 0.8], [0.8, 0.8]] is within these deviations.
   EXPECT_FALSE(IsSurelyPositiveDefinite(centre, Matrix({{0.2}, {0.3, 0.2}})));
 }
 
-// Against random points, of random curvatures less than the one given.
+// The bound is compared with random points and with random curvatures that are less than the given
+// one.
 TEST(QuadraticBound, NoPointIsHigher) {
   RandomStream random(1, "quadratic");
   int concave = 0;
@@ -78,7 +79,7 @@ TEST(QuadraticBound, NoPointIsHigher) {
         value += slopes[j] * d[j];
         along += direction[j] * d[j];
       }
-      // Of the curvature less direction direction^T.
+      // The curvature is reduced by direction direction^T.
       value += (Quadratic(curvature, d) - (sample % 2) * along * along) / 2;
       EXPECT_GE(most, value);
       EXPECT_TRUE(!bound.IsConcave() || Quadratic(curvature, direction) <= 0);
@@ -92,7 +93,7 @@ TEST(QuadraticBound, IsTightWhereTheSummitIsInside) {
   QuadraticBound bound;
   bound.SetCurvature(Matrix({{-2}, {-1, -2}}), 0, std::vector<double>{2, 2});
   ASSERT_TRUE(bound.IsConcave());
-  // At d = -C^-1 s = (1/3, 1/3): s . d / 2.
+  // The greatest value is s . d / 2 at d = -C^-1 s = (1/3, 1/3).
   EXPECT_NEAR(bound.Most(std::vector<double>{1, 1}), 1.0 / 3, 0.02);
 }
 

@@ -27,7 +27,7 @@ class MultiaffineFormTest : public testing::Test {
 TEST_F(MultiaffineFormTest, KnowsItsKind) {
   EXPECT_TRUE(FormOf(x_ + 2 * y_));
   EXPECT_TRUE(FormOf(x_ * y_ * Cos(t_) - Sin(t_)));
-  EXPECT_TRUE(FormOf(Power(Sin(t_), 2) + Power(Cos(t_), 2) + x_));  // 1 + x
+  EXPECT_TRUE(FormOf(Power(Sin(t_), 2) + Power(Cos(t_), 2) + x_));  // it equals 1 + x
   EXPECT_FALSE(FormOf(x_ * x_ + y_));
   EXPECT_FALSE(FormOf(Sin(t_) * Cos(t_)));
   EXPECT_FALSE(FormOf(t_ + Sin(t_)));
@@ -42,11 +42,12 @@ TEST_F(MultiaffineFormTest, AnglesComeFirst) {
   ASSERT_TRUE(form);
   ASSERT_EQ(form->angle_count, 1);
   EXPECT_EQ(form->variables[0].id, t_.variable());
-  EXPECT_EQ(form->variables[1].id, x_.variable());  // in three terms
+  EXPECT_EQ(form->variables[1].id, x_.variable());  // it occurs in three terms
   EXPECT_EQ(form->variables[2].id, y_.variable());
 }
 
-// Against outward-rounded interval arithmetic: both hold the true value.
+// The values are compared with outward-rounded interval arithmetic. Both intervals contain the true
+// value.
 TEST(MultiaffineForm, ErrorsOfValuesAreBounded) {
   RandomStream random(1, "errors");
   for (int i = 0; i < 60; ++i) {
@@ -75,7 +76,7 @@ TEST(MultiaffineForm, ErrorsOfValuesAreBounded) {
   }
 }
 
-// Differences of values as oracle of derivatives.
+// The oracle computes derivatives by differences of values.
 TEST(MultiaffineForm, DerivativesByVariables) {
   constexpr double kStep = 1e-4;
   RandomStream random(2, "derivatives");

@@ -11,12 +11,12 @@ namespace {
 
 constexpr int kAngles = 3;
 constexpr double kRounding = 1e-12;
-constexpr double kStep = 1e-4;  // of second differences
+constexpr double kStep = 1e-4;  // step of second differences
 const std::vector<int> kCosines = {0, 2, 4};
 
 using Point = std::vector<double>;
 
-// A random sum of products of no, or the sine or cosine of each angle.
+// A random sum of products. Each product has the sine, the cosine or nothing of each angle.
 struct Products {
   std::vector<NestedForm::Term> terms;
   NestedForm form;
@@ -49,7 +49,7 @@ struct Products {
     return (after - At(angles)) / (2 * kStep);
   }
 
-  // The second derivative along a direction.
+  // Returns the second derivative along a direction.
   double Curvature(const Point& angles, const Point& direction) const {
     Point before = angles;
     Point after = angles;
@@ -139,7 +139,7 @@ TEST(TrigonometricPolynomial, NoDirectionBendsMoreThanTheGreatestCurvature) {
   }
 }
 
-// cos(s) cos(t) - sin(s) sin(t) = cos(s + t): what products hide.
+// The products hide that cos(s) cos(t) - sin(s) sin(t) = cos(s + t).
 TEST(TrigonometricPolynomial, KnowsSumsOfAngles) {
   std::vector<NestedForm::Term> terms = {{NestedForm::SetOf(0) | NestedForm::SetOf(2), 1},
                                          {NestedForm::SetOf(1) | NestedForm::SetOf(3), -1}};

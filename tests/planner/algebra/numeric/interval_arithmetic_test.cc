@@ -14,7 +14,8 @@
 namespace assay::algebra::interval_arithmetic_test {
 namespace {
 
-// long double has 11 bits more than double: an oracle whose own rounding is 2000 times smaller.
+// The oracle computes with long double, which has 11 bits more than double. Its own rounding is
+// 2000 times smaller.
 using Real = long double;
 
 constexpr double kTiniest = std::numeric_limits<double>::denorm_min();
@@ -22,7 +23,7 @@ constexpr double kLargest = std::numeric_limits<double>::max();
 
 bool Holds(const Interval& a, Real x) { return Real{a.low} <= x && x <= Real{a.high}; }
 
-// A value of the oracle lies within its own rounding error of the interval.
+// Returns whether the interval contains a value of the oracle up to its own rounding error.
 bool HoldsNearly(const Interval& a, Real x) {
   const Real slack = std::abs(x) * std::numeric_limits<Real>::epsilon() * 4;
   return Real{a.low} <= x + slack && x - slack <= Real{a.high};
@@ -205,7 +206,7 @@ TEST(IntervalArithmetic, WavesHaveTheirExtremaWhereTheyAre) {
   for (int i = 0; i < 100'000; ++i) {
     const double low = random.Uniform(-40, 40);
     const Interval a = {low, low + random.Uniform(0, 8)};
-    // A crest of the cosine is at every even multiple of pi, a trough at every odd one.
+    // The cosine has a maximum at every even multiple of pi and a minimum at every odd one.
     const auto holds_point = [&](double phase) {
       return std::floor((a.high - phase) / (2 * kPi)) > std::floor((a.low - phase) / (2 * kPi));
     };
@@ -219,7 +220,7 @@ TEST(IntervalArithmetic, WavesHaveTheirExtremaWhereTheyAre) {
   EXPECT_EQ(Sin(Interval{0, 1e9}), (Interval{-1, 1}));
   EXPECT_EQ(Cos(kWholeLine), (Interval{-1, 1}));
   EXPECT_EQ(Sin(Interval{3, kInfinity}), (Interval{-1, 1}));
-  // A single huge number has one sine, which the C library knows.
+  // A single huge number has one sine, which the C library computes.
   EXPECT_TRUE(Contains(Sin(Interval{1e300, 1e300}), std::sin(1e300)));
   EXPECT_LT(Width(Sin(Interval{1e300, 1e300})), 1e-14);
   EXPECT_EQ(Cos(Interval{1e300, std::nextafter(1e300, kInfinity)}), (Interval{-1, 1}));

@@ -22,7 +22,7 @@ using ::testing::StartsWith;
 
 Value Root(const std::string& text) { return Document::Parse(text, "f.yaml").root(); }
 
-// The message of the InputError that `action` throws.
+// Returns the message of the InputError that `action` throws.
 template <class Action>
 std::string Error(Action action) {
   try {
@@ -263,7 +263,7 @@ TEST(ParseTest, ASyntaxErrorHasAPlace) {
   EXPECT_THAT(ParseError("a: %"), StartsWith("f.yaml:1:4: "));
 }
 
-// A file cut short must not pass for a whole one.
+// A file that was cut short must not be accepted as a whole file.
 TEST(ParseTest, RefusesWhatIsNeverClosed) {
   for (const char* text :
        {"a: \"x", "a: \"x\n", "a: 'x\n", "a: 'x''\n", "a: \"x\\\"\n", "a: \"x\n # y\n", "\"x\n",
@@ -383,7 +383,8 @@ TEST(NearestNameTest, FindsSlipsOfTheKeyboard) {
   EXPECT_EQ(NearestName("goal", {}), "");
 }
 
-// Calls every accessor everywhere; what they throw must be InputErrors at the value's own place.
+// Calls every accessor of every value. What they throw must be InputErrors at the place of the
+// value.
 void Walk(const Value& value) {
   const auto attempt = [&](auto accessor) {
     try {
@@ -503,7 +504,7 @@ TEST(RobustnessTest, AMutatedDocumentParsesOrIsAnInputError) {
   EXPECT_LT(parsed, 2500) << "mutations too tame to test the parser";
 }
 
-// All that can be told of a value.
+// Returns everything that a value's accessors return, as a text.
 std::string Told(const Value& value) {
   std::string told = value.Place().Text();
   if (value.IsScalar()) {
@@ -534,8 +535,8 @@ const char* const kJsonSamples[] = {
     "-1,\n\"- 1\", [ false ,\n true], {\"x\":{\"y\":[1,2,[\"\\t\\\"'\"]]}}, \"~\", \"\"]\n\n",
     R"({"a": [1.5E+3, -0.0, "b"], "c": {"d": "e, f", "g": [[], {}, [{}]]}, "h": "i", "j": -7})"};
 
-// What is read without yaml-cpp is what yaml-cpp reads. A comment, which is not JSON, has it read
-// the same text.
+// A text that is read without yaml-cpp must give the same values as yaml-cpp. A comment, which is
+// not JSON, makes yaml-cpp read the same text.
 TEST(JsonTest, IsReadAsYamlIs) {
   RandomStream random(20240522, "JSON mutations");
   int parsed = 0;

@@ -53,7 +53,7 @@ TEST(InputFile, IsKnownByEveryPathAndLink) {
   EXPECT_FALSE(IsInput(ScratchFile("not there")));
 }
 
-// Editors replace files.
+// Editors replace a file by a new one when they save it.
 TEST(InputFile, IsKnownByItsPathAfterItWasReplaced) {
   const fs::path file = Written("replaced", "1");
   ReadInput(file, "a text");

@@ -9,7 +9,7 @@
 namespace assay::quotation_test {
 namespace {
 
-// Bytes of all kinds, among them many that matter: escapes, starts and middles of characters.
+// Returns bytes of all kinds, many of which matter: escapes, and starts and middles of characters.
 std::string RandomBytes(RandomStream& random) {
   static const std::string kLikely =
       "\x1b[31m\x07\r\n\t\x7f\xc2\x9b\xe2\x80\xae\xff\xc0\x80\xed\xa0";
@@ -22,7 +22,8 @@ std::string RandomBytes(RandomStream& random) {
   return bytes;
 }
 
-// By the table of RFC 3629, section 4, one production after the other.
+// Returns whether the text is UTF-8, by the table of RFC 3629, section 4, one production after the
+// other.
 bool IsUtf8(const std::string& text) {
   const auto in = [&](std::size_t i, int low, int high) {
     const int byte = i < text.size() ? static_cast<unsigned char>(text[i]) : -1;
@@ -46,7 +47,8 @@ bool IsUtf8(const std::string& text) {
   return true;
 }
 
-// Nothing that a terminal obeys: C0 but for `allowed`, DEL, C1, and U+202A to U+202E.
+// Returns whether the text has no control characters of a terminal: C0 except `allowed`, DEL, C1,
+// and U+202A to U+202E.
 bool IsHarmless(const std::string& text, const std::string& allowed) {
   for (std::size_t i = 0; i < text.size(); ++i) {
     const auto byte = static_cast<unsigned char>(text[i]);
@@ -90,7 +92,7 @@ TEST(Shown, IsCutByCharacters) {
   EXPECT_EQ(Quote(std::string(100'000, 'A')), "'" + std::string(60, 'A') + "...'");
 }
 
-// Whatever an error is made of.
+// The message is readable whatever bytes the error contains.
 TEST(InputErrors, AreShownAndCut) {
   const InputError error({.file = "a\x1b\n", .line = 1, .column = 2}, "no \xff",
                          std::string(1'000'000, 'A'));

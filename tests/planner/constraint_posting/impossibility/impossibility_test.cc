@@ -27,7 +27,8 @@ using ::testing::IsEmpty;
 using ::testing::Not;
 using ::testing::SizeIs;
 
-// A folder of models: the project's, a few parts and workcells with few placements more.
+// A folder with the models of the project and a few more parts and workcells, which have few
+// placements.
 class Models {
  public:
   Models() : folder_(fs::temp_directory_path() / fmt::format("assay-impossible-{}", getpid())) {
@@ -78,7 +79,8 @@ const Models& TheModels() {
   return models;
 }
 
-// A box with a stud on its upper end and a socket for such a stud in its lower end, millimetres.
+// Returns a box with a stud on its upper end and a socket for a stud in its lower end, in
+// millimetres.
 std::string StackingBox(int x, int y, int z) {
   return fmt::format(R"(format: assay-part/1
 name: box
@@ -112,8 +114,9 @@ domain::Problem Read(const std::string& text) {
   return domain::ReadProblem(Document::Parse(text, "scene.yaml"), TheModels().folder());
 }
 
-// Two or three stacking boxes, some of which nobody can take, far apart or crowded, on the table of
-// one or two arms; one to three goals: stacks, also of three, and parts that are to lie otherwise.
+// Draws a scene with two or three stacking boxes on the table of one or two arms. Some boxes cannot
+// be taken, and boxes can be far apart or crowded. There are one to three goals: stacks of up to
+// three boxes, and other stable poses.
 class RandomScene {
  public:
   explicit RandomScene(std::uint64_t seed) : random_(seed, "scene"), seed_(seed) {}
@@ -123,7 +126,7 @@ class RandomScene {
       try {
         text_ = Text();
         return Read(text_);
-      } catch (const InputError&) {  // parts that overlap, or stand beside the table
+      } catch (const InputError&) {  // parts overlap or are beside the table
         if (tries == kMostTries) throw;
       }
     }
@@ -212,9 +215,9 @@ std::string Name(const plan::PlanResult& result) {
   return result.limits.empty() ? "budget" : "limit";
 }
 
-// "No plan exists" is said exactly where everything was tried, and nothing worked: never where
-// there is a plan, with whatever arm and in whatever order; and always where there is none, unless
-// the planner says which of its limits keeps it from knowing.
+// The planner says "no plan exists" only if trying everything finds no plan, with any arm and in
+// any order. If there is no plan it always says so, unless it names the limit that keeps it from
+// knowing.
 TEST(Impossibility, IsProvedExactlyWhereTryingEverythingFindsNothing) {
   PlannerOptions options;
   options.partial_plans = 2'000;
@@ -247,7 +250,8 @@ TEST(Impossibility, IsProvedExactlyWhereTryingEverythingFindsNothing) {
   for (const auto& [both, count] : counts) fmt::print("{:5} {}\n", count, both);
 }
 
-// The problem of the random scenes, so that it can be told why there is none.
+// Returns a problem like those of the random scenes, in which the reason for the impossibility is
+// known.
 std::string BoxesOnTable(const std::string& parts, const std::string& goals,
                          const std::string& workcell = "one-arm", int lean = 60) {
   return fmt::format(
@@ -262,7 +266,8 @@ std::string Box(const std::string& name, int x, int y, int z, const std::string&
   return fmt::format("  {}: {{model: {}, pose: {{stable: {}}}}}\n", name, model, pose);
 }
 
-// A chain: b on a, c on b. People can build that; the planner does not put parts on parts on parts.
+// A chain: b on a, and c on b. People can build it, but the planner does not stack more than two
+// parts.
 TEST(Impossibility, IsNotSaidOfWhatThePlannerDoesNotDo) {
   const plan::PlanResult result =
       MakePlan(Read(BoxesOnTable(Box("a", 60, 60, 50, "upright, at: [600, 0]") +
@@ -275,7 +280,7 @@ TEST(Impossibility, IsNotSaidOfWhatThePlannerDoesNotDo) {
   EXPECT_THAT(result.limits, ElementsAre(HasSubstr("b is mated into a, c is mated into b")));
 }
 
-// The same chain, but nobody gets at c: whatever is done with b, this is proved.
+// A chain in which c cannot be reached. Whatever is done with b, the impossibility is proved.
 TEST(Impossibility, IsProvedOfAChainWhereAPartOfItCannotBeTaken) {
   const plan::PlanResult result =
       MakePlan(Read(BoxesOnTable(Box("a", 60, 60, 50, "upright, at: [600, 0]") +
@@ -299,8 +304,8 @@ TEST(Impossibility, AnotherArmThatGetsThereIsALimitOfThePlanner) {
   EXPECT_THAT(far.limits, ElementsAre(HasSubstr("robot left")));
 }
 
-// Two boxes, too long to be held otherwise than across, stand side by side, with no room for a
-// finger between them: each is in the way of the other, whichever is to be taken first.
+// Two boxes stand side by side without room for a finger between them. They are so long that they
+// can be held only across. Each box keeps the other from being taken first.
 TEST(Impossibility, IsProvedOfPartsThatKeepEachOtherFromBeingTaken) {
   const auto result_with = [](int y) {
     return MakePlan(
@@ -317,8 +322,8 @@ TEST(Impossibility, IsProvedOfPartsThatKeepEachOtherFromBeingTaken) {
   EXPECT_THAT(result.conflict, Contains("b is in the way where it starts"));
 }
 
-// The conflict in the relaxed problem itself: never empty, and without any one of its constraints
-// something is possible.
+// The conflict of the relaxed problem is never empty. Without any one of its constraints something
+// becomes possible.
 TEST(Impossibility, EveryConstraintOfAConflictIsNeeded) {
   int proofs = 0;
   for (int seed = 1; seed <= SceneCount() / 2; ++seed) {
@@ -346,8 +351,8 @@ TEST(Impossibility, EveryConstraintOfAConflictIsNeeded) {
   EXPECT_GT(proofs, 0);
 }
 
-// What is attainable is a fixed point: with any one fact less it is not confirmed, and neither is
-// it if the goal is among it.
+// The set of attainable facts is a fixed point. It is not confirmed if one fact is missing, nor if
+// it contains the goal.
 TEST(Impossibility, IsNotConfirmedWhereAnActionWasLeftOut) {
   const domain::Problem problem = LoadScenario("impossible");
   const ImpossibilityAnswer answer = ProveImpossible(problem);
@@ -384,9 +389,9 @@ TEST(Impossibility, TellsWhatIsMissedByLeast) {
   EXPECT_THAT(result.hypotheses, Contains(HasSubstr("placements of workcell puma762-table")));
 }
 
-// A plate 120 mm wide and 20 mm high can only be held by its edges on two sides that are too far
-// from each other, or by faces of 20 mm: enough for pads of 16 mm that are not turned, while those
-// that are turned by 45 degrees reach over 16 sqrt(2) mm.
+// A plate of 120 mm by 20 mm can be held only by two sides that are too far apart, or by faces 20
+// mm high. These faces are high enough for pads of 16 mm that are not turned. Pads that are turned
+// by 45 degrees need 16 sqrt(2) mm.
 TEST(Impossibility, TellsOfFacesThatAreTooNarrowForThePads) {
   const plan::PlanResult result =
       MakePlan(Read(BoxesOnTable(Box("plate", 120, 90, 20, "upright, at: [600, 0]"),

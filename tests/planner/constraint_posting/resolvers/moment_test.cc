@@ -12,7 +12,7 @@ namespace {
 
 using domain::PartId;
 
-// Where things are before actions[moment], from the actions alone.
+// The state before actions[moment], computed from the actions alone.
 class Story {
  public:
   Story(const domain::Problem& problem, const std::vector<plan::Action>& actions, int moment)
@@ -60,7 +60,7 @@ class Moments : public ::testing::TestWithParam<const char*> {
   std::vector<plan::Action> actions_ = ActionsOf(FirstInstance(problem_));
   std::vector<plan::WorldState> states_ = StatesOf(problem_, actions_);
 
-  // The last moment up to `step` at which the story is as wanted.
+  // Returns the last snapshot up to `step` at which the story is as wanted.
   template <class Wanted>
   std::optional<int> NaiveLatest(int step, const Wanted& wanted) const {
     std::optional<int> latest;

@@ -25,7 +25,7 @@ using ::testing::IsEmpty;
 using ::testing::Not;
 using ::testing::SizeIs;
 
-// An instance of a scenario, and goals of one of its steps that speak of all parts.
+// An instance of a scenario, and unmet goals of one of its steps that concern all parts.
 struct Asked {
   explicit Asked(const std::string& scenario)
       : problem(LoadScenario(scenario)), actions(ActionsOf(FirstInstance(problem))) {}
@@ -46,7 +46,7 @@ PartId PartOf(const plan::Action& action) {
   return sense != nullptr ? sense->part : std::get<plan::Squeeze>(action).part;
 }
 
-// The plan of these actions, one after another.
+// Returns the plan that executes these actions one after another.
 Plan InThisOrder(const domain::Problem& problem, const std::vector<plan::Action>& actions) {
   Plan plan = {.problem = problem.name};
   for (std::size_t i = 0; i < actions.size(); ++i) {
@@ -71,8 +71,8 @@ std::vector<plan::Action> With(const Remedy& remedy, const std::vector<plan::Act
   return all;
 }
 
-// What a resolver inserts keeps the operational and geometric preconditions of the whole plan: the
-// checker, which shares no code with it, finds nothing wrong.
+// The actions that a resolver inserts keep the operational and geometric preconditions of the whole
+// plan. The checker, which shares no code with the resolver, finds no flaw.
 TEST(Resolvers, ProposeWhatTheCheckerAccepts) {
   SensingResolver sensing;
   SqueezingResolver squeezing;
@@ -113,7 +113,7 @@ TEST(Resolvers, InsertBeforeTheStepWhatIsAboutTheirPart) {
   }
 }
 
-// Only parts whose errors occur in the goals are worth a remedy.
+// A resolver proposes remedies only for parts whose errors occur in the goals.
 TEST(Resolvers, LeaveOtherPartsAlone) {
   const Asked asked("spar-fig14");
   const PartId peg = PartNamed(asked.problem, "peg");
@@ -130,7 +130,7 @@ TEST(Resolvers, LeaveOtherPartsAlone) {
 }
 
 TEST(SensingResolver, LooksAtAPartInTheHandBeforeItIsTaken) {
-  const Asked asked("spar-fig15");  // pickup of the peg, assemble
+  const Asked asked("spar-fig15");  // its actions are pickup of the peg and assemble
   const PartId peg = PartNamed(asked.problem, "peg");
   for (const Remedy& remedy : SensingResolver().Propose(asked.At(1))) {
     ASSERT_THAT(remedy.insertions, SizeIs(1));
@@ -147,7 +147,7 @@ TEST(SensingResolver, UsesAllowedSensorsOnly) {
   EXPECT_THAT(SensingResolver().Propose(asked.At(1)), IsEmpty());
 }
 
-// Two sensors: each alone, then both.
+// With two sensors, the resolver proposes each alone and then both.
 TEST(SensingResolver, CombinesSensors) {
   Asked asked("spar-fig15");
   asked.problem.sensors = {"overhead-camera", "close-camera"};
@@ -181,11 +181,12 @@ TEST(SqueezingResolver, ClosesInDirectionsThatDiffer) {
                               .dot(ClosingDirection(remedy.insertions[1].action));
     EXPECT_LT(std::abs(cosine), 0.99);
   }
-  EXPECT_EQ(singles, 2);  // a square that stands has two
-  EXPECT_EQ(pairs, 2);    // in either order
+  EXPECT_EQ(singles, 2);  // a standing square has two directions
+  EXPECT_EQ(pairs, 2);    // the two directions in either order
 }
 
-// One direction, then two, then either with a look before: a look is the dearest way to squeeze.
+// The resolver proposes one direction, then two directions, then a look before either. Squeezing
+// with a look is the most expensive remedy.
 TEST(SqueezingResolver, AlsoProposesALookBeforeWhereSensorsMayBeUsed) {
   const Asked asked("uncertain-squeezing");
   bool with_sensing = false;
@@ -205,9 +206,9 @@ TEST(SqueezingResolver, LeavesMatedPartsAlone) {
   EXPECT_THAT(SqueezingResolver().Propose(asked.At(0)), IsEmpty());
 }
 
-// Resolvers that do not exist yet: the uncertainty phase knows the interface alone.
+// Resolvers that exist only in this test. The uncertainty phase knows only their interface.
 
-// Executes some conditions' steps so that their errors do not matter (fine motion).
+// A resolver whose execution absorbs the errors of some conditions, like fine motion.
 class Absorbing : public Resolver {
  public:
   explicit Absorbing(std::vector<std::string> conditions) : conditions_(std::move(conditions)) {}
@@ -224,11 +225,11 @@ class Absorbing : public Resolver {
   std::vector<int> asked_;
 };
 
-// Proposes what sensing proposes, under another name.
+// A resolver that makes the same proposals as sensing under another name.
 class Scanner : public Resolver {
  public:
   std::string_view name() const override { return "scanner"; }
-  // For all that is known of it: it is asked together with those that do absorb.
+  // Makes the phase ask this resolver together with the resolvers that absorb errors.
   std::vector<std::string> absorbs() const override { return {"entry"}; }
   std::vector<Remedy> Propose(const UnmetGoals& unmet) override {
     return SensingResolver().Propose(unmet);
@@ -271,7 +272,7 @@ TEST(ResolverInterface, WhatIsAbsorbedNeedsNoProof) {
       problem, Using({std::make_shared<Absorbing>(std::vector<std::string>{
                    "entry", "slide-in", "seat", "tilt", "holding", "standing", "pressed",
                    "fingertip", "fixed stands", "fixed stays", "hand clear", "passing clear"})}));
-  EXPECT_EQ(plan.errors, 1);  // the pickup
+  EXPECT_EQ(plan.errors, 1);  // the error of the pickup
   EXPECT_EQ(plan.steps.size(), failing.steps.size());
   EXPECT_LT(plan.verifications.size(), failing.verifications.size());
   const auto names = NamesOf(AssembleStep(plan).certificate.resolutions);
@@ -306,7 +307,7 @@ TEST(ResolverInterface, AResolverIsAskedOnlyAboutStepsThatFail) {
   const domain::Problem held = LoadScenario("uncertain-held");
   const auto needed = std::make_shared<Absorbing>(std::vector<std::string>{});
   Augmented(held, Using({needed}));
-  EXPECT_THAT(needed->asked(), AllOf(Contains(1), ::testing::Each(1)));  // assemble
+  EXPECT_THAT(needed->asked(), AllOf(Contains(1), ::testing::Each(1)));  // the step of the assemble
 }
 
 TEST(ResolverInterface, WhatAResolverInsertsCarriesItsName) {
@@ -340,8 +341,8 @@ TEST(ResolverInterface, WhereNoneProposesAnythingFailureIsPreparedFor) {
   EXPECT_THAT(plan.recoveries, Not(IsEmpty()));
 }
 
-// A squeeze of a part that may lie under a finger does harm: it is not inserted, though it would
-// make the errors smaller.
+// A squeeze is not inserted if the part may lie under a finger, although the squeeze would reduce
+// the errors.
 TEST(ResolverInterface, ARemedyWhoseOwnGoalsFailIsNotUsed) {
   const domain::Problem problem = LoadScenario("uncertain-failing");
   const Asked asked("uncertain-failing");

@@ -35,7 +35,7 @@ bool HasDistinctSubjects(const std::vector<Combinable>& items, const Chosen& cho
   return subjects.size() == chosen.size();
 }
 
-// All subsets, filtered and then sorted as the declaration says.
+// Returns all subsets, filtered and then sorted as the declaration says.
 std::vector<Chosen> Naive(const std::vector<Combinable>& items, int most) {
   std::vector<Chosen> all;
   for (unsigned bits = 1; bits < 1U << items.size(); ++bits) {
@@ -65,7 +65,7 @@ TEST(Combinations, OfNothingAreNone) { EXPECT_THAT(Visited({}, 3, kUnlimited), I
 TEST(Combinations, LowerGroupsComeFirstThenTheSmaller) {
   const std::vector<Combinable> items = {{0, 0}, {0, 1}, {1, 0}, {1, 1}};
   EXPECT_THAT(Visited(items, 2, kUnlimited),
-              ElementsAre(Chosen{0}, Chosen{1}, Chosen{0, 1},  // of group 0 alone
+              ElementsAre(Chosen{0}, Chosen{1}, Chosen{0, 1},  // combinations of group 0 alone
                           Chosen{2}, Chosen{3}, Chosen{0, 3}, Chosen{1, 2}, Chosen{2, 3}));
 }
 

@@ -41,7 +41,7 @@ constexpr int kMostOrders = 100;
 UncertaintyOptions In(Propagation propagation) {
   UncertaintyOptions options;
   options.propagation = propagation;
-  options.instances = 2;  // of scenarios that cannot be proved
+  options.instances = 2;  // limit for scenarios that cannot be proved
   return options;
 }
 
@@ -51,7 +51,7 @@ Plan CertifiedPlan(const domain::Problem& problem, const UncertaintyOptions& opt
   return result.plan;
 }
 
-// A resolver that knows no remedy.
+// A resolver that proposes no remedy.
 class Idle : public Resolver {
  public:
   std::string_view name() const override { return "idle"; }
@@ -78,7 +78,7 @@ std::vector<StepId> Unproved(const Plan& plan) {
   return unproved;
 }
 
-// What the resolutions of all steps have inserted.
+// Returns the steps that the resolutions of all steps inserted.
 std::set<StepId> InsertedSteps(const Plan& plan) {
   std::set<StepId> inserted;
   for (const PlannedStep& step : plan.steps) {
@@ -89,7 +89,7 @@ std::set<StepId> InsertedSteps(const Plan& plan) {
   return inserted;
 }
 
-// How many of these actions cannot be proved when they are executed one after another.
+// Returns how many of these actions cannot be proved when they are executed in this order.
 int UnprovedAmong(const domain::Problem& problem, const std::vector<plan::Action>& actions,
                   Propagation propagation) {
   uncertainty::UncertainWorld world(problem, propagation);
@@ -114,7 +114,7 @@ const PlannedStep& StepWithMating(const Plan& plan) {
   });
 }
 
-// The five answers of phase two, each with its scenario.
+// The tests below show the five answers of the second phase, each with a scenario.
 
 TEST(UncertaintyPhase, NothingIsDoneAboutPartsThatAreKnownWellEnough) {
   const domain::Problem problem = LoadScenario("uncertain-known");
@@ -153,7 +153,7 @@ TEST(UncertaintyPhase, TwoPerpendicularSqueezesAreNeededWhereTheCameraIsTooCoars
     }
   }
   EXPECT_NEAR(closing[0].dot(closing[1]), 0, 1e-6);
-  // Both horizontal coordinates are known better than the camera could have told.
+  // Both horizontal coordinates are known more precisely than the camera could measure.
   const auto& before = StepWithMating(plan).certificate.before;
   const auto post = std::ranges::find(before, PartNamed(problem, "post"), &plan::ErrorSet::part);
   const Interval camera = problem.workcell->uncertainty_operations().FindSensor("coarse-camera")->x;
@@ -161,9 +161,9 @@ TEST(UncertaintyPhase, TwoPerpendicularSqueezesAreNeededWhereTheCameraIsTooCoars
   EXPECT_LT(post->y.high, camera.high);
 }
 
-// Spar: sensing is not allowed while the part is held. The assembly fails, and then the sleeve is
-// in the hand: so it is looked at before it is taken, although nothing about the pickup asks for
-// it.
+// Spar allows no sensing while a part is held. Here the assembly fails when the sleeve is in the
+// hand. The sleeve is therefore looked at before it is taken, although nothing about the pickup
+// requires it.
 TEST(UncertaintyPhase, ThePartInTheHandWasLookedAtBeforeItWasTaken) {
   const domain::Problem problem = LoadScenario("uncertain-held");
   EXPECT_EQ(Unproved(CertifiedPlan(problem, WithoutRemedies())).size(), 1u);
@@ -200,10 +200,10 @@ TEST(UncertaintyPhase, WhereNothingIsEnoughFailureIsPreparedFor) {
     }
   }
   EXPECT_TRUE(signalled.contains("error1"));  // nothing grasped
-  EXPECT_TRUE(signalled.contains("error2"));  // not what was expected
+  EXPECT_TRUE(signalled.contains("error2"));  // another part than expected
 }
 
-// What holds of every augmented plan instance.
+// The tests below check laws of every augmented plan instance.
 
 using Case = std::tuple<const char*, Propagation>;
 
@@ -216,7 +216,7 @@ class AugmentedPlans : public ::testing::TestWithParam<Case> {
   const Plan& plan_ = result_.plan;
 
  private:
-  // Planned once for all tests of a case.
+  // Returns the plan of a case, which is made once for all tests.
   const plan::PlanResult& Result() const {
     static std::map<std::pair<std::string, Propagation>, plan::PlanResult> results;
     const auto [entry, is_new] = results.try_emplace({problem_.name, propagation()});
@@ -248,7 +248,7 @@ TEST_P(AugmentedPlans, CountTheirErrorsAsTheirCertificatesDo) {
   EXPECT_EQ(plan_.errors, UnprovedAmong(problem_, ActionsOf(plan_), propagation()));
 }
 
-// One look less, one squeeze less, and more steps than before cannot be proved.
+// If any one look or squeeze is left out, some step can no longer be proved.
 TEST_P(AugmentedPlans, WithoutErrorsHoldNothingThatIsNotNeeded) {
   if (plan_.errors > 0) return;
   for (const StepId id : InsertedSteps(plan_)) {
@@ -273,7 +273,7 @@ TEST_P(AugmentedPlans, SayForEachStepThatWasInsertedWhatItIsFor) {
   }
 }
 
-// Outward rounding, here and there.
+// The tolerance for outward rounding.
 constexpr double kRounding = 1e-15;  // metres and radians
 
 void ExpectSame(const Interval& a, const Interval& b) {
@@ -296,10 +296,10 @@ void ExpectSame(const plan::ErrorSet& a, const plan::ErrorSet& b) {
   ExpectSame(a.twist, b.twist);
 }
 
-// A part in the hand, about where the hand was told to go: the new command's error is added to what
-// the part is off in the hand. Across the pads there is nothing else (Spar: "Y is limited to the
-// gripper's own error"), but that a turn of the hand swings a grasp that is off; unless the pads
-// jammed, which shows in the rotation.
+// The error of a held part is that in the hand, plus the error of the new command of the hand.
+// Across the pads there is only the error of the command (Spar: "Y is limited to the gripper's own
+// error"), and the effect of a turn of the hand on a grasp beside the intended point. If the pads
+// jammed, which the rotation shows, this does not hold.
 void ExpectHandedOnInHand(const plan::ErrorSet& before, const plan::ErrorSet& last,
                           const domain::PoseError& hand) {
   constexpr double kLoose = 1e-6;  // metres
@@ -325,7 +325,7 @@ plan::ErrorSet ErrorAtFirst(const domain::Problem& problem, PartId part) {
           .theta = error.theta};
 }
 
-// What is known after a step is what is known before the next one of the same part.
+// The errors of a part after a step are its errors before the next step with this part.
 TEST_P(AugmentedPlans, HandOnWhatIsKnownFromStepToStep) {
   std::map<PartId, plan::ErrorSet> known;
   for (std::size_t p = 0; p < problem_.parts.size(); ++p) {
@@ -346,8 +346,8 @@ TEST_P(AugmentedPlans, HandOnWhatIsKnownFromStepToStep) {
   }
 }
 
-// A certificate is complete in itself: from its texts alone, each claim is proved anew, and the
-// worst corner shows how near to it the expression comes.
+// A certificate is complete: each claim can be proved anew from its texts alone. The worst corner
+// shows how near the expression comes to its limit.
 TEST_P(AugmentedPlans, CarryCertificatesThatCanBeProvedAnew) {
   for (const PlannedStep& step : plan_.steps) {
     algebra::ExpressionPool pool;
@@ -397,7 +397,7 @@ TEST_P(AugmentedPlans, SurviveBeingWrittenAndRead) {
   }
 }
 
-// The paper's mode asks for less: of a pickup, its four inequalities.
+// The paper's mode has fewer preconditions: a pickup has the four inequalities of the paper.
 TEST(UncertaintyPhase, ThePaperModeHasThePapersPreconditionsOfAPickup) {
   const Plan plan = CertifiedPlan(LoadScenario("uncertain-known"), In(Propagation::kPaper));
   for (const PlannedStep& step : plan.steps) {
@@ -430,7 +430,8 @@ INSTANTIATE_TEST_SUITE_P(, ExactlyKnown,
                            return name;
                          });
 
-// Without errors, what the geometry of the first phase allows is proved, and nothing is added.
+// Without errors everything that the geometry of the first phase allows is proved, and nothing is
+// inserted.
 TEST_P(ExactlyKnown, PartsNeedNothing) {
   domain::Problem problem = LoadScenario(GetParam());
   ScaleErrors(problem, 0);
@@ -440,7 +441,7 @@ TEST_P(ExactlyKnown, PartsNeedNothing) {
   EXPECT_EQ(ActionsOf(plan).size(), ActionsOf(FirstInstance(problem)).size());
 }
 
-// Of one instance, with nothing done about it: what is proved stays proved when errors are smaller.
+// For one instance without remedies, what is proved stays proved when errors are smaller.
 TEST(UncertaintyPhase, SmallerErrorsAreNoHarder) {
   int last = 0;
   for (const double factor : {0.0, 0.01, 0.1, 0.3, 1.0, 2.0}) {
@@ -466,8 +467,8 @@ domain::PoseError RandomError(RandomStream& random) {
           .theta = plus_minus(LogUniform(random, 5e-4, 0.1))};
 }
 
-// Whatever the errors: the count is right, the plan works, and where all is proved, nothing is too
-// much.
+// For random errors the count of unproved steps is right and the plan works. If everything is
+// proved, no inserted step is superfluous.
 TEST(UncertaintyPhase, HoldsItsLawsForRandomErrors) {
   int proved_by_remedies = 0;
   for (int seed = 0; seed < 8; ++seed) {
@@ -493,7 +494,7 @@ TEST(UncertaintyPhase, HoldsItsLawsForRandomErrors) {
   EXPECT_GT(proved_by_remedies, 0);
 }
 
-// An error that promises to be other than 0 is no reason to give up.
+// Remedies are tried for errors whose interval does not contain 0, too.
 TEST(UncertaintyPhase, RemediesAreTriedForErrorsThatAreNotAboutZero) {
   domain::Problem problem = LoadScenario("uncertain-sensing");
   for (domain::Part& part : problem.parts) part.error.x = {1e-4, part.error.x.high};
@@ -507,10 +508,10 @@ TEST(UncertaintyPhase, RemediesAreTriedForErrorsThatAreNotAboutZero) {
   }
 }
 
-// Instances, plans and budgets.
+// Tests of instances, plans and budgets.
 
-// The paper counts unmet goals; among instances with as many, the shorter plan and then the total
-// violation decide.
+// The paper counts unmet goals. Among instances with the same count, the shorter plan is better,
+// and then the one with the smaller total violation.
 class AllInstances : public ::testing::TestWithParam<const char*> {};
 
 INSTANTIATE_TEST_SUITE_P(, AllInstances, ::testing::Values("uncertain-failing", "spar-fig15"),
@@ -540,7 +541,7 @@ TEST_P(AllInstances, HaveNoneBetterThanTheAnswer) {
             Bytes({Outcome::kFound, best, {}, {}}, problem));
 }
 
-// The violation is what the certificates say is missing, if both are bounded by the same method.
+// The violation is the sum of what the certificates lack, if both are bounded by the same method.
 TEST(UncertaintyPhase, TheViolationIsTheSumOfWhatIsMissing) {
   const domain::Problem problem = LoadScenario("uncertain-failing");
   UncertaintyOptions options;
@@ -554,8 +555,8 @@ TEST(UncertaintyPhase, TheViolationIsTheSumOfWhatIsMissing) {
   EXPECT_NEAR(augmented.violation, missing, 1e-12 * missing + 1e-9);
 }
 
-// Most errors are what no remedy can reach (heights, by a camera that does not measure them): then
-// it is not worth augmenting all instances.
+// Most errors here are heights, which no remedy can reduce, because the camera does not measure
+// them. Augmenting all instances would then be useless.
 TEST(UncertaintyPhase, AFewInstancesAreAugmentedForTheirViolationAlone) {
   domain::Problem problem = LoadScenario("spar-fig13");
   problem.sensors = {"coarse-camera"};
@@ -596,7 +597,7 @@ TEST(UncertaintyPhase, NoMoreRemediesAreTriedThanTheBudgetSays) {
   EXPECT_THAT(InsertedSteps(untried.plan), IsEmpty());
   options.combinations = 1;
   EXPECT_LE(Augment(problem, instance, options).combinations, std::ssize(instance.steps));
-  // The assembly needs two looks: one at a time they are not found.
+  // The assembly needs two looks, which a search for single remedies does not find.
   options = {};
   options.most_remedies = 1;
   options.resolvers = {};
@@ -619,7 +620,7 @@ TEST(UncertaintyPhase, ABudgetOfTheFirstPhaseThatIsSpentIsTold) {
   EXPECT_EQ(result.outcome, Outcome::kBudget);
 }
 
-// Knows single squeezes only.
+// A resolver that proposes only single squeezes.
 class OneSqueeze : public Resolver {
  public:
   std::string_view name() const override { return "one squeeze"; }
@@ -630,8 +631,9 @@ class OneSqueeze : public Resolver {
   }
 };
 
-// Beyond the paper: no instance of the shortest plan is enough, but to pick the post up and put it
-// down again aligns it in one direction, and a squeeze does in the other.
+// Beyond the paper, another plan is tried if no instance of the shortest plan suffices. Here
+// picking the post up and putting it down again aligns it in one direction, and a squeeze aligns it
+// in the other.
 TEST(UncertaintyPhase, TheFirstPhaseIsAskedForAnotherPlanWhereNoInstanceIsEnough) {
   domain::Problem problem = LoadScenario("uncertain-squeezing");
   problem.sensors.clear();
@@ -648,8 +650,8 @@ TEST(UncertaintyPhase, TheFirstPhaseIsAskedForAnotherPlanWhereNoInstanceIsEnough
   EXPECT_THAT(plan::Check(problem, result.plan, kMostOrders).flaws, IsEmpty());
 }
 
-// A plan says how many steps are not proved; its certificates must say the same, whatever the
-// method of bounding.
+// A plan states how many steps are not proved. Its certificates must give the same number for every
+// bounding method.
 TEST(UncertaintyPhase, WeakerBoundsGiveTheSameCountAsTheirCertificates) {
   for (const auto method :
        {algebra::BoundingMethod::kTermwise, algebra::BoundingMethod::kMonotone}) {
@@ -666,7 +668,7 @@ plan::PlanResult ReadBack(const plan::PlanResult& result, const domain::Problem&
   return plan::ReadPlan(Document::Parse(text, "plan.json"), problem);
 }
 
-// Who has the scenario and the actions, as a plan file keeps them, has the certificates.
+// The certificates can be computed from the scenario and the actions, which a plan file contains.
 TEST(UncertaintyPhase, CertificatesAreTheSameComputedAnew) {
   for (const char* name :
        {"uncertain-known", "uncertain-squeezing", "uncertain-failing", "spar-fig15"}) {

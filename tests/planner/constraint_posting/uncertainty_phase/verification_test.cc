@@ -21,7 +21,8 @@ constexpr double kRounding = 1e-12;  // metres
 
 class Verification : public ::testing::Test {
  protected:
-  // `doubt`: how far from where it is expected the step may meet something, metres.
+  // Returns the plan with the verification after the action. `doubt` is the greatest distance,
+  // metres, between the expected and the actual place of a contact.
   plan::Plan After(const plan::Action& action, double doubt = 0) const {
     const double travel = problem_.workcell->rules().guarded_travel;
     plan::Certificate certificate;
@@ -37,7 +38,7 @@ class Verification : public ::testing::Test {
     return plan;
   }
 
-  // The first action of a kind in the plan that turns the block and assembles.
+  // Returns the first action of a kind in the plan that turns the block and assembles.
   template <class Kind>
   const Kind& First() const {
     const auto is = [](const plan::Action& action) { return std::holds_alternative<Kind>(action); };
@@ -55,7 +56,7 @@ class Verification : public ::testing::Test {
   std::vector<plan::Action> actions_ = ActionsOf(FirstInstance(problem_));
 };
 
-// Spar, figures 11 and 12: nothing in the hand starts a local search, the wrong thing in the hand
+// In figures 11 and 12 of Spar, an empty hand starts a local search, and a wrong object in the hand
 // calls the operator.
 TEST_F(Verification, OfAPickupReadsTheOpeningOfTheGripper) {
   const plan::Plan plan = After(First<plan::Pickup>());
@@ -76,7 +77,8 @@ TEST_F(Verification, OfAPickupReadsTheOpeningOfTheGripper) {
   EXPECT_EQ(plan.recoveries[1].strategy, RecoveryStrategy::kCallOperator);
 }
 
-// An opening of nothing and one of another part must be told apart from the part's own.
+// The expected opening must differ clearly from that of an empty gripper and from that with another
+// part.
 TEST_F(Verification, TheTwoErrorsOfAPickupAreFarFromTheExpectedOpening) {
   const plan::Verification check = After(First<plan::Pickup>()).verifications.front();
   EXPECT_GT(check.tolerance, 0);
@@ -91,7 +93,7 @@ TEST_F(Verification, OfAPutdownReadsWhereTheToolMetTheTable) {
   EXPECT_EQ(plan.verifications[0].quantity, MeasuredQuantity::kToolHeight);
   EXPECT_NEAR(plan.verifications[0].expected,
               (putdown.to.X_WorldPart * putdown.hold.X_PartTool).translation().z(), kRounding);
-  // Too low and too high are one error here: one recovery is enough for both.
+  // Both a low and a high position are the same error here, for which one recovery is enough.
   EXPECT_THAT(ErrorsOf(plan), ElementsAre("error3"));
 }
 
@@ -107,7 +109,8 @@ TEST_F(Verification, OfAnAssemblyReadsWhereItEnded) {
   EXPECT_THAT(ErrorsOf(plan), ElementsAre("error3", "error4"));
 }
 
-// Where the block's height is uncertain, so is where the peg comes to sit in it: that is no error.
+// If the height of the block is uncertain, the height of the seated peg is equally uncertain. That
+// deviation is no error.
 TEST_F(Verification, AHeightMayBeAsFarOffAsItsCertificateSays) {
   const auto& assemble = First<plan::Assemble>();
   const double sure = After(assemble).verifications[0].tolerance;
@@ -118,8 +121,8 @@ TEST_F(Verification, AHeightMayBeAsFarOffAsItsCertificateSays) {
       << "an opening is no height";
 }
 
-// A peg falls into its hole where both coordinates across are within the clearance. However the
-// hole is turned, one of the places of a search must be so near.
+// A peg falls into its hole if both horizontal coordinates are within the clearance. Some place of
+// the search must be that near, for every rotation of the hole.
 TEST_F(Verification, ASearchIsFineEnoughForTheClearance) {
   const auto& assemble = First<plan::Assemble>();
   const plan::Plan plan = After(assemble);

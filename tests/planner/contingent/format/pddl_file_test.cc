@@ -26,7 +26,8 @@ GroundTask GroundPddl(const std::string& domain_text, const std::string& problem
   return Ground(domain, ReadPddlProblem(problem_text, "problem.pddl", domain), externs);
 }
 
-// A coin under one of three cups; cups are lifted; a cup that is known to hide it is taken.
+// A coin is under one of three cups. Cups can be lifted, and a cup that is known to hide the coin
+// can be taken.
 constexpr const char* kCups = R"(
 (define (domain cups)  ; a comment
   (:requirements :strips :typing)
@@ -64,21 +65,22 @@ TEST(Pddl, ReadsAndPlans) {
   EXPECT_EQ(check.worlds, 3);
 }
 
-// What the init does not name is false; what it calls unknown is not; clauses are kept.
+// Atoms that the init does not name are false. Atoms that it calls unknown are not false. Clauses
+// are kept.
 TEST(Pddl, ClosedWorld) {
   const std::string problem = R"((define (problem p) (:domain cups) (:objects a b c - cup)
     (:init (unknown (coin a)) (unknown (coin b)) (or (coin a) (not (coin b))))
     (:goal (won))))";
   const GroundTask task = GroundPddl(kCups, problem);
   const ContingentPlan plan = PlanFor(task, Wanted::kFirst);
-  // The coin may be nowhere.
+  // The coin may be under no cup.
   EXPECT_EQ(plan.outcome, Outcome::kNone);
   ASSERT_EQ(task.initial.relations.size(), 1);
   EXPECT_TRUE(task.initial.relations.front().is_inclusive);
-  EXPECT_THAT(task.atoms, testing::Not(testing::Contains("coin(c)")));  // always known
+  EXPECT_THAT(task.atoms, testing::Not(testing::Contains("coin(c)")));  // this atom is always known
 }
 
-// Being at an unknown place of a corridor: move as far as it is long, and the place is known.
+// The place in a corridor is unknown. After as many moves as the corridor has places, it is known.
 TEST(Pddl, BeliefsAboutWhatChanges) {
   const char* const domain = R"((define (domain corridor)
     (:types place) (:predicates (at ?p - place))
@@ -110,7 +112,7 @@ TEST(Pddl, AProblemOfAnotherDomainIsToldWithItsPlace) {
   EXPECT_EQ(message("mugs"), "problem.pddl:2:11: a problem of 'mugs'; allowed: problems of 'cups'");
   EXPECT_THAT(message("(cups)"), StartsWith("problem.pddl:2:11: a list; allowed: a name"));
   EXPECT_EQ(message("CUPS"), "no error");
-  EXPECT_EQ(message("cupz"), "no error");  // a slip, as in published problems
+  EXPECT_EQ(message("cupz"), "no error");  // a wrong name, as in published problems
 }
 
 TEST(Pddl, ErrorsHaveTheirPlace) {
@@ -132,7 +134,7 @@ TEST(Pddl, ErrorsHaveTheirPlace) {
               StartsWith("problem.pddl:1:35: :goal a second time; allowed: one :goal"));
 }
 
-// One action of a domain, and what is told of it.
+// One action of a domain and its error message.
 TEST(Pddl, ErrorsInActions) {
   const auto message = [](const std::string& action) {
     return MessageOf([&] {
@@ -163,12 +165,12 @@ constexpr std::array<const char*, 17> kPieces = {
     ":observe ", ":effect ",    ";",      "cup",     "(forall (?c - cup) ",
     "(= ?c a)",  ":parameters "};
 
-constexpr int kQuarters = 4;  // of the mutations, to run side by side
+constexpr int kQuarters = 4;  // quarters of the mutations run side by side
 
 class PddlMutations : public testing::TestWithParam<int> {};
 INSTANTIATE_TEST_SUITE_P(Quarters, PddlMutations, testing::Range(0, kQuarters));
 
-// A slip gives a task that can be planned for, or an InputError, nothing else.
+// A mistake in a file gives a task that can be planned for, or an InputError, and nothing else.
 TEST_P(PddlMutations, AreSurvived) {
   RandomStream random(20261123, fmt::format("pddl mutations/{}", GetParam()));
   int loaded = 0;
@@ -197,7 +199,7 @@ TEST_P(PddlMutations, AreSurvived) {
   EXPECT_LT(loaded, count * 9 / 10);
 }
 
-// What is exported has plans of the same depth.
+// Exported tasks have plans of the same depth.
 TEST(PddlText, ExportedTasksArePlannedTheSame) {
   for (const auto& [domain, problem] :
        {std::pair("force-sensing", "two-cans"), std::pair("visual-sensing", "one-bottle"),
@@ -220,7 +222,8 @@ TEST(PddlText, WhatPddlDoesNotHaveIsNamed) {
               HasSubstr("PDDL has no"));
 }
 
-// What would mean something else in PDDL is refused: a cup that may be held or not after a try.
+// A task is refused if it would mean something else in PDDL. Here a cup may be held or not after a
+// try.
 TEST(PddlText, WhatWouldMeanSomethingElseIsRefused) {
   EXPECT_THAT(MessageOf([] { ToPddl(GroundScenario("slippery-grasp", "hold-the-cup"), "p"); }),
               HasSubstr("slippery-grasp.pks:7:8: PDDL has no del(Kf, holding(cup)), of which it "
@@ -245,7 +248,8 @@ TEST(PddlText, WhatWouldMeanSomethingElseIsRefused) {
               StartsWith("problem.pks:1:26: PDDL has no Kw and Kv in queries"));
 }
 
-// Independent unknowns would be worlds in which something is in two places.
+// Functions with an open value need exactly one value. Independent unknown atoms would allow worlds
+// in which something is in two places.
 TEST(PddlText, OpenFunctionsHaveExactlyOneValue) {
   const auto message = [](const std::string& init) {
     return MessageOf([&] {

@@ -28,7 +28,7 @@ struct Files {
   std::string problem;
 };
 
-// All scenarios: a problem names its domain, whose file has that name.
+// Returns all scenarios. A problem names its domain, and the file of the domain has that name.
 std::vector<Files> AllScenarios() {
   std::vector<Files> all;
   std::vector<std::filesystem::path> paths;
@@ -76,7 +76,7 @@ std::string Replaced(std::string text, const std::string& from, const std::strin
 
 TEST(PksFile, TheExampleIsRight) { EXPECT_EQ(MessageOf(kDomain, kProblem), "no error"); }
 
-// An error in a domain: what is put for what, and what is told.
+// An error in a domain: the text that is replaced, its replacement, and the message.
 struct Slip {
   const char* from;
   const char* to;
@@ -135,7 +135,7 @@ INSTANTIATE_TEST_SUITE_P(
         Slip{"  preconds:", "  effects: add(Kf, idle)\n  preconds:",
              "domain.pks:10:3: 'effects:' a second time; allowed: one effects:"}));
 
-// at(?t) is a place, ?t a thing: they are never equal.
+// at(?t) is a place and ?t is a thing, so that they are never equal.
 INSTANTIATE_TEST_SUITE_P(
     OfTypes, Slips,
     testing::Values(
@@ -193,7 +193,7 @@ TEST(PksFile, AProblemOfAnotherDomainIsToldWithItsPlace) {
 
 // ---- Contradictions
 
-// What init says, and where it is told that this cannot be; "" where it can.
+// An init and the error message for its contradiction; an empty message if there is none.
 struct Init {
   const char* init;
   const char* message;
@@ -237,7 +237,7 @@ TEST_P(Contradictions, AreToldWithTheirPlace) {
   }
 }
 
-// What init says of a number, said in two ways, is what both allow.
+// If the init states two intervals of a number, the number is in both.
 TEST(Init, IntervalsAreMet) {
   const std::string problem =
       "problem test domain test objects: c: cup\n"
@@ -250,7 +250,8 @@ TEST(Init, IntervalsAreMet) {
 
 // ---- Limits
 
-// 20^8 = 25,600,000,000 instances: told before one is made.
+// The action would have 20^8 = 25,600,000,000 instances. The error comes before any instance is
+// made.
 TEST(Grounding, TooManyInstancesAreCounted) {
   std::string domain =
       "domain d\ntypes: t\npredicates: g, r(t, t)\n"
@@ -262,13 +263,14 @@ TEST(Grounding, TooManyInstancesAreCounted) {
   EXPECT_EQ(MessageOf(domain, Replaced(problem, "{}", "")),
             "domain.pks:4:8: action 'a' has 25600000000 instances, too many of which what is "
             "known at first does not rule out; allowed: 100000 ground actions in all");
-  // Those that are ruled out do not count: of four of the parameters one way is left each.
+  // Instances that are ruled out do not count. Here four of the parameters have one value left
+  // each.
   domain = Replaced(domain, "K(r(?h, ?i))", "K(r(?c, ?d)) & K(r(?e, ?f)) & K(r(?h, ?i))");
   EXPECT_EQ(MessageOf(domain, Replaced(problem, "{}", "add(LCW, r(?x, ?y)), add(Kf, r(o1, o2))")),
             "no error");
 }
 
-// 10^7 instances of an effect, of a query: told before one is made.
+// The effect and the query would have 10^7 instances. The error comes before any instance is made.
 TEST(Grounding, TooManyInstancesOfVariablesAreCounted) {
   const std::string problem = "problem p domain d objects: a, b, c, d, e, f, g, h, i, j: t goal: ";
   const std::string domain = "domain d types: t predicates: p(t)\naction a effects:\n";
@@ -283,7 +285,8 @@ TEST(Grounding, TooManyInstancesOfVariablesAreCounted) {
 
 // ---- Update rules
 
-// Rules that undo each other have no state to come to; that one of them stops the other is fine.
+// Rules that undo each other reach no final state, which is an error. If one of them stops the
+// other, there is no error.
 TEST(Updates, ThatDoNotComeToRestAreTold) {
   const auto message = [](const std::string& updates, const std::string& init) {
     return contingent::MessageOf([&] {
@@ -307,7 +310,7 @@ TEST(Updates, ThatDoNotComeToRestAreTold) {
   EXPECT_EQ(message("K(n < 9) => add(Kf, n = n + 1)", "add(Kf, n = 0)"), "no error");
 }
 
-// Whereever a file is cut, the end of what is left is told.
+// Wherever a file is cut, the error is reported at the end of the rest.
 TEST(PksFile, CutInTheMiddle) {
   const std::string domain = kDomain;
   int errors = 0;
@@ -354,7 +357,7 @@ TEST(PksFile, ExternsAreAskedOnce) {
   EXPECT_EQ(task.actions.size(), 4);
 }
 
-// What is printed reads as the same: it prints as the same, and has the same plan.
+// A printed task reads back as the same task: it prints the same and has the same plan.
 TEST(PksText, ReadsBack) {
   for (const Files& files : AllScenarios()) {
     const Domain domain = ReadPksDomain(files.domain, "domain.pks");
@@ -377,12 +380,12 @@ constexpr std::array<const char*, 24> kPieces = {
     "=>", "?o",       "?x: object", "K(",       "#",      "[",      "=", ">",
     "42", "add(Kf, ", "Kv(",        "forallK(", "object", "number", "-", "\n"};
 
-constexpr int kQuarters = 4;  // of the mutations, to run side by side
+constexpr int kQuarters = 4;  // quarters of the mutations run side by side
 
 class Mutations : public testing::TestWithParam<int> {};
 INSTANTIATE_TEST_SUITE_P(Quarters, Mutations, testing::Range(0, kQuarters));
 
-// A slip gives a task that can be planned for, or an InputError, nothing else.
+// A mistake in a file gives a task that can be planned for, or an InputError, and nothing else.
 TEST_P(Mutations, AreSurvived) {
   const std::vector<Files> scenarios = AllScenarios();
   RandomStream random(20240601, fmt::format("pks mutations/{}", GetParam()));

@@ -10,7 +10,7 @@
 #include "planner/contingent/grounding/ground_query.h"
 #include "tests/planner/contingent/tasks.h"
 
-// The semantics of PKS (Petrick and Bacchus 2002, 2004), statement by statement.
+// Tests of the semantics of PKS (Petrick and Bacchus 2002, 2004), statement by statement.
 namespace assay::contingent::knowledge_base_test {
 namespace {
 
@@ -23,18 +23,18 @@ constexpr const char* kDomain =
     "predicates: p(thing), q(thing), r\n"
     "functions: at(thing): thing, weight(thing): number\n";
 
-// A knowledge state that actions are taken in by their names, and questions asked of.
+// A knowledge state in which actions can be done by name and questions can be asked.
 class Mind {
  public:
   explicit Mind(const std::string& init, const std::string& actions = "",
                 const std::vector<std::string>& questions = {})
       : questions_(questions) {
     std::string all = kDomain + actions;
-    // Each question is the precondition of an action of its own.
+    // Each question is the precondition of its own action.
     for (std::size_t i = 0; i < questions.size(); ++i) {
       all += fmt::format("\naction ask{} preconds: {} effects: add(Kf, r)", i, questions[i]);
     }
-    // So that nothing is settled when the problem is grounded.
+    // This action keeps questions from being answered when the problem is grounded.
     all +=
         "\naction touch(?x: thing, ?y: thing) effects: add(Kf, p(?x)), add(Kf, q(?x)), "
         "add(Kf, at(?x) = ?y), add(Kf, !r)";
@@ -45,7 +45,7 @@ class Mind {
     state_ = knowledge_->Initial();
   }
 
-  // What was asked so; false if that was settled when the problem was grounded.
+  // Returns the query of a question; false if it was answered when the problem was grounded.
   GroundQuery Asks(const std::string& question) const {
     const auto found = std::find(questions_.begin(), questions_.end(), question);
     EXPECT_NE(found, questions_.end()) << question;
@@ -75,10 +75,10 @@ class Mind {
     }
   }
 
-  // Of the only formula.
+  // Learns the truth of the only formula.
   void LearnSensed(bool value) { state_ = *knowledge_->Learned(state_, FormulaId(0), value); }
 
-  // Takes a branch of the first formula that branches; its text.
+  // Takes a branch of the first formula that branches, and returns its text.
   std::string Branch(bool value) {
     const FormulaId formula = knowledge_->FormulaToBranch(state_);
     if (formula.IsNone()) return "";
@@ -86,7 +86,7 @@ class Mind {
     return TextOf(*task_, task_->formulas[formula.index()]);
   }
 
-  // The values of the first function that branches.
+  // Returns the values of the first function that branches.
   std::vector<std::string> ValuesToBranch() {
     std::vector<std::string> values;
     const auto functions = knowledge_->FunctionsToBranch(state_);
@@ -163,7 +163,7 @@ TEST(Queries, QuantifiersRangeOverConstants) {
 }
 
 TEST(Functions, HaveOneValueUnderUniqueNames) {
-  // "Somewhere both are": functions are compared by the value they have.
+  // The question means that both are at the same place: functions are compared by their values.
   const std::string together = "existsK(?x: thing) (K(at(a) = ?x) & K(at(b) = ?x))";
   const std::vector<std::string> questions = {"K(at(a) = b)", "K(at(a) = c)", "K(at(a) != c)",
                                               "Kv(at(a))",    "Kv(at(b))",    together};
@@ -202,7 +202,7 @@ TEST(Kf, AddingALiteralRemovesItsComplementAndKw) {
   EXPECT_TRUE(mind.Holds("K(p(a))"));
   EXPECT_FALSE(mind.Holds("K(!p(a))"));
   EXPECT_TRUE(mind.Holds("K(q(a))"));
-  mind.Do("spoil");  // now what was sensed at first is out of date
+  mind.Do("spoil");  // the first sensing is now out of date
   EXPECT_FALSE(mind.Holds("Kw(q(a))"));
 }
 
@@ -235,7 +235,7 @@ TEST(Kw, AConjunctionIsSettledByWhatIsLearnedOfItsAtoms) {
   mind.Learn("p(a)", true);
   EXPECT_EQ(mind.Branch(true), "p(a) & q(a)");
   EXPECT_TRUE(mind.Holds("K(q(a))"));
-  // A false atom settles the conjunction.
+  // A false atom decides the conjunction.
   Mind other("add(Kf, !r)", look, questions);
   other.Do("look");
   other.Learn("p(a)", false);
@@ -257,12 +257,13 @@ TEST(Kw, IsOfOneFormulaHoweverItIsWritten) {
   EXPECT_EQ(mind.Branch(true), "p(a)");
   EXPECT_EQ(mind.Branch(true), "p(a) & q(a)");
   EXPECT_TRUE(mind.Holds("Kw(!q(a))"));
-  // What can never hold is known not to: such questions are settled.
+  // Formulas that can never hold are known to be false, so that these questions are answered at
+  // once.
   EXPECT_TRUE(mind.Asks("Kw(p(b) & !p(b))").IsTrue());
   EXPECT_TRUE(mind.Asks("Kw(at(a) = b & at(a) = c)").IsTrue());
 }
 
-// That not both hold does not tell which of them does not.
+// That a conjunction is false does not tell which of its atoms is false.
 TEST(Kw, AConjunctionOfSeveralUnknownsIsLearnedAsAWhole) {
   const std::vector<std::string> questions = {"Kw(p(a))", "Kw(q(a))", "K(p(a) & q(a))", "K(!q(a))",
                                               "Kw(p(a) & q(a))"};
@@ -319,10 +320,11 @@ TEST(Kx, ChangingAMemberEndsTheAlternatives) {
             {"K(p(a))", "Kw(p(b))"});
   mind.Do("make");
   EXPECT_TRUE(mind.Holds("K(p(a))"));
-  EXPECT_FALSE(mind.Holds("Kw(p(b))"));  // it may have been the one
+  EXPECT_FALSE(mind.Holds("Kw(p(b))"));  // p(b) may be the true one
 }
 
-// Of the functions and values that an action's parameters stand for: here a.
+// The relation concerns the functions and values for which the parameters of the action stand, here
+// a.
 TEST(Kx, AnActionTellsOfItsParameters) {
   Mind mind("add(Kf, at(a) != b)",
             "action tell(?x: thing) effects: add(Kx, at(?x) = b | ?x = at(?x))\n",
@@ -341,7 +343,7 @@ TEST(Kx, AnAlternativeThatIsSaidTwiceIsOne) {
   EXPECT_TRUE(mind.Holds("K(q(a))"));
 }
 
-// Whoever executes it does not know that the condition holds.
+// Whoever executes the action does not know that the condition holds.
 TEST(Kx, IsNotToldUnderAConditionThatIsNotKnown) {
   const std::string tell = "action tell effects: K(p(b)) => add(Kx, p(a) | q(a))\n";
   const std::vector<std::string> questions = {"K(p(a))", "K(!p(b))"};
@@ -370,19 +372,20 @@ TEST(Updates, ApplyUntilNothingChanges) {
   EXPECT_TRUE(mind.Holds("K(q(c))"));
 }
 
-// After "where p(a), r": (a) r was false before and is true now, so p(a) held.
+// After "where p(a), r" there are three cases. Case (a): r was false before and is true now, so
+// p(a) held.
 TEST(Postdiction, AnEffectTellsItsCondition) {
   const std::string press = "action press effects: K(p(a)) => add(Kf, r); add(Kw, r)\n";
   Mind mind("add(Kf, !r)", press, kAboutA);
   mind.Do("press");
   EXPECT_EQ(mind.Branch(true), "r");
   EXPECT_TRUE(mind.Holds("K(p(a))"));
-  // (b) r is false now, so p(a) did not hold.
+  // Case (b): r is false now, so p(a) did not hold.
   Mind other("add(Kf, !r)", press, kAboutA);
   other.Do("press");
   other.Branch(false);
   EXPECT_TRUE(other.Holds("K(!p(a))"));
-  // r was not known before: it tells nothing of p(a).
+  // Case (c): r was unknown before, so that it tells nothing about p(a).
   Mind third("add(Kf, q(a))", press, kAboutA);
   third.Do("press");
   third.Branch(true);
@@ -405,7 +408,8 @@ TEST(Postdiction, ThePastPersistsUntilItIsChanged) {
   EXPECT_FALSE(spoiled.Holds("Kw(p(a))"));
 }
 
-// Where the condition did not hold, what was known before is known again; where it did, nothing is.
+// If the condition did not hold, what was known before is known again. If it held, nothing is
+// known.
 TEST(Postdiction, OfWhatIsDeletedUnderACondition) {
   const std::string actions =
       "action spill effects: K(q(a)) => del(Kf, p(a))\n"
@@ -438,7 +442,7 @@ TEST(Intervals, KnownByTheirEnds) {
   EXPECT_FALSE(mind.Holds("K(weight(a) < 4)"));
   EXPECT_FALSE(mind.Holds("K(weight(a) > 3)"));
   EXPECT_FALSE(mind.Holds("Kw(weight(a) > 3)"));
-  EXPECT_TRUE(mind.Holds("Kw(weight(a) > 5)"));  // known to be false
+  EXPECT_TRUE(mind.Holds("Kw(weight(a) > 5)"));  // the formula is known to be false
 }
 
 TEST(Intervals, SensingSplitsAndActionsShift) {
@@ -466,7 +470,7 @@ TEST(Intervals, SensingSplitsAndActionsShift) {
   EXPECT_TRUE(light.Holds("K(weight(a) <= 3)"));
 }
 
-// A sensor that errs by e at most gives an interval of width 2 e at run time.
+// A sensor with an error of at most e gives an interval of width 2 e at run time.
 TEST(Intervals, SensorsErr) {
   const std::vector<std::string> questions = {"Kv(weight(a))", "Kv(weight(a) within 0.1)",
                                               "Kv(weight(a) within 0.5)", "Kv(weight(a) within 1)"};
@@ -480,18 +484,18 @@ TEST(Intervals, SensorsErr) {
     for (const std::string& question : questions) text += mind.Holds(question) ? '1' : '0';
     return text;
   };
-  EXPECT_EQ(holds(), "0001");  // 2 wide: within 1 already
+  EXPECT_EQ(holds(), "0001");  // the interval is 2 wide, which is within 1
   mind.Do("guess");
   EXPECT_EQ(holds(), "1011");
   mind.Do("weigh");
   EXPECT_EQ(holds(), "1111");
-  mind.Do("guess");  // takes nothing away
+  mind.Do("guess");  // a worse sensor takes nothing away
   EXPECT_EQ(holds(), "1111");
-  mind.Do("fill");  // what was sensed is out of date
+  mind.Do("fill");  // the sensing is out of date
   EXPECT_EQ(holds(), "0001");
 }
 
-// By init as by actions; of several sensors the best one counts.
+// The init has the same effect as actions. The most precise of several sensors counts.
 TEST(Intervals, WhatIsSensedAtFirstErrsAsAfterAnAction) {
   const std::string interval = "add(Kf, weight(a) = [2, 4])";
   const std::string actions =
@@ -519,8 +523,9 @@ TEST(Intervals, AreSensedAfterTheyAreChanged) {
   EXPECT_TRUE(mind.Holds("Kv(weight(a))"));
 }
 
-// What may have become of a number depends on the condition, and what is added up on its parts: of
-// these more may be known than their intervals tell, so that nothing is said not to be known.
+// The new value of a number depends on the condition, and a sum depends on its parts. More may be
+// known about these than their intervals show. The planner therefore never claims that something is
+// unknown.
 TEST(Intervals, ThatHangTogetherAreNotSaidToBeUnknown) {
   const std::vector<std::string> questions = {"K(weight(a) <= 3)", "!K(weight(a) <= 2)",
                                               "!K(weight(a) <= 0)", "!K(weight(b) <= 2)"};
@@ -532,7 +537,7 @@ TEST(Intervals, ThatHangTogetherAreNotSaidToBeUnknown) {
   filled.Do("fill");
   EXPECT_TRUE(filled.Holds("K(weight(a) <= 3)"));
   EXPECT_FALSE(filled.Holds("!K(weight(a) <= 2)"));
-  EXPECT_TRUE(filled.Holds("!K(weight(a) <= 0)"));  // surely it is not
+  EXPECT_TRUE(filled.Holds("!K(weight(a) <= 0)"));  // the number is surely not 0 or less
   Mind copied("add(Kf, weight(b) = [0, 4])", actions, questions);
   copied.Do("copy");
   EXPECT_FALSE(copied.Holds("!K(weight(a) <= 2)"));
@@ -542,8 +547,8 @@ TEST(Intervals, ThatHangTogetherAreNotSaidToBeUnknown) {
   EXPECT_TRUE(grown.Holds("!K(weight(a) <= 2)"));
 }
 
-// It is 1 where p(a) is false; that it is more would tell that p(a) is true, or contradict that it
-// is not.
+// After `fill` the number is 1 if p is false. If an action then adds that the number is more than
+// 1, this either means that p is true or contradicts that p is false. The action is refused.
 TEST(Intervals, ThatHangTogetherAreNotTold) {
   const GroundTask task = GroundText(
       "domain n predicates: p, g functions: n: number\n"
@@ -560,7 +565,7 @@ TEST(Intervals, ThatHangTogetherAreNotTold) {
   EXPECT_TRUE(knowledge.After(task.actions[1], *reset));
 }
 
-// Where it is above 3, whether that is known or not.
+// The effect happens if the number is above 3, whether or not that is known.
 TEST(Intervals, EffectsUnderBoundsMayHappen) {
   const std::vector<std::string> questions = {
       "K(p(a))",           "K(!p(a))",          "K(p(b))",          "K(q(b))",
@@ -576,12 +581,12 @@ TEST(Intervals, EffectsUnderBoundsMayHappen) {
   EXPECT_FALSE(mind.Holds("K(p(a))"));
   EXPECT_FALSE(mind.Holds("K(!p(a))"));
   EXPECT_TRUE(mind.Holds("K(!p(c))"));
-  EXPECT_TRUE(mind.Holds("K(r)"));  // by the one or the other
+  EXPECT_TRUE(mind.Holds("K(r)"));  // one of the two effects makes it true
   EXPECT_FALSE(mind.Holds("K(weight(b) >= 2)"));
   EXPECT_TRUE(mind.Holds("K(weight(b) <= 5)"));
-  // What is learned of an atom may tell of the number.
+  // Learning an atom may tell something about the number.
   EXPECT_FALSE(mind.Holds("!K(weight(a) > 5)"));
-  // Above 5 it is above 3, too.
+  // A number above 5 is above 3, too.
   mind.Learn("p(b)", true);
   EXPECT_TRUE(mind.Holds("K(p(a))"));
   EXPECT_TRUE(mind.Holds("K(!q(b))"));
@@ -608,7 +613,7 @@ TEST(Updates, ContradictionsAtFirstAreToldWithThePlaceOfTheRule) {
   const std::string both = "K(p(a)) => add(Kf, q(a)), add(Kf, q(b))";
   EXPECT_THAT(message(both, "add(Kx, q(a) | q(b))"), HasSubstr(told));
   EXPECT_EQ(message(both, "add(Kx, some(q(a) | q(b)))"), "no error");
-  // Only together: q(b) would have to hold.
+  // The facts contradict each other only together: q(b) would have to hold.
   EXPECT_THAT(message("K(p(a)) => add(Kf, !q(a)), add(Kf, !q(c))",
                       "add(Kx, q(a) | q(b)), add(Kx, q(b) | q(c)), add(Kx, some(!q(b) | q(c)))"),
               HasSubstr(told));
@@ -618,7 +623,7 @@ TEST(Updates, ContradictionsAtFirstAreToldWithThePlaceOfTheRule) {
               HasSubstr(told));
 }
 
-// What holds at first need not later: then a rule changes it.
+// An alternative that holds at first need not hold later, because a rule changes it.
 TEST(Updates, MayChangeAlternativesLater) {
   Mind mind("add(Kx, q(a) | q(b))",
             "action act effects: add(Kf, p(a))\n"
@@ -628,8 +633,7 @@ TEST(Updates, MayChangeAlternativesLater) {
   EXPECT_TRUE(mind.Holds("K(!q(a)) & K(!q(b))"));
 }
 
-// Equal knowledge is equal data, whatever way led to it.
-// That the lamp is lit would, by the rule, make a number more than it is: no plan branches on it.
+// By the rule, a lit lamp would make a number greater than it is. No plan branches on it.
 TEST(Updates, ThatContradictABranchLeaveItOut) {
   const GroundTask task = GroundText(
       "domain bell predicates: lit, g functions: n: number\n"
@@ -646,6 +650,7 @@ TEST(Updates, ThatContradictABranchLeaveItOut) {
   EXPECT_EQ(PlanFor(task, Wanted::kFirst).outcome, Outcome::kNone);
 }
 
+// Equal knowledge is equal data, whatever led to it.
 TEST(States, AreCanonical) {
   const std::string actions =
       "action makeA effects: add(Kf, p(a))\n"

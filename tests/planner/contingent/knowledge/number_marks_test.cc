@@ -19,7 +19,7 @@ using ::testing::HasSubstr;
 
 constexpr int kTasks = 300;
 
-// f goes up by 3 before it is asked: what is wrong is wrong where it was from 2 to 2.4 at first.
+// f increases by 3 before it is tested. The error is therefore at the initial values from 2 to 2.4.
 TEST(NumberMarks, AreCarriedBackThroughShifts) {
   const auto check = [](double finishes_above, const std::string& shift) {
     const GroundTask task =
@@ -76,12 +76,13 @@ TEST(NumberMarks, TellWhereNumbersAreASample) {
   EXPECT_EQ(sampled.failure, "");
   EXPECT_TRUE(sampled.are_numbers_sampled);
   EXPECT_FALSE(sampled.were_drawn);
-  // That f is known to be 3 at most is true in all of a sample, and not told by it.
+  // That f is known to be at most 3 is true in all samples, but samples cannot show that it is
+  // known.
   EXPECT_THAT(check("add(Kf, f = [0, 1]), add(Kf, g = [1, 2])", "K(done)").failure,
               HasSubstr("which a sample of numbers cannot tell"));
 }
 
-// Only one of two numbers that add up is ever asked of: what the other does is all the same.
+// Only one of two numbers that are added is ever tested, so that the other one does not matter.
 TEST(NumberMarks, LeaveOutWhatNothingAsks) {
   const GroundTask task = GroundText(
       "domain n predicates: done functions: f: number, g: number\n"
@@ -103,7 +104,7 @@ TEST(NumberMarks, StandForTheirRange) {
   EXPECT_THAT(marks.In({.low = 2, .high = 2, .excludes_low = true}, 0), ElementsAre());
 }
 
-// Numbers are what files say of them, however near a mark.
+// Ends of ranges are exactly the numbers in the file, however near they are to a mark.
 TEST(NumberMarks, DoNotMoveEndsOfRanges) {
   const auto check = [](const std::string& range, const std::string& asked) {
     const GroundTask task = GroundText(
@@ -128,8 +129,8 @@ TEST(NumberMarks, StandForSumsThatAreRounded) {
   EXPECT_THAT(marks.BetweenSums({2}, {2}, 0), ElementsAre(Number{2}));
 }
 
-// Two numbers, each of which becomes a shift of either some times; then whether it is above a bound
-// is sensed, and the branch relies on others. In sixteenths, so that sums are exact.
+// A shift gives one of two numbers the value of either number, or minus that value, plus a value of
+// an interval. All values are in sixteenths, so that sums are exact.
 struct Shift {
   int to = 0;
   int from = 0;
@@ -137,6 +138,7 @@ struct Shift {
   int low = 0;
   int high = 0;
 };
+// Several shifts of two numbers. Then a bound is sensed, and the branches rely on other bounds.
 struct Course {
   std::vector<Shift> shifts;
   int asked = 0;
@@ -163,7 +165,7 @@ Course RandomCourse(RandomStream& random) {
   return course;
 }
 
-// Oracle: all multiples of a half of a sixteenth, for a shift as well, one by one.
+// Oracle: tries all multiples of half of a sixteenth one by one, for numbers and shifts.
 bool HoldsOneByOne(const Course& course, std::size_t next, std::array<int, 2> numbers) {
   if (next < course.shifts.size()) {
     const Shift& shift = course.shifts[next];

@@ -19,7 +19,7 @@ namespace {
 constexpr std::int64_t kBillion = 1'000'000'000;
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
-// "-12.030000000" of so many billionths.
+// Returns a number of billionths as text, like "-12.030000000".
 std::string Decimal(std::int64_t units) {
   const std::int64_t size = std::abs(units);
   return fmt::format("{}{}.{:09}", units < 0 ? "-" : "", size / kBillion, size % kBillion);
@@ -27,7 +27,7 @@ std::string Decimal(std::int64_t units) {
 
 double Read(std::int64_t units) { return std::stod(Decimal(units)); }
 
-// Of any length: a thousandth, seven, 123456.789012345.
+// Returns a random number of any length, like 0.001, 7 or 123456.789012345.
 std::int64_t RandomUnits(RandomStream& random) {
   std::int64_t units = 0;
   for (int digits = random.Index(15); digits >= 0; --digits) units = 10 * units + random.Index(10);
@@ -35,7 +35,7 @@ std::int64_t RandomUnits(RandomStream& random) {
   return random.Index(2) == 0 ? units : -units;
 }
 
-// Oracle: sums of whole numbers of billionths, read as text.
+// Oracle: sums of integer numbers of billionths, read as text.
 TEST(Decimals, SumsAreWhatTheirDecimalsSumTo) {
   RandomStream random(1, "decimals");
   for (int i = 0; i < 200'000; ++i) {
@@ -54,7 +54,7 @@ TEST(Decimals, KnownSums) {
   EXPECT_EQ(ExactSum(0.3, -0.1), 0.2);
   EXPECT_EQ(ExactSum(0.3, -0.3), 0.0);
   EXPECT_EQ(WidthOf(0.7, 0.9), 0.2);
-  // Whole numbers are doubles; of a long and a short decimal the sum is neither.
+  // Integers are doubles. The sum of a long and a short decimal is neither a double nor a decimal.
   EXPECT_EQ(ExactSum(1e12, 1), 1e12 + 1);
   EXPECT_EQ(ExactSum(1e16, 1), std::nullopt);
   EXPECT_EQ(ExactSum(0.1, 1e-12), std::nullopt);
@@ -63,7 +63,8 @@ TEST(Decimals, KnownSums) {
   EXPECT_EQ(WidthOf(-kInfinite, kInfinite), kInfinite);
 }
 
-// Oracle: long double, of the doubles and of the decimals that they are near to.
+// Oracle: sums in long double. Each double may stand for a decimal up to 2^-53 of its size away, so
+// that the sums of the decimals lie within `off` of the sum of the doubles.
 TEST(Decimals, OtherSumsAreEnclosed) {
   RandomStream random(2, "decimals");
   for (int i = 0; i < 100'000; ++i) {
@@ -72,13 +73,13 @@ TEST(Decimals, OtherSumsAreEnclosed) {
     const long double sum = static_cast<long double>(a) + b;
     const long double off = (std::fabs(static_cast<long double>(a)) + std::fabs(b)) * 0x1p-53L;
     const Interval enclosing = EnclosingSum({a, a}, {b, b});
-    if (enclosing.low == enclosing.high) continue;  // exact, as above
+    if (enclosing.low == enclosing.high) continue;  // exact sums are tested above
     ASSERT_LE(enclosing.low, sum - off) << a << " " << b;
     ASSERT_GE(enclosing.high, sum + off) << a << " " << b;
   }
 }
 
-// Three tenths poured are three tenths: known by the planner, and by the check.
+// Three pours of a tenth are exactly three tenths, for the planner and for the check.
 TEST(Decimals, InPlansAreExact) {
   const auto plan_for = [](const std::string& goal) {
     const GroundTask task = GroundText(

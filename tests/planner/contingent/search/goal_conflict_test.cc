@@ -53,7 +53,7 @@ TEST(GoalConflict, NamesThePartThatNothingReaches) {
   EXPECT_TRUE(conflict.is_minimal);
 }
 
-// The oracle asks for a plan for every set of parts.
+// The oracle asks for a plan for every set of parts of the goal.
 TEST(GoalConflict, IsASmallestOneOfItsSetInRandomTasks) {
   const std::vector<std::string> atoms = {"p", "q", "r", "s"};
   int conflicts = 0;
@@ -90,8 +90,8 @@ TEST(GoalConflict, IsASmallestOneOfItsSetInRandomTasks) {
   EXPECT_GT(conflicts, 20);
 }
 
-// p is decided by a number of which nothing is known: the planner does not keep which, so that it
-// cannot rule out that looking at the number tells p.
+// p is decided by a number of which only the range is known. The planner does not record which
+// number decides p, so that it cannot rule out that sensing the number reveals p.
 TEST(NoPlan, IsNotSaidWhereMoreMayBeKnownThanIsKept) {
   const GroundTask task = GroundText(
       "domain d functions: n: number predicates: p, done\n"
@@ -105,7 +105,8 @@ TEST(NoPlan, IsNotSaidWhereMoreMayBeKnownThanIsKept) {
   EXPECT_EQ(plan.outcome == Outcome::kBudget, !plan.doubt.empty());
 }
 
-// Once p is told it is asked at once, though only a plan that waits can take the action `first`.
+// A plan must wait before it branches on p to take the action `first`. The planner branches on p as
+// soon as it is sensed.
 TEST(NoPlan, IsNotSaidWhereABranchMightHaveWaited) {
   const GroundTask task = GroundText(
       "domain d predicates: p, q, r\n"

@@ -19,7 +19,7 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::SizeIs;
 
-// Trees by hand, of which the checker must tell what is wrong.
+// Trees that were made by hand, in which the checker must find the errors.
 class Lamp : public testing::Test {
  protected:
   ActionId Action(const std::string& name) const {
@@ -29,7 +29,7 @@ class Lamp : public testing::Test {
     return ActionId::None();
   }
 
-  // A node that goes on with nodes that have been added before.
+  // Adds a node that continues with nodes that were added before.
   NodeId Act(const std::string& name, NodeId then) {
     PlanNode node;
     node.kind = PlanNode::Kind::kAct;
@@ -75,7 +75,8 @@ TEST_F(Lamp, ARightTreeHolds) {
   EXPECT_THAT(check.unreached, IsEmpty());
 }
 
-// As deep as a file can make a tree: one by one and as sets, no stack is as deep.
+// The tree is as deep as a file can make it. A recursive check, one by one or by sets, would
+// overflow the stack.
 TEST_F(Lamp, LongPlansAreRun) {
   NodeId next = Goal();
   next = Act("look", Branch(next, Act("press", next)));
@@ -100,7 +101,7 @@ TEST_F(Lamp, BranchesInEachOtherAreRun) {
   EXPECT_EQ(SizeOf(tree_).nesting, 100'000);
 }
 
-// At each of them the lamp is lit, and shaken again, or not, and pressed.
+// At each node the lamp is either lit and shaken again, or not lit and pressed.
 TEST_F(Lamp, BranchesThatTellWorldsApartInEachOtherAreRun) {
   const NodeId goal = Goal();
   const NodeId press = Act("press", goal);
@@ -150,7 +151,7 @@ TEST_F(Lamp, UnreachedNodesAreReported) {
   const NodeId goal = Goal();
   Act("smash", Act("look", Branch(Act("press", goal), Act("look", goal))));
   EXPECT_FALSE(Check().holds);
-  EXPECT_THAT(Check().unreached, SizeIs(1));  // press where lit: it never is
+  EXPECT_THAT(Check().unreached, SizeIs(1));  // the press in the lit case is never reached
 }
 
 TEST_F(Lamp, ARepeatThatCanEndHolds) {
@@ -164,7 +165,8 @@ TEST_F(Lamp, ARepeatThatCanEndHolds) {
   EXPECT_EQ(SizeOf(tree_).repeats, 1);
 }
 
-// Each is tried until the lamp is lit, and shaken for the next; as many as a file can have.
+// Each repeat ends when the lamp is lit, which is then shaken for the next repeat. There are as
+// many as a file can have.
 TEST_F(Lamp, RepeatsOneAfterAnotherAreRun) {
   NodeId next = Goal();
   for (int i = 0; i < 20'000; ++i) {
@@ -176,12 +178,12 @@ TEST_F(Lamp, RepeatsOneAfterAnotherAreRun) {
   const TreeCheck check = Check();
   EXPECT_TRUE(check.holds) << check.failure;
   EXPECT_EQ(SizeOf(tree_).repeats, 20'000);
-  // The first of them, the last to be added, now looks only, and lights no lamp.
+  // In this variant the first repeat, which was added last, only looks and never lights the lamp.
   tree_.nodes[tree_.root.index()].action = Action("look");
   EXPECT_THAT(Check().failure, HasSubstr("a repeat without end after look(); branch !lit"));
 }
 
-// Two of them in each other, and one behind: the nodes of a loop lead to each other.
+// There are two nested loops and one after them. The nodes of a loop lead to each other.
 TEST_F(Lamp, LoopsAreWhatRepeatsLeadRound) {
   const NodeId goal = Goal();
   const NodeId behind = Branch(goal, goal);
@@ -202,7 +204,7 @@ TEST_F(Lamp, ARepeatMustBeginAgainWhereItBegan) {
   const NodeId branch = Branch(goal, goal);
   const NodeId smash = Act("smash", branch);
   const NodeId look = Act("look", branch);
-  tree_.nodes[branch.index()].children[1] = smash;  // broken only from then on
+  tree_.nodes[branch.index()].children[1] = smash;  // the lamp is broken only from here on
   tree_.nodes[smash.index()].children = {look};
   tree_.nodes[look.index()].repeats = {true};
   tree_.root = look;
@@ -215,7 +217,7 @@ TEST_F(Lamp, ARepeatMustBeAbleToEnd) {
   const NodeId goal = Goal();
   const NodeId branch = Branch(goal, goal);
   const NodeId look = Act("look", branch);
-  tree_.nodes[branch.index()].children[1] = look;  // looking lights no lamp
+  tree_.nodes[branch.index()].children[1] = look;  // looking does not light the lamp
   tree_.nodes[branch.index()].repeats = {false, true};
   EXPECT_FALSE(Check().holds);
 }
@@ -226,7 +228,7 @@ PlanNode Repeating(PlanNode node, std::size_t child) {
   return node;
 }
 
-// Looks are counted, from what `init` says.
+// Returns a task that counts looks, beginning with the value in `init`.
 GroundTask Counting(const std::string& init) {
   return GroundText(
       "domain count predicates: lit, broken functions: looks: number\n"
@@ -235,7 +237,7 @@ GroundTask Counting(const std::string& init) {
       "problem count domain count init: " + init + " goal: K(lit)");
 }
 
-// Rounds that never end, each with a number that was not there before.
+// The rounds never end, and each has a new number.
 TEST(Repeats, ThatCountForEverAreTold) {
   const GroundTask task = Counting("add(Kf, !broken)");
   const PlanTree tree = {
@@ -244,7 +246,7 @@ TEST(Repeats, ThatCountForEverAreTold) {
   EXPECT_THAT(CheckTree(task, tree).failure, HasSubstr("a repeat without end after look()"));
 }
 
-// The first outcome goes back as it came; the second, in which it counts, is met on its way.
+// The first outcome goes back unchanged. The second outcome counts and is met on the way.
 TEST(Repeats, ThatCountElsewhereAreTold) {
   const GroundTask task = Counting("add(Kf, looks = 0)");
   const PlanTree tree = {
@@ -254,8 +256,8 @@ TEST(Repeats, ThatCountElsewhereAreTold) {
   EXPECT_THAT(CheckTree(task, tree).failure, HasSubstr("a repeat begins in another world"));
 }
 
-// Where the lamp was pressed it has to be looked at again, though each world is one that the repeat
-// began with.
+// After a press the lamp must be looked at again, although each world is one with which the repeat
+// began.
 TEST(Repeats, MustHaveSensedWhatIsAskedBelow) {
   const GroundTask task = GroundText(
       "domain lamp predicates: lit, bell\n"
@@ -274,7 +276,7 @@ TEST(Repeats, MustHaveSensedWhatIsAskedBelow) {
   EXPECT_EQ(CheckTree(task, tree).failure, "");
 }
 
-// ---- What is not known
+// ---- Queries of what is unknown
 
 constexpr const char* kBell =
     "domain bell predicates: p, q, g, ok\n"
@@ -340,7 +342,7 @@ TEST(NotKnown, IsAskedByUpdateRules) {
   EXPECT_FALSE(CheckTree(task("add(Kf, ok)"), tree).holds);
 }
 
-// Once it has been looked at, it is known also when the repeat begins again.
+// What was looked at is still known when the repeat begins again.
 TEST(NotKnown, IsAskedAgainByRepeats) {
   const GroundTask task = Bell("add(Kf, !g)", "K(q)");
   PlanTree tree = {
@@ -352,7 +354,8 @@ TEST(NotKnown, IsAskedAgainByRepeats) {
   EXPECT_EQ(CheckTree(task, tree).failure, "");
 }
 
-// One world of many comes back to the repeat: that it is this one is not known.
+// Only one of many worlds comes back to the repeat. It is not known that the true world is this
+// one.
 TEST(NotKnown, IsAskedOfAllWorldsThatGoRound) {
   const GroundTask task = Bell("add(Kf, !g)", "K(q)");
   const PlanTree tree = {.nodes = {ActOf(task, "guess", 1), ActOf(task, "kick", 2),
@@ -361,7 +364,8 @@ TEST(NotKnown, IsAskedOfAllWorldsThatGoRound) {
   EXPECT_EQ(CheckTree(task, tree).failure, "");
 }
 
-// The drawn worlds differ in p; those after a branch may all have something that others have not.
+// The drawn worlds differ in p. Those after a branch may all share something that other worlds do
+// not have.
 TEST(NotKnown, IsNotToldByDrawnWorlds) {
   const GroundTask task =
       GroundText("domain draw predicates: p, q, r, g action doubt effects: !K(p) => add(Kf, g)",
@@ -378,7 +382,8 @@ TEST(NotKnown, IsNotToldByDrawnWorlds) {
               HasSubstr("worlds that are drawn cannot tell"));
 }
 
-// 2^20 worlds, by where each can is; whether it is full, nothing tells before it is weighed.
+// There are 2^20 worlds by the places of the cans. Nothing tells whether a can is full before it is
+// weighed.
 TEST(NotKnown, IsToldBySets) {
   std::string cans = "can0";
   std::string init = "add(Kx, here(can0) | there(can0))";
@@ -396,15 +401,15 @@ TEST(NotKnown, IsToldBySets) {
   EXPECT_EQ(check.failure, "");
   EXPECT_TRUE(check.AreAllWorlds());
   EXPECT_EQ(check.worlds, 1 << 20);
-  // The same can is weighed again and again.
+  // In this variant the same can is weighed again and again.
   for (PlanNode& node : tree.nodes) {
     if (node.kind == PlanNode::Kind::kAct) node.action = tree.node(tree.root).action;
   }
   EXPECT_FALSE(CheckBySets(task, tree)->holds);
 }
 
-// A number tells what it has decided: where p is told by n, or q by p, no plan finds it unknown.
-// (That it is known is not found, either.)
+// Sensing a number reveals what the number decided. If n decides p, or p decides q, no plan finds p
+// unknown. That p is known is not found, either.
 TEST(NotKnown, IsNotSaidOfWhatNumbersTell) {
   const auto outcome = [](const std::string& actions, const std::string& asked) {
     const GroundTask task = GroundText(
@@ -421,12 +426,12 @@ TEST(NotKnown, IsNotSaidOfWhatNumbersTell) {
     }
     return plan.outcome;
   };
-  // By a number that an unknown atom has set.
+  // A number that p itself has set reveals p.
   EXPECT_EQ(outcome("action set effects: K(p) => add(Kf, m = 5); add(Kf, first)\n"
                     "action look preconds: K(first) effects: add(Kf, looked), add(Kw, m > 2)\n",
                     "p"),
             Outcome::kBudget);
-  // By another atom that the same number has decided.
+  // Another atom that the same number decided reveals q.
   const std::string deciding =
       "action decide effects: K(n > 2) => add(Kf, q); add(Kf, first)\n"
       "action decideAgain preconds: K(first)\n"
@@ -435,7 +440,7 @@ TEST(NotKnown, IsNotSaidOfWhatNumbersTell) {
                                "  effects: add(Kf, looked), add(Kw, p)\n",
                     "q"),
             Outcome::kBudget);
-  // By what it has decided before, of which nothing is left.
+  // The number decided p, which decided q and was then overwritten. Sensing the number reveals q.
   EXPECT_EQ(outcome("action decide effects: K(n > 2) => add(Kf, p); K(n <= 2) => add(Kf, !p);\n"
                     "  add(Kf, first)\n"
                     "action swap preconds: K(first) effects: K(p) => add(Kf, q);\n"
@@ -444,14 +449,14 @@ TEST(NotKnown, IsNotSaidOfWhatNumbersTell) {
                     "action look preconds: K(second) effects: add(Kf, looked), add(Kw, n > 2)\n",
                     "q"),
             Outcome::kBudget);
-  // What is looked at has to do with no number that decides q.
+  // The sensed atom does not depend on a number that decides q.
   EXPECT_EQ(outcome(deciding + "action look preconds: K(first)\n"
                                "  effects: add(Kf, looked), add(Kw, p)\n",
                     "q"),
             Outcome::kFound);
 }
 
-// Two effects are decided by one number: between them they always make f b.
+// One number decides two effects. Between them they always make f equal b.
 TEST(NotKnown, IsNotSaidOfValuesThatNumbersDecide) {
   const GroundTask task = GroundText(
       "domain n types: thing constants: b, c: thing predicates: r\n"
@@ -465,7 +470,8 @@ TEST(NotKnown, IsNotSaidOfValuesThatNumbersDecide) {
   EXPECT_EQ(PlanFor(task, Wanted::kLeastDepth).outcome, Outcome::kBudget);
 }
 
-// Kw(p & q) holds where it is told that not both hold, though Kw of neither does.
+// Kw(p & q) holds if sensing shows that not both atoms hold, although neither Kw(p) nor Kw(q)
+// holds.
 TEST(Conjunctions, AreKnownWhetherOrNotTheirAtomsAre) {
   const std::string domain =
       "domain alarm predicates: p, q, deaf, rings\n"
@@ -485,7 +491,7 @@ TEST(Conjunctions, AreKnownWhetherOrNotTheirAtomsAre) {
   EXPECT_THAT(check({ActOf(task, "hear", 1), ActOf(task, "listen", 2), PlanNode{}}, task),
               HasSubstr("the precondition of listen() is not known"));
   EXPECT_THAT(check({PlanNode{}}, task), HasSubstr("the goal is not known"));
-  // Where not both hold, and p does, q does not.
+  // If not both hold and p holds, q does not.
   task = task_of("deaf", "K(p & q) | K(!p) | K(!q)");
   const ContingentPlan plan = PlanFor(task, Wanted::kLeastDepth);
   ASSERT_EQ(plan.outcome, Outcome::kFound);
@@ -494,7 +500,7 @@ TEST(Conjunctions, AreKnownWhetherOrNotTheirAtomsAre) {
   EXPECT_EQ(CheckTree(task, plan.tree).failure, "");
 }
 
-// "Where the level is above 3", known or not: each world knows its level.
+// The condition is that the level is above 3, known or not. Each world knows its level.
 TEST(Effects, UnderBoundsHappenInEachWorld) {
   const auto check = [](const std::string& condition, const std::string& goal) {
     const GroundTask task = GroundText(
@@ -520,7 +526,8 @@ TEST(Effects, UnderBoundsHappenInEachWorld) {
   EXPECT_TRUE(check("level >= 2", "K(wet) & K(level <= 0)"));
 }
 
-// at is a, and p is not; or b, and q is not; or neither: p and q.
+// There are three cases: at = a and p is false; at = b and q is false; or at is neither a nor b,
+// and both p and q are true.
 TEST(Worlds, HaveOneValueOfEachFunction) {
   const GroundTask task = GroundText(
       "domain at types: place constants: a, b, c: place predicates: p, q, done\n"
@@ -548,7 +555,7 @@ TEST(NoWorld, HoldsNothing) {
   EXPECT_THAT(CheckTree(task, tree).failure, HasSubstr("the initial knowledge allows no world"));
 }
 
-// To the planner and to the checker: no finer than the sensor that told it.
+// Planner and checker know a value only within the error of the sensor.
 TEST(ValuesSensedAtFirst, AreKnownWithinTheirErrors) {
   const PlanTree nothing = {.nodes = {PlanNode{}}, .root = NodeId(0)};
   const auto task = [](const std::string& goal) {
@@ -563,7 +570,8 @@ TEST(ValuesSensedAtFirst, AreKnownWithinTheirErrors) {
   EXPECT_EQ(PlanFor(task("Kv(n within 0.1)"), Wanted::kFirst).outcome, Outcome::kNone);
 }
 
-// Worlds as sets, where they are more than may be run: whatever the order of the nodes.
+// If there are too many worlds to run, they are checked as sets. The order of the nodes does not
+// matter.
 TEST(Worlds, AsSetsGoFromTheRootDown) {
   const GroundTask task = GroundScenario("bomb-in-the-toilet", "four-packages");
   const PlanTree tree = {.nodes = {ActOf(task, "dunk", 1), PlanNode{}}, .root = NodeId(0)};
@@ -572,7 +580,7 @@ TEST(Worlds, AsSetsGoFromTheRootDown) {
   EXPECT_THAT(check.failure, HasSubstr("the goal is not known"));
 }
 
-// What is wrong in one world of 2^30 is told, which those that are drawn are not likely to.
+// The check by sets finds an error in one world of 2^30. Random worlds would hardly find it.
 TEST(Worlds, AsSetsRefuteWhatIsWrongInOne) {
   std::string init = "add(Kf, !out)";
   for (int i = 0; i < 30; ++i) init += fmt::format(", add(Kx, left(l{0}) | right(l{0}))", i);
@@ -593,8 +601,8 @@ TEST(Worlds, AsSetsRefuteWhatIsWrongInOne) {
                                        "world with left(l0), left(l1), "));
 }
 
-// From 0, twenty times 1 to 2 more: very many ways to the integers from 20 to 40, and to what is
-// just below and just above them, between 20 and 40.
+// The level starts at 0 and increases twenty times by 1 to 2. There are very many ways to the
+// integers from 20 to 40 and to the values just below and above them.
 TEST(Worlds, ThatAreEqualAreOne) {
   const GroundTask task = GroundText(
       "domain pour functions: level: number action pour effects: add(Kf, level = level + [1, 2])",
@@ -606,7 +614,8 @@ TEST(Worlds, ThatAreEqualAreOne) {
   EXPECT_EQ(check.worlds, 61);
 }
 
-// More rounds of them than the task has atoms, and for ever: to planner and checker.
+// For planner and checker, update rules run for more rounds than the task has atoms, or without
+// end.
 TEST(UpdateRules, CountUntilTheyRest) {
   const auto task = [](const std::string& rule) {
     return GroundText(
@@ -629,7 +638,7 @@ TEST(UpdateRules, CountUntilTheyRest) {
               HasSubstr("update rules do not come to rest"));
 }
 
-// More worlds than may be run: as many are drawn.
+// If there are more worlds than may be run, as many as allowed are drawn.
 TEST(Worlds, AreDrawnIfTheyAreTooMany) {
   const GroundTask task = GroundScenario("unix", "find-a-file");
   const ContingentPlan plan = PlanFor(task, Wanted::kFirst);

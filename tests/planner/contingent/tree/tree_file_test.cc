@@ -24,7 +24,7 @@ TEST(TreeFile, RepeatsAreReadBack) {
   const GroundTask task = GroundScenario("slippery-grasp", "hold-the-cup");
   PlanTree tree = PlanFor(task, Wanted::kFirst).tree;
   EXPECT_EQ(Read(ToJson(task, tree), task).nodes, tree.nodes);
-  for (PlanNode& node : tree.nodes) {  // both outcomes go back to the same node
+  for (PlanNode& node : tree.nodes) {  // both outcomes lead back to the same node
     if (node.repeats.empty()) continue;
     node.children[0] = node.children[1];
     node.repeats = {true, true};
@@ -45,7 +45,7 @@ TEST(TreeFile, RepeatsGoBackToNodesAbove) {
 
 class HandWritten : public testing::Test {
  protected:
-  // A look senses a & b; then this branch, and this goal.
+  // Returns a tree in which a look senses a & b, followed by this branch and this goal.
   Json Tree(const Json& branch, const Json& goal = {{"goal", true}}) const {
     const Json look = {{"name", "look"}, {"arguments", Json::array()}};
     return {{"format", "assay-tree/1"},
@@ -98,7 +98,8 @@ TEST_F(HandWritten, AnActionThatIsNotThereIsTold) {
   EXPECT_THAT(Message(tree), HasSubstr("no action look(a); allowed: look of other arguments"));
 }
 
-// Whether a node is come to from the root by children that are no repeats, not by way of another.
+// Returns whether a node is reached from the root by children that are no repeats and without
+// passing `without`.
 bool IsReached(const PlanTree& tree, NodeId from, NodeId to, NodeId without) {
   if (from == without) return false;
   if (from == to) return true;
@@ -137,7 +138,7 @@ TEST(TreeFile, RepeatsGoBackOnEveryWay) {
             NodeId(repeats ? random.Index(count - 1) : n + 1 + random.Index(count - 1 - n)));
         node.repeats.push_back(repeats);
       }
-      // One number in the file: both or none.
+      // The file has one number for both children, so that both or none are repeats.
       if (node.children[0] == node.children[1]) node.repeats[0] = node.repeats[1];
     }
     const std::string message = MessageOf([&] { Read(ToJson(task, tree), task); });
@@ -147,8 +148,8 @@ TEST(TreeFile, RepeatsGoBackOnEveryWay) {
   EXPECT_GT(std::min(read, refused), 200);
 }
 
-// Each child of each node of a plan leads elsewhere, marked as a repeat or not: such a file is
-// refused, or its tree is checked to the end and told.
+// Each child of each node of a plan leads elsewhere, as a repeat or not. The file is refused, or
+// its tree is checked to the end.
 TEST(TreeFile, ChildrenThatLeadElsewhereAreTold) {
   for (const auto& [domain, problem] :
        {std::pair("slippery-grasp", "hold-the-cup"), std::pair("pouring", "half-full-jug"),

@@ -17,7 +17,7 @@ constexpr unsigned kWorlds = 1U << kVariables;
 
 bool ValueIn(unsigned world, int variable) { return (world >> variable & 1U) != 0; }
 
-// A diagram beside the naive form of what it means: the set of worlds, one by one.
+// A diagram together with its meaning in naive form: the set of worlds, one by one.
 struct Both {
   Diagram diagram;
   std::set<unsigned> worlds;
@@ -38,7 +38,7 @@ std::set<unsigned> WorldsOf(const DecisionDiagrams& diagrams, Diagram f) {
   return worlds;
 }
 
-// By operations in a random order.
+// Makes a random set by operations in a random order.
 Both RandomSet(DecisionDiagrams& diagrams, RandomStream& random, int depth = 4) {
   if (depth == 0) {
     const int variable = random.Index(kVariables);
@@ -79,7 +79,7 @@ class Laws : public testing::Test {
 TEST_F(Laws, MeanWhatTheyWereMadeOf) {
   ForRandomSets([&](const Both& f, const Both& g, RandomStream&) {
     EXPECT_EQ(WorldsOf(diagrams_, f.diagram), f.worlds);
-    // Canonical: equal sets are equal diagrams.
+    // Diagrams are canonical: equal sets have equal diagrams.
     EXPECT_EQ(f.diagram == g.diagram, f.worlds == g.worlds);
     EXPECT_EQ(diagrams_.Not(diagrams_.Not(f.diagram)), f.diagram);
     EXPECT_EQ(WorldsOf(diagrams_, diagrams_.Not(f.diagram)).size(), kWorlds - f.worlds.size());
@@ -113,7 +113,7 @@ TEST_F(Laws, RestrictAndQuantify) {
 
 TEST_F(Laws, ComposeReplacesAllAtOnce) {
   ForRandomSets([&](const Both& f, const Both& g, RandomStream&) {
-    // Variables 0 and 1 change places, 2 becomes g.
+    // Variables 0 and 1 are swapped, and 2 becomes g.
     const std::unordered_map<int, Diagram> of = {
         {0, diagrams_.Literal({1, true})}, {1, diagrams_.Literal({0, true})}, {2, g.diagram}};
     const Diagram composed = diagrams_.Compose(f.diagram, of);

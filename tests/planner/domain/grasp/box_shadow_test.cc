@@ -30,8 +30,8 @@ TEST(BoxShadowTest, ACubeOnItsEdgeCastsAWedgesShadow) {
   EXPECT_NEAR(geometry::Area(ShadowBetween(cube, 1, 2)), 2 * 2 * (std::sqrt(2) - 1), 1e-12);
 }
 
-// Every point of the box between the planes falls into the shadow, and over every corner of the
-// shadow there is a point of the box between the planes.
+// Every point of the box between the planes falls into the shadow. Over every corner of the shadow
+// there is a point of the box between the planes.
 TEST(BoxShadowTest, IsTheProjectionOfTheCutBox) {
   RandomStream random(kSeed, "shadow");
   for (int trial = 0; trial < 200; ++trial) {

@@ -43,7 +43,8 @@ bool Hides(const Grasp& grasp, int feature) {
   return std::ranges::find(grasp.hidden, FeatureNumber(feature)) != grasp.hidden.end();
 }
 
-// Points all over a pad, `above` metres off the part's surface; side is +1 or -1.
+// Returns points all over a pad, at the distance `above` from the surface of the part (metres).
+// `side` is +1 or -1.
 std::vector<Vector3> PadPoints(const Grasp& grasp, int side, double above) {
   const Vector2 half = ParallelJaw().pad_half_extents();
   std::vector<Vector3> points;
@@ -85,7 +86,8 @@ TEST(GraspTest, WiderGraspsAreFoundWhenAskedFor) {
   EXPECT_TRUE(GraspsOf(*block, {.approach_step = 15 * kDegree, .widest = 2.9 * kInch}).empty());
 }
 
-// From +x, straight along the shaft, up to 75 degrees away: the mating features stay free.
+// The approach is from +x along the shaft, or up to 75 degrees away from it. The mating features
+// stay free.
 TEST(GraspTest, ThePegIsTakenAcrossItsPlateForInsertion) {
   const auto peg = LoadPart("peg");
   const auto grasps = GraspsOf(*peg);
@@ -115,8 +117,8 @@ TEST(GraspTest, ABrickIsTakenAcrossXAndYFromEverywhere) {
   EXPECT_EQ(GraspsOf(*LoadPart("brick")).size(), 3u * 24u);
 }
 
-// The same faces, approach and hidden features: the same class, also if the tool is turned by half
-// a turn about its z.
+// Returns whether two grasps are of the same class: same faces, approach and hidden features. A
+// half turn of the tool about its z axis does not matter.
 bool SameClass(const Grasp& a, const Grasp& b) {
   const Vector3 apart = a.X_PartTool.translation() - b.X_PartTool.translation();
   return (ApproachOf(a) - ApproachOf(b)).norm() < 1e-6 &&
@@ -139,7 +141,7 @@ TEST(GraspTest, LabelsAreCountedAndClassesDistinct) {
   }
 }
 
-// Under every point of a pad there is matter just inside the face and none just outside.
+// Under every point of a pad there is material just inside the face and none just outside.
 TEST(GraspTest, PadsLieWhollyOnTheSurface) {
   for (const auto& part : AllParts()) {
     for (const Grasp& grasp : GraspsOf(*part)) {
@@ -155,7 +157,7 @@ TEST(GraspTest, PadsLieWhollyOnTheSurface) {
   }
 }
 
-// The features of which a sampled point of a pad is a point.
+// Returns the features that contain a sampled point of a pad.
 std::set<FeatureNumber> SampledHidden(const PartModel& part, const Grasp& grasp) {
   std::set<FeatureNumber> hidden;
   for (int side : {-1, 1}) {
@@ -201,7 +203,8 @@ bool Collides(const PartModel& part, const std::vector<Box>& gripper, const Pose
   return false;
 }
 
-// Open at the grasp and all along the way out, and closed at the grasp.
+// The fingers are free when open, at the grasp and all along the way out, and when closed at the
+// grasp.
 TEST(GraspTest, HandAndFingersAreFreeOfThePart) {
   const kinematics::Gripper& gripper = ParallelJaw();
   std::vector<Box> opened = gripper.FingerBoxes(gripper.max_opening());
@@ -219,14 +222,14 @@ TEST(GraspTest, HandAndFingersAreFreeOfThePart) {
   }
 }
 
-// What does not depend on how ties are broken: the pair, the direction, and how near to the centre
-// of mass the class's best grasp is.
+// Properties that do not depend on how ties are broken: the pair of faces, the direction, and the
+// distance of the best grasp of the class from the centre of mass.
 struct Invariants {
   Vector3 approach;
   Vector3 closing;
   double width;
   double from_mass;
-  double along_closing;  // of the tool's origin from the centre of mass, up to sign
+  double along_closing;  // distance of the tool's origin from the centre of mass, up to sign
   std::vector<FeatureNumber> hidden;
 };
 
@@ -250,7 +253,7 @@ TEST(GraspTest, MovingThePartInItsFilePermutesItsGrasps) {
   ASSERT_GT(grasps.size(), 24u);
   RandomStream random(kSeed, "moved");
   for (int trial = 0; trial < 12; ++trial) {
-    Pose X_NewOld = geometry::Translation(oracle::RandomVector(random, 50));  // mm, as the file
+    Pose X_NewOld = geometry::Translation(oracle::RandomVector(random, 50));  // mm, like the file
     X_NewOld.linear() = oracle::RandomQuarterTurns(random);
     const auto moved = ParsePart(MovedPeg(X_NewOld));
     const auto moved_grasps = GraspsOf(*moved);
@@ -266,7 +269,7 @@ TEST(GraspTest, MovingThePartInItsFilePermutesItsGrasps) {
   }
 }
 
-// With a coarser step the directions are a subset, and their grasps are the same.
+// With a coarser step the directions are a subset, and their grasps are equal.
 TEST(GraspTest, ACoarserStepKeepsEverySecondDirection) {
   for (const auto& part : AllParts()) {
     const auto fine = GraspsOf(*part);

@@ -17,8 +17,8 @@ using geometry::Box;
 constexpr std::uint64_t kSeed = 21;
 constexpr double kAllowance = 1e-4;
 
-// The deepest overlap of the gripper's boxes with the part's, tool at X_PartTool; negative: the
-// least distance, or less.
+// Returns the deepest overlap of the boxes of gripper and part, metres, with the tool at
+// X_PartTool. If negative, its magnitude is at most the least distance.
 double DeepestOverlap(const PartModel& part, const std::vector<Box>& gripper,
                       const Pose& X_PartTool) {
   double deepest = -1e9;
@@ -30,7 +30,8 @@ double DeepestOverlap(const PartModel& part, const std::vector<Box>& gripper,
   return deepest;
 }
 
-// The same by steps along the whole way in, and closed at its end.
+// Returns the deepest overlap at steps along the whole way in with the gripper open, and at its end
+// with the gripper closed.
 double DeepestOnTheWay(const PartModel& part, double width, const Pose& X_PartTool, double length) {
   const kinematics::Gripper& gripper = ParallelJaw();
   std::vector<Box> opened = gripper.FingerBoxes(gripper.max_opening());
@@ -79,7 +80,7 @@ void ExpectAgreement(const PartModel& part, const Pose& X_PartMiddle, double wid
 TEST(HandClearanceTest, AgreesWithStepsAlongTheWayIn) {
   RandomStream random(kSeed, "way in");
   const auto peg = LoadPart("peg");
-  // Across the shaft, across the plate, and from base to shoulder.
+  // The grasps are across the shaft, across the plate, and from base to shoulder.
   ExpectAgreement(*peg, Pose::Identity(), 1.5 * kInch, random);
   ExpectAgreement(*peg, geometry::RotationX(std::numbers::pi / 2), 3 * kInch, random);
   ExpectAgreement(

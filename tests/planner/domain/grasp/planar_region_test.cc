@@ -54,8 +54,8 @@ TEST(PlanarRegionTest, CutsThatOnlyTouchChangeNothing) {
   EXPECT_TRUE(Without(square, Rectangle(-1, -1, 2, 2)).empty());
 }
 
-// Area(A \ B) + Area(A and B) = Area(A), and every point is in A \ B exactly if it is in A and not
-// in B, and then in one patch only.
+// Law: Area(A \ B) + Area(A and B) = Area(A). A point is in A \ B exactly if it is in A and not in
+// B, and then it is in one patch only.
 TEST(PlanarRegionTest, DifferenceAndIntersectionMakeUpTheWhole) {
   RandomStream random(kSeed, "difference");
   for (int trial = 0; trial < 300; ++trial) {

@@ -18,14 +18,14 @@ Problem Load(const std::string& scenario) {
   return ReadProblem(Document::Load(root + "/scenarios/" + scenario + ".yaml"), root + "/models");
 }
 
-// Whether the held part, moved from its seat, runs into the fixed one.
+// Returns whether the held part collides with the fixed one after a move from its seat.
 bool IsStopped(const Problem& problem, const Mating& mating, const Vector3& moved) {
   return Overlaps(problem.part(mating.held).model->shape(),
                   geometry::Translation(moved) * mating.X_FixedHeld,
                   problem.part(mating.fixed).model->shape(), Pose::Identity(), 0);
 }
 
-// The parts' boxes know nothing of features and walls.
+// The oracle uses the boxes of the parts, which know nothing of features and walls.
 TEST(ShaftFit, GapsAreHowFarTheSeatedPartCanMove) {
   for (const char* scenario :
        {"spar-fig15", "two-pegs", "keyed", "uncertain-sensing", "uncertain-squeezing",
@@ -62,8 +62,8 @@ TEST(ShaftFit, OffTheMiddleOneGapIsWiderByAsMuchAsTheOtherIsNarrower) {
   }
 }
 
-// A hexagonal prism is three boxes, one for each pair of sides; its hole is what three pockets have
-// in common.
+// A nut. Its body is a hexagonal prism of three boxes, one for each pair of sides. Its hole is the
+// intersection of three pockets.
 const char* const kNut = R"(format: assay-part/1
 name: nut
 initial: NU
@@ -117,7 +117,8 @@ Mating Seated(int of_bolt, int of_nut) {
           .mating_vector = Vector3(0, 0, -0.05)};
 }
 
-// Across its three pairs of sides, and into the corners at which the body's own pocket ends.
+// The gaps are those across the three pairs of sides, and those into the corners at which a pocket
+// of the body ends.
 TEST(ShaftFit, AHexagonIsHeldAllAround) {
   const Problem problem = BoltInNut();
   const Mating mating = Seated(1, 1);
@@ -132,7 +133,7 @@ TEST(ShaftFit, AHexagonIsHeldAllAround) {
   }
 }
 
-// However it is pushed and turned, a seated part is no farther off than its play.
+// However a seated part is pushed and turned, it is within its play.
 TEST(ShaftFit, NothingThatFitsIsFartherOffThanThePlay) {
   const Problem problem = BoltInNut();
   const Mating mating = Seated(1, 1);
@@ -154,7 +155,7 @@ TEST(ShaftFit, NothingThatFitsIsFartherOffThanThePlay) {
   EXPECT_LE(turn - 1e-4, play.turn);
 }
 
-// At its ends the play is used up.
+// The play is used up exactly at the ends of the gaps.
 TEST(ShaftFit, FitsInsideAsFarAsTheGaps) {
   for (const char* scenario : {"keyed", "uncertain-sensing", "mate-stepped"}) {
     const Problem problem = Load(scenario);

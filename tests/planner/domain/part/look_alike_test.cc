@@ -14,7 +14,7 @@ constexpr double kDegree = std::numbers::pi / 180;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr Interval kAnything = {-kInfinity, kInfinity};
 
-// A camera as the workcells have it.
+// A camera like that of the workcells.
 const SensorModel kCamera = {.name = "camera",
                              .description = "",
                              .x = {-0.0003, 0.0003},
@@ -24,7 +24,7 @@ const SensorModel kCamera = {.name = "camera",
 const PoseError kNoError = {{0, 0}, {0, 0}, {0, 0}, {0, 0}};
 const PoseError kMillimetres = {{-0.002, 0.002}, {-0.002, 0.002}, {0, 0}, {-0.03, 0.03}};
 
-// A brick of 2 x 2 x 4 inches, and a peg that is unlike from every side.
+// A brick of 2 x 2 x 4 inches, and a peg that looks different from every side.
 class Looking : public testing::Test {
  protected:
   static Part PartOf(const std::string& name, const PoseError& error) {
@@ -74,7 +74,7 @@ TEST_F(Looking, SymmetriesLookTheSame) {
                          Standing(peg, "shaft-down", 0.5, 0.1, 0), kCamera));
 }
 
-// What is not measured is not told.
+// Poses that differ only in what the sensor does not measure look alike.
 TEST_F(Looking, AnAngleSensorTellsNoPlaces) {
   const Part peg = PartOf("peg", kNoError);
   SensorModel compass = kCamera;

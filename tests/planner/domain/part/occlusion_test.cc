@@ -29,7 +29,7 @@ constexpr char kMating[] =
     "      mating_vector: [-4, 0, 0]}\n";
 constexpr char kPeg[] = "  peg: {model: peg, pose: {stable: on-side, at: [20, -8], yaw: -120}}\n";
 
-// The block on its back on two bricks that lie flat, 2 inches high: x of the block points up.
+// The block lies on its back on two flat bricks that are 2 inches high. Its x axis points up.
 constexpr char kStacked[] =
     "  left: {model: brick, pose: {stable: flat, at: [24, 8], yaw: 0}}\n"
     "  right: {model: brick, pose: {stable: flat, at: [24, 3], yaw: 0}}\n"
@@ -44,7 +44,7 @@ std::string StackedOn(const std::string& flat) {
   return text;
 }
 
-// The brick's stable pose in which it is two inches high.
+// Returns the stable pose in which the brick is two inches high.
 std::string FlatBrick() {
   const Problem problem = Read(
       std::string(kPeg) + "  brick: {model: brick, pose: {stable: BRP1, at: [28, 0], yaw: 0}}\n",

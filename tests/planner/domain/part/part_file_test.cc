@@ -11,7 +11,7 @@ namespace {
 
 using testing::HasSubstr;
 
-// A small part with everything that a file may say.
+// A small part that uses every key of the format.
 const std::string kFile = R"(format: assay-part/1
 name: bracket
 initial: BR
@@ -153,7 +153,7 @@ TEST(PartFileTest, AMouthMustBeOpen) {
   }
 }
 
-// A bush in the mouth: the hole is what slot and bore have in common.
+// With a bush in the mouth, the hole is the intersection of slot and bore.
 TEST(PartFileTest, AHoleMayGoThroughSeveralSolids) {
   const auto with_bush = [](const std::string& bore, const std::string& hole) {
     std::string text = With("pockets:",
@@ -202,7 +202,7 @@ TEST(PartFileTest, PocketsLeaveSolidsInOnePiece) {
               HasSubstr("the pockets cut solid 'body' into pieces that nothing holds together"));
 }
 
-// Whatever way all of it is turned.
+// The result does not depend on how the whole part is turned.
 TEST(PartFileTest, TurnedSolidsHangTogether) {
   for (const char* axis : {"[0, 0, 1]", "[1, 2, 3]", "[-2, 1, 0.3]"}) {
     for (const double angle : {0.0, 12.3, 45.0, 77.0, 100.0}) {

@@ -26,8 +26,8 @@ double SurfaceOf(const PartModel& part) {
   return area;
 }
 
-// The divergence theorem: a closed surface has no resultant normal, and a third of offset times
-// area adds up to the volume inside.
+// Expects a closed surface by the divergence theorem: the area-weighted normals add up to zero, and
+// a third of offset times area adds up to the enclosed volume.
 void ExpectClosedSurface(const PartModel& part, double volume, double tolerance) {
   Vector3 normals = Vector3::Zero();
   double enclosed = 0;
@@ -50,7 +50,7 @@ FaceId FaceAt(const PartModel& part, const Vector3& normal, double offset) {
   return id;
 }
 
-// A square on a face around a point of the part frame.
+// Returns a square on a face around a point of the part frame.
 Polygon SquareAround(const Face& face, const Vector3& center, double half) {
   const Vector2 c = (face.X_PartFace.inverse() * center).head<2>();
   return {c + Vector2(-half, -half), c + Vector2(half, -half), c + Vector2(half, half),
@@ -168,13 +168,13 @@ TEST(PartModelTest, TheShoulderOfThePegIsARingAroundTheShaft) {
 
 TEST(PartModelTest, SurfacesAreClosed) {
   for (const std::string& name : PartNames()) {
-    if (name.starts_with("octagonal")) continue;  // their mass is not exact
+    if (name.starts_with("octagonal")) continue;  // the mass of these parts is not exact
     const auto part = LoadPart(name);
     ExpectClosedSurface(*part, part->mass().mass / 700, 1e-12);
   }
 }
 
-// The octagon with inscribed radius r has the area 8 tan(22.5 degrees) r^2.
+// Returns the area 8 tan(22.5 degrees) r^2 of an octagon with the inscribed radius r.
 double OctagonAround(double radius) { return 8 * (std::sqrt(2) - 1) * radius * radius; }
 
 TEST(PartModelTest, SurfacesOfTheOctagonalPartsAreClosed) {
@@ -183,13 +183,14 @@ TEST(PartModelTest, SurfacesOfTheOctagonalPartsAreClosed) {
   for (double clearance : {-0.0002, 0.0, 0.0005, 0.002}) {
     const double hole = 2.8 * kInch * OctagonAround(0.75 * kInch + clearance);
     const double body = (58.5 - 0.5 * 0.0625) * kCubicInch;
-    // Where walls meet at an obtuse angle, each covers 0.1 micrometres of the other.
+    // Walls that meet at an obtuse angle each cover 0.1 micrometres of the other.
     const double strips = 1e-7 * 16 * 2.8 * kInch * kInch;
     ExpectClosedSurface(*LoadPart("octagonal-block", clearance), body - hole, strips);
   }
 }
 
-// Eight times the triangle over half a side: 2 (sqrt 2 - 1) w^2 for the width w across flats.
+// The area is eight times the triangle over half a side: 2 (sqrt 2 - 1) w^2 for the width w across
+// flats.
 TEST(PartModelTest, FourTurnedBoxesMakeAnExactOctagonalPrism) {
   const auto part = ParsePart(OctagonalPeg());
   const double section = 2 * (std::sqrt(2) - 1) * 0.04 * 0.04;
@@ -200,7 +201,7 @@ TEST(PartModelTest, FourTurnedBoxesMakeAnExactOctagonalPrism) {
               1e-12);
 }
 
-// Boxes on a coarse grid overlap and touch in every way.
+// Boxes on a coarse grid overlap and touch in every possible way.
 TEST(PartModelTest, RandomUnionsHaveClosedSurfacesOfOneSkin) {
   RandomStream random(kSeed, "unions");
   for (int trial = 0; trial < 60; ++trial) {
@@ -227,7 +228,7 @@ TEST(PartModelTest, RandomUnionsHaveClosedSurfacesOfOneSkin) {
   }
 }
 
-// Just below every patch there is matter, just above there is none.
+// Just below every patch there is material, and just above it there is none.
 TEST(PartModelTest, FacesSeparateMatterFromAir) {
   std::vector<std::shared_ptr<const PartModel>> parts = {ParsePart(OctagonalPeg())};
   for (const std::string& name : PartNames()) parts.push_back(LoadPart(name));
@@ -264,8 +265,8 @@ TEST(PartModelTest, MatingFramesLookOutOfHolesAndAlongShafts) {
   EXPECT_EQ(block->FindFeature(FeatureNumber(9)), nullptr);
 }
 
-// The paper's Ta: the peg's x looks into the block. Mated, each hole of the peg's plate and each
-// shaft meets its hole, on one axis.
+// The pose is Ta of the paper, in which the peg's x axis points into the block. In the mated pose,
+// each hole in the plate of the peg and each shaft is on one axis with its hole.
 TEST(PartModelTest, MatedFeaturesMeet) {
   const Pose X_FixedHeld = geometry::PoseFromColumns(
       -Vector3::UnitX(), Vector3::UnitY(), -Vector3::UnitZ(), kInch * Vector3(3, 0, 3.25));
@@ -300,8 +301,8 @@ TEST(PartModelTest, MatedFeaturesMeet) {
   }
 }
 
-// With clearance the mated parts do not touch but at the shoulder; a shaft that is as wide as the
-// hole and a little to any side goes through its wall.
+// With clearance the mated parts touch only at the shoulder. A shaft as wide as the hole, moved a
+// little to any side, goes through its wall.
 TEST(PartModelTest, MatedPartsFit) {
   const Pose X_FixedHeld = geometry::PoseFromColumns(
       -Vector3::UnitX(), Vector3::UnitY(), -Vector3::UnitZ(), kInch * Vector3(3, 0, 3.25));

@@ -34,7 +34,7 @@ TEST_F(Resting, FootprintTurnsWithThePart) {
   }
 }
 
-// The narrow table ends at x = 0.73; an upright brick is 2 inches wide.
+// The narrow table ends at x = 0.73 m, and an upright brick is 2 inches wide.
 TEST_F(Resting, OnTableUpToTheEdge) {
   EXPECT_TRUE(OnTable(problem_, brick_, InPose(brick_, "upright", {.x = 0.73 - kInch})));
   EXPECT_FALSE(OnTable(problem_, brick_, InPose(brick_, "upright", {.x = 0.7301 - kInch})));
@@ -47,7 +47,7 @@ TEST_F(Resting, CrowdingWithinThePartGap) {
   const Pose X_WorldBrick = InPose(brick_, "upright", {.x = 0.5});
   const auto crowded_by = [&](double distance) {
     const std::vector<PlacedPart> others = {
-        {brick_, X_WorldBrick},  // the part itself, which crowds nobody
+        {brick_, X_WorldBrick},  // the part itself, which does not count
         {block_, InPose(block_, "on-end", {.x = 0.5 + kInch + distance})}};
     return Crowding(problem_, brick_, X_WorldBrick, others);
   };
@@ -80,8 +80,8 @@ TEST_F(Resting, APartThatLeansOrFloatsRestsInNone) {
             StablePoseId::None());
 }
 
-// What makes the scenario: the block lies on its back at one placement alone, where the brick is
-// in its way; at the other place the brick can stand and the block cannot lie.
+// The property that the scenario needs: the block can lie on its back at only one placement, where
+// the brick is in its way. At another place the brick can stand and the block cannot lie.
 TEST_F(Resting, TheBrickStandsWhereTheBlockMustLie) {
   const std::vector<PlacedPart> start = {{brick_, problem_.part(brick_).X_WorldPart}};
   std::vector<Placement> for_block;

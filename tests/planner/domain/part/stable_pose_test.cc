@@ -41,8 +41,9 @@ TEST(StablePoseTest, TheBlockRestsOnEachOfItsSixSides) {
   }
 }
 
-// Spar's peg: on its base, on the shaft, and four lying poses that lean on an edge of the plate
-// (1.5 from the axis) and an edge of the tip (0.75 from it, 2.75 farther on).
+// Spar's peg stands on its base and on its shaft. It has four lying poses, which lean on an edge of
+// the plate (1.5 from the axis) and an edge of the tip (0.75 from the axis, 2.75 farther on), in
+// inches.
 TEST(StablePoseTest, ThePegStandsOnBothEndsAndLeansFourWays) {
   const auto peg = LoadPart("peg");
   ASSERT_EQ(peg->stable_poses().size(), 6u);
@@ -97,8 +98,8 @@ TEST(StablePoseTest, ThePartLiesOnTheTableWithItsCentreOverTheSupport) {
   }
 }
 
-// At yaw 0 the first axis of the part that is more than 45 degrees from the vertical points, seen
-// from above, along the table's x.
+// At yaw 0, the first axis of the part that is more than 45 degrees from the vertical points along
+// the x axis of the table, seen from above.
 TEST(StablePoseTest, YawZeroIsReadOffTheFirstAxisThatLies) {
   for (const std::string& name : PartNames()) {
     const auto part = LoadPart(name);
@@ -112,7 +113,8 @@ TEST(StablePoseTest, YawZeroIsReadOffTheFirstAxisThatLies) {
   }
 }
 
-// Let go with any side down, each part rolls into one of the computed poses, and into each of them.
+// Released with any side down, each part rolls into one of the computed poses, and it reaches each
+// of them.
 TEST(StablePoseTest, RollingEndsInTheComputedPosesAndReachesAll) {
   std::vector<std::shared_ptr<const PartModel>> parts = {ParsePart(OctagonalPeg())};
   for (const std::string& name : PartNames()) parts.push_back(LoadPart(name));
@@ -143,13 +145,13 @@ TEST(StablePoseTest, AStricterLeastTiltKeepsTheSteadierPoses) {
   }
 }
 
-// Written in another frame, the same part has the same poses.
+// A part that is written in another frame has the same poses.
 TEST(StablePoseTest, MovingThePartInItsFilePermutesItsPoses) {
   const auto part = ParsePart(MovedPeg(Pose::Identity()));
   ASSERT_GE(part->stable_poses().size(), 5u);
   RandomStream random(kSeed, "moved");
   for (int trial = 0; trial < 12; ++trial) {
-    Pose X_NewOld = geometry::Translation(oracle::RandomVector(random, 50));  // mm, as the file
+    Pose X_NewOld = geometry::Translation(oracle::RandomVector(random, 50));  // mm, like the file
     X_NewOld.linear() = oracle::RandomQuarterTurns(random);
     const auto moved = ParsePart(MovedPeg(X_NewOld));
     ASSERT_EQ(moved->stable_poses().size(), part->stable_poses().size());

@@ -61,7 +61,7 @@ TEST(ProblemFile, EveryScenarioLoads) {
     const Problem problem = LoadScenario(name);
     EXPECT_EQ(problem.name, name);
     EXPECT_FALSE(problem.title.empty());
-    // What is to be known at the end may be goal enough.
+    // A scenario may have only goals of its key `knowledge`.
     EXPECT_EQ(problem.goals.empty(),
               Document::Load(ScenarioPath(name)).root().Find("knowledge").has_value());
     for (const Part& part : problem.parts) {
@@ -91,7 +91,7 @@ TEST(ProblemFile, ReadsResolvers) {
               HasSubstr("at least one of sensing, squeezing, fine-motion"));
 }
 
-// Spar, "A Task Planning Example" and Table 2, in metres and radians.
+// The numbers are those of Spar, "A Task Planning Example" and Table 2, in metres and radians.
 TEST(ProblemFile, ReadsTheNumbersOfThePaper) {
   const Problem problem = LoadScenario("spar-example");
   const PartId peg = PartNamed(problem, "peg");
@@ -121,7 +121,7 @@ TEST(ProblemFile, PlacesAPartByStablePoseAndYaw) {
   const Part& lower = problem.part(PartNamed(problem, "lower"));
   EXPECT_TRUE(lower.X_WorldPart.translation().isApprox(kInch * Vector3(24, 2, 2), 1e-9));
   EXPECT_EQ(lower.resting, lower.model->FindStablePose("upright"));
-  // The stable pose at yaw 0 has the part's x axis along the table's.
+  // In the stable pose at yaw 0, the x axis of the part is along that of the table.
   const Vector3 x = lower.X_WorldPart.linear().col(0);
   EXPECT_NEAR(std::atan2(x.y(), x.x()), 30 * kDegree, 1e-9);
   EXPECT_EQ(problem.parts[2].resting, StablePoseId(0)) << "BRP1 is the label of the first";
@@ -138,7 +138,7 @@ TEST(ProblemFile, DerivesThePoseOfAnAssembledPart) {
   EXPECT_EQ(std::get<LocatedGoal>(problem.goals.at(0)).stable_poses.size(), 2u);
 }
 
-// A tower that is written from the top down.
+// The scenario lists a tower from the top down.
 TEST(ProblemFile, DerivesPosesAlongAChain) {
   const Problem problem = ParseScenario(R"(
 format: assay-scenario/1
@@ -196,7 +196,7 @@ TEST(ProblemFile, ReadsIntervalsAndLeavesOutWhatIsExact) {
   EXPECT_NEAR(error.theta.low, -2 * kDegree, kTolerance);
 }
 
-// Upside down, and turned by 30 degrees: given as columns.
+// The pose is given as columns. It is upside down and turned by 30 degrees.
 TEST(ProblemFile, FindsTheStablePoseOfAnAbsolutePose) {
   std::string text = kBrick;
   const std::string pose = "{stable: BRP1, at: [24, -8]}";
@@ -219,7 +219,7 @@ TEST(ProblemFile, APartThatAFixtureHoldsMayLean) {
   EXPECT_THROW(ParseScenario(WithBrickAt(leaning)), InputError);
 }
 
-// Written with a few digits, a pose is next to the one in which the part rests: it is that one.
+// A pose that is written with a few digits stands for the nearby pose in which the part rests.
 TEST(ProblemFile, APartComesToRest) {
   const Part exact = ParseScenario(kBrick).parts[2];
   const Pose& X = exact.X_WorldPart;
@@ -349,7 +349,8 @@ TEST(ProblemFile, SaysWhichModelsFolderLacks) {
   }
 }
 
-// The first line of each file is a comment with the message after the file's name.
+// The first line of each file is a comment with the message that follows after the name of the
+// file.
 TEST(ProblemFile, WrongFilesAreRefusedWithPlaceAndRemedy) {
   const std::filesystem::path folder =
       std::filesystem::path(ASSAY_SOURCE_DIR) / "tests/planner/domain/wrong";
@@ -363,7 +364,7 @@ TEST(ProblemFile, WrongFilesAreRefusedWithPlaceAndRemedy) {
   EXPECT_GE(files, 60);
 }
 
-// One slip somewhere in a text.
+// Returns the text with one random mistake.
 std::string Mutated(const std::string& text, RandomStream& random) {
   static const std::vector<std::string> kPieces = {
       "0",   "-1",    "1e9", "1e-9", "1e308", "-0",  ".5",   "360",   "[]",     "{}",
@@ -380,7 +381,7 @@ std::string Mutated(const std::string& text, RandomStream& random) {
     case 1:
       mutated.insert(at, kPieces[random.Index(static_cast<int>(kPieces.size()))]);
       break;
-    case 2: {  // A word or a number becomes another.
+    case 2: {  // Replaces a word or a number by another one.
       const std::size_t begin = mutated.find_first_of("0123456789abcdefghijklmnopqrstuvwxyz", at);
       if (begin == std::string::npos) break;
       const std::size_t end = mutated.find_first_of(" ,:]}\n", begin);
@@ -399,13 +400,14 @@ int MutationCount() {
   return count == nullptr ? 1000 : std::atoi(count);
 }
 
-constexpr int kQuarters = 4;  // of the mutations, to run side by side
+constexpr int kQuarters = 4;  // quarters of the mutations run side by side
 
 class Mutations : public testing::TestWithParam<int> {};
 INSTANTIATE_TEST_SUITE_P(Quarters, Mutations, testing::Range(0, kQuarters));
 
-// A slip gives a problem or an InputError, nothing else. More of them with ASSAY_MUTATIONS=10000.
-// A check that aborts leaves the text in the temporary folder.
+// A mistake in a file gives a problem or an InputError, and nothing else. The variable
+// ASSAY_MUTATIONS sets a greater number of mistakes, like 10000. A check that aborts leaves the
+// text in the temporary folder.
 TEST_P(Mutations, AreSurvived) {
   std::vector<std::string> texts;
   for (const std::string& name : AllScenarios()) {

@@ -29,7 +29,7 @@ std::string ErrorOf(const std::string& number, const Unit& unit, const Range& ra
   return "no error";
 }
 
-// 254 mm, 25.4 cm, 0.254 m and 10 inches are one length; half a turn is 180 degrees.
+// The lengths 254 mm, 25.4 cm, 0.254 m and 10 inches are equal. Half a turn is 180 degrees.
 TEST(Units, AreThoseOfTheFile) {
   EXPECT_DOUBLE_EQ(ReadLength(Read("10"), UnitsOf("inch", "degree")), 0.254);
   EXPECT_DOUBLE_EQ(ReadLength(Read("254"), UnitsOf("mm", "degree")), 0.254);
@@ -67,7 +67,7 @@ TEST(Units, AlsoStandBesideARangeWithoutEnd) {
   EXPECT_EQ(ErrorOf("1e300", kMetres, kAtLeastZero), "no error");
 }
 
-// No limit is missed by rounding: as many units as the file may have are within the range, and a
+// Rounding moves no limit: the greatest allowed number of units is within the range, and a
 // millionth more is not.
 TEST(Units, ReachUpToTheLimits) {
   for (const Unit& unit : {kInches, kMillimetres, kCentimetres, kMetres, kDegrees, kRadians}) {

@@ -44,8 +44,8 @@ const Grasp& GraspOf(const Problem& problem, PartId part, int grasp) {
   return problem.part(part).grasps->at(static_cast<std::size_t>(grasp));
 }
 
-// The positions of a part that regrasping is about: its stable poses, and last its pose at the
-// start.
+// Returns the number of positions of a part for regrasping: its stable poses and, as the last one,
+// its pose at the start.
 int PositionCount(const Problem& problem, PartId part) {
   return static_cast<int>(problem.part(part).model->stable_poses().size()) + 1;
 }
@@ -77,7 +77,7 @@ std::set<int> CommonGrasps(const Problem& problem, PartId part, const std::strin
               GraspsIn(problem, part, Named(problem, part, to).index()));
 }
 
-// The grasps with which a mating can be made with the fixed part in a stable pose.
+// Returns the grasps with which the mating can be made while the fixed part is in a stable pose.
 std::set<int> MatingGrasps(const Problem& problem, MatingId id, StablePoseId pose_of_fixed) {
   const Mating& mating = problem.mating(id);
   std::set<int> grasps;
@@ -155,7 +155,7 @@ TEST_F(PegAndBlock, MasksAgreeWithYesAndNo) {
   }
 }
 
-// Each condition, found again in the most naive way.
+// Returns the broken conditions, each found again in the most naive way.
 GraspConditions NaivelyBroken(const Problem& problem, PartId part, int g,
                               const std::vector<FeatureNumber>& hidden, const Pose& X_WorldPart) {
   const Workcell& workcell = *problem.workcell;
@@ -205,7 +205,7 @@ TEST_F(PegAndBlock, ConditionsAgreeWithNaiveOnes) {
   EXPECT_GE(met.size(), 4u) << "the parts try few of the conditions";
 }
 
-// Everything but reach is the same wherever on the table the part rests, and however it is turned.
+// All conditions except reach are independent of the place and yaw of the part.
 TEST_F(PegAndBlock, ConditionsButReachDoNotDependOnThePlace) {
   RandomStream random(5, "places");
   const int reach = static_cast<int>(GraspCondition::kReach);
@@ -245,7 +245,7 @@ TEST_F(PegAndBlock, NothingIsReachableFarAway) {
   }
 }
 
-// A pad that is wider apart than the gripper opens: the grasps of a wider gripper.
+// The grasps are those of a wider gripper, so that the part is wider than the gripper opens.
 TEST_F(PegAndBlock, AGraspThatIsTooWideBreaksTheOpening) {
   Problem problem = problem_;
   std::vector<Grasp> wide = *problem.parts[block_.index()].grasps;
@@ -303,7 +303,7 @@ TEST_F(PegAndBlock, GraspsOnTheShaftDoNotLeaveTheMatingFeaturesFree) {
   EXPECT_GT(on_shaft, 0);
 }
 
-// -v_z >= |v| cos(atan(mu)), with mu = 0.25.
+// The cone is -v_z >= |v| cos(atan(mu)) with mu = 0.25.
 TEST_F(PegAndBlock, FrictionConeOpensByTheArcTangentOfFriction) {
   const Mating& mating = problem_.mating(mating_);
   const Part& block = problem_.part(block_);
@@ -318,7 +318,7 @@ TEST_F(PegAndBlock, FrictionConeOpensByTheArcTangentOfFriction) {
   }
 }
 
-// What may be smoother than the problem says is relied on no further than it is sure to hold.
+// The cone is that of the least friction within the tolerance.
 TEST_F(PegAndBlock, FrictionConeIsThatOfTheLeastFriction) {
   Problem problem = problem_;
   problem.tolerances.friction = 0.05;
@@ -369,8 +369,8 @@ TEST_F(PegAndBlock, DescriptionsTellTheLimits) {
 
 // ---- How often parts must be put down ----
 
-// The fewest times a part is put down before it rests in, or is taken from, a wanted position
-// (breadth first over positions that share a grasp); empty if there is no way.
+// Returns the fewest putdowns of a part before it rests in, or is taken from, a wanted position.
+// The search is breadth-first over positions that share a grasp. Returns none if there is no way.
 template <class Wanted>
 std::optional<int> FewestPutdowns(const Problem& problem, PartId part, const Wanted& wanted) {
   const int start = PositionCount(problem, part) - 1;
@@ -390,8 +390,8 @@ std::optional<int> FewestPutdowns(const Problem& problem, PartId part, const Wan
   return std::nullopt;
 }
 
-// The fewest actions for one mating, if no part is in the way of another: each putdown with its
-// pickup, and at the end a pickup and the assemble.
+// Returns the fewest actions for one mating if no part is in the way. Each putdown needs a pickup,
+// and at the end there is a pickup and the assemble.
 std::optional<int> FewestActions(const Problem& problem, MatingId id) {
   const Mating& mating = problem.mating(id);
   const Part& fixed = problem.part(mating.fixed);
@@ -412,7 +412,7 @@ std::optional<int> FewestActions(const Problem& problem, MatingId id) {
 
 struct Expected {
   const char* scenario;
-  std::optional<int> actions;  // of the first mating, other parts left aside
+  std::optional<int> actions;  // for the first mating, without regard to other parts
 };
 
 class ScenarioActions : public testing::TestWithParam<Expected> {};
@@ -432,7 +432,7 @@ TEST_P(ScenarioActions, AreAsManyAsItsCommentSays) {
   EXPECT_EQ(FewestActions(LoadScenario(GetParam().scenario), MatingId(0)), GetParam().actions);
 }
 
-// Every part that a scenario wants moved can be taken where it is, by one of the robots.
+// Every part that a scenario moves can be taken at its start by one of the robots.
 TEST(Scenarios, PartsCanBeTakenAtTheStart) {
   for (const std::string& name : AllScenarios()) {
     const Problem problem = LoadScenario(name);
@@ -448,7 +448,7 @@ TEST(Scenarios, PartsCanBeTakenAtTheStart) {
   }
 }
 
-// The hand that inserts the second peg misses the first.
+// The hand that inserts the second peg does not touch the first.
 TEST(Scenarios, TwoPegsLeaveRoomForTheHand) {
   const Problem problem = LoadScenario("two-pegs");
   const PartId block = PartNamed(problem, "block");

@@ -49,8 +49,8 @@ std::optional<JointVector> SolutionLike(const Workcell& workcell, const Matrix3&
   return std::nullopt;
 }
 
-// The oracle: one configuration after the other, a look at every millimetre, no more than 1 degree
-// of turn in between. What it allows, looks at every 25 mm must allow.
+// Oracle: follows the path in each configuration with a check at every millimetre and turns of at
+// most 1 degree in between. Every path that it allows must be allowed with checks at every 25 mm.
 bool FollowsDensely(const Workcell& workcell, const Matrix3& R_WorldTool, const Vector3& from,
                     const Vector3& to) {
   const int steps = static_cast<int>(std::ceil((to - from).norm() / 0.001));
@@ -132,7 +132,7 @@ TEST(ToolPath, WithoutTurnsReachIsTheSame) {
   EXPECT_GT(followed, 10);
 }
 
-// From the start that is told, the joints go the way in small steps.
+// From the returned start, the joints follow the way in small steps.
 TEST(ToolPath, TheStartIsOfAConfigurationThatComesToTheEnd) {
   const auto workcell = PumaTable();
   RandomStream random(14, "turns");
@@ -158,7 +158,7 @@ TEST(ToolPath, TheStartIsOfAConfigurationThatComesToTheEnd) {
   EXPECT_GT(followed, 10);
 }
 
-// A path that can be followed has parts that can: fewer corners never hurt.
+// If a path can be followed, so can its beginnings.
 TEST(ToolPath, PrefixesOfAPathCanBeFollowed) {
   const auto workcell = PumaTable();
   RandomStream random(12, "prefixes");

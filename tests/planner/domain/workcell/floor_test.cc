@@ -23,7 +23,7 @@ std::string TextOf(const fs::path& file) {
   return text.str();
 }
 
-// With all that is between two words replaced, the words included.
+// Replaces everything between two words, including these words.
 std::string Replaced(std::string text, const std::string& from, const std::string& to,
                      const std::string& with) {
   const std::size_t begin = text.find(from);
@@ -32,7 +32,7 @@ std::string Replaced(std::string text, const std::string& from, const std::strin
   return text.replace(begin, end + to.size() - begin, with);
 }
 
-// The Puma's workcell, whose arm has these visible shapes at its root.
+// Returns the workcell of the Puma with these visible shapes at the root of its arm.
 std::shared_ptr<const Workcell> WithRoot(const std::string& visuals) {
   const fs::path urdf = ScratchFile("arm.urdf");
   std::ofstream(urdf) << Replaced(TextOf(kModels / "robots/puma762/puma762.urdf"),
@@ -50,7 +50,8 @@ std::string Visual(const std::string& shape, const std::string& origin) {
   return "<visual><origin " + origin + "/><geometry>" + shape + "</geometry></visual>";
 }
 
-// The origin of the Puma's root is 0.7 m above the table's top, and 1.12 m above the floor.
+// The origin of the root of the Puma is 0.7 m above the top of the table and 1.12 m above the
+// floor.
 TEST(Floor, IsWhereTheShippedArmStands) {
   const auto workcell = WorkcellFile::Read(kModels / "workcells/puma762-table/workcell.yaml");
   EXPECT_NEAR(FloorHeight(*workcell), -0.42, 1e-12);
@@ -64,7 +65,7 @@ TEST(Floor, IsUnderTheLowestShapeOfAnyKind) {
   EXPECT_NEAR(FloorHeight(*WithRoot(Visual("<sphere radius=\"0.3\"/>", high))), -0.4, 1e-12);
 }
 
-// A cylinder that leans by 30 degrees reaches down with the edge of its end.
+// A cylinder that leans by 30 degrees reaches lowest with the edge of its end.
 TEST(Floor, KnowsHowShapesLean) {
   const std::string leaning = "xyz=\"0 0 -0.8\" rpy=\"0.5235987755982988 0 0\"";
   const double reach = 0.25 * std::sqrt(0.75) + 0.2 * 0.5;
@@ -72,7 +73,7 @@ TEST(Floor, KnowsHowShapesLean) {
               -0.1 - reach, 1e-12);
 }
 
-// An arm that stands on the table, and one that nothing is known of.
+// One arm stands on the table, and the shapes of the other are unknown.
 TEST(Floor, IsNowhereAboveATable) {
   const auto on_table = WithRoot(Visual("<box size=\"1 1 0.1\"/>", "xyz=\"0 0 -0.65\""));
   EXPECT_NEAR(FloorHeight(*on_table), -on_table->table().thickness, 1e-12);

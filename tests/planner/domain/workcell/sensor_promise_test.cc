@@ -17,7 +17,7 @@ using testing::HasSubstr;
 constexpr double kInch = 0.0254;
 constexpr double kDegree = 0.017453292519943295;
 
-// Comments and layout that no writer of YAML would keep.
+// A workcell file with comments and a layout that no writer of YAML would keep.
 std::string Workcell(const std::string& error) {
   return "format: assay-workcell/1\n"
          "units: {length:   inch, angle: degree}   # as on the drawing\n"
@@ -60,7 +60,7 @@ TEST(SensorPromise, TheCommentIsThatOfTheLastCalibration) {
             Workcell(kWritten + "  # calibrated: 20 placements" + others));
 }
 
-// A comment there would swallow what closes the maps around it.
+// A comment within a line would hide the text that closes the maps around it.
 TEST(SensorPromise, HasNoCommentWithinALine) {
   const std::string text =
       "format: assay-workcell/1\n"
@@ -71,7 +71,7 @@ TEST(SensorPromise, HasNoCommentWithinALine) {
   EXPECT_EQ(Written(text), expected);
 }
 
-// Law: what is read back is at least what was given, and at most a tenth more.
+// Law: the promise that is read back is at least the given one, and at most a tenth more.
 TEST(SensorPromise, IsReadBackRoundedUp) {
   RandomStream random(3, "promises");
   const auto draw = [&] { return std::pow(10, random.Uniform(-7, -1)); };

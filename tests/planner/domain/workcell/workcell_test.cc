@@ -53,8 +53,8 @@ TEST_P(AnyWorkcell, FlangeForUndoesTheGripperAndTheBase) {
   EXPECT_TRUE(back.isApprox(X_WorldTool, 1e-12));
 }
 
-// Spar, figures 11 and 12: nothing was grasped, and the hand gropes; something else was, and people
-// are called.
+// In figures 11 and 12 of Spar, the hand gropes if nothing was grasped, and a person is called if
+// something else was grasped.
 TEST_P(AnyWorkcell, KnowsWhatToDoAboutUncertainty) {
   const UncertaintyOperations& operations = workcell_->uncertainty_operations();
   const SensorModel* camera = operations.FindSensor("overhead-camera");
@@ -103,7 +103,8 @@ TEST(Workcell, ReadsTheRules) {
   EXPECT_NEAR(workcell->joint_acceleration()[1], 150 * kDegree, 1e-12);
 }
 
-// 5 by 7 places, 12 yaws; distance from (0.60, 0.00) first, then x, y and yaw.
+// There are 5 by 7 places with 12 yaws. They are ordered by the distance from (0.60, 0.00), then by
+// x, y and yaw.
 TEST(Workcell, PlacementsComeNearestFirst) {
   const auto workcell = WorkcellFile::Read(FileOf("puma762-table"));
   const std::vector<Placement>& placements = workcell->placements();
@@ -153,7 +154,7 @@ TEST(Workcell, IsSeenByTheRobotThatActs) {
   EXPECT_EQ(right->robot().name, "right");
   EXPECT_EQ(right->robot().Prefix(), "right/");
   EXPECT_EQ(&right->arm(), right->robots()[1].arm.get());
-  // They stand opposite each other, about the world's z.
+  // The robots stand opposite each other, symmetric about the z axis of the world.
   EXPECT_TRUE(right->X_WorldBase().isApprox(
       geometry::RotationZ(std::numbers::pi) * left->X_WorldBase(), 1e-12));
   EXPECT_TRUE(right->WorkedBy(RobotId(0))->X_WorldBase().isApprox(left->X_WorldBase()));
@@ -169,9 +170,7 @@ TEST(Workcell, PlacesHaveNamesAndRoom) {
   EXPECT_TRUE(WorkcellFile::Read(FileOf("puma762-table"))->places().empty());
 }
 
-// A file in the workcells' folder would be found by scenarios, so that the wrong ones go, beside
-// copies of the robot and the gripper, into a folder of their own.
-// For scenarios that show what is done where a look is not enough.
+// The coarse camera serves scenarios that show what is done if a look is not enough.
 TEST(Workcell, ThePumasTableHasACoarseCameraToo) {
   const auto workcell = WorkcellFile::Read(FileOf("puma762-table"));
   const SensorModel* fine = workcell->uncertainty_operations().FindSensor("overhead-camera");
@@ -183,6 +182,8 @@ TEST(Workcell, ThePumasTableHasACoarseCameraToo) {
   EXPECT_FALSE(std::isfinite(coarse->z.high)) << "it does not measure the height";
 }
 
+// Wrong workcell files are in a folder of their own, beside copies of the robot and the gripper.
+// Scenarios would find a file in the folder of the workcells.
 class WrongWorkcell : public testing::Test {
  protected:
   WrongWorkcell() : folder_(ScratchFile("workcell")) {
@@ -217,7 +218,7 @@ class WrongWorkcell : public testing::Test {
   std::string text_;
 };
 
-// The robot of the file, under a name of its own, with the gripper; then wrong ones.
+// The first file gives the robot a name and its gripper under `robots`. The others are wrong.
 TEST_F(WrongWorkcell, OfSeveralRobotsIsRefused) {
   const std::string gripper = "gripper: {urdf: ../../grippers/parallel-jaw/gripper.urdf}";
   EXPECT_THAT(MessageWith("robot:\n", "robots:\n"), HasSubstr("'gripper'"));

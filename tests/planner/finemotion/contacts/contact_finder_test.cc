@@ -21,10 +21,10 @@ using Keys = std::set<ContactKey>;
 
 constexpr std::uint64_t kSeed = 75;
 constexpr double kRounding = 1e-9;
-constexpr double kUndecided = 1e-5;  // metres, of distances
+constexpr double kUndecided = 1e-5;  // metres, distances nearer to a limit than this are undecided
 constexpr double kEverywhere = std::numeric_limits<double>::infinity();
 
-// A block with a hole, made of four pieces, and a peg with a collar.
+// A scene with a block, whose hole is made of four pieces, and a peg with a collar.
 struct Scene {
   Polyhedron moving;
   Polyhedron stationary;
@@ -44,7 +44,7 @@ Scene RandomScene(RandomStream& random) {
                              {"block", ModelTolerance::Of::kStationaryFaces, {2}}},
               .X = oracle::RandomPose(random, 0.05),
               .finder = {{}, {}}};
-  if (random.Index(2) == 0) {  // about the hole, tilted a little
+  if (random.Index(2) == 0) {  // near the hole, tilted a little
     const Vector3 axis = oracle::RandomVector(random, 1).normalized();
     scene.X.linear() = Eigen::AngleAxisd(random.Uniform(0, 0.2), axis).toRotationMatrix();
     scene.X.translation() = oracle::RandomVector(random, 0.01);
@@ -64,7 +64,7 @@ Keys KeysOf(const Contacts& contacts) {
   return keys;
 }
 
-// --- Distances of features, by definition.
+// --- Distances of features by definition.
 
 double DistanceToSegment(const Vector3& p, const Vector3& a, const Vector3& b) {
   const double t = std::clamp((p - a).dot(b - a) / (b - a).squaredNorm(), 0.0, 1.0);
@@ -87,7 +87,7 @@ double DistanceToFace(const Vector3& p, const OuterFace& face) {
   return distance;
 }
 
-// The distance to a segment is convex along the other one.
+// Returns the distance of two segments. The distance to one segment is convex along the other.
 double DistanceOfSegments(const Vector3& a, const Vector3& b, const Vector3& c, const Vector3& d) {
   double low = 0;
   double high = 1;
@@ -188,7 +188,8 @@ TEST(ContactFinder, APartThatIsPutThereBeforehandMakesTheSameContacts) {
       EXPECT_NEAR(contact.offset, other->offset, kRounding);
       EXPECT_LT((contact.normal - other->normal).norm(), kRounding);
       EXPECT_LT((contact.row.tail<2>() - other->row.tail<2>()).norm(), kRounding);
-      if (contact.kind == ContactKind::kEdgeEdge) {  // points of faces are those of a region
+      // A point of a face is only fixed up to its region.
+      if (contact.kind == ContactKind::kEdgeEdge) {
         EXPECT_LT((contact.at + scene.X.translation() - other->at).norm(), 1e-7);
       }
     }
@@ -214,7 +215,7 @@ TEST(ContactFinder, EdgesAreContactsOrNearlyParallel) {
   EXPECT_GT(found, 50);
 }
 
-// Of those that can press on each other when turned by so little.
+// No edges are left out that can press on each other when the part is turned a little.
 TEST(ContactFinder, NoNearlyParallelEdgesThatPressAreLeftOut) {
   RandomStream random(kSeed, "left out");
   int found = 0;
@@ -225,7 +226,7 @@ TEST(ContactFinder, NoNearlyParallelEdgesThatPressAreLeftOut) {
     for (const ParallelEdges& edges : scene.finder.NearlyParallel(scene.X, range)) {
       keys.insert(KeyOf(edges));
     }
-    // What is a contact when it is turned by less, and is parallel now.
+    // Looks for contacts at a slightly turned pose whose edges are parallel at the unturned one.
     const Vector3 w = oracle::RandomVector(random, 0.02);
     Pose turned = scene.X;
     turned.linear() = Eigen::AngleAxisd(w.norm(), w.normalized()) * scene.X.linear();
@@ -240,7 +241,8 @@ TEST(ContactFinder, NoNearlyParallelEdgesThatPressAreLeftOut) {
   EXPECT_GT(found, 20);
 }
 
-// Where the point is from the start of the edge's line, in axes of which the last one is along it.
+// The place of the point is measured from the start of the line of the edge, in axes whose last one
+// is along the edge.
 TEST(ContactFinder, PointsAtEdgesAreRightToFirstOrder) {
   constexpr double kSize = 1e-6;
   RandomStream random(kSeed, "points");

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::uint64_t kSeed = 74;
 constexpr double kRounding = 1e-9;
-constexpr double kClear = 1e-6;  // metres, from an outline
+constexpr double kClear = 1e-6;  // metres, least distance of sampled points from an outline
 
 using Outline = std::vector<Vector3>;
 
@@ -33,7 +33,7 @@ Outline OutlineOf(const FaceRegion& region) {
   return outline;
 }
 
-// How far inside of a convex outline a point of its plane is.
+// Returns the depth of a point inside a convex outline in its plane; negative outside.
 double DepthIn(const Outline& outline, const Vector3& normal, const Vector3& p) {
   double depth = 1;
   for (std::size_t i = 0; i < outline.size(); ++i) {
@@ -48,7 +48,7 @@ double DistanceToSegment(const Vector3& p, const Vector3& a, const Vector3& b) {
   return (p - a - t * (b - a)).norm();
 }
 
-// Two to four boxes of a coarse grid, flush and overlapping, in any attitude.
+// Returns two to four boxes of a coarse grid, flush or overlapping, in any orientation.
 Polyhedron RandomBlocks(RandomStream& random) {
   const Pose attitude = oracle::RandomPose(random, 0.1);
   std::vector<ConvexPiece> pieces;

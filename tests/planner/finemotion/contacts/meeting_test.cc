@@ -24,13 +24,14 @@ using workloads::RandomProjection;
 using workloads::StartShape;
 
 constexpr std::uint64_t kSeed = 20;
-constexpr double kTolerance = 1e-9;         // of Meet
-constexpr double kSimplexTolerance = 1e-7;  // of GLPK
+constexpr double kTolerance = 1e-9;         // tolerance of Meet
+constexpr double kSimplexTolerance = 1e-7;  // tolerance of GLPK
 
 enum class Arithmetic { kDouble, kRational };
 
-// A linear program about the points of a projection, in the factors of the start's generators, the
-// time s, and s times each factor of the velocity's generators, which is in -s .. s.
+// A linear program over the points of a projection. Its variables are the factors of the generators
+// of the start, the time s, and s times each factor of the generators of the velocity. The last
+// ones are in -s .. s.
 class PointsOfProjection {
  public:
   explicit PointsOfProjection(const ForwardProjection& projection)
@@ -39,7 +40,7 @@ class PointsOfProjection {
     for (int i = 0; i < starts(); ++i) AddColumn(-1, 1);
     AddColumn(0, projection.time);
     for (int i = 0; i < motions(); ++i) AddColumn(-projection.time, projection.time);
-    AddColumn(0, 1e9);  // the excess
+    AddColumn(0, 1e9);  // column of the excess
     glp_set_obj_coef(problem_.get(), excess(), 1);
     for (int i = 0; i < motions(); ++i) {
       AddRow({time(), time() + 1 + i}, {-1, 1}, 0);
@@ -47,7 +48,7 @@ class PointsOfProjection {
     }
   }
 
-  // a . point <= b + excess
+  // Adds the condition a . point <= b + excess.
   void Limit(const Eigen::VectorXd& a, double b) {
     std::vector<int> columns(excess());
     std::iota(columns.begin(), columns.end(), 1);
@@ -84,7 +85,7 @@ class PointsOfProjection {
   }
 
   void AddRow(std::vector<int> columns, std::vector<double> coefficients, double upper) {
-    columns.insert(columns.begin(), 0);  // counted from 1
+    columns.insert(columns.begin(), 0);  // GLPK counts from 1
     coefficients.insert(coefficients.begin(), 0);
     const int row = glp_add_rows(problem_.get(), 1);
     glp_set_row_bnds(problem_.get(), row, GLP_UP, 0, upper);
@@ -96,7 +97,7 @@ class PointsOfProjection {
   std::unique_ptr<glp_prob, decltype(&glp_delete_prob)> problem_;
 };
 
-// The distance in the norm of the greatest coordinate.
+// Returns the distance in the maximum norm.
 double GreatestExcess(const ProjectionAndContact& given,
                       Arithmetic arithmetic = Arithmetic::kDouble) {
   PointsOfProjection points(given.projection);
@@ -111,7 +112,7 @@ std::vector<JudgedProjection> Peers() {
                                     "/bench/workloads/projection/box-vs-contact.txt");
 }
 
-constexpr int kQuarters = 4;  // of the cases, to run side by side
+constexpr int kQuarters = 4;  // quarters of the cases run side by side
 
 int CaseCount() {
   const char* count = std::getenv("ASSAY_PROJECTION_CASES");
@@ -129,7 +130,7 @@ ProjectionModel RandomModel(RandomStream& random) {
   return model;
 }
 
-// A contact at height 0 of the last coordinate.
+// Returns a contact at height 0 of the last coordinate.
 PrimitiveContact Floor(int dimension, const std::vector<HalfSpace>& limits = {}) {
   PrimitiveContact contact;
   contact.row = Eigen::VectorXd::Unit(dimension, dimension - 1);
@@ -163,7 +164,8 @@ TEST(MeetAtAnEdge, AgreesWithThePeersVerdicts) {
 class RandomCases : public testing::TestWithParam<int> {};
 INSTANTIATE_TEST_SUITE_P(Quarters, RandomCases, testing::Range(0, kQuarters));
 
-// ASSAY_PROJECTION_CASES=1000000 for more of them, less for a slow build.
+// The variable ASSAY_PROJECTION_CASES sets the number of cases, like 1000000, or fewer for a slow
+// build.
 TEST_P(RandomCases, AgreeWithALinearProgram) {
   RandomStream random(kSeed, fmt::format("meetings/{}", GetParam()));
   int meetings = 0;
@@ -183,8 +185,8 @@ TEST_P(RandomCases, AgreeWithALinearProgram) {
   EXPECT_LT(meetings, count * 3 / 4);
 }
 
-// Errors of very different sizes, some in the same direction or none at all; limits that are each
-// other's opposites (a strip) or nearly the surface itself.
+// Makes a difficult case. Errors have very different sizes, and some have the same direction or are
+// zero. Limits are opposites of each other (a strip) or nearly the surface itself.
 void MakeAwkward(ProjectionAndContact& given, RandomStream& random) {
   Eigen::MatrixXd& generators = given.projection.start.generators;
   for (auto generator : generators.colwise()) generator *= std::pow(10, random.Uniform(-7, 0));
@@ -215,7 +217,7 @@ TEST(Meet, AgreesWithALinearProgramOnAwkwardCases) {
   }
 }
 
-// In other units of length everything is the same.
+// The margin scales with the unit of length.
 TEST(Meet, MarginIsHomogeneous) {
   RandomStream random(kSeed, "units");
   for (int trial = 0; trial < 1000; ++trial) {
@@ -234,7 +236,7 @@ TEST(Meet, MarginIsHomogeneous) {
   }
 }
 
-// (gap, excesses) of the points that are reached at one time.
+// Returns the image (gap, excesses) of the points that are reached at time s.
 Zonotope ImageAt(double s, const ProjectionAndContact& given) {
   const auto& [projection, contact] = given;
   Eigen::MatrixXd rows(1 + contact.limits.size(), contact.row.size());
@@ -251,14 +253,14 @@ Zonotope ImageAt(double s, const ProjectionAndContact& given) {
   return Mapped(rows, offset, Sum(projection.start, moved));
 }
 
-// The part of (gap, excesses) that is outside the contact.
+// Returns the part of (gap, excesses) that is outside the contact.
 Eigen::VectorXd Outside(Eigen::VectorXd y) {
   y.tail(y.size() - 1) = y.tail(y.size() - 1).cwiseMax(0);
   return y;
 }
 
-// Moves the factor of each generator in turn to where the norm is least or nearer to it: its square
-// is convex and smooth, so this descends to the least of all.
+// Returns the least norm by coordinate descent over the factors of the generators. The square of
+// the norm is convex and smooth, so that the descent reaches the global minimum.
 double LeastNormByDescent(const Zonotope& image) {
   constexpr int kMostRounds = 20000;
   Eigen::VectorXd y = image.center;
@@ -279,7 +281,7 @@ double LeastNormByDescent(const Zonotope& image) {
   return Outside(y).norm();
 }
 
-// Over the time, in which the distance is convex, by cutting off thirds.
+// Returns the least distance over time by cutting off thirds. The distance is convex in time.
 double DistanceByDescent(const ProjectionAndContact& given) {
   double low = 0;
   double high = given.projection.time;
@@ -309,7 +311,7 @@ TEST(Meet, MarginsByHand) {
   const Zonotope cube = Zonotope::Box(Eigen::Vector3d(2, -1, 4), Eigen::Vector3d(3, 1, 5));
   const HalfSpace left{.a = Eigen::Vector3d(1, 0, 0), .b = -1};  // x <= -1
   EXPECT_NEAR(Meet(Resting(cube), Floor(3)).margin, 4, kTolerance);
-  EXPECT_NEAR(Meet(Resting(cube), Floor(3, {left})).margin, 5, kTolerance);  // 4 and 3
+  EXPECT_NEAR(Meet(Resting(cube), Floor(3, {left})).margin, 5, kTolerance);  // distances of 4 and 3
 
   ForwardProjection falling = Resting(cube);
   falling.velocity.center = Eigen::Vector3d(-1, 0, -1);
@@ -332,8 +334,8 @@ TEST(Meet, WhatIsNearerThanTheToleranceMeets) {
   EXPECT_TRUE(Meet(Resting(above), Floor(3), 1e-5).meets);
 }
 
-// A point on the contact's edge, no errors at all, motions along the surface, the same limit twice:
-// all that makes the nearest point's corral degenerate.
+// The cases make the corral of the nearest point degenerate: a point on the edge of the contact, no
+// errors, motions along the surface, and the same limit twice.
 TEST(Meet, SurvivesDegenerateImages) {
   const HalfSpace right{.a = Eigen::Vector3d(-1, 0, 0), .b = 0};
   const HalfSpace twice{.a = Eigen::Vector3d(-2, 0, 0), .b = 0};
@@ -387,8 +389,8 @@ TEST(Meet, MarginShrinksAsErrorsGrow) {
   }
 }
 
-// Dakin and Popplestone's argument in section 4 fails for two limits: a triangle (a point that
-// moves with an error) times a square meets the corner of the contact with its inside alone.
+// The argument of Dakin and Popplestone in section 4 fails for two limits. A triangle (a point that
+// moves with an error) times a square meets the corner of the contact only with its inside.
 TEST(MeetAtAnEdge, MissesWhatOnlyTheInsideMeets) {
   ForwardProjection triangle =
       Resting(Zonotope::Box(Eigen::Vector4d(-1, -1, -1, -1), Eigen::Vector4d(-1, -1, 1, 1)));
@@ -408,7 +410,8 @@ TEST(MeetAtAnEdge, MissesWhatOnlyTheInsideMeets) {
   EXPECT_TRUE(MeetAtAnEdge(Resting(cube), Floor(3, {strip_end})));
 }
 
-// With at most one limit the paper's argument holds; with more, what the test finds is there.
+// For at most one limit the argument of the paper holds. For more limits the test never reports a
+// meeting that does not exist.
 TEST(MeetAtAnEdge, IsRightForOneLimitAndNeverInventsAMeeting) {
   RandomStream random(kSeed, "edges");
   int missed = 0;
@@ -432,9 +435,9 @@ TEST(MeetAtAnEdge, IsRightForOneLimitAndNeverInventsAMeeting) {
 TEST(MeetAtAnEdge, FindsEdgesOfEachKind) {
   ForwardProjection falling = Resting({Eigen::Vector3d(0, 0, 1), Eigen::MatrixXd(3, 0)});
   falling.velocity = {Eigen::Vector3d(0, 0, -1), Eigen::Vector3d(1, 0, 0)};
-  falling.time = 2;  // a triangle: two edges from the start, one far
+  falling.time = 2;  // a triangle with two edges from the start and one far edge
   EXPECT_TRUE(MeetAtAnEdge(falling, Floor(3)));
-  falling.time = 1;  // the far edge lies in the surface
+  falling.time = 1;  // the far edge is in the surface
   EXPECT_TRUE(MeetAtAnEdge(falling, Floor(3, {{Eigen::Vector3d(1, 0, 0), -0.5}})));
   EXPECT_TRUE(MeetAtAnEdge(
       falling, Floor(3, {{Eigen::Vector3d(1, 0, 0), 0.5}, {Eigen::Vector3d(-1, 0, 0), 0.5}})));
@@ -443,7 +446,7 @@ TEST(MeetAtAnEdge, FindsEdgesOfEachKind) {
   EXPECT_FALSE(MeetAtAnEdge(falling, Floor(3)));
   const Zonotope point{Eigen::Vector3d::Zero(), Eigen::MatrixXd(3, 0)};
   EXPECT_TRUE(MeetAtAnEdge(Resting(point), Floor(3)));
-  const Zonotope needle{Eigen::Vector3d::Zero(), Eigen::Vector3d(1, 1, 1)};  // an edge of the start
+  const Zonotope needle{Eigen::Vector3d::Zero(), Eigen::Vector3d(1, 1, 1)};  // the start is an edge
   EXPECT_TRUE(MeetAtAnEdge(Resting(needle), Floor(3)));
 }
 

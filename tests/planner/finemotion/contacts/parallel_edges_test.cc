@@ -20,7 +20,7 @@ namespace {
 
 constexpr std::uint64_t kSeed = 73;
 constexpr double kDegree = std::numbers::pi / 180;
-constexpr double kTurn = 0.03;  // radians below which edges make no contact
+constexpr double kTurn = 0.03;  // radians, edges at smaller angles make no contact
 constexpr double kReach = 0.012;
 constexpr double kVelocityError = 0.002;
 constexpr double kRadius = 0.02;
@@ -33,7 +33,7 @@ PoseChange Change(const Vector3& d, const Vector3& w) {
 
 double Factor(RandomStream& random) { return std::clamp(random.Uniform(-3, 3), -1.0, 1.0); }
 
-// Two boxes at the end of a motion, edges of them nearly parallel and near to each other.
+// Two boxes at the end of a motion. Edges of them are nearly parallel and near each other.
 struct Case {
   Polyhedron moving;
   Polyhedron stationary;
@@ -47,7 +47,7 @@ struct Case {
         .NearlyParallel(X_end, {.reach = kReach, .turn = kTurn});
   }
 
-  // Of these edges only.
+  // Checks the motion with these edges only.
   SegmentCheck Checked(double scale = 1) const {
     const std::vector<PrimitiveContact> none;
     const std::vector<ParallelEdges> edges = Edges();
@@ -82,7 +82,7 @@ PoseChanges RandomErrors(RandomStream& random) {
   return errors;
 }
 
-// Between the edge's faces.
+// Returns the outward direction between the faces of the edge.
 Vector3 Outward(const Polyhedron& shape, const OuterEdge& edge) {
   return shape.faces[static_cast<std::size_t>(edge.faces[0])].normal +
          shape.faces[static_cast<std::size_t>(edge.faces[1])].normal;
@@ -97,7 +97,7 @@ Case RandomCase(RandomStream& random) {
   OuterEdge a;
   OuterEdge b;
   Eigen::Matrix3d R;
-  do {  // parallel, and one facing the other
+  do {  // until the edges are parallel and face each other
     R = oracle::RandomQuarterTurns(random);
     a = edge_of(made.moving);
     b = edge_of(made.stationary);
@@ -127,7 +127,7 @@ void AddTolerances(Case& made, RandomStream& random) {
   made.belief.errors = errors;
 }
 
-// --- Sampled motions. In coordinates about where the command leads without errors.
+// --- Sampled motions, in coordinates about the errorless end of the command.
 
 struct SampledMotion {
   PoseChange start;
@@ -152,7 +152,7 @@ SampledMotion SampleMotion(const Case& given, double scale, RandomStream& random
   return {error - displacement, velocity, widths.cwiseProduct(factors.head(widths.size()))};
 }
 
-// How motions displace points: to first order, or as they do.
+// The displacement of points by a motion: to first order, or rigidly.
 enum class Motion { kLinear, kRigid };
 
 struct Segment {
@@ -160,7 +160,8 @@ struct Segment {
   Vector3 end;
 };
 
-// Where planes of faces meet that are displaced: of a box, in its own axes.
+// Returns the edge in which the displaced planes of two faces of a box meet, in the axes of the
+// box.
 Segment EdgeOf(const Polyhedron& shape, int index, const std::vector<ModelTolerance>& tolerances,
                ModelTolerance::Of of, const Eigen::VectorXd& model_errors) {
   const OuterEdge& edge = shape.edges[static_cast<std::size_t>(index)];
@@ -192,7 +193,8 @@ Segment MovedEdge(const Case& given, int index, const SampledMotion& motion, dou
   return {moved(edge.start), moved(edge.end)};
 }
 
-// As seen along b: on which side of it a passes, and whether it does between the ends of both.
+// The position of segment a relative to b, seen along b: its side, and whether it passes between
+// the ends of both.
 struct Passing {
   double side = 0;
   bool within = false;
@@ -211,7 +213,7 @@ Passing PassingOf(const Segment& a, const Segment& b) {
           fraction > 0 && fraction < 1 && at > 0 && at < (b.end - b.start).norm()};
 }
 
-// The parts are on their own sides of the plane of both edges.
+// Returns whether the parts are on their own sides of the plane of both edges.
 bool Press(const Case& given, const ParallelEdges& edges, const Segment& a, const Segment& b) {
   const auto all_leave = [](const Polyhedron& shape, int index, const Eigen::Matrix3d& R,
                             const Vector3& n) {
@@ -251,7 +253,7 @@ Meeting MeetingOf(const Case& given, const ParallelEdges& edges, const SampledMo
 struct Counted {
   int pairs = 0;
   int touching = 0;
-  int passing = 0;  // where they do not press, also
+  int passing = 0;  // including cases in which the edges do not press
   int told = 0;
 };
 
@@ -265,7 +267,7 @@ Counted CompareWithSamples(Motion kind, bool with_tolerances, int cases) {
     const std::vector<ParallelEdges> pairs = given.Edges();
     if (pairs.empty()) continue;
     Case checked = given;
-    if (kind == Motion::kRigid) {  // what linear rows leave out
+    if (kind == Motion::kRigid) {  // adds what linear rows leave out
       PoseChanges& errors = checked.belief.errors;
       errors.conservativeResize(Eigen::NoChange, errors.cols() + 3);
       errors.rightCols(3).setZero();
@@ -294,7 +296,7 @@ TEST(ParallelEdges, WhatTouchesInSampledMotionsIsToldOf) {
   const Counted counted = CompareWithSamples(Motion::kLinear, false, 250);
   EXPECT_GT(counted.touching, 30);
   EXPECT_LT(counted.told, counted.pairs);
-  EXPECT_LT(counted.told, 2 * counted.passing);  // samples do not find all of it
+  EXPECT_LT(counted.told, 2 * counted.passing);  // samples do not find all meetings
 }
 
 TEST(ParallelEdges, WhatTouchesWhereItIsTurnedExactlyIsToldOf) {
@@ -319,7 +321,7 @@ TEST(ParallelEdges, WithFewerErrorsThereIsNoMoreToTell) {
   }
 }
 
-// --- A peg over a hole with 0.25 mm of play on each side. The hole's rim at +x is its edge 0.
+// --- A peg over a hole with 0.25 mm of play on each side. The rim of the hole at +x is edge 0.
 
 constexpr double kHalf = 0.01905;
 constexpr double kPlay = 0.25e-3;
@@ -360,8 +362,9 @@ TEST(ParallelEdges, ThoseOfAPegInTheMiddleOfItsHoleDoNotTouch) {
   }
 }
 
-// A peg yawed so that its edge crosses the rim, one end over the top and the other, lower one over
-// the hole. It comes down on the crossing, while its corners stay clear of all faces.
+// The peg is yawed so that its edge crosses the rim. One end of the edge is over the top, and the
+// other, lower end is over the hole. The peg comes down on the crossing, while its corners stay
+// clear of all faces.
 TEST(ParallelEdges, ACrossingThatTouchesBeforeAnyCornerIsToldOf) {
   Pose X = At({kPlay, 0, 0}, {-0.4 * kDegree, 0, 0.5 * kDegree});
   const Vector3 over_top = X * Vector3(kHalf, -kHalf, 0);
@@ -378,10 +381,11 @@ TEST(ParallelEdges, ACrossingThatTouchesBeforeAnyCornerIsToldOf) {
   }));
 }
 
-// A corner that lands inside of the rim's top or slides there does not bring its edges to the rim.
+// A corner that lands on the top inside the rim, or slides there, does not bring its edges to the
+// rim.
 TEST(ParallelEdges, AWantedCornerIsNoTouchOfItsEdges) {
   for (const double inside : {0.3e-3, 3e-3}) {
-    const Vector3 w(0.015, -0.01, 0);  // the corner (-x, -y) is not the lowest: (+x, -y) is
+    const Vector3 w(0.015, -0.01, 0);  // the corner (+x, -y) is the lowest
     Pose X = At(Vector3::Zero(), w);
     int lowest = 0;
     for (int i = 1; i < 4; ++i) {
@@ -392,7 +396,7 @@ TEST(ParallelEdges, AWantedCornerIsNoTouchOfItsEdges) {
     }
     const Case shape = PegIn(X, w);
     const Vector3 corner = X * shape.moving.vertices[static_cast<std::size_t>(lowest)].p;
-    // Beside the rim at +x or -x, on the outer side, so that the peg is over the hole.
+    // The corner is beside the rim at +x or -x on the outer side, so that the peg is over the hole.
     const double side = corner.x() > 0 ? 1 : -1;
     X.pretranslate(Vector3(side * (kHalf + kPlay + inside) - corner.x(), 0, -corner.z()));
     const ContactKey key{ContactKind::kVertexFace, lowest, 0};
@@ -410,7 +414,7 @@ TEST(ParallelEdges, AWantedCornerIsNoTouchOfItsEdges) {
       const bool touches = std::ranges::any_of(told, [](const ContactKey& k) {
         return k.kind == ContactKind::kEdgeEdge && (k.stationary == 0 || k.stationary == 2);
       });
-      // 0.3 mm inside, with errors of 1 mm, the corner may come down on the rim itself.
+      // At 0.3 mm inside, with errors of 1 mm, the corner may come down on the rim itself.
       EXPECT_EQ(touches, inside < 1e-3) << inside;
     }
   }

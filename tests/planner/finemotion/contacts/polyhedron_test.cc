@@ -84,7 +84,7 @@ void ExpectConvexCounterClockwise(const std::vector<Vector3>& polygon, const Vec
   }
 }
 
-// What the header promises of indices, planes and outlines.
+// Expects the properties of indices, planes and outlines that the header promises.
 void ExpectWellFormed(const Polyhedron& outside) {
   for (const OuterFace& face : outside.faces) {
     EXPECT_NEAR(face.normal.norm(), 1, 1e-12);
@@ -140,17 +140,18 @@ TEST(PolyhedronTest, SeamsAreNoEdges) {
   ExpectBoxOfLength3(OutsideOf({left, BoxPiece({1, 0, 0}, {3, 1, 1})}));
   ExpectBoxOfLength3(OutsideOf({left, BoxPiece({0.5, 0, 0}, {3, 1, 1})}));
   ExpectBoxOfLength3(OutsideOf({left, left, BoxPiece({0, 0, 0}, {3, 1, 1})}));
-  ExpectBoxOfLength3(OutsideOf({left, BoxPiece({1 + 4e-8, 0, 0}, {3, 1, 1})}));  // a crack
+  // These pieces have a crack between them.
+  ExpectBoxOfLength3(OutsideOf({left, BoxPiece({1 + 4e-8, 0, 0}, {3, 1, 1})}));
 }
 
-// Each half has half of the angle of two of the box's edges.
+// Each half has half of the angle at two of the edges of the box.
 TEST(PolyhedronTest, BoxCutAlongTheDiagonal) {
   const ConvexPiece below{{{0, 0, 0}, {3, 0, 0}, {3, 0, 1}, {0, 1, 0}, {3, 1, 0}, {3, 1, 1}}};
   const ConvexPiece above{{{0, 0, 0}, {0, 0, 1}, {3, 0, 1}, {0, 1, 0}, {0, 1, 1}, {3, 1, 1}}};
   ExpectBoxOfLength3(OutsideOf({below, above}));
 }
 
-// The profile has six corners, one of them concave.
+// The profile has six corners, of which one is concave.
 TEST(PolyhedronTest, AngleOfTwoBoxes) {
   const Polyhedron outside =
       OutsideOf({BoxPiece({0, 0, 0}, {2, 1, 1}), BoxPiece({0, 0, 1}, {1, 1, 2})});
@@ -162,7 +163,7 @@ TEST(PolyhedronTest, AngleOfTwoBoxes) {
   }
 }
 
-// Dimensions of models/parts/block, inches.
+// The dimensions are those of models/parts/block, in inches.
 TEST(PolyhedronTest, BlockWithTwoSquareHoles) {
   const Box body = Box::FromCorners({0, -1.5, 0}, {3, 1.5, 6.5});
   const Box hole = Box::FromCorners({0.2, -0.75, 2.5}, {3, 0.75, 4});
@@ -173,7 +174,7 @@ TEST(PolyhedronTest, BlockWithTwoSquareHoles) {
   }
   const auto pieces = Moved(PiecesOf(boxes), geometry::RotationY(0.3));
   const Polyhedron outside = OutsideOf(pieces);
-  // A hole has four walls and a floor; only the edges of its mouth are convex.
+  // A hole has four walls and a floor. Only the edges of its mouth are convex.
   ExpectCounts(outside, 6 + 2 * 5, 12 + 2 * 4, 8);
   const double body_area = 2 * (3 * 3 + 3 * 6.5 + 3 * 6.5);
   EXPECT_NEAR(SurfaceOf(outside), body_area + 2.8 * 6 + 0.5 * 1, 1e-6);
@@ -206,7 +207,7 @@ TEST(PolyhedronTest, OctagonalPrism) {
   ExpectOctagonalPrism(OutsideOf({prism}), 2);
 }
 
-// Two boxes make up each edge, and neither has all of it.
+// Each edge belongs to two boxes, neither of which has all of it.
 TEST(PolyhedronTest, OctagonalPrismOfCrossingBoxes) {
   const Vector3 half(2 * std::cos(kPi / 8), 2 * std::sin(kPi / 8), 1.5);
   std::vector<Box> boxes;
@@ -216,7 +217,7 @@ TEST(PolyhedronTest, OctagonalPrismOfCrossingBoxes) {
   ExpectOctagonalPrism(OutsideOf(PiecesOf(boxes)), 2);
 }
 
-// Tips that touch can touch a plane alone only if they point the same way.
+// Two tips that touch can touch a common plane only if they point the same way.
 TEST(PolyhedronTest, TwoTips) {
   const ConvexPiece right{{{0, 0, 0}, {1, -0.3, 1}, {1, 0.3, 1}, {1.5, 0, 1}}};
   ConvexPiece left = right;
@@ -232,14 +233,15 @@ TEST(PolyhedronTest, TwoTips) {
   ExpectCounts(OutsideOf({right, opposite}), 8, 12, 6);
 }
 
-// The spike's foot touches the edge of the box in one point; its own corner there is not convex.
+// The foot of the spike touches the edge of the box in one point. The corner of the spike there is
+// not convex.
 TEST(PolyhedronTest, SpikeThatStandsOnAnEdge) {
   const ConvexPiece spike{{{1, 0, 1}, {0.8, 0.5, 1}, {1.2, 0.5, 1}, {1, 0.5, 2}}};
   const Polyhedron outside = OutsideOf({BoxPiece({0, 0, 0}, {2, 1, 1}), spike});
   ExpectCounts(outside, 6 + 3, 13 + 3, 8 + 1);
 }
 
-// Unit cubes of a 3 x 3 x 3 grid, some of them filled.
+// Some filled unit cubes of a 3 x 3 x 3 grid.
 class Voxels {
  public:
   bool At(const Cell& cell) const { return filled_.contains(cell); }
@@ -261,7 +263,8 @@ struct LatticeFeatures {
   bool operator==(const LatticeFeatures&) const = default;
 };
 
-// Squares of one plane and side grouped by common sides; each is named by the cell behind it.
+// Adds the areas of faces. Squares of one plane and side are grouped by common sides, and each is
+// named by the cell behind it.
 void AddFaceAreas(std::set<Cell> squares, int axis, LatticeFeatures& features) {
   while (!squares.empty()) {
     std::vector<Cell> face = {*squares.begin()};
@@ -295,8 +298,8 @@ void AddFaceAreas(const Voxels& voxels, LatticeFeatures& features) {
   }
 }
 
-// The outward diagonal of the unit edge from `start` along `axis`: away from its only filled
-// neighbour; zero unless there is exactly one.
+// Returns the outward diagonal of the unit edge from `start` along `axis`. It points away from the
+// only filled neighbour, and is zero unless there is exactly one.
 Cell OutwardAt(const Voxels& voxels, const Cell& start, int axis) {
   const int u = (axis + 1) % 3;
   const int v = (axis + 2) % 3;
@@ -316,7 +319,7 @@ Cell OutwardAt(const Voxels& voxels, const Cell& start, int axis) {
   return count == 1 ? outward : Cell{0, 0, 0};
 }
 
-// Unit edges that follow each other with the same outward diagonal are one.
+// Unit edges that follow each other with the same outward diagonal make one edge.
 void AddEdges(const Voxels& voxels, int axis, Cell at, LatticeFeatures& features) {
   const Cell none = {0, 0, 0};
   Cell start = at;
@@ -423,7 +426,7 @@ Voxels Filled(const Cell& low, const Cell& high, Voxels voxels) {
   return voxels;
 }
 
-// Boxes that abut and overlap, with corners inside of each other's faces and edges.
+// The boxes touch and overlap, with corners inside the faces and edges of others.
 TEST(PolyhedronTest, RandomBoxesOfAGridAgainstCounting) {
   RandomStream random(kSeed, "boxes");
   for (int trial = 0; trial < 400; ++trial) {
@@ -483,7 +486,8 @@ bool InAnother(const Heap& heap, std::size_t own, const Vector3& p) {
   return false;
 }
 
-// What of a segment is in none of the other pieces: each takes an interval (Cyrus and Beck 1978).
+// Returns the length of a segment that is in none of the other pieces, each of which covers an
+// interval (Cyrus and Beck 1978).
 double LengthOutside(const Heap& heap, std::size_t own, const Vector3& a, const Vector3& b) {
   std::vector<std::pair<double, double>> taken;
   for (std::size_t i = 0; i < heap.hulls.size(); ++i) {
@@ -524,7 +528,7 @@ TEST(PolyhedronTest, EdgesAndCornersOfRandomPiecesAreThoseOutsideOfTheOthers) {
         for (std::size_t i = 0; i < facet.loop.size(); ++i) {
           const Vector3& a = hull.vertices[facet.loop[i]];
           const Vector3& b = hull.vertices[facet.loop[(i + 1) % facet.loop.size()]];
-          length += LengthOutside(heap, s, a, b) / 2;  // each edge has two facets
+          length += LengthOutside(heap, s, a, b) / 2;  // each edge belongs to two facets
         }
       }
     }
@@ -561,7 +565,7 @@ struct Estimate {
   double variance = 0;
 };
 
-// What of a triangle of a piece's facet is in no other piece, from random points.
+// Estimates by random points the area of a triangle of a facet that is in no other piece.
 Estimate AreaOutside(const Heap& heap, std::size_t own, const std::array<Vector3, 3>& triangle,
                      RandomStream& random) {
   constexpr int kPoints = 1000;

@@ -32,7 +32,7 @@ constexpr std::array kKinds = {ContactKind::kVertexFace, ContactKind::kFaceVerte
 struct Scene {
   Polyhedron moving;
   Polyhedron stationary;
-  Pose X = Pose::Identity();  // of the moving part
+  Pose X = Pose::Identity();  // pose of the moving part
 };
 
 template <class Container>
@@ -60,7 +60,7 @@ Polyhedron RandomTetrahedron(RandomStream& random) {
   }
 }
 
-// A vertex, a point of an edge or of a face.
+// Returns a vertex, or a point of an edge or face.
 Vector3 PointOn(const Polyhedron& shape, RandomStream& random) {
   const int kind = random.Index(3);
   if (kind == 0) return At(shape.vertices, random.Index(4)).p;
@@ -74,7 +74,7 @@ Vector3 PointOn(const Polyhedron& shape, RandomStream& random) {
   return first * corners[0] + second * corners[1] + (1 - first - second) * corners[2];
 }
 
-// Points of two tetrahedra's surfaces to within `gap` of each other.
+// Returns two tetrahedra with points of their surfaces within `gap` of each other.
 Scene RandomScene(RandomStream& random, double gap) {
   Scene scene{RandomTetrahedron(random), RandomTetrahedron(random), RandomPose(random, 1)};
   const Vector3 apart = scene.X * PointOn(scene.moving, random) - PointOn(scene.stationary, random);
@@ -82,8 +82,8 @@ Scene RandomScene(RandomStream& random, double gap) {
   return scene;
 }
 
-// A box on another, their faces flush, turned about the normal of these, in any attitude. Corners
-// or points of edges may be on each other's edges.
+// Returns a box on another one in any orientation. Their faces are flush, and one box is turned
+// about the normal. Corners or points of edges may be on edges of the other box.
 Scene FlushBoxes(RandomStream& random) {
   const Vector3 low(-0.5, -0.4, -0.3);
   const Vector3 high(0.5, 0.4, 0);
@@ -117,7 +117,8 @@ GeneralizedPoint RandomMotion(RandomStream& random, double size) {
   return z;
 }
 
-// Rows of edges that are nearly parallel are good only for motions much smaller than that angle.
+// Returns whether edges cross at a large angle. Rows of nearly parallel edges are valid only for
+// motions much smaller than their angle.
 bool WellCrossed(const Scene& scene, const PrimitiveContact& contact) {
   if (contact.kind != ContactKind::kEdgeEdge) return true;
   const Vector3 u = scene.X.linear() * At(scene.moving.edges, contact.moving).direction();
@@ -143,7 +144,7 @@ OuterEdge Moved(OuterEdge edge, const Pose& X) {
   return edge;
 }
 
-// The normal that points to the moving part.
+// Returns the normal that points to the moving part.
 Vector3 ExactNormal(const Scene& scene, const PrimitiveContact& contact, const Pose& X) {
   switch (contact.kind) {
     case ContactKind::kVertexFace:
@@ -176,7 +177,7 @@ double ExactGap(const Scene& scene, const PrimitiveContact& contact, const Pose&
   return 0;
 }
 
-// The least distance of p inside of the lines of a face's (one) polygon.
+// Returns the least distance of p inside the lines of the only polygon of a face.
 double DepthIn(const OuterFace& face, const Vector3& p) {
   const std::vector<Vector3>& polygon = face.region[0];
   double depth = 1e9;
@@ -187,7 +188,8 @@ double DepthIn(const OuterFace& face, const Vector3& p) {
   return depth;
 }
 
-// Of the point where two lines cross seen along their common normal: the least distance to an end.
+// Returns the least distance to an end from the point where two lines cross, seen along their
+// common normal.
 double RangeLeft(const OuterEdge& a, const OuterEdge& b) {
   Eigen::Matrix3d lines;
   lines << a.direction(), -b.direction(), a.direction().cross(b.direction());
@@ -196,7 +198,7 @@ double RangeLeft(const OuterEdge& a, const OuterEdge& b) {
       {st.x(), (a.end - a.start).norm() - st.x(), st.y(), (b.end - b.start).norm() - st.y()});
 }
 
-// How far the contact point is inside of both features; negative outside.
+// Returns the depth of the contact point inside both features; negative outside.
 double ExtentLeft(const Scene& scene, const PrimitiveContact& contact, const Pose& X) {
   switch (contact.kind) {
     case ContactKind::kVertexFace:
@@ -236,7 +238,8 @@ double LeastRise(const Polyhedron& shape, const OuterEdge& edge, const Vector3& 
   return rise;
 }
 
-// Least sine by which what is next to the feature rises from the other: negative if it overlaps.
+// Returns the least sine of the angle at which the surroundings of the feature rise from the other
+// feature; negative if they overlap.
 double RoomLeft(const Scene& scene, const PrimitiveContact& contact, const Pose& X) {
   const Vector3 n = ExactNormal(scene, contact, X);
   const Vector3 n_moving = X.linear().transpose() * n;
@@ -259,7 +262,7 @@ double LimitsLeft(const PrimitiveContact& contact, const GeneralizedPoint& z) {
   return left;
 }
 
-// The motion, shifted along the normal until the features touch.
+// Returns the motion after a shift along the normal until the features touch.
 GeneralizedPoint OntoSurface(const Scene& scene, const PrimitiveContact& contact,
                              GeneralizedPoint z) {
   const Pose X = Moved(scene.X, z);
@@ -281,7 +284,7 @@ MATCHER_P2(IsHalfSpace, row, b, "") {
 }
 
 TEST(PrimitiveContactTest, RowsOfFigure6) {
-  // Vertex (-1, 0, -0.55) above the face y = 0, which ends 5 to the left of it.
+  // The vertex (-1, 0, -0.55) is above the face y = 0, which ends 5 to the left of it.
   const Polyhedron moving = BoxShape({-1, 0, -2}, {1, 1, -0.55});
   const Polyhedron stationary = BoxShape({-40, -10, -20}, {-6, 0, 20});
   const auto contacts = PrimitiveContacts(moving, stationary, Pose::Identity(), 5.1);
@@ -301,7 +304,7 @@ TEST(PrimitiveContactTest, RowsOfFigure6) {
                              }));
 }
 
-// --- Gaps and limits against exact geometry.
+// --- Gaps and limits compared with exact geometry.
 
 struct GapErrors {
   double sum = 0;
@@ -365,7 +368,7 @@ TEST(PrimitiveContactTest, ContactsOfFlushFacesHoldExactlyInsideTheirLimits) {
       if (!WellCrossed(scene, contact)) continue;
       const GeneralizedPoint z = OntoSurface(scene, contact, RandomMotion(random, 1e-4));
       const double linear = LimitsLeft(contact, z);
-      if (std::abs(linear) < 5e-7) continue;  // second order
+      if (std::abs(linear) < 5e-7) continue;  // terms of second order decide here
       const double extent = ExtentLeft(scene, contact, Moved(scene.X, z));
       const double room = RoomLeft(scene, contact, Moved(scene.X, z));
       EXPECT_EQ(linear > 0, extent > 0 && room > 0)
@@ -382,7 +385,8 @@ TEST(PrimitiveContactTest, ContactsOfFlushFacesHoldExactlyInsideTheirLimits) {
 
 // --- Tolerances.
 
-// Each face of a tetrahedron displaced outward; every corner stays where its faces meet.
+// Returns the tetrahedron with each face displaced outward. Every corner stays where its faces
+// meet.
 Polyhedron Displaced(const Polyhedron& shape, const std::vector<double>& outward) {
   std::vector<Vector3> corners;
   for (const OuterVertex& vertex : shape.vertices) {
@@ -466,8 +470,8 @@ TEST(PrimitiveContactTest, ASeamThatLeavesTheRegionConvexSplitsNoContact) {
 }
 
 TEST(PrimitiveContactTest, BothSidesOfAFaceNarrowerThanTheReachLimitAContact) {
-  // A rail 4 mm wide, on whose middle a corner of the cube is: within 5 mm both sides count and
-  // the rail's end, besides the two edges of the cube that lie in the rail's top.
+  // The rail is 4 mm wide, and a corner of the cube is on its middle. Within 5 mm both sides and
+  // the end of the rail count, and so do the two edges of the cube that lie in the top of the rail.
   const auto contacts =
       PrimitiveContacts(BoxShape({0, 0, 0}, {1, 1, 1}),
                         BoxShape({-1, -0.002, -1}, {0.003, 0.002, 0}), Pose::Identity(), 0.005);
@@ -479,7 +483,7 @@ TEST(PrimitiveContactTest, BothSidesOfAFaceNarrowerThanTheReachLimitAContact) {
 }
 
 TEST(PrimitiveContactTest, AnOverhangingCubeTouchesWithVerticesAndCrossingEdges) {
-  // Two corners of the cube on the slab; its two edges that go out over the slab's edge.
+  // Two corners of the cube are on the slab, and two of its edges extend over the edge of the slab.
   const auto contacts = PrimitiveContacts(CubeShape(0.5), BoxShape({-5, -5, -1}, {0, 5, 0}),
                                           geometry::Translation(0, 0, 0.5), kTouch);
   EXPECT_EQ(CountKinds(contacts), (std::map<ContactKind, int>{{ContactKind::kVertexFace, 2},
@@ -490,7 +494,7 @@ TEST(PrimitiveContactTest, AnOverhangingCubeTouchesWithVerticesAndCrossingEdges)
 }
 
 TEST(PrimitiveContactTest, ACornerOnAFaceIsOneContact) {
-  // A cube that stands on its corner.
+  // The cube stands on its corner.
   const Pose X(Eigen::Quaterniond::FromTwoVectors(Vector3(-1, -1, -1), -Vector3::UnitZ()));
   const auto contacts =
       PrimitiveContacts(CubeShape(0.5), BoxShape({-5, -5, -1}, {5, 5, 0}),
@@ -500,7 +504,7 @@ TEST(PrimitiveContactTest, ACornerOnAFaceIsOneContact) {
 }
 
 TEST(PrimitiveContactTest, FeaturesThatPointIntoTheOtherPartMakeNoContact) {
-  // The cube is in the slab, its upper corners in the slab's top.
+  // The cube is in the slab, with its upper corners in the top of the slab.
   EXPECT_TRUE(PrimitiveContacts(CubeShape(0.5), BoxShape({-5, -5, -5}, {5, 5, 0}),
                                 geometry::Translation(0, 0, -0.5), kTouch)
                   .empty());
@@ -509,8 +513,9 @@ TEST(PrimitiveContactTest, FeaturesThatPointIntoTheOtherPartMakeNoContact) {
 TEST(PrimitiveContactTest, SquarePegAtTheRimOfASquareHole) {
   const Polyhedron peg = BoxShape({-1, -1, 0}, {1, 1, 2});
   const auto contacts = PrimitiveContacts(peg, SquareHoleShape(1, 3, 2), Pose::Identity(), kTouch);
-  // Each of the 4 lower corners: 2 walls, and 2 of the rectangles of the top. Each of the 4 lower
-  // edges: its ends on the 2 rim edges across it. Each of the 4 upright edges: 2 rim edges.
+  // Each of the 4 lower corners touches 2 walls and 2 of the rectangles of the top. Each of the 4
+  // lower edges touches with its ends the 2 rim edges across it. Each of the 4 upright edges
+  // touches 2 rim edges.
   EXPECT_EQ(CountKinds(contacts), (std::map<ContactKind, int>{{ContactKind::kVertexFace, 16},
                                                               {ContactKind::kEdgeEdge, 16}}));
 }
@@ -519,7 +524,7 @@ TEST(PrimitiveContactTest, SquarePegHalfInASquareHole) {
   const Polyhedron peg = BoxShape({-1, -1, 0}, {1, 1, 2});
   const auto contacts =
       PrimitiveContacts(peg, SquareHoleShape(1, 3, 2), geometry::Translation(0, 0, -1), kTouch);
-  // Each lower corner on 2 walls; each upright edge on 2 rim edges.
+  // Each lower corner touches 2 walls, and each upright edge touches 2 rim edges.
   EXPECT_EQ(CountKinds(contacts), (std::map<ContactKind, int>{{ContactKind::kVertexFace, 8},
                                                               {ContactKind::kEdgeEdge, 8}}));
   for (const PrimitiveContact& contact : contacts) {
@@ -541,7 +546,8 @@ ContactKind Mirrored(ContactKind kind) {
   return kind;
 }
 
-// What the stationary part does in the moving part's axes when it is taken to move instead.
+// Returns the motion of the stationary part in the axes of the moving part, if the stationary part
+// moves instead.
 GeneralizedPoint Mirrored(const GeneralizedPoint& z, const Pose& X) {
   const Vector3 w = z.segment<3>(3);
   GeneralizedPoint mirrored = z;

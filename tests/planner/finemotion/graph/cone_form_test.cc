@@ -27,8 +27,8 @@ Eigen::VectorXd RandomDirection(RandomStream& random, Eigen::Index size) {
   return v;
 }
 
-// One or two rows, up to 4 limits in the dimensions of a pose and up to 4 tolerances. Some rows
-// and limits are combinations of those before.
+// Returns a set with one or two rows, up to 4 limits in the dimensions of a pose, and up to 4
+// tolerances. Some rows and limits are combinations of earlier ones.
 PolyhedralSet RandomSet(RandomStream& random) {
   const Eigen::Index dimensions = kPoseDimensions + random.Index(5);
   PolyhedralSet set;
@@ -49,7 +49,7 @@ PolyhedralSet RandomSet(RandomStream& random) {
 
 bool HasRay(const ConeForm& form, int limit) { return std::ranges::count(form.limits, limit) > 0; }
 
-// How far z is outside of the rows and the limits that have rays.
+// Returns the distance of z outside the rows and the limits that have rays.
 double Outside(const PolyhedralSet& set, const ConeForm& form, const GeneralizedPoint& z) {
   double outside = (set.rows * z - set.values).cwiseAbs().maxCoeff();
   for (const int i : form.limits) {
@@ -70,8 +70,8 @@ TEST(ConeFormTest, EveryPointOfTheFormIsInTheSet) {
   }
 }
 
-// A point on the rows, inside the limits; none if the set is so narrow or far away that it is not
-// found.
+// Returns a point on the rows inside the limits. Returns none if the set is so narrow or far away
+// that no point is found.
 std::optional<GeneralizedPoint> RandomPoint(const PolyhedralSet& set, const ConeForm& form,
                                             RandomStream& random) {
   const auto solver = set.rows.completeOrthogonalDecomposition();
@@ -128,7 +128,8 @@ TEST(ConeFormTest, RaysAndTangentsAreAsTheHeaderSays) {
 }
 
 TEST(ConeFormTest, EveryNormalIsASumOfThoseTaken) {
-  // So that what has no ray is dependent indeed: rows, rays' limits and tangents span the space.
+  // Rows, limits with rays, and tangents must span the space. Limits without a ray are then
+  // dependent.
   RandomStream random(kSeed, "rank");
   for (int i = 0; i < 2000; ++i) {
     const PolyhedralSet set = RandomSet(random);
@@ -163,7 +164,7 @@ TEST(ConeFormTest, FreeSpaceIsAllTangents) {
   EXPECT_TRUE((form.tangents.transpose() * form.tangents).isIdentity());
 }
 
-// The paper's figure 6 and equation 2: 1 row and 3 limits make 3 rays and 6 - 3 - 1 tangents.
+// In figure 6 and equation 2 of the paper, 1 row and 3 limits make 3 rays and 6 - 3 - 1 tangents.
 TEST(ConeFormTest, FigureSixOfThePaper) {
   Eigen::MatrixXd row(1, 6);
   row << 0, 1, 0, 0.55, 0, -1;  // vertex (-1, 0, -0.55), face y = 0
@@ -176,19 +177,19 @@ TEST(ConeFormTest, FigureSixOfThePaper) {
   const ConeForm form = ConeFormOf(row, Eigen::VectorXd::Zero(1), {{b, 0}, {c, 0}, {d, -5}});
   ASSERT_EQ(form.rays.cols(), 3);
   ASSERT_EQ(form.tangents.cols(), 2);
-  // By hand: the vertex is at x = -6 exactly, nothing is turned more than that needs.
+  // Computed by hand, the vertex is exactly at x = -6, and nothing is turned more than necessary.
   Eigen::VectorXd q(6);
   q << -5, 0, 0, 0, 2.75, 0;
   q /= 1 + 0.55 * 0.55;
   EXPECT_TRUE(form.characteristic_point.isApprox(q)) << form.characteristic_point.transpose();
-  // Rays: turning by +z and going +y as much as the vertex goes down; turning by +x and going -y as
-  // much as the vertex goes up; and away from the face's end.
+  // The first ray turns by +z and goes +y as far as the vertex goes down. The second ray turns by
+  // +x and goes -y as far as the vertex goes up. The third ray goes away from the end of the face.
   Eigen::MatrixXd rays(6, 3);
   rays.col(0) << 0, 1, 0, 0, 0, 1;
   rays.col(1) << 0, -0.55, 0, 1, 0, 0;
   rays.col(2) << -1, 0, 0, 0, 0.55, 0;
   EXPECT_TRUE(form.rays.isApprox(rays.colwise().normalized())) << form.rays;
-  // Tangents: along z, and around the vertex's height at the end of the face.
+  // The tangents are along z, and around the height of the vertex at the end of the face.
   Eigen::VectorXd along = Eigen::VectorXd::Unit(6, 2);
   Eigen::VectorXd around(6);
   around << 0.55, 0, 0, 0, 1, 0;

@@ -26,9 +26,10 @@ const ContactState& At(const LocalTopology& point, int state) {
   return point.graph.states[static_cast<std::size_t>(state)];
 }
 
-// --- A box that slides along a floor and a wall, over both from x = 0 on, to a wall that stops it.
+// --- A box that slides along a floor and a wall, over both of them from x = 0 on, until another
+// wall stops it.
 
-constexpr double kHalf = 0.01;  // of its width
+constexpr double kHalf = 0.01;  // half of the width
 constexpr double kPlay = 0.25e-3;
 constexpr double kWay = 0.05;
 
@@ -60,8 +61,8 @@ std::vector<std::string> KindsOf(const std::vector<ContactKey>& contacts) {
   return kinds;
 }
 
-// Flat on the floor and on the wall, by the two front corners and the two edges that cross the
-// floor's end, and likewise at the wall.
+// The box is flat on the floor and on the wall. On the floor it touches with the two front corners
+// and the two edges that cross the end of the floor, and on the wall it does the same.
 TEST(ContactChain, ABoxSlidesIntoACornerAlongOneCrevice) {
   const ContactChain chain = ContactChainOf(BoxIntoCorner(0.08));
   ASSERT_THAT(chain.points, SizeIs(2));
@@ -76,7 +77,7 @@ TEST(ContactChain, ABoxSlidesIntoACornerAlongOneCrevice) {
   EXPECT_EQ(At(chain.points[1], crevice.later).dimension, 1);
 }
 
-// Five contacts from free space into the crevice; at its end the wall is one more.
+// Five contacts lead from free space into the crevice. At its end the wall is one more.
 TEST(ContactChain, ABoxComesIntoACornerByAContactAtATime) {
   const ContactChain chain = ContactChainOf(BoxIntoCorner(0.08));
   EXPECT_THAT(chain.points[0].initial, ElementsAre(0));
@@ -85,7 +86,7 @@ TEST(ContactChain, ABoxComesIntoACornerByAContactAtATime) {
   EXPECT_EQ(chain.points[1].LeastTransitions(), 1);
 }
 
-// Other corners than at first touch then.
+// When the box is all in, other corners touch than before.
 TEST(ContactChain, ABoxThatIsAllInHasLeftTheCreviceThatItCameBy) {
   const ContactChain chain = ContactChainOf(BoxIntoCorner(0.03));
   EXPECT_THAT(chain.shared, ElementsAre(IsEmpty()));
@@ -102,8 +103,8 @@ std::set<std::vector<int>> SetsOf(const ContactGraph& graph) {
   return sets;
 }
 
-// By linear programs: all of the last critical point's, and of the first one's those of the floor.
-// Some are so narrow that few rays come there.
+// Linear programs give all sets of the last critical point and, for the first one, those with the
+// floor. Some sets are so narrow that few rays reach them.
 TEST(ContactChain, GraphsHaveAllFeasibleSets) {
   for (const LocalTopology& point : ContactChainOf(BoxIntoCorner(0.08)).points) {
     std::vector<PrimitiveContact> contacts = point.space.contacts;
@@ -123,7 +124,7 @@ TEST(ContactChain, GraphsHaveAllFeasibleSets) {
   }
 }
 
-// --- Of parts.
+// --- Matings of parts.
 
 struct Parts {
   explicit Parts(const std::string& scenario) {
@@ -136,7 +137,7 @@ struct Parts {
   ContactChain chain;
 };
 
-// Made once for all tests.
+// Returns the parts of a scenario, which are made once for all tests.
 const Parts& PartsOf(const std::string& scenario) {
   static std::map<std::string, Parts> made;
   return made.try_emplace(scenario, scenario).first->second;
@@ -156,14 +157,14 @@ TEST_P(PartsChain, LeadsFromFreeSpaceToTheSeat) {
   EXPECT_FALSE(last.goals.empty());
   for (const int goal : last.goals) {
     EXPECT_EQ(At(last, goal).dimension, 0);
-    // As far in as the seat, and not tilted.
+    // The goal is as far in as the seat and is not tilted.
     const LocalPose& x = At(last, goal).target_points.front();
     EXPECT_NEAR(x.head<3>().dot(geometry_.passage.mating), 0, 1e-9);
     EXPECT_LT(x.tail<3>().cross(geometry_.passage.mating).norm(), 1e-7);
   }
   for (const LocalTopology& point : chain_.points)
     EXPECT_TRUE(point.LeastTransitions().has_value());
-  EXPECT_EQ(chain_.points.front().LeastTransitions(), 5);  // into one dimension
+  EXPECT_EQ(chain_.points.front().LeastTransitions(), 5);  // from free space into one dimension
   EXPECT_EQ(last.LeastTransitions(), 1);                   // the plate lands
 }
 
@@ -186,7 +187,7 @@ TEST_P(PartsChain, NeighboursShareOneDimensionalStatesOfTheSameFeatures) {
   }
 }
 
-// A state is as near to a goal as the nearest of its neighbours, and a transition.
+// The distance of a state from a goal is one more than the least distance of its neighbours.
 TEST_P(PartsChain, DistancesAreThoseOfAPlainRelaxation) {
   for (const LocalTopology& point : chain_.points) {
     const auto& states = point.graph.states;

@@ -26,21 +26,21 @@ using workloads::SquareHoleShape;
 
 // --- Scenes.
 
-constexpr double kHalf = 0.01;          // of the peg's width
-constexpr double kClearance = 0.25e-3;  // on each side
+constexpr double kHalf = 0.01;          // half of the width of the peg
+constexpr double kClearance = 0.25e-3;  // metres on each side
 constexpr double kReach = 0.005;
 
 ContactGraphOptions Options() { return {.reach = kReach, .radius = 0.0245}; }
 
-// A square peg, 20 mm by 20 mm by 40 mm, its lower end so deep in a square hole, so far off its
-// middle.
+// Returns the contacts of a square peg of 20 mm by 20 mm by 40 mm. Its lower end is `depth` deep in
+// a square hole, and the peg is displaced by `aside` from the middle (metres).
 ContactSpace PegInHole(double depth, double aside = 0) {
   return {PrimitiveContacts(BoxShape({-kHalf, -kHalf, -0.02}, {kHalf, kHalf, 0.02}),
                             SquareHoleShape(kHalf + kClearance, 0.04, 0.06),
                             geometry::Translation(aside, 0, 0.02 - depth), 0.003)};
 }
 
-// A floor and two walls that meet in the origin.
+// Returns a floor and two walls that meet in the origin.
 Polyhedron CornerShape() {
   Polyhedron shape;
   for (int axis = 0; axis < 3; ++axis) {
@@ -51,7 +51,7 @@ Polyhedron CornerShape() {
   return shape;
 }
 
-// A box so far from all three.
+// Returns a box at this distance from floor and walls.
 ContactSpace BoxInCorner(double distance) {
   return {PrimitiveContacts(
       BoxShape({-0.01, -0.015, -0.02}, {0.01, 0.015, 0.02}), CornerShape(),
@@ -72,7 +72,8 @@ const ContactState& At(const ContactGraph& graph, int state) {
   return graph.states[static_cast<std::size_t>(state)];
 }
 
-// The contacts so named, without those that are told by others of their surface.
+// Returns the contacts with these names. Contacts that another one of their surface represents are
+// left out.
 std::vector<int> Named(const ContactSpace& space, const std::vector<std::string>& names) {
   std::vector<int> contacts;
   for (int i = 0; i < std::ssize(space.contacts); ++i) {
@@ -103,13 +104,13 @@ int Rank(const ContactSpace& space, const std::vector<int>& contacts) {
   return static_cast<int>(lu.rank());
 }
 
-// --- All states, by linear programs.
+// --- All states, compared with linear programs.
 
 void ExpectAllFeasibleSets(const ContactSpace& space, const ContactGraphOptions& options) {
-  // A box that holds the graph's reach.
+  // The linear programs consider a box that contains the reach of the graph.
   FeasibleContacts feasible(space.contacts, options.reach, options.radius);
   EXPECT_EQ(Sets(MakeContactGraph(space, options)), feasible.All());
-  // Nothing hangs on rounding.
+  // No decision depends on rounding.
   EXPECT_GT(feasible.least_margin(), 1e-6) << feasible.programs() << " programs";
 }
 
@@ -130,8 +131,8 @@ TEST(ContactGraphTest, HasAllFeasibleSetsOfAPegBetweenTwoWalls) {
   ExpectAllFeasibleSets(space, Options());
 }
 
-// At the corner between the walls of an octagonal hole a corner of the peg touches both, each at
-// its end.
+// At the corner between two walls of an octagonal hole, a corner of the peg touches both walls at
+// their ends.
 TEST(ContactGraphTest, HasAllFeasibleSetsOfAnOctagonalPegBetweenTwoWallsOfItsHole) {
   const ContactSpace space =
       Only({PrimitiveContacts(OutsideOf({workloads::PrismPiece({8, kHalf, 0.04})}),
@@ -142,16 +143,16 @@ TEST(ContactGraphTest, HasAllFeasibleSetsOfAnOctagonalPegBetweenTwoWallsOfItsHol
            });
   ASSERT_THAT(space.contacts, SizeIs(8));
   ExpectAllFeasibleSets(space, Options());
-  // Flat on both.
+  // The last state is flat on both walls.
   const ContactGraph graph = MakeContactGraph(space, Options());
   EXPECT_EQ(graph.states.back().dimension, 1);
   EXPECT_THAT(graph.states.back().contacts, SizeIs(8));
 }
 
-// Contacts of vertices and edges with one side of the hole, its top and its rim: where one's limits
-// end others begin, and free space is not convex.
+// The contacts are those of vertices and edges with one side of the hole, its top and its rim.
+// Where the limits of one contact end, others begin, and free space is not convex.
 TEST(ContactGraphTest, HasAllFeasibleSetsOfAPegAtOneSideOfTheRim) {
-  const ContactSpace peg = PegInHole(0, kClearance);  // an edge of the peg on an edge of the rim
+  const ContactSpace peg = PegInHole(0, kClearance);  // an edge of the peg is on an edge of the rim
   const ContactSpace space = Only(peg, [](const PrimitiveContact& contact) {
     const bool on_side =
         contact.kind == ContactKind::kEdgeEdge ? contact.stationary == 0 : contact.stationary <= 1;
@@ -246,7 +247,7 @@ TEST(ContactGraphTest, HasTheSameStatesForAnySeed) {
   }
 }
 
-// --- States that a peg is known to go through.
+// --- States that a peg is known to pass through.
 
 TEST(ContactGraphTest, PegAtTheRimStandsOnACornerAnEdgeOrFlat) {
   const ContactSpace space = PegInHole(0);
@@ -259,12 +260,14 @@ TEST(ContactGraphTest, PegAtTheRimStandsOnACornerAnEdgeOrFlat) {
   EXPECT_EQ(dimension({"vertex 0 on face 0"}), 5);
   EXPECT_EQ(dimension({"vertex 0 on face 3"}), 5);
   EXPECT_EQ(dimension({"edge 0 on edge 0"}), 5);
-  // Shifted toward -x: two corners on the top, or all that there is between bottom and top.
+  // The peg is shifted toward -x. It has two corners on the top, or all contacts between bottom and
+  // top.
   EXPECT_EQ(dimension({"vertex 0 on face 0", "vertex 2 on face 0"}), 4);
   EXPECT_EQ(dimension({"vertex 0 on face 0", "vertex 2 on face 0", "edge 0 on edge 2",
                        "edge 5 on edge 2"}),
             3);
-  // Along two neighbouring walls. The lower end is at the rim: nothing keeps it from tilting yet.
+  // The peg is along two neighbouring walls. Its lower end is at the rim, so that nothing keeps it
+  // from tilting yet.
   EXPECT_EQ(dimension({"vertex 0 on face 3", "vertex 2 on face 3", "vertex 0 on face 4",
                        "vertex 1 on face 4"}),
             3);
@@ -279,7 +282,7 @@ TEST(ContactGraphTest, PegHalfInTheHoleSlidesAlongTwoWalls) {
   ASSERT_GE(crevice, 0);
   EXPECT_EQ(At(graph, crevice).dimension, 1);
   const std::vector<int> distances = graph.DistancesTo({crevice});
-  EXPECT_EQ(distances[0], 5);  // a contact at a time
+  EXPECT_EQ(distances[0], 5);  // one contact is made at a time
   EXPECT_EQ(distances[static_cast<std::size_t>(crevice)], 0);
   for (const int parent : At(graph, crevice).parents) {
     EXPECT_EQ(distances[static_cast<std::size_t>(parent)], 1);
@@ -297,7 +300,7 @@ TEST(ContactGraphTest, BoxComesToRestInTheCorner) {
   EXPECT_LT(rest.target_points[0].norm(), 1e-12);
 }
 
-// Regions of the top that one corner can stand on are one contact.
+// Regions of the top on which one corner can stand count as one contact.
 TEST(ContactGraphTest, ContactsOfOneSurfaceAreToldByTheFirst) {
   const ContactSpace space = PegInHole(0);
   const ContactGraph graph = MakeContactGraph(space, Options());

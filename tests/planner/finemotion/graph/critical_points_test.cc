@@ -13,7 +13,7 @@ namespace {
 
 using ::testing::IsEmpty;
 
-// In millimetres.
+// Returns a box with corners in millimetres.
 ConvexPiece Box(const Vector3& low, const Vector3& high) {
   ConvexPiece piece;
   for (int i = 0; i < 8; ++i) {
@@ -24,8 +24,8 @@ ConvexPiece Box(const Vector3& low, const Vector3& high) {
   return piece;
 }
 
-// A block whose top is z = 0 and whose bottom is z = -40, with a square hole of the given half
-// width from `top` down to `bottom`.
+// Returns a block with its top at z = 0 and its bottom at z = -40. It has a square hole of the
+// given half width from `top` down to `bottom`.
 std::vector<ConvexPiece> Around(double half, double top, double bottom) {
   const double out = 30;
   return {Box({half, -out, bottom}, {out, out, top}), Box({-out, -out, bottom}, {-half, out, top}),
@@ -38,7 +38,8 @@ std::vector<ConvexPiece> operator+(std::vector<ConvexPiece> a, const std::vector
   return a;
 }
 
-// A grid of points of each moving face, looked up on each stationary face: the naive way.
+// Returns the touching faces, found naively: a grid of points of each moving face is tested on each
+// stationary face.
 std::set<TouchingFaces> TouchingBySamples(const Polyhedron& moving, const Polyhedron& stationary,
                                           const Pose& X) {
   std::set<TouchingFaces> touching;
@@ -56,7 +57,7 @@ std::set<TouchingFaces> TouchingBySamples(const Polyhedron& moving, const Polyhe
     for (const std::vector<Vector3>& outline : moving.faces[i].region) {
       for (int a = 0; a < 100; ++a) {
         for (int b = 0; b < 100; ++b) {
-          // Of each triangle of the fan, and not on round numbers.
+          // The points are in each triangle of the fan, and not at round numbers.
           const double u = (a + 0.37) / 100;
           const double v = (b + 0.41) / 100 * (1 - u);
           for (std::size_t k = 1; k + 1 < outline.size(); ++k) {
@@ -78,7 +79,7 @@ std::set<TouchingFaces> TouchingBySamples(const Polyhedron& moving, const Polyhe
 
 struct Mating {
   std::vector<ConvexPiece> moving, stationary;
-  Vector3 mating_vector;  // millimetres; ends at the identity
+  Vector3 mating_vector;  // millimetres; the motion ends at the identity
 };
 
 class Judge {
@@ -97,7 +98,7 @@ class Judge {
     EXPECT_THAT(travels_, ::testing::Pointwise(::testing::DoubleNear(1e-6), millimetres));
   }
 
-  // Between critical points, and nowhere else, other faces touch.
+  // Expects that the set of touching faces changes at critical points and nowhere else.
   void ExpectSamplesAgree() const {
     for (std::size_t i = 0; i + 1 < points_.size(); ++i) {
       EXPECT_EQ(points_[i].after, points_[i + 1].before);
@@ -127,19 +128,20 @@ TEST(CriticalPoints, OfAPegInABlindHole) {
   judge.ExpectTravels({20, 60});
   judge.ExpectSamplesAgree();
   EXPECT_THAT(judge.points()[0].before, IsEmpty());
-  EXPECT_EQ(judge.points()[0].after.size(), 4u);  // sides on walls
-  EXPECT_EQ(judge.points()[1].after.size(), 5u);  // and the bottom
+  EXPECT_EQ(judge.points()[0].after.size(), 4u);  // the sides are on the walls
+  EXPECT_EQ(judge.points()[1].after.size(), 5u);  // the bottom touches, too
   EXPECT_NEAR(judge.points()[0].X_StationaryMoving.translation().z(), 0.040, 1e-12);
 }
 
-// The narrow end enters the counterbore touching nothing, then its hole; then the wide end enters,
-// then the shoulder lands.
+// The narrow end enters the counterbore without touching, and then its hole. Then the wide end
+// enters, and then the shoulder lands.
 TEST(CriticalPoints, OfASteppedPeg) {
   const Judge judge(
       {.moving = {Box({-6, -6, -35}, {6, 6, -15}), Box({-10, -10, -15}, {10, 10, 20})},
        .stationary = Around(10, 0, -15) + Around(6, -15, -40),
        .mating_vector = {0, 0, -50}});
-  // The end at -35 comes to -15 after 50 - 20; the shoulder at -15 comes to 0 after 50 - 15.
+  // The peg starts 50 above its seat. Its end is at -35 when seated, so that it reaches -15 after
+  // 50 - 20. Its shoulder is at -15 when seated, so that it reaches 0 after 50 - 15.
   judge.ExpectTravels({30, 35, 50});
   judge.ExpectSamplesAgree();
   EXPECT_EQ(judge.points()[0].after.size(), 4u);
@@ -147,24 +149,24 @@ TEST(CriticalPoints, OfASteppedPeg) {
   EXPECT_EQ(judge.points()[2].after.size(), 9u);
 }
 
-// A T slides along its slot, which has a wider mouth: flanks, then flanks of the narrow part, then
-// the stop at the end.
+// A T slides along its slot, which has a wider mouth. First the flanks touch, then the flanks of
+// the narrow part, and then the stop at the end.
 TEST(CriticalPoints, OfATSlot) {
   const std::vector<ConvexPiece> tee = {Box({0, -8, 0}, {40, 8, 6}), Box({0, -3, 6}, {40, 3, 15})};
   const std::vector<ConvexPiece> slot = {
-      Box({-10, -20, -10}, {50, 20, 0}),                                    // under it
-      Box({-10, 8, 0}, {50, 20, 6}),     Box({-10, -20, 0}, {50, -8, 6}),   // beside its foot
+      Box({-10, -20, -10}, {50, 20, 0}),                                    // floor of the slot
+      Box({-10, 8, 0}, {50, 20, 6}),     Box({-10, -20, 0}, {50, -8, 6}),   // sides of the slot
       Box({-10, 3, 6}, {30, 20, 12}),    Box({-10, -20, 6}, {30, -3, 12}),  // lips, shorter
-      Box({-20, -20, -10}, {0, 20, 6})};                                    // the stop
+      Box({-20, -20, -10}, {0, 20, 6})};                                    // stop at the end
   const Judge judge({.moving = tee, .stationary = slot, .mating_vector = {-70, 0, 0}});
-  // The T's front comes to x = 50, to the lips at 30, and to the stop at 0.
+  // The front of the T comes to x = 50, to the lips at 30, and to the stop at 0.
   judge.ExpectTravels({20, 40, 70});
   judge.ExpectSamplesAgree();
-  EXPECT_EQ(judge.points()[0].after.size(), 3u);  // the foot on the bottom and at both sides
-  EXPECT_EQ(judge.points()[1].after.size(), 7u);  // besides the lips' sides and undersides
+  EXPECT_EQ(judge.points()[0].after.size(), 3u);  // the foot touches the bottom and both sides
+  EXPECT_EQ(judge.points()[1].after.size(), 7u);  // the sides and undersides of the lips, too
 }
 
-// Seams between pieces of one face are no changes.
+// Seams between pieces of one face change nothing.
 TEST(CriticalPoints, SeamsAreNone) {
   const Judge whole({.moving = {Box({0, 0, 0}, {10, 10, 10})},
                      .stationary = {Box({-30, -5, -10}, {30, 15, 0})},
@@ -174,7 +176,7 @@ TEST(CriticalPoints, SeamsAreNone) {
        .stationary = {Box({-30, -5, -10}, {-3, 15, 0}), Box({-3, -5, -10}, {9, 15, 0}),
                       Box({9, -5, -10}, {30, 15, 0})},
        .mating_vector = {50, 0, 0}});
-  whole.ExpectTravels({10});  // its front at the start is at -40, the floor begins at -30
+  whole.ExpectTravels({10});  // the front starts at -40, and the floor begins at -30
   pieces.ExpectTravels({10});
 }
 

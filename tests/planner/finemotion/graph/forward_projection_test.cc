@@ -43,7 +43,7 @@ Eigen::VectorXd Supports(const Region& region, const Eigen::MatrixXd& directions
   return supports;
 }
 
-// A factor of a generator: an end of its range as often as anything between.
+// Returns a factor of a generator. It is an end of its range as often as a value in between.
 double RandomFactor(RandomStream& random) { return std::clamp(random.Uniform(-2, 2), -1.0, 1.0); }
 
 Eigen::VectorXd Sample(const Zonotope& region, RandomStream& random) {
@@ -88,7 +88,7 @@ TEST(ForwardProjection, HoldsAMillionSampledMotions) {
   }
 }
 
-// A contact through a point that a motion reaches is met.
+// A contact that contains a point of a motion is met.
 TEST(ForwardProjection, MeetsEveryContactThroughASampledMotion) {
   RandomStream random(kSeed, "reached");
   for (int trial = 0; trial < 100000; ++trial) {
@@ -116,7 +116,7 @@ TEST(ForwardProjection, SupportIsThatOfItsFarthestPointAndGrowsWithTime) {
   }
 }
 
-// Towards the contact, whatever the error.
+// Returns a motion towards the contact for every error.
 ProjectionAndContact RandomApproaching(RandomStream& random) {
   ProjectionAndContact given = RandomMoving(random);
   given.projection.time *= 5;
@@ -161,7 +161,7 @@ TEST(RegionAtContact, LiesInTheSurface) {
   }
 }
 
-// Without errors of the velocity each corner of the start is carried to the surface.
+// Without errors of the velocity, each corner of the start is carried to the surface.
 TEST(RegionAtContact, IsTightInTheStart) {
   RandomStream random(kSeed, "tight");
   for (int trial = 0; trial < 50; ++trial) {
@@ -181,7 +181,7 @@ TEST(RegionAtContact, IsTightInTheStart) {
   }
 }
 
-// A cube falls on the floor: its height is forgotten, and the wind carries it so far as it falls.
+// A cube falls on the floor. Its height is forgotten, and the wind carries it while it falls.
 TEST(RegionAtContact, OfAFallingCube) {
   PrimitiveContact floor;
   floor.row = Eigen::Vector3d(0, 0, 1);
@@ -194,7 +194,7 @@ TEST(RegionAtContact, OfAFallingCube) {
   EXPECT_DOUBLE_EQ(region.Support(Eigen::Vector3d(1, 0, 0)), 6);
   EXPECT_DOUBLE_EQ(region.Support(Eigen::Vector3d(-1, 0, 0)), -2);
   EXPECT_DOUBLE_EQ(region.Support(Eigen::Vector3d(0, 1, 0)), 2 + 5 * 0.25);
-  falling.time = 4;  // from the cube's top the floor is not reached any more
+  falling.time = 4;  // the top of the cube does not reach the floor
   EXPECT_DOUBLE_EQ(RegionAtContact(falling, floor).Support(Eigen::Vector3d(0, 1, 0)), 3);
   falling.velocity = {Eigen::Vector3d(0, 0, -1), Eigen::MatrixXd(3, 0)};
   EXPECT_EQ(RegionAtContact(falling, floor).generators.cols(), 2);

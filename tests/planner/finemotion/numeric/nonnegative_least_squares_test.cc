@@ -11,7 +11,7 @@
 namespace assay::finemotion::nonnegative_least_squares_test {
 namespace {
 
-// The least residual over all sets of columns that may be positive.
+// Returns the least residual over all sets of columns that may be positive.
 double LeastResidual(const Eigen::MatrixXd& a, const Eigen::VectorXd& b) {
   double least = b.norm();
   for (int set = 1; set < (1 << a.cols()); ++set) {
@@ -35,7 +35,7 @@ TEST(NonnegativeLeastSquares, IsTheBestOfAllSetsOfColumns) {
     Eigen::VectorXd b(rows);
     for (double& value : a.reshaped()) value = random.Uniform(-1, 1);
     for (double& value : b) value = random.Uniform(-1, 1);
-    // Dependent columns, which have no unique combination.
+    // Dependent columns have no unique combination.
     if (columns > 2 && round % 3 == 0) a.col(1) = a.col(0) + 0.5 * a.col(2);
     if (columns > 1 && round % 5 == 0) a.col(1) = 2 * a.col(0);
     const Eigen::VectorXd x = NonnegativeLeastSquares(a, b);

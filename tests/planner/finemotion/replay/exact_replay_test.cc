@@ -18,8 +18,8 @@ using workloads::BoxShape;
 
 constexpr double kDegree = std::numbers::pi / 180;
 
-// A cube with an edge of 2 cm, its origin in the middle of its bottom, over a wide floor or beside
-// a wall.
+// Returns a cube with an edge of 2 cm and its origin in the middle of its bottom. It is over a wide
+// floor or beside a wall.
 Passage CubeAnd(Polyhedron stationary) {
   Passage passage;
   passage.moving = BoxShape({-0.01, -0.01, 0}, {0.01, 0.01, 0.02});
@@ -65,7 +65,7 @@ TEST(ExactPart, NothingIsMadeOnAWayThatEndsShortOfIt) {
   EXPECT_NEAR(part.X().translation().z(), 0.006, 1e-12);
 }
 
-// About a point that is not the part's origin, a turn displaces the origin on an arc.
+// A turn about a point that is not the origin of the part displaces the origin on an arc.
 TEST(ExactPart, TurnsAboutWhereTheTipIsBelievedToBe) {
   const Passage passage = CubeOverFloor();
   ExactPart part(passage, Tilted({0.1, 0, 0.1}, Vector3::Zero()), 0.02);
@@ -76,7 +76,7 @@ TEST(ExactPart, TurnsAboutWhereTheTipIsBelievedToBe) {
       1e-9);
 }
 
-// A corner that is kept on the floor stays there as the part is turned about its origin.
+// A corner that is kept on the floor stays there when the part is turned about its origin.
 TEST(ExactPart, KeptContactsStayClosed) {
   const Passage passage = CubeOverFloor();
   const Pose X = Tilted({0, 0, 0.01}, {0.2, 0.1, 0});
@@ -92,7 +92,7 @@ TEST(ExactPart, KeptContactsStayClosed) {
 
 TEST(ExactPart, TheEdgeOfATableIsMetWhereTheEdgesCross) {
   const Passage passage = CubeAnd(BoxShape({-1, -1, -1}, {0, 1, 0}));
-  // A lower edge is over the rim, slanting; its corners are beside it.
+  // A slanting lower edge is over the rim, and its corners are beside the rim.
   const Pose X = Tilted({0.002, 0, 0.01}, {0, -0.4, 0.3});
   ExactPart part(passage, X, 0.02);
   const auto made = part.Move({Way({0, 0, -0.03}), {}, {}}, 1, X.translation());
@@ -117,7 +117,7 @@ TEST(TrialErrors, AreInTheBoxWithItsCornersAndTheMiddlesOfItsFaces) {
   EXPECT_EQ(middles, 12);
 }
 
-// A tilted cube that goes down onto a floor, until its lowest corner meets it.
+// A tilted cube that goes down onto a floor until its lowest corner meets it.
 struct GoingDown {
   Passage passage = CubeOverFloor();
   Pose start = Tilted({0, 0, 0.01}, {0.02, 0.04, 0});
@@ -131,7 +131,7 @@ struct GoingDown {
   }
 };
 
-// It meets another corner if it is tilted the other way.
+// If the cube is tilted the other way, it meets the floor with another corner.
 TEST(ReplayWithErrors, TellsTheFirstErrorThatGoesOtherwise) {
   const auto [passage, start, command, end] = GoingDown();
   ASSERT_TRUE(command.until);
@@ -152,7 +152,7 @@ TEST(ReplayWithErrors, TellsTheFirstErrorThatGoesOtherwise) {
       << more.deviation->error.transpose();
 }
 
-// Up and away, the floor is never met.
+// If the cube goes up, it never meets the floor.
 TEST(ReplayWithErrors, TellsOfAContactThatDoesNotCome) {
   auto [passage, start, command, end] = GoingDown();
   ASSERT_TRUE(command.until);
@@ -164,10 +164,10 @@ TEST(ReplayWithErrors, TellsOfAContactThatDoesNotCome) {
   EXPECT_EQ(missed.deviation->unwanted.contact, *command.until);
 }
 
-// --- What strategies absorb, in exact geometry: errors that the search has not tried, as great as
-// it says they may be.
+// --- The errors that strategies absorb, in exact geometry. The search has not tried these errors,
+// and they are as large as the strategy says they may be.
 
-// Of each kind; ASSAY_REPLAYS sets another number.
+// Returns the number of replays of each kind. The variable ASSAY_REPLAYS sets another number.
 int Drawn() {
   const char* const asked = std::getenv("ASSAY_REPLAYS");
   return asked != nullptr ? std::atoi(asked) : 100;

@@ -30,7 +30,7 @@ Vector3 RandomVector(RandomStream& random) {
   return {random.Uniform(-1, 1), random.Uniform(-1, 1), random.Uniform(-1, 1)};
 }
 
-// A random force that a contact can exert with Coulomb friction.
+// Returns a random force that a contact can exert with Coulomb friction.
 Vector3 ForceOf(const PrimitiveContact& contact, double friction, RandomStream& random) {
   const Vector3 sideways = contact.normal.cross(RandomVector(random)).normalized();
   const double pressure = random.Uniform(0, 1);
@@ -58,11 +58,12 @@ TEST(ForceSignature, WithoutFrictionIsTheNormalsWrench) {
   EXPECT_LT((signature.rays.col(0) - ForceAt(contact.at, contact.normal)).norm(), 1e-15);
 }
 
-// Torques count by the length: a force of 1 N beside a torque of 1 N m / length is at 45 degrees.
+// Torques are divided by the length. A force of 1 N and a torque of 1 N m / length are at 45
+// degrees.
 TEST(ForceSignature, SeparationOfSingleRaysIsTheSineOfTheirAngle) {
   const ForceSignature force = SignatureOf({ContactAt(Vector3::Zero(), Vector3::UnitZ())}, 0);
   const ForceSignature both =
-      SignatureOf({ContactAt({kLength, 0, 0}, Vector3::UnitZ())}, 0);  // torque about -y
+      SignatureOf({ContactAt({kLength, 0, 0}, Vector3::UnitZ())}, 0);  // adds a torque about -y
   EXPECT_NEAR(Separation(force, both, kLength), std::sqrt(0.5), 1e-9);
   EXPECT_NEAR(Separation(ForceAt(Vector3::Zero(), Vector3::UnitZ()), both, kLength), std::sqrt(0.5),
               1e-9);
@@ -70,7 +71,7 @@ TEST(ForceSignature, SeparationOfSingleRaysIsTheSineOfTheirAngle) {
   EXPECT_EQ(Separation(force, SignatureOf(std::vector<PrimitiveContact>{}, 0.2), kLength), 1);
 }
 
-// No wrench of the one makes a smaller angle with a wrench of the other.
+// No wrench of one signature makes a smaller angle with a wrench of the other.
 TEST(ForceSignature, SeparationIsALowerBoundOfAllAngles) {
   RandomStream random(3, "separation");
   for (int round = 0; round < 300; ++round) {
@@ -102,7 +103,7 @@ TEST(ForceSignature, OfASubsetIsNotSeparate) {
               1e-7);
 }
 
-// A random wrench of contacts, none of which is without force.
+// Returns a random wrench of contacts, each of which exerts a force.
 Wrench WrenchOf(const std::vector<PrimitiveContact>& contacts, double friction,
                 RandomStream& random) {
   Wrench wrench = Wrench::Zero();
@@ -119,8 +120,8 @@ double SineBetween(Wrench a, Wrench b) {
   return cosine > 0 ? std::sqrt(std::max(0.0, 1 - cosine * cosine)) : 1;
 }
 
-// The oracle: wrenches of both cones, drawn at random and moved at random to where they are nearer
-// to each other, never come nearer than told; and they come as near.
+// Oracle: wrenches of both cones are drawn at random and moved at random towards each other. They
+// never come nearer than the stated separation, and they reach it.
 TEST(ForceSignature, SeparationIsWhatSampledWrenchesComeTo) {
   RandomStream random(7, "sampled separation");
   for (int round = 0; round < 6; ++round) {
@@ -139,8 +140,9 @@ TEST(ForceSignature, SeparationIsWhatSampledWrenchesComeTo) {
   }
 }
 
-// What both states have does not tell them apart; by what only one has, they are as far apart as
-// the least that its wrenches are from all wrenches of the other.
+// Contacts that both states have do not distinguish them. Contacts that only one state has do. The
+// separation is the least distance of the wrenches of these contacts from all wrenches of the other
+// state.
 TEST(ForceSignature, StatesAreApartByWhatIsNotInBoth) {
   RandomStream random(8, "states");
   const double friction = 0.2;
@@ -177,8 +179,8 @@ TEST(ForceSignature, StatesOfTheSameForcesAreNotApart) {
   EXPECT_EQ(SeparationOfStates(up, none, none, kLength), 1);
 }
 
-// A part on a table sticks where it is pushed steeper than the friction's angle from the table
-// (through the point of contact), else it slides.
+// A part on a table sticks if the push through the contact point is steeper than the friction angle
+// from the table. Otherwise it slides.
 TEST(ForceSignature, JamsInsideTheFrictionCone) {
   const double friction = 0.3;
   const Vector3 at(0.01, -0.02, -0.03);
@@ -189,14 +191,14 @@ TEST(ForceSignature, JamsInsideTheFrictionCone) {
       const Vector3 push(std::sin(lean) * std::cos(turn), std::sin(lean) * std::sin(turn),
                          -std::cos(lean));
       EXPECT_EQ(Jams(signature, ForceAt(at, push), kLength), angle < 1) << angle << " " << turn;
-      // The same force beside the contact tips it over.
+      // The same force beside the contact tips the part over.
       EXPECT_FALSE(Jams(signature, ForceAt(at + Vector3(0.001, 0, 0), push), kLength));
     }
   }
 }
 
 // A peg in a hole in two-point contact wedges if the points are in each other's friction cones
-// (Nevins and Whitney 1978): depth / width below the friction.
+// (Nevins and Whitney 1978), which means that depth / width is below the friction.
 TEST(ForceSignature, WedgesWhereContactsAreInEachOthersCones) {
   const double width = 0.02;
   for (const double friction : {0.1, 0.2, 0.5}) {

@@ -32,10 +32,10 @@ TEST(FrictionLimit, WithoutContactsOrWithOneNothingHolds) {
             kGreatestFriction);
 }
 
-// The walls of a groove, normals at an angle t from its plane of symmetry: both press it out with
-// a cos(t), and their friction can take back f a sin(t) each. From f = cot(t) on no force is left
-// that tells of them, whatever they bear: with walls that face each other, from 0 on. The cones are
-// pyramids about them, with eight sides.
+// The walls of a groove have normals at an angle t from its plane of symmetry. Both press the part
+// out with a cos(t), and the friction of each can take back f a sin(t). From f = cot(t) on, no
+// force is left that shows what the walls bear. For walls that face each other this holds from 0
+// on. The friction cones are pyramids with eight sides about the true cones.
 TEST(FrictionLimit, WallsOfAGrooveHoldFromTheCotangentOfTheirAngle) {
   for (const double degrees : {30.0, 45.0, 60.0, 75.0, 89.0}) {
     const double t = degrees * std::numbers::pi / 180;

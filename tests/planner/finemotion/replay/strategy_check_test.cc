@@ -26,7 +26,7 @@ using testing::IsEmpty;
 using testing::StartsWith;
 
 constexpr double kDegree = std::numbers::pi / 180;
-constexpr double kLength = 0.07;  // of the peg, metres
+constexpr double kLength = 0.07;  // length of the peg, metres
 
 MatingGeometry SquarePeg() {
   MatingGeometry geometry;
@@ -35,14 +35,14 @@ MatingGeometry SquarePeg() {
   return geometry;
 }
 
-// Half widths of all displacements (metres) and turns (radians), and what the search draws by.
+// Half widths of all displacements (metres) and turns (radians), and the seed of the search.
 struct Asked {
   double length = 0;
   double angle = 0;
   std::uint64_t seed = 1;
 };
 
-// None, if there was none found.
+// Returns a strategy, or none if none was found.
 std::optional<Strategy> StrategyFor(const MatingGeometry& geometry, const Asked& asked) {
   const plan::StrategyCertificate certificate = {.d = Vector3::Constant(asked.length),
                                                  .w = Vector3::Constant(asked.angle),
@@ -57,7 +57,7 @@ std::optional<Strategy> StrategyFor(const MatingGeometry& geometry, const Asked&
   return strategy;
 }
 
-// The search and the replay agree.
+// A strategy that the search found has no flaws in the replay.
 TEST(FlawsOfStrategy, WhatWasFoundHasNone) {
   const MatingGeometry geometry = SquarePeg();
   for (const auto& [length, seeds] : {std::pair(1e-3, 8U), std::pair(2e-3, 20U)}) {
@@ -72,7 +72,8 @@ TEST(FlawsOfStrategy, WhatWasFoundHasNone) {
   }
 }
 
-// Several critical points; and sequences that are found for larger errors than were asked for.
+// The models have several critical points. Some sequences were found for larger errors than
+// requested.
 TEST(FlawsOfStrategy, WhatWasFoundForModelsHasNone) {
   for (const char* scenario : {"mate-stepped", "mate-t-slot"}) {
     const domain::Problem problem =
@@ -85,7 +86,7 @@ TEST(FlawsOfStrategy, WhatWasFoundForModelsHasNone) {
   }
 }
 
-// --- One that was tampered with.
+// --- Strategies that were changed by hand.
 
 class Tampered : public testing::Test {
  protected:
@@ -95,12 +96,12 @@ class Tampered : public testing::Test {
     EXPECT_THAT(plan::FlawsOfForm(strategy), IsEmpty());
     return FlawsOfStrategy(geometry_, strategy);
   }
-  // Of a motion, in words.
+  // Returns the flaws in words after a change of one motion.
   std::vector<std::string> AfterMotion(std::size_t index,
                                        const std::function<void(StrategyMotion&)>& change) const {
     return After([&](Strategy& strategy) { change(strategy.motions[index]); });
   }
-  // The first motion of which that is so.
+  // Returns the index of the first motion with this property.
   std::size_t First(const std::function<bool(const StrategyMotion&)>& is) const {
     return static_cast<std::size_t>(std::ranges::find_if(strategy_.motions, is) -
                                     strategy_.motions.begin());

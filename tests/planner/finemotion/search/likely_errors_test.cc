@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
 
-// A square peg with little play, and its strategy.
+// A mating of a square peg with little play, and its strategy.
 struct PlannedMating {
   MatingGeometry geometry;
   FineMotionErrors errors;
@@ -54,9 +54,9 @@ const plan::TipError* LikelyErrorOf(const plan::Strategy& strategy, const Deviat
   return nullptr;
 }
 
-// Of errors that lead to an error state, less what is likely in it, most go as planned; as they
-// are, hardly any does. Directions err
-// anew, which makes a few of them go well by itself.
+// The errors lead to an error state. If the likely error of that state is subtracted, most of the
+// motions go as planned. Otherwise hardly any does. The directions of motion err anew, which makes
+// a few of them succeed.
 TEST(LikelyErrors, LeadMostErrorsOutOfTheirErrorStates) {
   const PlannedMating mating = SquarePeg();
   RandomStream random(31, "errors that were not drawn before");

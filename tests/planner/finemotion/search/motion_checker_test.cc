@@ -11,7 +11,7 @@ namespace {
 
 using workloads::BoxShape;
 
-// A peg that comes down by a centimetre without a contact, or onto its corner 0.
+// A peg comes down by a centimetre without a contact, or onto its corner 0.
 constexpr double kDown = 0.01;
 constexpr ContactKey kCorner{ContactKind::kVertexFace, 0, 5};
 
@@ -45,7 +45,8 @@ double LeastOnLadder(const auto& happens) {
   return found == std::end(kLadder) ? kBeyondLadder : *found;
 }
 
-// The wall is as far away as an enlarged error brings the peg, however far that is.
+// The distance of the wall is the displacement of the peg by an enlarged error, however large it
+// is.
 TEST(MotionChecker, AWallIsMetAtTheEnlargementThatReachesIt) {
   for (const double away : {0.001, 0.006, 0.013, 0.022, 0.039, 0.041}) {
     const Polyhedron wall = BoxShape({0.019 + away, -1, -1}, {2, 1, 1});
@@ -58,8 +59,8 @@ TEST(MotionChecker, AWallIsMetAtTheEnlargementThatReachesIt) {
   }
 }
 
-// It is tilted so that a side corner is so much higher: a turn back is what it takes. With the tilt
-// go edges of top and floor that errors may make parallel.
+// The peg is tilted so that the height of a side corner corresponds to this turn back. The tilt
+// allows errors to make edges of top and floor parallel.
 TEST(MotionChecker, TheNextCornerComesFirstAtTheTurnThatLowersIt) {
   const Polyhedron floor = BoxShape({-1, -1, -1}, {1, 1, 0});
   for (const double turn : {0.11, 0.09, 0.07, 0.055, 0.04, 0.028, 0.024}) {

@@ -25,16 +25,16 @@ using Contacts = std::vector<PrimitiveContact>;
 
 constexpr std::uint64_t kSeed = 71;
 constexpr double kDegree = std::numbers::pi / 180;
-constexpr double kHalf = 0.01905;  // of the peg's width, metres
+constexpr double kHalf = 0.01905;  // half of the width of the peg, metres
 constexpr double kReach = 0.02;    // metres within which contacts are looked for
 constexpr double kTurn = 0.02;     // radians
 constexpr double kVelocityError = 0.002;
 constexpr double kRadius = 0.02;
 constexpr double kRounding = 1e-12;  // metres
-constexpr double kClear = 3e-5;  // metres: of limits, and along a motion; Check has a slack, too
-constexpr double kClearTurn = 2.5e-3;  // radians: of limits that are turns
-// Surfaces of neighbours, linearized at different points, do not quite join: what a motion may pass
-// the wanted contact by and still is stopped by the next one, metres.
+constexpr double kClear = 3e-5;  // metres, for limits and along a motion; Check has a slack, too
+constexpr double kClearTurn = 2.5e-3;  // radians, for limits that are turns
+// Neighbouring surfaces, linearized at different points, do not quite join. A motion may pass the
+// wanted contact by this much, metres, and still be stopped by the next one.
 constexpr double kSeam = 2e-4;
 
 const Polyhedron& Peg() {
@@ -51,7 +51,8 @@ Contacts ContactsAt(const Pose& X, const Polyhedron& stationary = Hole(), double
   return PrimitiveContacts(Peg(), stationary, X, kReach, {}, turn);
 }
 
-// Half of them of the peg: its bottom, its width; the others of the hole.
+// Returns the tolerances. Half of them concern the peg (its bottom and its width), the others the
+// hole.
 const std::vector<ModelTolerance>& Tolerances() {
   using Of = ModelTolerance::Of;
   static const std::vector<ModelTolerance> tolerances = {
@@ -61,7 +62,7 @@ const std::vector<ModelTolerance>& Tolerances() {
   return tolerances;
 }
 
-// As the belief knows the model.
+// Returns the contacts with the tolerances that `belief` has.
 Contacts ContactsFor(const Belief& belief, const Pose& X) {
   if (belief.tolerances.size() == 0) return ContactsAt(X);
   return PrimitiveContacts(Peg(), Hole(), X, kReach, Tolerances(), kTurn);
@@ -89,7 +90,7 @@ GeneralizedPoint Motion(const Vector3& d, const Vector3& w) {
   return z;
 }
 
-// What leads from one pose to the other.
+// Returns the motion that leads from one pose to the other.
 GeneralizedPoint Between(const Pose& X_from, const Pose& X_to) {
   const Eigen::AngleAxisd turn(X_to.linear() * X_from.linear().transpose());
   return Motion(X_to.translation() - X_from.translation(), turn.angle() * turn.axis());
@@ -113,7 +114,7 @@ Eigen::MatrixXd RowsOf(const Contacts& contacts, const std::vector<ContactKey>& 
   return rows;
 }
 
-// By how much errors of the model open contacts.
+// Returns by how much errors of the model open contacts.
 Eigen::VectorXd OpenedBy(const Eigen::VectorXd& model_errors, const Contacts& contacts,
                          const std::vector<ContactKey>& keys) {
   Eigen::VectorXd opened(std::ssize(keys));
@@ -124,7 +125,7 @@ Eigen::VectorXd OpenedBy(const Eigen::VectorXd& model_errors, const Contacts& co
   return opened;
 }
 
-// What closes contacts that are opened by so much: the least change.
+// Returns the least change that closes contacts with these openings.
 GeneralizedPoint ClosedBy(const Eigen::MatrixXd& rows, const Eigen::VectorXd& opened) {
   if (rows.rows() == 0) return GeneralizedPoint::Zero(kPoseDimensions);
   Eigen::VectorXd lengths(kPoseDimensions);
@@ -140,12 +141,13 @@ GeneralizedPoint With(const GeneralizedPoint& pose, const Eigen::VectorXd& model
   return z;
 }
 
-// The parts are as planned.
+// Pads a pose with zero errors of the model: the parts are as planned.
 GeneralizedPoint Padded(const GeneralizedPoint& pose, const PrimitiveContact& contact) {
   return With(pose, Eigen::VectorXd::Zero(contact.row.size() - pose.size()));
 }
 
-// Onto what does not change the gaps, by the least change, a radian being `radius` metres.
+// Returns the projection onto the directions that do not change the gaps, by the least change. A
+// radian counts as `radius` metres.
 Eigen::MatrixXd TangentProjection(const Eigen::MatrixXd& rows) {
   Eigen::VectorXd weights(kPoseDimensions);
   weights << 1, 1, 1, kRadius, kRadius, kRadius;
@@ -165,7 +167,8 @@ GeneralizedPoint Sample(const Eigen::MatrixXd& generators, RandomStream& random)
   return z;
 }
 
-// Metres for a metre, radians for a radian, and what the one is for the other at `radius`.
+// Returns the errors of the velocity: metres per metre, radians per radian, and each for the other
+// at `radius`.
 GeneralizedPoint VelocityErrors(const GeneralizedPoint& displacement, double velocity_error) {
   const double moved = displacement.head<3>().norm();
   const double turned = displacement.tail<3>().norm();
@@ -175,14 +178,14 @@ GeneralizedPoint VelocityErrors(const GeneralizedPoint& displacement, double vel
 }
 
 struct Case {
-  Contacts contacts;  // where the command leads
+  Contacts contacts;  // the contacts at the end of the command
   Belief belief;
   Command command;
 
   SegmentModel Model(double scale = 1) const { return {contacts, scale * kVelocityError, kRadius}; }
 };
 
-// In coordinates about where the command leads.
+// A sampled motion, in coordinates about the end of the command.
 struct SampledMotion {
   GeneralizedPoint start;
   GeneralizedPoint velocity;
@@ -190,7 +193,7 @@ struct SampledMotion {
   GeneralizedPoint At(double time) const { return start + time * velocity; }
 };
 
-// The hand turns the part about where it believes the tip to be, so errors turn with it.
+// The hand turns the part about the believed tip, so that errors turn with it.
 SampledMotion SampleMotion(const Case& given, const Eigen::MatrixXd& tangent,
                            RandomStream& random) {
   const GeneralizedPoint& displacement = given.command.displacement;
@@ -228,7 +231,8 @@ struct Touch {
   double limits_left = 0;  // metres
 };
 
-// Contacts that become closed, by rising time; those that are at first are none.
+// Returns the contacts that become closed, by rising time. Contacts that are closed at the start
+// are left out.
 std::vector<Touch> Touches(const Case& given, const SampledMotion& motion, double longest) {
   std::vector<Touch> touches;
   for (const PrimitiveContact& contact : given.contacts) {
@@ -244,7 +248,8 @@ std::vector<Touch> Touches(const Case& given, const SampledMotion& motion, doubl
   return touches;
 }
 
-// A kept contact comes to its end; faces have regions, and it may go from one to the next.
+// Returns whether a kept contact comes to its end. Faces have regions, and a contact may go from
+// one region to the next.
 bool Loses(const Case& given, const SampledMotion& motion, double end) {
   const auto is_lost_at = [&](const ContactKey& key, const GeneralizedPoint& z) {
     return std::ranges::all_of(given.contacts, [&](const PrimitiveContact& contact) {
@@ -278,7 +283,7 @@ std::optional<FirstContact> FirstOnTheWay(const Contacts& contacts, const Genera
   return first;
 }
 
-// Closes the kept contacts.
+// Returns the change q after the kept contacts have been closed.
 GeneralizedPoint Closed(const Belief& belief, GeneralizedPoint q,
                         const std::vector<ContactKey>& kept) {
   const Contacts contacts = ContactsFor(belief, Displaced(belief.X_StationaryMoving, q));
@@ -293,7 +298,7 @@ GeneralizedPoint Closed(const Belief& belief, GeneralizedPoint q,
   return q - rows.completeOrthogonalDecomposition().pseudoInverse() * gaps;
 }
 
-// A command along q, as far as there is a contact or, if that is farther away, without one.
+// Returns a command along q that ends at a contact or, if no contact is near enough, without one.
 std::optional<Case> Commanded(const Belief& belief, GeneralizedPoint q,
                               const std::vector<ContactKey>& kept, bool to_contact) {
   std::optional<FirstContact> first;
@@ -323,7 +328,7 @@ Eigen::MatrixXd RandomErrors(RandomStream& random) {
   return errors;
 }
 
-// Of the model: as many columns come first.
+// Returns the believed pose with errors of the model, whose columns come first.
 Belief WithTolerances(Belief belief, double width) {
   belief.tolerances.setConstant(std::ssize(Tolerances()), width);
   const Eigen::Index t = belief.tolerances.size();
@@ -346,7 +351,7 @@ std::optional<Case> RandomFirst(RandomStream& random, Model model = Model::kExac
   return Commanded(belief, length * Motion(d, w), {}, random.Index(4) != 0);
 }
 
-// Goes on from there along some of the contacts.
+// Returns a random next motion, along some of the contacts.
 std::optional<Case> RandomNext(const Belief& belief, RandomStream& random) {
   std::vector<ContactKey> kept = belief.kept;
   GeneralizedPoint q = Motion(oracle::RandomVector(random, 0.004),
@@ -363,13 +368,13 @@ std::optional<Case> RandomNext(const Belief& belief, RandomStream& random) {
   return Commanded(belief, q, kept, random.Index(3) != 0);
 }
 
-// --- Verdicts against sampled motions.
+// --- Verdicts compared with sampled motions.
 
 struct Counted {
   int certain = 0;
   int uncertain = 0;
-  int touching_wrongly = 0;  // cases where a sample does
-  int kept = 0;              // certain ones with kept contacts
+  int touching_wrongly = 0;  // cases in which a sample does so
+  int kept = 0;              // certain cases with kept contacts
 };
 
 struct Ends {
@@ -414,7 +419,7 @@ void ExpectHolds(const Belief& after, const Pose& X_about, const GeneralizedPoin
   }
 }
 
-// Returns what Check says.
+// Compares a case with samples. Returns the result of Check.
 SegmentCheck Compare(const Case& given, RandomStream& random, Counted& counted) {
   constexpr int kSamples = 300;
   SegmentCheck check = Check(given.Model(), given.belief, given.command);
@@ -466,11 +471,11 @@ TEST(Check, IsCertainOnlyWhereNoSampledMotionGoesWrong) {
   EXPECT_GT(counted.certain, 100);
   EXPECT_GT(counted.kept, 20);
   EXPECT_GT(counted.touching_wrongly, 100);
-  // Not much more careful than need be: of the uncertain ones samples show most to be so.
+  // The check is not much too careful: samples confirm most of the uncertain cases.
   EXPECT_GT(counted.touching_wrongly, counted.uncertain / 2);
 }
 
-// Neither with parts that are wrong by up to their tolerances.
+// A certain motion does not fail for parts with errors up to their tolerances, either.
 TEST(Check, IsCertainOnlyWhereNoSampledPartGoesWrong) {
   const Counted counted = CompareRandom(Model::kWithTolerances, 250);
   EXPECT_GT(counted.certain, 50);
@@ -492,7 +497,7 @@ TEST(Check, ThePapersTestIsComparedWhereItIsApplicable) {
     comparison += compared.comparison;
     model.test = MeetingTest::kEdges;
     const SegmentCheck by_edges = Check(model, given->belief, given->command);
-    EXPECT_LE(certain, by_edges.certain);  // it finds no meeting where there is none
+    EXPECT_LE(certain, by_edges.certain);  // it never finds a meeting that does not exist
     if (compared.comparison.missed == 0) {
       EXPECT_EQ(certain, by_edges.certain);
     }
@@ -502,7 +507,7 @@ TEST(Check, ThePapersTestIsComparedWhereItIsApplicable) {
   EXPECT_LE(comparison.missed, comparison.compared);
 }
 
-// --- What is unwanted, and at which scale.
+// --- Unwanted contacts, and the scales at which they occur.
 
 Belief Scaled(Belief belief, double factor) {
   belief.errors *= factor;
@@ -526,7 +531,7 @@ TEST(Check, LargerErrorsDoAllThatSmallerOnesDo) {
     for (const double scale : kLadder) {
       const SegmentCheck check =
           Check(given->Model(scale), Scaled(given->belief, scale), given->command, Telling::kAll);
-      if (check.unwanted.empty()) continue;  // also where it may never end
+      if (check.unwanted.empty()) continue;  // also for motions that may never end
       const auto with_more = UnwantedIn(check);
       EXPECT_TRUE(std::ranges::includes(with_more, with_less)) << scale;
       with_less = with_more;
@@ -571,8 +576,8 @@ const Polyhedron& Floor() {
   return floor;
 }
 
-// Down onto the corner (-x, -y), which is vertex 0, by as much as without errors. The floor's top
-// is face 5.
+// The peg comes down onto its corner (-x, -y), which is vertex 0, by the errorless amount. The top
+// of the floor is face 5.
 constexpr ContactKey kCorner{ContactKind::kVertexFace, 0, 5};
 constexpr double kHigh = 0.01;
 
@@ -599,7 +604,7 @@ TEST(Check, ComingDownOnTheLowestCornerIsCertain) {
   const SegmentCheck check = ComeDown(Above({0.15, -0.12, 0}, ErrorsOf(1e-3, kDegree)));
   EXPECT_TRUE(check.certain);
   EXPECT_EQ(check.after.kept, std::vector<ContactKey>{kCorner});
-  EXPECT_GT(check.longest, 1.1);  // a millimetre and more of 10
+  EXPECT_GT(check.longest, 1.1);  // more than one millimetre of ten
   EXPECT_LT(check.longest, 1.3);
   const PrimitiveContact* corner =
       Find(ContactsAt(check.after.X_StationaryMoving, Floor()), kCorner);
@@ -616,7 +621,7 @@ TEST(Check, ComingDownUprightIsNot) {
   }
 }
 
-// The corner may come down beside the floor, and then there is nothing.
+// The corner may come down beside the floor, where there is nothing.
 TEST(Check, ComingDownNearTheFloorsEndIsNot) {
   for (const bool may_miss : {false, true}) {
     Belief belief = Above({0.15, -0.12, 0}, ErrorsOf(1e-3, 0));
@@ -647,7 +652,7 @@ TEST(PrimitiveContactsOfTurned, AreAmongThoseWithThatTurn) {
     Vector3 w = oracle::RandomVector(random, turn);
     if (w.norm() > turn) w *= turn / w.norm();
     X.translation().z() = random.Uniform(-0.01, 0.01);
-    // Shifted so that one of them is closed.
+    // The pose is shifted so that one of the contacts is closed.
     Pose X_turned = Displaced(X, Motion(Vector3::Zero(), w));
     const Contacts near = PrimitiveContacts(Peg(), Hole(), X_turned, 0.01);
     if (near.empty()) continue;

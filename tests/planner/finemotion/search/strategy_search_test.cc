@@ -24,8 +24,8 @@ using workloads::SquareHoleShape;
 
 constexpr std::uint64_t kSeed = 72;
 constexpr double kDegree = std::numbers::pi / 180;
-constexpr double kHalf = 0.01905;  // of the peg's width, metres
-constexpr double kPlay = 0.25e-3;  // on each side
+constexpr double kHalf = 0.01905;  // half of the width of the peg, metres
+constexpr double kPlay = 0.25e-3;  // metres on each side
 
 Passage SquarePegInHole() {
   Passage passage;
@@ -43,7 +43,7 @@ FineMotionErrors ErrorsOf(double length, double angle) {
 
 StrategyOptions OptionsOf(std::uint64_t seed) { return {.seed = seed}; }
 
-// All of the errors in all six dimensions.
+// A plan for errors in all six dimensions.
 const FineMotionPlan& WidePlan() {
   static const FineMotionPlan plan =
       SearchStrategy(SquarePegInHole(), ErrorsOf(2e-3, kDegree), OptionsOf(1));
@@ -58,14 +58,15 @@ TEST(SearchStrategy, FindsOneForWideErrors) {
   ASSERT_FALSE(plan.motions.empty());
   EXPECT_GE(plan.motions.size(), plan.maneuvers.size());
   for (const CertainMotion& motion : plan.motions) EXPECT_TRUE(motion.check.certain);
-  // In at the end: over the hole, upright, and no higher than the errors in height that are left.
+  // At the end the peg is in: over the hole, upright, and no higher than the remaining errors in
+  // height.
   const Pose& end = plan.motions.back().X_StationaryAfter;
   EXPECT_LT(end.translation().head<2>().norm(), std::numbers::sqrt2 * kPlay);
   EXPECT_LT(std::acos(std::min(1.0, end.linear()(2, 2))), 0.02);
 }
 
-// With 3 mm of play the peg would come in from some starts without being felt for: there is still
-// something to execute.
+// With 3 mm of play the peg would come in from some starts without any contact. The plan still has
+// a motion to execute.
 TEST(SearchStrategy, HasAMotionWhereThePlayIsGreaterThanTheErrors) {
   Passage passage = SquarePegInHole();
   passage.stationary = SquareHoleShape(kHalf + 3e-3, 0.045, 0.07);
@@ -120,7 +121,7 @@ TEST(SearchStrategy, FindsAShortOneForSmallErrors) {
   }
 }
 
-// Also where the sequence was searched for with larger errors than were asked for.
+// This holds even if the sequence was found for larger errors than requested.
 TEST(SearchStrategy, NothingUnwantedHappensWithinWhatIsAbsorbed) {
   for (const double length : {0.5e-3, 2e-3}) {
     const FineMotionPlan plan =
@@ -134,14 +135,14 @@ TEST(SearchStrategy, NothingUnwantedHappensWithinWhatIsAbsorbed) {
   }
 }
 
-// --- Where there is no strategy for all the errors.
+// --- Cases without a strategy for all the errors.
 
 struct TooMuch {
   FineMotionErrors errors;
   FineMotionPlan plan;
 };
 
-// So many times the errors that the scenario is for.
+// Returns the failed plan for this multiple of the errors of the scenario.
 TooMuch TooMuchFor(const std::string& scenario, double times, StrategyOptions options) {
   const domain::Problem problem =
       domain::ReadProblem(Document::Load(domain::ScenarioPath(scenario)), domain::ModelsFolder());
@@ -151,8 +152,8 @@ TooMuch TooMuchFor(const std::string& scenario, double times, StrategyOptions op
   return {errors, SearchStrategy(geometry.passage, errors, options)};
 }
 
-// What can be absorbed is so many millimetres, whatever it is a multiple of. Sequences are found by
-// luck, so that it is not the same millimetres.
+// The errors that can be absorbed are a fixed number of millimetres, whatever multiple of the
+// scenario's errors is requested. Sequences are found by chance, so that this number varies.
 TEST(SearchStrategy, TheObstaclesMarginFallsAsErrorsGrow) {
   StrategyOptions options = OptionsOf(1);
   options.rounds = 1;
@@ -226,8 +227,8 @@ TEST(SearchStrategy, FindsNothingForTolerancesGreaterThanThePlay) {
   EXPECT_LT(plan.absorbed, 1);
 }
 
-// --- A replay in exact geometry, with features taken by their points and planes. Parts are moved
-// in small steps; kept contacts are closed after each.
+// --- A replay in exact geometry with the points and planes of the features. Parts move in small
+// steps, and kept contacts are closed after each step.
 
 constexpr double kRadius = 0.02;
 constexpr double kTouching = 1e-7;  // metres
@@ -248,7 +249,8 @@ double GapOf(const Passage& passage, const ContactKey& key, const Pose& X) {
       const OuterEdge& a = passage.moving.edges[moving];
       const OuterEdge& b = passage.stationary.edges[stationary];
       const Vector3 n = (X.linear() * a.direction()).cross(b.direction());
-      return n.dot(X * a.start - b.start) / n.norm();  // of either sign outside
+      // Outside the features the sign may be either.
+      return n.dot(X * a.start - b.start) / n.norm();
     }
   }
   return 0;
@@ -264,7 +266,7 @@ bool IsInside(const OuterFace& face, const Vector3& p) {
   });
 }
 
-// Where their gap is 0, the features have a point in common.
+// Returns whether features with a gap of 0 have a point in common.
 bool Overlap(const Passage& passage, const ContactKey& key, const Pose& X) {
   const auto moving = static_cast<std::size_t>(key.moving);
   const auto stationary = static_cast<std::size_t>(key.stationary);
@@ -309,8 +311,8 @@ class ExactReplay {
 
   const Pose& X() const { return X_; }
 
-  // What is made first on the way to `most` displacements, kept contacts aside. The part is turned
-  // about where the tip is believed to be.
+  // Returns the first contact on the way to `most` displacements, apart from kept contacts. The
+  // part is turned about the believed tip.
   std::optional<ContactKey> Move(const Command& command, double most, Vector3 believed) {
     constexpr int kSteps = 400;
     const std::vector<ContactKey> apart = Apart();
@@ -357,7 +359,7 @@ class ExactReplay {
     }
   }
 
-  // All that does not touch at first: what is let go only leaves.
+  // Returns all contacts that do not touch at the start. Contacts that are let go only separate.
   std::vector<ContactKey> Apart() const {
     std::vector<ContactKey> apart = AllPairs(passage_);
     std::erase_if(apart, [&](const ContactKey& key) {
@@ -382,7 +384,7 @@ class ExactReplay {
 };
 
 struct ReplayOutcome {
-  std::size_t motions = 0;  // that went as planned
+  std::size_t motions = 0;  // motions that went as planned
   std::optional<ContactKey> made = {};
 };
 
@@ -419,11 +421,11 @@ TEST(SearchStrategy, ContactsComeInThePlannedOrderInExactGeometry) {
   }
 }
 
-// --- Matings of scenarios, with the errors that they are for.
+// --- Matings of scenarios, with the errors of the scenarios.
 
 struct ScenarioMating {
   const char* scenario;
-  int critical_points;  // where something enters: the plate that lands is not counted
+  int critical_points;  // points where something enters, without the landing of the plate
 };
 
 class ScenarioMatings : public testing::TestWithParam<ScenarioMating> {
@@ -433,7 +435,7 @@ class ScenarioMatings : public testing::TestWithParam<ScenarioMating> {
     FineMotionErrors errors;
     FineMotionPlan plan = {};
   };
-  // Searched for once.
+  // Returns the plan of the scenario, which is searched once.
   static const Planned& Mating() {
     static std::map<std::string, Planned> known;
     const auto [found, is_new] = known.try_emplace(GetParam().scenario);
@@ -468,7 +470,7 @@ TEST_P(ScenarioMatings, AreOneStrategyThroughAllCriticalPointsInExactGeometry) {
   }
 }
 
-// The narrow shaft enters in the bottom of the wide hole.
+// The narrow shaft enters at the bottom of the wide hole.
 TEST_P(ScenarioMatings, TheStartIsReachedStraightFromOutside) {
   const auto& [geometry, errors, plan] = Mating();
   constexpr double kOutside = 0.06;  // metres

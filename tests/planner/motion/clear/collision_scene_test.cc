@@ -51,7 +51,8 @@ TEST(CollisionScene, WhatMayTouchIsNotTested) {
   EXPECT_TRUE(IsTested(scene, "forearm", "floor"));
 }
 
-// The tool lowered over the brick until the pads are in it: hand or fingers and the brick.
+// The tool is lowered over the brick until the pads are inside it. The pair is hand or finger and
+// brick.
 TEST(CollisionScene, NamesThePairThatTouches) {
   const CollisionScene scene(Clutter(), PartsAtTheStart(0));
   const domain::Workcell& workcell = scene.workcell();
@@ -67,7 +68,7 @@ TEST(CollisionScene, NamesThePairThatTouches) {
   EXPECT_THAT(scene.Describe(nearest.pair), ::testing::HasSubstr("brick"));
 }
 
-// Oracle: hand and fingers against each part by boxes alone, as the executor measures today.
+// Oracle: hand and fingers against each part by boxes alone, as the executor measures.
 TEST(CollisionScene, HandAndPartsAgreeWithTheirBoxes) {
   const CollisionScene scene(Clutter(), PartsAtTheStart(0.05));
   const domain::Workcell& workcell = scene.workcell();
@@ -107,7 +108,7 @@ TEST(CollisionScene, SeparationOnlyPrunesBeyondEnough) {
   }
 }
 
-// Law: no point of a body moves more than is said, seen from the other body.
+// Law: no point of a body moves more than the stated bound, seen from the other body.
 TEST(CollisionScene, NoVertexMovesMoreThanIsSaid) {
   const CollisionScene scene(Clutter(), PegInTheHand());
   RandomStream random(73, "motion");
@@ -132,7 +133,7 @@ TEST(CollisionScene, NoVertexMovesMoreThanIsSaid) {
   }
 }
 
-// Law: two arms at their homes are as far apart whichever of them is asked.
+// Law: the distance of two arms at their homes does not depend on which of them acts.
 TEST(CollisionScene, AnotherRobotStandsAtItsHome) {
   domain::Problem problem = Clutter();
   problem.parts.clear();

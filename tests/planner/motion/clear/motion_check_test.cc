@@ -14,7 +14,7 @@ double Tilt(const CollisionScene& scene, const JointVector& q) {
   return std::acos(std::clamp(-X_WorldTool.linear()(2, 2), -1.0, 1.0));
 }
 
-// Oracle: a motion that is said to be free is so at every step of about a millimetre of the hand.
+// Oracle: a motion that is found to be free is free at steps of about a millimetre of the hand.
 TEST(MotionCheck, WhatIsFreeIsFreeAtEveryStep) {
   const CollisionScene scene(Clutter(), PegInTheHand());
   MotionCheck check(scene, {.clearance = 0.01});
@@ -35,7 +35,7 @@ TEST(MotionCheck, WhatIsFreeIsFreeAtEveryStep) {
   EXPECT_GT(free, 5);
 }
 
-// What is in the way is so where it is said to be, or is within what is left undecided.
+// An obstruction is at the place that is stated, or within the distance that is left undecided.
 TEST(MotionCheck, WhatIsInTheWayIsThere) {
   const CollisionScene scene(Clutter(), PegInTheHand());
   MotionCheck check(scene, {.clearance = 0.01});
@@ -54,7 +54,7 @@ TEST(MotionCheck, WhatIsInTheWayIsThere) {
   EXPECT_GT(obstructed, 10);
 }
 
-// A motion and its reverse are the same motion.
+// A motion and its reverse are equally free.
 TEST(MotionCheck, BackIsAsForth) {
   const CollisionScene scene(Clutter(), PartsAtTheStart());
   MotionCheck check(scene, {});
@@ -102,7 +102,7 @@ TEST(MotionCheck, UprightAtEveryStep) {
   EXPECT_GT(upright, 5);
 }
 
-// A motion of nothing asks whether the arm may rest there.
+// A motion without length asks whether the arm may rest there.
 TEST(MotionCheck, RestIsAMotionOfNothing) {
   const CollisionScene scene(Clutter(), PartsAtTheStart());
   MotionCheck check(scene, {.clearance = 0.02});

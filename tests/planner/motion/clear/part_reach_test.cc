@@ -62,7 +62,7 @@ TEST(PartReach, EachRobotServesItsOwnHalfOfTheTable) {
   EXPECT_TRUE(Reaches(kRight, "dishwasher"));
 }
 
-// The workcell is its own image under half a turn about z.
+// The workcell is symmetric under half a turn about z.
 TEST(PartReach, RobotsThatStandAlikeServeAlike) {
   const domain::Problem right = WorkedBy(Bottle(), kRight);
   for (const auto& [name, X_WorldPart] : Places()) {
@@ -75,8 +75,8 @@ TEST(PartReach, RobotsThatStandAlikeServeAlike) {
   }
 }
 
-// Facts 5.8: five actions and a branch, the bottle handed over at the place that both reach.
-// Nothing is said of who reaches what.
+// The plan must have five actions and a branch, and the bottle must be handed over at the place
+// that both robots reach (facts 5.8). The domain does not state which robot reaches what.
 TEST(PartReach, HandOverEmergesFromGeometry) {
   const std::string folder = ASSAY_SOURCE_DIR "/scenarios/know/";
   const contingent::Task task =

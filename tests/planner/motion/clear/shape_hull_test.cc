@@ -15,7 +15,7 @@ using geometry::RoundedHull;
 using geometry::Vector3;
 using oracle::RandomVector;
 
-// How far p is outside of the hull, by its greatest facet; negative inside.
+// Returns the distance of p outside the hull by its greatest facet; negative inside.
 double Outside(const RoundedHull& hull, const Vector3& p) {
   double greatest = -1e9;
   for (const Facet& facet : hull.core().facets) {

@@ -13,7 +13,7 @@ constexpr double kStep = 0.02;  // metres
 
 const domain::Workcell& Cell() { return *Clutter().workcell; }
 
-// A line of some centimetres from a posture above the table.
+// Returns a line of a few centimetres from a posture above the table.
 std::optional<JointPath> RandomLine(const CollisionScene& scene, RandomStream& random) {
   const JointVector from = RandomPostureAtTheTable(scene, 0, random);
   const Vector3 to = ToolAt(Cell(), from).translation() +
@@ -29,7 +29,7 @@ plan::ToolErrorBox RandomDoubt(RandomStream& random) {
 }
 
 Pose Off(const Pose& X_WorldTool, const plan::ToolErrorBox& doubt, RandomStream& random) {
-  // Half of them are as great as they may be.
+  // Half of the errors are as large as they may be.
   const auto any = [&](double half) {
     const double share = random.Uniform(-2, 2);
     return half * std::clamp(share, -1.0, 1.0);
@@ -41,7 +41,7 @@ Pose Off(const Pose& X_WorldTool, const plan::ToolErrorBox& doubt, RandomStream&
   return off;
 }
 
-// The arm anywhere on a path, as it is planned and as it is; none where it cannot be.
+// The planned and the actual posture at some point of a path; none if the arm cannot be there.
 struct Erring {
   std::optional<JointVector> planned;
   std::optional<JointVector> is;
@@ -67,8 +67,8 @@ double RoomAt(const JointVector& q) {
   return room;
 }
 
-// Oracle: errors drawn at random at points between the looks. Bounds hold, and are mostly no more
-// than three times what draws find.
+// Oracle: errors are drawn at random, at points between the checked ones. The bounds hold, and they
+// are mostly at most three times what the draws find.
 TEST(Sway, BoundsWhatErrorsDoToTheJoints) {
   const CollisionScene scene(Clutter(), PartsAtTheStart());
   RandomStream random(91, "sway");
@@ -109,7 +109,7 @@ TEST(Sway, WithoutErrorsThereIsNone) {
   EXPECT_LT(sway.turn.maxCoeff(), 1e-3);
 }
 
-// With axes 4 and 6 in line any error, however small, may turn joint 4 by half a turn.
+// If axes 4 and 6 are in line, any error, however small, may turn joint 4 by half a turn.
 TEST(Sway, IsNotBoundedNearSingularPostures) {
   JointVector wrist = Cell().home();
   wrist[4] = 0;
@@ -146,7 +146,7 @@ double Nearest(const CollisionScene& scene, const JointVector& q) {
   return nearest;
 }
 
-// With all errors at their ends: of each bit of `corner` one.
+// Returns the pose of the tool with each error at an end, which the bits of `corner` choose.
 Pose AtCorner(const Pose& X_WorldTool, const plan::ToolErrorBox& doubt, int corner) {
   const auto end = [&](int bit, double half) { return (corner >> bit & 1) != 0 ? half : -half; };
   Pose off = X_WorldTool;
@@ -156,8 +156,8 @@ Pose AtCorner(const Pose& X_WorldTool, const plan::ToolErrorBox& doubt, int corn
   return off;
 }
 
-// The least distance of any two bodies where the arm is planned to come nearest to anything, of
-// errors at all corners.
+// Returns the least distance of any two bodies over all corners of the errors. It is measured where
+// the planned arm comes nearest to anything.
 double NearestAtCorners(const CollisionScene& scene, const JointPath& path,
                         const plan::ToolErrorBox& doubt) {
   constexpr int kPoints = 20;
@@ -184,7 +184,7 @@ double NearestAtCorners(const CollisionScene& scene, const JointPath& path,
   return nearest;
 }
 
-// The held peg beside the block, which hangs somewhere about a link.
+// Returns a scene with the held peg and with the block near a random link.
 CollisionScene WithTheBlockBeside(const JointVector& q, RandomStream& random) {
   const LinkPoses X_BaseLink = Cell().arm().LinkPoses(q);
   const auto link = static_cast<std::size_t>(random.Uniform(2, 6));
@@ -201,11 +201,12 @@ CollisionScene WithTheBlockBeside(const JointVector& q, RandomStream& random) {
   return {Clutter(), surroundings};
 }
 
-// Oracle: errors at the corners, where the line comes nearest to anything. No greater clearance
-// than theirs is said to be kept; and one is mostly said to be kept that is 2 cm smaller.
+// Oracle: errors are at their corners, at the point of the line that comes nearest to anything. The
+// check never confirms a clearance that the oracle contradicts. It mostly confirms one that is 2 cm
+// smaller.
 TEST(Sway, IsKeptClearOf) {
   constexpr double kPlenty = 0.02;     // metres
-  constexpr double kNearest = 0.0299;  // nearer than what is always 3 cm apart
+  constexpr double kNearest = 0.0299;  // metres, below the 3 cm that some pairs always keep
   const CollisionScene scene(Clutter(), PegInTheHand());
   RandomStream random(93, "clear of sway");
   int looked_at = 0;

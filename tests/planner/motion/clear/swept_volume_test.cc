@@ -18,8 +18,8 @@ double DistanceToSegment(const Vector3& p, const Vector3& a, const Vector3& b) {
   return (p - a - share * (b - a)).norm();
 }
 
-// Naive: the distance of a point outside a polyhedron is that of its nearest facet, which is a
-// plane's over the facet, else an edge's.
+// Computes the distance of a point outside a polyhedron naively. It is the least distance to a
+// facet: that of its plane if the point is above the facet, else that of an edge.
 double DistanceOutside(const geometry::ConvexHull& hull, const Vector3& p) {
   double least = std::numeric_limits<double>::infinity();
   bool inside = true;
@@ -58,13 +58,14 @@ Vector3 RandomVertexOf(const Body& body, RandomStream& random) {
   return hull.vertices()[static_cast<std::size_t>(random.Index(count))];
 }
 
-// More of them with ASSAY_SWEPT_POSTURES=100000.
+// The variable ASSAY_SWEPT_POSTURES sets a greater number of postures, like 100000.
 int PostureCount() {
   const char* count = std::getenv("ASSAY_SWEPT_POSTURES");
   return count == nullptr ? 1000 : std::atoi(count);
 }
 
-// Law: wherever the arm is on its path, its bodies are inside. Vertices are the hardest points.
+// Law: the bodies of the arm are inside the volume at every point of the path. Vertices are the
+// most critical points.
 void ExpectInside(const SweepAccuracy& accuracy) {
   const CollisionScene scene(Clutter(), PegInTheHand());
   RandomStream random(121, "swept");
@@ -92,8 +93,8 @@ TEST(SweptVolume, HoldsEveryPostureOfCoarseSteps) {
   ExpectInside({.sagitta = 0.05, .added_volume = 0});
 }
 
-// Law: no point of a body leaves its chord by more than the bound; where it is the one of a circle,
-// it is not much too large.
+// Law: no point of a body leaves its chord by more than the bound. If the bound is that of a
+// circle, it is not much too large.
 TEST(SweptVolume, SagittaIsABound) {
   const CollisionScene scene(Clutter(), PegInTheHand());
   RandomStream random(122, "sagitta");
@@ -113,7 +114,7 @@ TEST(SweptVolume, SagittaIsABound) {
   }
 }
 
-// Known answer: of one joint, the sagitta bound delta^2 / (8 rho) with delta = turn * rho.
+// Known answer: for a single joint the sagitta bound is delta^2 / (8 rho) with delta = turn * rho.
 TEST(SweptVolume, SagittaOfOneJoint) {
   const CollisionScene scene(Clutter(), PegInTheHand());
   JointVector turn = JointVector::Zero();
@@ -142,7 +143,7 @@ TEST(SweptVolume, MergingSavesPieces) {
             SweptVolume(scene, path, {.added_volume = 0}).size());
 }
 
-// Of an arm that stands, the bodies themselves.
+// The volume of an arm that does not move consists of its bodies.
 TEST(SweptVolume, OfNoMotion) {
   const CollisionScene scene(Clutter(), PegInTheHand());
   std::size_t hulls = 0;
@@ -162,8 +163,8 @@ TEST(SweptVolume, OfNoMotion) {
   EXPECT_NEAR(swept, volume, 1e-9);
 }
 
-// Law: where the volume is clear of all that stands, so is every posture; and what is told to be in
-// the way stands, and is near to a body that moves there.
+// Law: if the volume is clear of all standing parts, so is every posture. A part that is stated to
+// be in the way stands near a body that moves there.
 TEST(SweptVolume, WhatIsClearOfAVolumeIsClearOfEveryPostureInIt) {
   const CollisionScene scene(Clutter(), PartsAtTheStart());
   RandomStream random(125, "clear");

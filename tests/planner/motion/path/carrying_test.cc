@@ -25,7 +25,8 @@ JointVector Draw(RandomStream& random) {
   return turn;
 }
 
-// By differences along the trajectory itself, where its joints' accelerations do not jump.
+// Computes the acceleration by differences along the trajectory, away from jumps of the
+// accelerations of its joints.
 double GreatestAcceleration(const JointTrajectory& way, const Vector3& p_ToolCenter) {
   double greatest = 0;
   const auto at = [&](double t) { return ToolAt(Cell(), way.At(t).q) * p_ToolCenter; };
@@ -52,7 +53,7 @@ TEST(Carrying, SparesThePartMoreThanItsAcceleration) {
   }
 }
 
-// Joint 1 alone turns the hand about the vertical: its rate is all that matters.
+// Joint 1 alone turns the hand about the vertical, so that only its rate matters.
 TEST(Carrying, GentleMovesKeepTheirPace) {
   JointVector turn = JointVector::Zero();
   turn[0] = 1e-3;

@@ -45,7 +45,7 @@ TEST(SynchronizedMove, KeepsTheRatesAndReachesOneOfThem) {
   for (int i = 0; i < 100; ++i) {
     const Case c = Draw(random);
     const double dt = c.move.duration() / 1000;
-    double speed = 0;  // greatest, as a share of what is allowed
+    double speed = 0;  // greatest share of the allowed speed
     double acceleration = 0;
     for (int k = 0; k < 1000; ++k) {
       const JointState a = c.move.At(k * dt);
@@ -61,7 +61,7 @@ TEST(SynchronizedMove, KeepsTheRatesAndReachesOneOfThem) {
   }
 }
 
-// All joints go the same share of their way at every time.
+// At every time all joints have gone the same share of their way.
 TEST(SynchronizedMove, IsAStraightLineInJointSpace) {
   RandomStream random(kSeed, "line");
   for (int i = 0; i < 100; ++i) {
@@ -104,8 +104,8 @@ class AlongAPath : public ::testing::Test {
   const JointRates rates_ = RatesOf(workcell_);
 };
 
-// The mean speeds and accelerations between close times are within the rates, and somewhere one of
-// them is used up.
+// The mean speeds and accelerations over short times are within the rates. Somewhere one of the
+// rates is reached.
 TEST_F(AlongAPath, KeepsToTheRates) {
   RandomStream random(91, "rates");
   for (int i = 0; i < 10; ++i) {
@@ -144,7 +144,8 @@ TEST_F(AlongAPath, StandsStill) {
   EXPECT_EQ(trajectory.At(1).q, workcell_.home());
 }
 
-// Known answer: 90 degrees of the waist at 90 deg/s and 90 deg/s^2: a second up and one down.
+// Known answer: a turn of the waist by 90 degrees at 90 deg/s and 90 deg/s^2 takes a second to
+// speed up and a second to slow down.
 TEST_F(AlongAPath, WaistByAQuarterTurn) {
   JointVector to = JointVector::Zero();
   to[0] = M_PI / 2;

@@ -11,9 +11,9 @@ namespace {
 using ::testing::HasSubstr;
 
 constexpr double kClearance = 0.01;
-constexpr double kRoom = 0.012;  // of the ends: more than is asked for
+constexpr double kRoom = 0.012;  // metres, clearance at the ends, more than is required
 
-// Where the tool is to be at rest upright, above a place of the table.
+// Returns a posture with the tool upright above a place of the table.
 JointVector Above(const CollisionScene& scene, double x, double y, double z) {
   const domain::Workcell& workcell = scene.workcell();
   const Pose X_WorldTool = geometry::Translation(x, y, z) * geometry::RotationX(M_PI);
@@ -33,7 +33,7 @@ double Tilt(const CollisionScene& scene, const JointVector& q) {
   return std::acos(std::clamp(-X_WorldTool.linear()(2, 2), -1.0, 1.0));
 }
 
-// Looks at the path at steps at which no body moves more than a millimetre.
+// Calls `look` along the path at steps at which no body moves more than a millimetre.
 template <class Look>
 void AlongByMillimetres(const CollisionScene& scene, const JointPath& path, const Look& look) {
   for (std::size_t i = 0; i + 1 < path.size(); ++i) {
@@ -47,9 +47,10 @@ void AlongByMillimetres(const CollisionScene& scene, const JointPath& path, cons
   }
 }
 
-class RandomQueries : public ::testing::TestWithParam<bool> {};  // whether the hand holds the peg
+// The parameter says whether the hand holds the peg.
+class RandomQueries : public ::testing::TestWithParam<bool> {};
 
-// Law and oracle: paths join what was asked for, within the limits, and every pair of bodies is
+// Law and oracle: paths join the requested ends within the limits, and every pair of bodies is
 // clear at every millimetre.
 TEST_P(RandomQueries, ArePathsThatAreFree) {
   const CollisionScene scene(Clutter(), GetParam() ? PegInTheHand() : PartsAtTheStart());
@@ -72,7 +73,7 @@ TEST_P(RandomQueries, ArePathsThatAreFree) {
 
 INSTANTIATE_TEST_SUITE_P(EmptyHandAndPeg, RandomQueries, ::testing::Bool());
 
-// The brick stands between two low places of the tool: the straight way goes through it.
+// The brick stands between two low places of the tool, so that the straight way goes through it.
 TEST(PathSearch, GoesAroundTheBrickUpright) {
   const CollisionScene scene(Clutter(), PartsAtTheStart(0));
   const Vector3 brick = Clutter().part(PartId(2)).X_WorldPart.translation();
@@ -99,7 +100,8 @@ TEST(PathSearch, SameRequestSamePath) {
   const PathRequest request{.from = RandomPostureAtTheTable(scene, kRoom, random),
                             .to = RandomPostureAtTheTable(scene, kRoom, random)};
   const PathResult first = FindPath(scene, request);
-  FindPath(scene, {.from = request.to, .to = request.from, .seed = 7});  // leaves nothing behind
+  // A search must leave no state behind.
+  FindPath(scene, {.from = request.to, .to = request.from, .seed = 7});
   const PathResult second = FindPath(scene, request);
   EXPECT_EQ(std::get<JointPath>(first), std::get<JointPath>(second));
 }
@@ -117,7 +119,7 @@ TEST(PathSearch, SaysWhatIsInTheWayAtTheEnds) {
   EXPECT_THAT(std::get<PathFailure>(from).what, HasSubstr("brick"));
 }
 
-// A budget of nothing: what ended the straight motion is told.
+// With a budget of zero, the failure names what obstructs the straight motion.
 TEST(PathSearch, SaysWhatIsInTheWayOnTheWay) {
   const CollisionScene scene(Clutter(), PartsAtTheStart(0));
   const Vector3 brick = Clutter().part(PartId(2)).X_WorldPart.translation();

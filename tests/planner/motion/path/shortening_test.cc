@@ -8,7 +8,7 @@
 namespace assay::motion::shortening_test {
 namespace {
 
-// A path of motions that are free, at random.
+// Returns a random path of free motions.
 JointPath WanderingPath(MotionCheck& check, RandomStream& random) {
   JointPath path = {check.scene().workcell().home()};
   while (path.size() < 8) {

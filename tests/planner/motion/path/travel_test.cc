@@ -16,7 +16,7 @@ namespace {
 const PartId kBlock(0);
 const PartId kPeg(1);
 
-// Spar's figure 15: the block on its back, the peg on its side.
+// Figure 15 of Spar, with the block on its back and the peg on its side.
 class Travel : public testing::Test {
  protected:
   Travel()
@@ -30,7 +30,7 @@ class Travel : public testing::Test {
   TravelRequest To(const Pose& X_WorldTool) const {
     return {.from = problem_.workcell->home(), .X_WorldTool = X_WorldTool, .corners = {}};
   }
-  // The tool straight down at some place.
+  // Returns a pose of the tool that points straight down.
   static Pose Down(double x, double y, double z) {
     return geometry::PoseFromColumns({-1, 0, 0}, {0, 1, 0}, {0, 0, -1}, {x, y, z});
   }
@@ -48,7 +48,7 @@ TEST_F(Travel, EndsAtTheDestination) {
   EXPECT_TRUE(problem_.workcell->arm().InRange(q));
 }
 
-// Of all joint values over the destination, none is nearer in time.
+// No joint values over the destination are reached earlier than the chosen ones.
 TEST_F(Travel, ChoosesTheNearestConfiguration) {
   const Pose destination = Down(0.7, 0.3, 0.4);
   const auto path = std::get<JointPath>(PlanTravel(problem_, at_the_start_, To(destination)));
@@ -63,7 +63,7 @@ TEST_F(Travel, ChoosesTheNearestConfiguration) {
   }
 }
 
-// The lines that follow count: of configurations that reach the destination, one that goes on.
+// The travel chooses a configuration from which the arm can follow the lines after the destination.
 TEST_F(Travel, CanGoOnFromTheDestination) {
   TravelRequest request = To(Down(0.7, 0.3, 0.4));
   request.corners = {{0.7, 0.3, 0.1}, {0.75, 0.3, 0.1}};
@@ -91,7 +91,7 @@ TEST_F(Travel, DoesNotGoThroughParts) {
   EXPECT_THAT(std::get<std::string>(result), testing::HasSubstr("within 10 mm"));
 }
 
-// A held part counts: what the hand passes over, the part that hangs from it may not.
+// A held part is checked, too: it hangs so low that it hits what the hand would pass over.
 TEST_F(Travel, TakesTheHeldPartIntoAccount) {
   const Pose low = Down(0.7, 0.35, 0.04);
   EXPECT_TRUE(std::holds_alternative<JointPath>(PlanTravel(problem_, at_the_start_, To(low))));
@@ -101,7 +101,7 @@ TEST_F(Travel, TakesTheHeldPartIntoAccount) {
   EXPECT_TRUE(std::holds_alternative<std::string>(PlanTravel(problem_, holding, To(low))));
 }
 
-// Two arms face each other; the right one stands with its hand low over the middle of the table.
+// Two arms face each other. The right arm stands with its hand low over the middle of the table.
 class TravelBesideAnArm : public testing::Test {
  protected:
   static constexpr domain::RobotId kRight = domain::RobotId(1);
@@ -120,7 +120,8 @@ class TravelBesideAnArm : public testing::Test {
   static Pose Down(double x, double y, double z) {
     return geometry::PoseFromColumns({-1, 0, 0}, {0, 1, 0}, {0, 0, -1}, {x, y, z});
   }
-  // The naive way: postures along the path, a hundredth of a radian apart.
+  // Computes the distance naively, at postures along the path that are a hundredth of a radian
+  // apart.
   double NearestToTheOther(const JointPath& path) const {
     const CollisionScene scene(problem_, around_);
     double nearest = 1;
@@ -148,7 +149,7 @@ class TravelBesideAnArm : public testing::Test {
   const Surroundings around_ = {.opening = 0.1, .robots = {{kRight, right_, 0.1}}};
 };
 
-// With the other arm at its home the hand goes straight over; where it stands, around it.
+// If the other arm is at its home the hand goes straight over. Otherwise it goes around that arm.
 TEST_F(TravelBesideAnArm, GoesAroundIt) {
   const Pose from = Down(-0.15, -0.35, 0.4);
   const Pose to = Down(-0.15, 0.35, 0.4);
@@ -166,7 +167,7 @@ TEST_F(TravelBesideAnArm, NamesThePairThatIsInTheWay) {
               testing::ContainsRegex("the .* and the .* of right are nearer than 10.0 mm"));
 }
 
-// Only the lines of the work lead to it.
+// Only the lines after the travel lead near the other arm.
 TEST_F(TravelBesideAnArm, LooksAtTheLinesThatFollow) {
   TravelRequest request = Request(Down(-0.4, -0.35, 0.4), Down(-0.35, 0, 0.3));
   EXPECT_TRUE(std::holds_alternative<JointPath>(PlanTravel(problem_, around_, request)));

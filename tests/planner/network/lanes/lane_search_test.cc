@@ -21,7 +21,8 @@ struct Answer {
   Counters counters;
 };
 
-// Of all nodes, after propagation; empty if it decides, or if the network does not fit.
+// Searches over all nodes after propagation. Returns none if propagation decides, or if the network
+// does not fit.
 std::optional<Answer> Search(const NetworkWorkload& workload, Budget& budget) {
   const Network network = workload.Build();
   LabelStore labels = network.label_store();
@@ -53,7 +54,8 @@ TEST(LaneSearch, DecidesSmallNetworksAsTheOracleDoes) {
   for (int seed = 0; seed < 3000; ++seed) {
     SCOPED_TRACE(seed);
     RandomStream random(seed, "lane-search");
-    // Arc consistency seldom leaves a small network that has no labeling, but for complete ones.
+    // Arc consistency decides most small networks without a labeling. Complete networks are an
+    // exception.
     const NetworkWorkload workload =
         seed % 2 == 0 ? RandomSmallNetwork(random)
                       : workloads::RandomNetwork(
@@ -73,7 +75,7 @@ TEST(LaneSearch, DecidesSmallNetworksAsTheOracleDoes) {
   EXPECT_GT(none, 100);
 }
 
-// Lanes of 16, 32 and 64 bits, several blocks, and restarts.
+// The networks need SIMD rows of 16, 32 and 64 bits, several blocks, and restarts.
 TEST(LaneSearch, DecidesNetworksNearTheThresholdAsAnotherSearchDoes) {
   struct Model {
     int labels, forbidden;

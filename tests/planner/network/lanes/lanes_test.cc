@@ -20,7 +20,8 @@ class Lanes : public testing::Test {
  protected:
   static constexpr int kLanes = kLanesOfBlock<Lane>;
 
-  // By definition, a lane and a label at a time. False at a wipe-out.
+  // Narrows the label sets by definition, one row and one label at a time. Returns false at a
+  // wipe-out.
   bool Narrow(std::vector<Lane>& lanes, Word left) const {
     for (std::size_t lane = 0; lane < lanes.size(); ++lane) {
       Lane supported = 0;
@@ -71,14 +72,14 @@ class Lanes : public testing::Test {
 using LaneTypes = testing::Types<std::uint16_t, std::uint32_t, std::uint64_t>;
 TYPED_TEST_SUITE(Lanes, LaneTypes);
 
-// Whichever way the processor has.
+// The test covers the variant that suits the processor.
 TYPED_TEST(Lanes, KeepWhatTheLabelsLeftSupport) {
   const NarrowLanes<TypeParam> narrow = QuickestNarrowLanes<TypeParam>();
   RandomStream random(1, "lanes");
   int narrowed = 0, wiped_out = 0;
   for (int trial = 0; trial < 2000; ++trial) {
     this->Draw(random);
-    Word left = this->labels;  // few in half of the trials
+    Word left = this->labels;  // half of the trials have few labels left
     if (random.Index(2) == 0) left &= random.Next() & random.Next();
     const std::vector<TypeParam> before = this->Flat();
     std::vector<TypeParam> expected = before;

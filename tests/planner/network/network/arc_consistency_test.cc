@@ -15,7 +15,7 @@ std::vector<LabelSet> LabelSetsOf(const Network& network) {
   return sets;
 }
 
-// The label sets after propagation over the workload's arcs, or empty at a wipe-out.
+// Returns the label sets after propagation over the arcs of the workload; none at a wipe-out.
 std::optional<std::vector<LabelSet>> Propagated(const NetworkWorkload& workload) {
   const Network network = workload.Build();
   LabelStore labels = network.label_store();

@@ -59,7 +59,7 @@ TEST(NetworkFile, ReportsThatThereIsNoLabeling) {
   EXPECT_EQ(Label("nodes: {v: []}", LabelRequest::kFirst).outcome, Outcome::kNone);
 }
 
-// A list of numbers is a choice among more labels; what pairs say about the others is void.
+// A list of numbers restricts a node to these labels. Pairs with other labels have no effect.
 TEST(NetworkFile, ListsOfNumbersChooseAmongMoreLabels) {
   const std::string text =
       "nodes: {v: [2, 5], w: 2}\narcs: [{between: [v, w], pairs: [[0, 0], [5, 1]]}]\n";

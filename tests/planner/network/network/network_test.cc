@@ -8,7 +8,7 @@
 namespace assay::network::network_test {
 namespace {
 
-// All that a caller can tell a network by.
+// Everything by which a caller can distinguish two networks.
 struct Behaviour {
   std::vector<LabelSet> labels;
   std::vector<Arc> arcs;
@@ -34,7 +34,8 @@ Behaviour BehaviourOf(const Network& network) {
   return behaviour;
 }
 
-// A sequence of constraints beside the network they are posted to, as the oracle sees it.
+// A sequence of constraints, kept beside the network to which they are posted, in the form that the
+// oracle reads.
 class Trace {
  public:
   explicit Trace(std::uint64_t seed) : random_(seed, "trace") {}
@@ -46,7 +47,7 @@ class Trace {
     network.AddNode(labels);
   }
 
-  // Posts a random constraint; true if the network's answer is the oracle's.
+  // Posts a random constraint. Returns whether the network and the oracle give the same answer.
   bool Post() {
     std::vector<LabelSet> new_nodes = nodes;
     std::vector<Arc> new_arcs = arcs;
@@ -106,7 +107,8 @@ TEST(Network, DecidesEveryPostAndStaysAsBeforeWhenItRefuses) {
   EXPECT_GT(refused, 500);
 }
 
-// The witness is mended in one node, and nothing is propagated before somebody asks.
+// Constraint posting corrects the witness in one node. Nothing is propagated until labels are asked
+// for.
 TEST(Network, PropagatesWhatItOwesWhenLabelsAreAskedFor) {
   Network network;
   const NodeId a = network.AddNode(LabelSet::All(3)), b = network.AddNode(LabelSet::All(3));
@@ -145,7 +147,7 @@ TEST(Network, UndoGivesTheNetworkThatWasSaved) {
             trace.nodes = saved.back().nodes;
             trace.arcs = saved.back().arcs;
             ASSERT_EQ(BehaviourOf(trace.network), saved.back().behaviour);
-            if (trace.random().Index(2) == 0) saved.pop_back();  // marks may be used again
+            if (trace.random().Index(2) == 0) saved.pop_back();  // a mark may be used several times
           }
           break;
         default:
@@ -194,7 +196,7 @@ TEST(Network, DecideLeavesAnInconsistentNetworkAsItWas) {
   }
 }
 
-// A budget that is too small leaves the post undecided and the network as it was.
+// A budget that is too small leaves the post undecided and the network unchanged.
 TEST(Network, ASpentBudgetIsNotAnAnswer) {
   RandomStream random(3, "spent");
   const NetworkWorkload workload =

@@ -12,8 +12,8 @@ namespace {
 
 Word WordOfLength(int labels) { return labels == 0 ? 0 : ~Word{0} >> (kWordBits - labels); }
 
-// Whichever target the loader chose. The words end with the labels there are, so that the address
-// sanitizer sees what is read beyond.
+// The test covers the variant that the loader chose. The words end after the last label, so that
+// the address sanitizer finds reads beyond it.
 TEST(Support, IsThereForLabelsWithACommonBitAndNoOthers) {
   RandomStream random(1, "support");
   for (int size = 1; size <= kWordBits; ++size) {

@@ -37,7 +37,7 @@ TEST(ForwardChecking, DecidesAsTheOracleDoes) {
   EXPECT_GT(none, 100);
 }
 
-// What one look ahead decides needs no second label: every node is visited once.
+// If forward checking alone decides, no second label is tried: every node is visited once.
 TEST(ForwardChecking, GoesStraightToALabelingWhereAllAgree) {
   RandomStream random(1, "straight");
   const NetworkWorkload workload =
@@ -51,7 +51,7 @@ TEST(ForwardChecking, GoesStraightToALabelingWhereAllAgree) {
   EXPECT_EQ(counters.revisions, 2 * 49) << "each arc from both ends";
 }
 
-// Three nodes of two labels, all different: no label of the first has one.
+// Three different nodes share two labels, so that no label of the first node has a labeling.
 class ThreeDifferentOfTwo : public testing::Test {
  protected:
   ThreeDifferentOfTwo() {

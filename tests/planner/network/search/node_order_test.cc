@@ -9,7 +9,8 @@
 namespace assay::network::node_order_test {
 namespace {
 
-// By the definition of dom/wdeg, summed anew: labels per weight of the arcs to open nodes.
+// Computes the ratio of dom/wdeg from its definition: the weight of the arcs to open nodes over the
+// number of labels.
 double Ratio(int node, const LabelStore& labels, const ArcConsistency& arcs) {
   double weight = 0;
   for (const ArcConsistency::Direction& direction : arcs.at(node)) {
@@ -31,7 +32,7 @@ void ExpectTheHeaviest(OpenNodes& open, const LabelStore& labels, const ArcConsi
   ASSERT_DOUBLE_EQ(Ratio(heaviest, labels, arcs), best);
 }
 
-// Through random assignments, wipe-outs and undoing.
+// The weights stay right through random assignments, wipe-outs and undoing.
 TEST(OpenNodes, KeepsTheWeightsThatAreSummedAnew) {
   for (int seed = 0; seed < 50; ++seed) {
     SCOPED_TRACE(seed);

@@ -9,7 +9,7 @@
 namespace assay::network::nodes_by_count_test {
 namespace {
 
-// Beside a plain list of the nodes, in the order in which they were added.
+// The answers must agree with a plain list of the nodes in the order in which they were added.
 TEST(NodesByCount, FindsTheLastAddedOfTheFewestLabels) {
   struct Node {
     int node, count;

@@ -55,7 +55,7 @@ TEST(PendantTrees, TakesParallelArcsForACycle) {
   EXPECT_THAT(PendantTreesOfWorkload(Joined(3, {{0, 1}, {1, 0}, {1, 2}})).core, ElementsAre(0, 1));
 }
 
-// Trees, and trees that hang from a cycle: the search's answers are the oracle's.
+// For trees, and for trees that hang from a cycle, the search gives the answers of the oracle.
 TEST(PendantTrees, IsLabeledWithoutSearchWhereverTheRestIs) {
   int found = 0, hanging = 0;
   for (int seed = 0; seed < 500; ++seed) {

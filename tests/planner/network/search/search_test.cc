@@ -98,7 +98,7 @@ TEST(Search, LabelingsOfAGivenOrderComeInLexicographicOrder) {
   }
 }
 
-// One node of the search tree at a time gives the same labelings as one go.
+// A search that stops after each node gives the same labelings as an uninterrupted one.
 TEST(Search, GoesOnAfterABudgetIsSpent) {
   for (int seed = 0; seed < 300; ++seed) {
     SCOPED_TRACE(seed);
@@ -173,7 +173,7 @@ TEST(Search, CountsDoNotDependOnNamesOfNodesAndLabels) {
       labels = LabelSet::None(workload.nodes[node].size());
       for (Label label : workload.nodes[node]) labels.insert(mirrored(labels, label));
     }
-    for (const Arc& arc : workload.arcs) {  // the ends swapped, too
+    for (const Arc& arc : workload.arcs) {  // the ends of the arcs are swapped, too
       const LabelSet &a = workload.nodes[arc.a.index()], &b = workload.nodes[arc.b.index()];
       const auto relation = Relation::Where(b.size(), a.size(), [&](Label row, Label column) {
         return arc.relation->Allows(mirrored(a, column), mirrored(b, row));
@@ -185,7 +185,7 @@ TEST(Search, CountsDoNotDependOnNamesOfNodesAndLabels) {
   }
 }
 
-// Colourings of a cycle of n nodes with c colours: (c - 1)^n + (-1)^n (c - 1).
+// A cycle of n nodes has (c - 1)^n + (-1)^n (c - 1) colourings with c colours.
 TEST(Count, KnowsTheColouringsOfCycles) {
   const auto different = Relation::Where(4, 4, [](Label a, Label b) { return a != b; });
   for (int n : {3, 4, 7, 20}) {
@@ -200,7 +200,8 @@ TEST(Count, KnowsTheColouringsOfCycles) {
   }
 }
 
-// One label or the other all along: two labelings, and no deep recursion.
+// All nodes have the same label, so that there are two labelings. The count must not recurse
+// deeply.
 TEST(Count, ReachesTheEndOfLongPaths) {
   const auto same = Relation::Where(2, 2, [](Label a, Label b) { return a == b; });
   Network network;
@@ -236,10 +237,10 @@ TEST(Count, KnowsTheQueens) {
   }
 }
 
-// The network of Spar's example (Hutchinson and Kak 1990, figure 9): the block is taken with
-// grasp_2 at init_pos_1 and put down at pos_1; the peg is taken with grasp_1 at init_pos_2 and
-// assembled to the block at pos_1. Label sets and pairs stand for the paper's figure 10; pos_1 is
-// constrained to be the block's stable pose BP5.
+// The network of Spar's example (Hutchinson and Kak 1990, figure 9). The block is taken with
+// grasp_2 at init_pos_1 and put down at pos_1. The peg is taken with grasp_1 at init_pos_2 and
+// assembled to the block at pos_1. Label sets and pairs take the place of figure 10 of the paper.
+// pos_1 is constrained to be the stable pose BP5 of the block.
 class SparExample : public testing::Test {
  protected:
   SparExample() {
@@ -262,7 +263,7 @@ class SparExample : public testing::Test {
 TEST_F(SparExample, IsATreeThatPropagationDecides) {
   const Label bp5 = 4;
   EXPECT_EQ(network.Restrict(pos_1, LabelSet::Of(6, {bp5})), Outcome::kFound);
-  // A grasp that reaches the block at first but not at its destination is excluded.
+  // A grasp is excluded if it reaches the block at the start but not at its destination.
   EXPECT_EQ(network.Post(grasp_2, init_pos_1, Pairs(4, 6, {{0, 0}, {1, 0}, {3, 0}, {2, 4}})),
             Outcome::kFound);
   EXPECT_EQ(network.Post(grasp_2, pos_1, Pairs(4, 6, {{0, 1}, {1, bp5}, {2, bp5}, {3, bp5}})),
@@ -273,7 +274,7 @@ TEST_F(SparExample, IsATreeThatPropagationDecides) {
             Outcome::kFound);
   EXPECT_EQ(network.labels(grasp_2), LabelSet::Of(4, {1, 3}));
   EXPECT_EQ(network.labels(grasp_1), LabelSet::Of(3, {2}));
-  Budget nothing(0);  // a tree of arc consistent nodes is counted without branching
+  Budget nothing(0);  // a tree of arc-consistent nodes is counted without branching
   EXPECT_EQ(Count(network, nothing).count, 2u);
 }
 
@@ -284,8 +285,8 @@ TEST_F(SparExample, RefusesAPoseThatNoGraspReaches) {
   EXPECT_EQ(network.labels(pos_1), LabelSet::Of(6, {1, 2}));
 }
 
-// Model RB with a labeling forced into it has one; as drawn, at its threshold, some have and some
-// have not.
+// A network of model RB has a labeling if one is forced into it. Otherwise, at the threshold, some
+// networks have a labeling and some have none.
 TEST(RandomRbNetwork, HasALabelingWhereOneIsForced) {
   int drawn = 0;
   for (int seed = 0; seed < 20; ++seed) {
@@ -304,8 +305,8 @@ TEST(RandomRbNetwork, HasALabelingWhereOneIsForced) {
   EXPECT_LT(drawn, 20);
 }
 
-// What the benchmarks measure: refutations and counts of the smaller ones by an independent
-// counter.
+// The networks are those of the benchmarks. An independent counter confirms refutations and the
+// counts of the smaller networks.
 TEST(NetworkFamily, IsDecidedAndCountedAsByBacktracking) {
   int none = 0;
   for (const auto family :

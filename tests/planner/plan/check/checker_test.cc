@@ -34,7 +34,7 @@ auto FlawAt(int step, const std::string& words) {
                                  Field(&Flaw::what, HasSubstr(words))));
 }
 
-// Figure 14, and its plan in the order of execution: steps 0 .. 3.
+// Figure 14 with its plan. The steps 0 to 3 are in the order of execution.
 class FourStepPlan : public testing::Test {
  protected:
   std::vector<Flaw> Flaws() const { return Check(problem_, plan_, kAllOrders).flaws; }
@@ -94,7 +94,7 @@ TEST(Check, AcceptsAnEmptyPlanForGoalsThatHoldAlready) {
               IsEmpty());
 }
 
-// Orders.
+// Tests of orders.
 
 TEST(Check, FindsSwappedExecution) {
   const domain::Problem problem = PegAndBlock({});
@@ -143,7 +143,7 @@ TEST_F(FourStepPlan, FindsStepsAndPartsThatDoNotExist) {
   EXPECT_THAT(flaws, FlawAt(0, "a part or mating that the problem has not"));
 }
 
-// Preconditions and goals.
+// Tests of preconditions and goals.
 
 TEST_F(FourStepPlan, FindsAGoalThatIsNotReached) {
   plan_.steps.pop_back();
@@ -186,9 +186,9 @@ TEST_F(FourStepPlan, FindsThatAMatedPartIsTaken) {
   EXPECT_THAT(flaws, FlawAt(-1, "one of them is in the hand"));
 }
 
-// Sensing and squeezing.
+// Tests of sensing and squeezing.
 
-// Figure 14's plan, and before the block is taken the camera looks at it and the hand squeezes it.
+// The plan of figure 14 with a look at the block and a squeeze of it before it is taken.
 class CarefulPlan : public testing::Test {
  protected:
   CarefulPlan() {
@@ -294,7 +294,7 @@ TEST_F(CarefulPlan, FindsLabelsOfAnotherGraspOrPose) {
   EXPECT_THAT(Flaws(), FlawAt(4, "the place of block is labelled"));
 }
 
-// Grasps.
+// Tests of grasps.
 
 TEST_F(FourStepPlan, FindsAGraspBesideThePart) {
   for (const Vector3& shift : {Vector3(0.02, 0, 0), Vector3(-0.02, 0, 0), Vector3(0, 0, 0.02)}) {
@@ -352,7 +352,7 @@ TEST_F(FourStepPlan, FindsATooGreatLean) {
   EXPECT_THAT(Flaws(), FlawAt(3, "the tool leans 75 degrees from straight down; at most 60"));
 }
 
-// Places.
+// Tests of places.
 
 TEST_F(FourStepPlan, FindsAPartPutDownInTheAir) {
   PutBlockAt(Translation(0, 0, 0.02) * X_WorldBlock());
@@ -410,7 +410,7 @@ TEST(Check, FindsAPartInTheHandsWay) {
   EXPECT_THAT(flaws, testing::Not(FlawAt(0, "brick")));
 }
 
-// Matings.
+// Tests of matings.
 
 TEST(Check, FindsABlockThatLiesFaceDownWhenMating) {
   Start start;
@@ -447,7 +447,8 @@ TEST_F(FourStepPlan, FindsAMatingThatJams) {
   EXPECT_THAT(Flaws(), FlawAt(3, "peg overlaps block by 1.5 mm"));
 }
 
-// Whatever a plan says, the checker answers; and a hold or place moved at random is never right.
+// The checker answers whatever a plan contains. It never accepts a hold or place that was moved at
+// random.
 TEST_F(FourStepPlan, SurvivesRandomPosesAndRefusesThem) {
   RandomStream random(kSeed, "poses");
   const Plan good = plan_;

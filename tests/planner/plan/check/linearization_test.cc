@@ -23,7 +23,7 @@ std::vector<Order> Visited(int steps, const Ordering& ordering) {
   return orders;
 }
 
-// Every permutation, tried against every pair.
+// Returns the orders among all permutations that respect every pair of the ordering.
 std::vector<Order> VisitedByBruteForce(int steps, const Ordering& ordering) {
   Order order;
   for (int i = 0; i < steps; ++i) order.emplace_back(i);

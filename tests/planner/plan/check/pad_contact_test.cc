@@ -20,7 +20,8 @@ const domain::Feature& FeatureOf(const domain::PartModel& model, int number) {
   return *model.FindFeature(domain::FeatureNumber(number));
 }
 
-// From front to back of the block, at a height z of the upright block, both in inches.
+// Returns the contacts of pads that close from front to back at height z of the upright block, in
+// inches.
 std::array<PadContact, 2> FrontToBack(double z) {
   const Hold hold = HoldWith(
       "",

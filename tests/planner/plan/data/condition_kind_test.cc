@@ -20,7 +20,7 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using Json = nlohmann::json;
 
-// A step of each kind, by the name of its action.
+// Returns a step of each kind by the name of its action.
 const std::map<std::string, PlannedStep>& Steps() {
   static const std::map<std::string, PlannedStep> steps = [] {
     std::map<std::string, PlannedStep> all;
@@ -46,7 +46,7 @@ std::vector<std::string> NamesNeeded(const PlannedStep& step) {
   return names;
 }
 
-// One precondition of each kind that the step needs.
+// Adds one precondition of each kind that the step needs.
 PlannedStep Covered(PlannedStep step) {
   for (const std::string& name : NamesNeeded(step)) {
     CertifiedPrecondition claim;
@@ -99,7 +99,8 @@ TEST(Coverage, EachKindThatIsLeftOutIsMissed) {
   }
 }
 
-// The paper asks for some, and neighbours may be far; nothing else excuses.
+// A kind of precondition may be missing only for a reason of its own: the paper does not have it,
+// or neighbours are far away.
 TEST(Coverage, OnlyTheKindsOwnReasonsExcuse) {
   for (const auto& [name, step] : Steps()) {
     for (const ConditionKind* kind : KindsNeeded(step)) {
@@ -133,7 +134,7 @@ TEST(Coverage, WhatIsClaimedAndExcusedOrOfAnotherActionIsTold) {
   EXPECT_THAT(FlawsOfCoverage(pickup), ElementsAre("'luck' is no condition of such a step"));
 }
 
-// A mating without a single precondition was once taken for proved.
+// The checker refuses a mating whose certificate has no preconditions.
 TEST(Coverage, TheCheckerRefusesAnEmptyCertificate) {
   const domain::Problem problem = PegAndBlock(BlockOnEnd());
   Plan plan = FourSteps(problem);
@@ -147,7 +148,7 @@ TEST(Coverage, TheCheckerRefusesAnEmptyCertificate) {
   }
 }
 
-// What the schema says is what the table says.
+// The schema requires the same kinds as the table of kinds.
 TEST(PlanSchema, RequiresWhatTheTableRequires) {
   std::ifstream file(ASSAY_SOURCE_DIR "/planner/plan/file/plan.schema.json");
   const Json definitions = Json::parse(file)["definitions"];

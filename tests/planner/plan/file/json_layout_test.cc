@@ -15,7 +15,8 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::uint64_t kSeed = 29;
 
-// Nothing that a terminal obeys: C0 but for line breaks, DEL, C1, U+202E.
+// Returns whether the text contains no control characters of a terminal: C0 except line breaks,
+// DEL, C1, and U+202E.
 bool IsHarmless(const std::string& text) {
   for (std::size_t at = 0; at < text.size(); ++at) {
     const auto byte = static_cast<unsigned char>(text[at]);
@@ -27,7 +28,7 @@ bool IsHarmless(const std::string& text) {
   return true;
 }
 
-// Texts of any bytes: the JSON can be read, and has nothing that a terminal obeys.
+// For texts of any bytes, the JSON can be read and contains no control characters of a terminal.
 TEST(Json, IsTextWhateverTheBytes) {
   RandomStream random(kSeed, "bytes");
   const std::string likely = "\x1b\x7f\n\xc2\x9b\xe2\x80\xae\xff\xc0\x80\"\\";
@@ -40,7 +41,7 @@ TEST(Json, IsTextWhateverTheBytes) {
     }
     const Json json = {{"key " + bytes, bytes}, {"list", {bytes, 1}}};
     for (const std::string& text : {LaidOut(json), JsonText(json), JsonLine(json)}) {
-      const Json read = Json::parse(text);  // which checks that it is UTF-8
+      const Json read = Json::parse(text);  // the parser checks that the text is UTF-8
       EXPECT_EQ(read["list"][1], 1);
       EXPECT_TRUE(IsHarmless(text))
           << Json(bytes).dump(-1, ' ', true, Json::error_handler_t::replace);
@@ -73,8 +74,8 @@ TEST(LaidOut, LongListsOfNumbersFillTheirLines) {
             "    0.125\n  ]\n}\n");
 }
 
-// The shortest decimal number that reads back as the same double has at most 17 digits; one digit
-// less does not read back.
+// The shortest decimal number that reads back to the same double has at most 17 digits. With one
+// digit less it would not read back.
 TEST(LaidOut, NumbersAreExactAndAsShortAsTheyCanBe) {
   RandomStream random(kSeed, "numbers");
   for (int i = 0; i < 20'000; ++i) {
@@ -91,7 +92,7 @@ TEST(LaidOut, NumbersAreExactAndAsShortAsTheyCanBe) {
     const auto mantissa = text.substr(0, text.find('e'));
     const auto written = std::count_if(mantissa.begin(), mantissa.end(),
                                        [](char c) { return c >= '0' && c <= '9'; });
-    EXPECT_LE(written, static_cast<std::ptrdiff_t>(digits) + 5) << text;  // and leading zeros
+    EXPECT_LE(written, static_cast<std::ptrdiff_t>(digits) + 5) << text;  // room for leading zeros
   }
 }
 
@@ -130,7 +131,7 @@ TEST(LaidOut, ReadsBackAsTheSame) {
   }
 }
 
-// What is spread over several lines, put together again: it would not have fitted on its first one.
+// A value is spread over several lines only if it would not fit on its first line.
 TEST(LaidOut, OnlyWhatDoesNotFitIsSpread) {
   RandomStream random(kSeed, "spread");
   int spread = 0;

@@ -81,7 +81,8 @@ Certificate SomeCertificate(double number) {
                       {"verification", {}, ""}}};
 }
 
-// The second phase's work, made up: the block is looked at and squeezed before it is taken.
+// Returns a made-up plan of the second phase: the block is looked at and squeezed before it is
+// taken.
 PlanResult Augmented() {
   PlanResult result = Planned();
   Plan& plan = result.plan;
@@ -412,7 +413,7 @@ TEST(PlanFile, WhatDoesNotFitTheProblemIsRefusedAtItsPlace) {
   EXPECT_THAT(ErrorOf(Json::parse("[1]")), HasSubstr("plan.json:"));
 }
 
-// A character, or a stretch of text, is replaced, doubled or left out.
+// Replaces, doubles or removes a character or a piece of the text.
 std::string Mutated(std::string text, RandomStream& random) {
   static const std::string kCharacters = "0123456789-.eE\"[]{},: \n\tabcn\\#&*!|>%@`\x01\xff";
   for (int i = 1 + random.Index(3); i > 0; --i) {

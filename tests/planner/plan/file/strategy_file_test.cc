@@ -190,7 +190,7 @@ TEST(StrategyFile, WhatDoesNotFitIsRefusedAtItsPlace) {
   EXPECT_THAT(ErrorAfter([](Json& j) { j["remark"] = ""; }), HasSubstr("remark"));
 }
 
-// --- Of strategies that were made by a program.
+// --- Strategies that were made by a program.
 
 std::vector<std::string> FlawsAfter(const std::function<void(Strategy&)>& change) {
   Strategy strategy = SomeStrategy();

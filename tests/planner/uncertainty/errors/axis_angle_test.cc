@@ -19,7 +19,8 @@ TEST(VerticalInTool, IsTheWorldsZInTheToolsAxes) {
   EXPECT_EQ(VerticalInTool(down), Vector3(0, 0, -1));
 }
 
-// Of the rotation itself as quaternions have it: twist 2 atan2(q . axis, q_w); swing the rest.
+// The bounds must hold for the decomposition of quaternions: the twist is 2 atan2(q . axis, q_w),
+// and the swing is the rest of the rotation.
 TEST(TwistAndSwing, BoundTheDecompositionOfRotations) {
   RandomStream random(2, "rotations");
   for (int i = 0; i < 2000; ++i) {
@@ -33,7 +34,7 @@ TEST(TwistAndSwing, BoundTheDecompositionOfRotations) {
     const double swing = Eigen::AngleAxisd(q * Eigen::Quaterniond(back)).angle();
     EXPECT_LE(twist, TwistOf(most, axis.dot(other)) + 1e-9);
     EXPECT_LE(std::min(swing, 2 * std::numbers::pi - swing), SwingOf(most, axis.dot(other)) + 1e-7);
-    if (i % 2 == 0) {  // and are reached
+    if (i % 2 == 0) {  // the bound of the twist is reached
       EXPECT_NEAR(twist, TwistOf(most, axis.dot(other)), 1e-9);
     }
   }

@@ -16,7 +16,7 @@ struct Released {
   RestingError error;
 };
 
-// A part that was held exactly as planned, let go with a hand that errs.
+// Releases a part that was held exactly as planned, with a hand that errs.
 Released LetGo(UncertainWorld& world, const plan::Hold& hold) {
   world.SetHeld(kBlock, {.x = 0, .z = 0});
   const ManipulatorError draw = world.DrawManipulator();
@@ -24,7 +24,8 @@ Released LetGo(UncertainWorld& world, const plan::Hold& hold) {
   return {draw, Release(world, kBlock, hold, grasp, draw, world.X_WorldPart(kBlock))};
 }
 
-// The yaw is the hand's: -tg for a tool that points down.
+// For a tool that points down, the part's yaw is the hand's error about its axis with the opposite
+// sign (-tg).
 TEST(Release, FromAboveTheYawIsTheHandsReversed) {
   const domain::Problem problem = UprightBlock({});
   for (const auto mode : {Propagation::kPaper, Propagation::kSound}) {
@@ -34,7 +35,7 @@ TEST(Release, FromAboveTheYawIsTheHandsReversed) {
   }
 }
 
-// Displacement R_T R_G [t' - (R' - I) R_G^t t_G].
+// The displacement is R_T R_G [t' - (R' - I) R_G^t t_G].
 TEST(Release, DisplacesByTheHandAndByTheLeverArmOfItsTurn) {
   const Errors errors;
   const domain::Problem problem = UprightBlock(errors);
@@ -49,8 +50,8 @@ TEST(Release, DisplacesByTheHandAndByTheLeverArmOfItsTurn) {
               errors.hand + std::abs(lever.x()) * turn, 1e-6);
 }
 
-// A tool that leans by a turns the part about its own approach. If the pads give way only across
-// it, tan(yaw / 2) = tan(turn / 2) / cos(a) is left when the part is upright.
+// A tool that leans by the angle a turns the part about its own approach axis. If the pads give way
+// only across that axis, the upright part keeps a yaw with tan(yaw / 2) = tan(turn / 2) / cos(a).
 TEST(Release, LeaningTheTableMayAddToTheHandsTurn) {
   const Errors errors{.hand = 1e-3};
   const domain::Problem problem = UprightBlock(errors);
@@ -64,8 +65,9 @@ TEST(Release, LeaningTheTableMayAddToTheHandsTurn) {
   EXPECT_LE(Magnitude(world.TightRangeOf(error.theta)), 1.01 * twist);
 }
 
-// What is left of a turn about the vertical where the pads' resistance to each axis is `weights`
-// times the angle (friction), or times half its square (springs): the least work levels the part.
+// Returns the yaw that is left after the table levels the part with the least work. The resistance
+// of the pads to each axis is `weights` times the angle for friction. For springs
+// (LeftAfterSprings) it is half of `weights` times its square.
 double LeftAfterFriction(const Vector3& turned, const Vector3& up, const Vector3& weights) {
   const auto work = [&](double twist) { return weights.dot((turned - twist * up).cwiseAbs()); };
   const Vector3 ends = turned.cwiseQuotient(up);

@@ -7,7 +7,8 @@
 namespace assay::uncertainty::sensing_test {
 namespace {
 
-// The workcell's coarse camera promises 0.3 mm and 0.2 degrees, and does not measure the height.
+// The coarse camera of the workcell promises 0.3 mm and 0.2 degrees. It does not measure the
+// height.
 constexpr double kCamera = 0.0003;
 constexpr double kCameraAngle = 0.2 * kDegree;
 
@@ -33,10 +34,8 @@ TEST(Sensing, TellsNothingAboutWhatIsKnownBetter) {
   EXPECT_NEAR(set.y.high, kCamera, 1e-12);
 }
 
-// The sensor errs along the world's axes; as seen from the plan these are turned by the change of
-// what is believed.
-// The certificate tells them in the world's axes, as the sensor promises them. Seen from the plan
-// they have turned with the belief.
+// The sensor promises errors along the world's axes, and the certificate states them along these
+// axes. In the frame of the plan these axes are turned by the change of the believed yaw.
 TEST(Sensing, InSoundModeTheSensorsAxesTurnWithTheBelief) {
   const Errors errors;
   const domain::Problem problem = UprightBlock(errors);

@@ -11,13 +11,14 @@ HeldError CloseOn(UncertainWorld& world, const plan::Hold& hold) {
   return ClosePads(world, kBlock, hold, world.DrawManipulator());
 }
 
-// D = (R_O R_G)^-1 d: of the part's origin, whatever the part's rotation.
+// The error in the hand is D = (R_O R_G)^-1 d. It concerns the part's origin and does not depend on
+// the part's rotation.
 TEST(ClosePads, InPaperModeIsTheOriginsDisplacementInTheToolsAxes) {
   const domain::Problem problem = UprightBlock({});
   UncertainWorld world(problem, Propagation::kPaper);
   const HeldError held = CloseOn(world, HoldFromAbove(problem, Vector3::UnitX()));
   const SymbolicVector& d = world.resting(kBlock).displacement;
-  EXPECT_EQ(held.x, d[1]);  // the tool's x is the world's y, its z points down
+  EXPECT_EQ(held.x, d[1]);  // the tool's x is the world's y, and the tool's z points down
   EXPECT_EQ(held.z, -d[2]);
   EXPECT_TRUE(held.twist.IsConstant(0));
 }
@@ -31,8 +32,9 @@ TEST(ClosePads, WithoutErrorsLeavesNone) {
   }
 }
 
-// A hand from above keeps what lies along the pads: the displacement, the lever arm of the
-// rotation, and the slip while the faces turn flush, half the width times its sine at least.
+// A hand from above keeps the errors along the pads. These are the displacement, the lever arm of
+// the rotation, and the slip while the faces turn flush. The slip is at least half the width times
+// the sine of the rotation.
 TEST(ClosePads, FromAboveCoversTheLeverArmAndTheSlip) {
   const Errors errors;
   const domain::Problem problem = UprightBlock(errors);
@@ -49,7 +51,7 @@ TEST(ClosePads, FromAboveCoversTheLeverArmAndTheSlip) {
   }
 }
 
-// With the friction of rubber both contacts may hold the part as turned as they met it.
+// With the friction of rubber both contacts may hold the part at the angle at which they met it.
 TEST(ClosePads, PadsThatMayJamLeaveTheRotation) {
   const Errors errors;
   domain::Problem problem = UprightBlock(errors);

@@ -30,7 +30,8 @@ TEST(UncertainPose, RightAnglesAreExact) {
   EXPECT_TRUE(t.rotation[0][1].IsConstant(-1));
 }
 
-// T_dM = Trans RotZ; T_(O+d) = Tr_dO Tr_O R_dO R_O; T_M T'_d T_G^-1.
+// The published transforms are T_dM = Trans RotZ, T_(O+d) = Tr_dO Tr_O R_dO R_O, and T_M T'_d
+// T_G^-1.
 TEST(UncertainPose, ComposesAsPublished) {
   RandomStream random(4, "poses");
   for (int i = 0; i < 50; ++i) {

@@ -9,8 +9,8 @@
 namespace assay::uncertainty::world_tree_test {
 namespace {
 
-constexpr double kSame =
-    1e-12;  // metres and radians: rounding may differ with the variables' order
+// Metres and radians; rounding may differ with the order of the variables.
+constexpr double kSame = 1e-12;
 
 std::vector<std::vector<plan::Action>> ListsOf(const domain::Problem& problem) {
   const std::vector<plan::Action> first = FirstPlan(problem);
@@ -49,7 +49,7 @@ INSTANTIATE_TEST_SUITE_P(Scenarios, WorldTreeLaws,
                            return name;
                          });
 
-// Lists that begin alike, and those that do not, one after another.
+// The lists of actions follow one after another; some begin with the same actions and some do not.
 TEST_P(WorldTreeLaws, TellWhatStartingAnewTells) {
   WorldTree tree(problem_, Propagation::kSound, {});
   for (const std::vector<plan::Action>& actions : ListsOf(problem_)) {
@@ -86,7 +86,7 @@ TEST_P(WorldTreeLaws, KeepTheErrorsOfEveryPart) {
   }
 }
 
-// The same actions lead to the same moment, and nothing is worked out twice.
+// The same actions lead to the same snapshot, and nothing is computed twice.
 TEST_P(WorldTreeLaws, MeetTheSameMomentAgain) {
   WorldTree tree(problem_, Propagation::kSound, {});
   const std::vector<plan::Action> actions = FirstPlan(problem_);

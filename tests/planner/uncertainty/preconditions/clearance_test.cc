@@ -25,12 +25,12 @@ Pose AnyPose(RandomStream& random, double most) {
   return pose;
 }
 
-// A box whose frame is displaced and turned about the world's z by errors within bounds, and goes
-// along a straight way.
+// A box that moves along a straight way. Errors within bounds displace its frame and turn it about
+// the world's z axis.
 struct Thing {
   Box box;
   Pose planned;
-  double length = 0;  // metres by which each axis may err
+  double length = 0;  // greatest error along each axis, metres
   double angle = 0;
   Vector3 way = Vector3::Zero();
 
@@ -68,7 +68,7 @@ Thing AnyThing(RandomStream& random, bool goes) {
 struct Asked {
   bool proved = true;
   int conditions = 0;
-  double margin = 0;  // the least
+  double margin = 0;  // the least margin of all preconditions
 };
 
 Asked Ask(const Thing& a, const Thing& b, const Vector3& slack) {
@@ -93,7 +93,8 @@ Asked Ask(const Thing& a, const Thing& b, const Vector3& slack) {
   return asked;
 }
 
-// Whatever is proved, or not even asked, never meets; and much of what never meets is proved.
+// Boxes never meet if their clearance is proved or needs no precondition. Many of the boxes that
+// never meet are proved.
 TEST(Clearance, WhatIsProvedNeverMeets) {
   RandomStream random(27, "clearance");
   int apart = 0;
@@ -120,7 +121,7 @@ TEST(Clearance, WhatIsProvedNeverMeets) {
   EXPECT_GT(asked_of_proved, 5);
 }
 
-// Two cubes side by side; one of them may come nearer by the error and by the slack.
+// Two cubes stand side by side. One of them may come nearer by the error and by the slack.
 TEST(Clearance, MarginIsTheGapLessErrorsAndSlack) {
   const Box cube = {Pose::Identity(), Vector3::Constant(0.01)};
   const Thing here = {.box = cube, .planned = Pose::Identity(), .way = {0, 0, 0.3}};
@@ -139,7 +140,8 @@ TEST(Clearance, MarginIsTheGapLessErrorsAndSlack) {
   }
 }
 
-// A plane along an edge of each, which no side of a box is in: two bars that cross.
+// Two crossing bars are separated only by a plane along an edge of each, which contains no side of
+// a box.
 TEST(Clearance, EdgesKeepCrossingBarsApart) {
   Pose first = Pose::Identity();
   first.linear() = (Eigen::AngleAxisd(0.5, Vector3::UnitY()) *

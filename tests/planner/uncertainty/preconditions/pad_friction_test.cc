@@ -12,7 +12,8 @@ namespace {
 
 constexpr std::uint64_t kSeed = 27;
 
-// Cells of one newton of friction in all, over a rectangle of these half widths around the middle.
+// Returns cells with a total friction of one newton. They cover a rectangle with the half widths
+// `half` about `middle`.
 std::vector<PadCell> Rectangle(const Vector2& half, const Vector2& middle, int per_side = 8) {
   std::vector<PadCell> cells;
   for (int i = 0; i < per_side; ++i) {
@@ -24,9 +25,9 @@ std::vector<PadCell> Rectangle(const Vector2& half, const Vector2& middle, int p
   return cells;
 }
 
-// The maximum principle (Goyal, Ruina and Papadopoulos 1991): a load is borne if and only if its
-// power in no motion exceeds what friction dissipates there. Over many motions: no more than the
-// true ratio.
+// Returns a lower bound of the true ratio by the maximum principle (Goyal, Ruina and Papadopoulos
+// 1991). A load is borne if and only if there is no motion in which its power exceeds the
+// dissipation of friction. Only a finite number of motions is tried.
 double RatioByPower(const std::vector<PadCell>& cells, const Vector2& center, const PlaneLoad& load,
                     double size) {
   constexpr int kSteps = 90;
@@ -63,8 +64,9 @@ TEST(PadFriction, BearsItsFrictionAsAForceInEveryDirection) {
   }
 }
 
-// Of a disc, 2/3 of its radius times the friction; of a square of half width a, the mean distance
-// (sqrt(2) + asinh(1)) / 3 * a. Cells bear a little less.
+// The torsion is the mean distance from the middle times the friction. For a disc the mean distance
+// is 2/3 of its radius. For a square of half width a it is (sqrt(2) + asinh(1)) / 3 * a. Cells bear
+// a little less.
 TEST(PadFriction, BearsTheMeanDistanceAsTorsion) {
   const double a = 0.008;
   const PadFriction pads(Rectangle({a, a}, {0, 0}));
@@ -75,14 +77,15 @@ TEST(PadFriction, BearsTheMeanDistanceAsTorsion) {
   EXPECT_EQ(ratio, pads.RatioOf({.torsion = -exact}));
 }
 
-// What a motion off the line adds to a long patch, or to two that differ, is told generously.
+// The ratio may be up to a quarter too large, because it overestimates motions off the line for
+// long patches or for two different ones.
 TEST(PadFriction, NeverBearsMoreThanFrictionDissipates) {
   RandomStream random(kSeed, "pad friction");
   for (int i = 0; i < 60; ++i) {
     const Vector2 half(random.Uniform(0.002, 0.01), random.Uniform(0.002, 0.01));
     const double size = half.norm() / 2;
     std::vector<PadCell> cells = Rectangle(half, {0, 0}, 6);
-    // A second pad that touches less: the patches need not be alike.
+    // The second pad may touch with a smaller patch than the first.
     const std::vector<PadCell> other = Rectangle(half / 2, half / random.Uniform(2, 8), 6);
     if (i % 2 == 1) cells.insert(cells.end(), other.begin(), other.end());
     const PadFriction pads(cells);

@@ -46,7 +46,7 @@ INSTANTIATE_TEST_SUITE_P(, Bounded,
                            return name;
                          });
 
-// Whatever the errors of the parts, and whatever remedies are found.
+// The bound holds for all errors of the parts and for all remedies.
 TEST_P(Bounded, NoAugmentedInstanceIsBetter) {
   for (const double scale : {0.02, 0.3, 1.0, 3.0}) {
     SCOPED_TRACE(scale);
@@ -66,8 +66,8 @@ TEST_P(Bounded, NoAugmentedInstanceIsBetter) {
   }
 }
 
-// Looked at by a camera that does not measure heights: these are then what the paper's errors leave
-// unproved.
+// Returns figure 15 with a camera that does not measure heights. With the errors of the paper, only
+// the heights then remain unproved.
 domain::Problem Figure15WithoutHeights() {
   domain::Problem problem = LoadScenario("spar-fig15");
   problem.sensors = {"coarse-camera"};

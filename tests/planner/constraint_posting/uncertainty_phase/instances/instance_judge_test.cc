@@ -9,7 +9,8 @@
 namespace assay::constraint_posting::instance_judge_test {
 namespace {
 
-// Of one instance, one beginning after the other until it is objected to.
+// Returns the judgements on the beginnings of one instance, from the shortest one to the first with
+// an objection.
 std::vector<Judgement> JudgedInTurn(InstanceJudge& judge,
                                     const std::vector<plan::Action>& actions) {
   std::vector<Judgement> judgements;
@@ -42,8 +43,8 @@ INSTANTIATE_TEST_SUITE_P(Scenarios, JudgeLaws,
                            return name;
                          });
 
-// Whatever was judged before: a judge who knows nothing yet says the same. What is known costs one
-// moment.
+// A judgement does not depend on earlier judgements: a new judge gives the same. A beginning that
+// is known costs one snapshot.
 TEST_P(JudgeLaws, SaysTheSameAgainAndAnew) {
   const domain::Problem problem = LoadScenario(GetParam());
   const UncertaintyOptions options = WithDefaults({});
@@ -67,7 +68,7 @@ TEST_P(JudgeLaws, SaysTheSameAgainAndAnew) {
   }
 }
 
-// Steps that are not proved are what it objects to: none is, if so many may fail.
+// The judge objects to steps that are not proved. It objects to none if all steps may fail.
 TEST_P(JudgeLaws, ObjectsToNoMoreThanIsNotAllowed) {
   const domain::Problem problem = LoadScenario(GetParam());
   const UncertaintyOptions options = WithDefaults({});
