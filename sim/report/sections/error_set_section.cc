@@ -88,7 +88,7 @@ Element DrawingKey() {
   item.Add(ErrorChart(example));
   item.Add(
       "span",
-      "Wide bar: what was predicted, with its two ends; pale beside it: the honesty gate. Line: "
+      "Wide bar: what was predicted, with its two ends; pale beside it: the noise floor. Line: "
       "what was observed, from least to greatest, a box for the middle half, a gap at the median. "
       "Each row has its own axis; a dashed bar is not proved, and nothing is claimed.");
   return key;

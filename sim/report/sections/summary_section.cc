@@ -148,7 +148,7 @@ Element MarkKey() {
   key.Set("class", "key").Set("aria-label", "What the marks mean");
   AddKey(key, Standing::kContained, "observed where it was predicted");
   AddKey(key, Standing::kWithinResolution,
-         "outside, by less than the engine can tell from nothing (the honesty gate); no sign of a "
+         "outside, by less than the engine can tell from nothing (the noise floor); no sign of a "
          "wrong prediction");
   AddKey(key, Standing::kInconclusive,
          "outside by more than that, and not confirmed with half the timestep");

@@ -8,7 +8,7 @@
 #include "sim/check/falsification/attack.h"
 #include "tests/sim/check/certified.h"
 
-namespace assay::check::honesty_gate_test {
+namespace assay::check::noise_floor_test {
 namespace {
 
 constexpr double kRounding = 1e-9;  // of every gate
@@ -130,4 +130,4 @@ TEST_F(WithoutNoise, ASetThatTheEngineDoesNotResolveIsToldBeforeAnythingIsTried)
 }
 
 }  // namespace
-}  // namespace assay::check::honesty_gate_test
+}  // namespace assay::check::noise_floor_test
