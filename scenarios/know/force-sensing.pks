@@ -1,7 +1,7 @@
 # Cans of unknown weight are lifted, weighed, and put on a second table; those that can spill are held
 # upright on the way. senseWeight, transferUpright and the goal are those of the paper's table I, the
 # other actions are derived. A can that is known to be empty or closed needs no sensing: !isSpillable
-# of it in the problem's init (which `assay enact` holds against the simulator, like all knowledge).
+# of it in the problem's init (which `assay run` holds against the simulator, like all knowledge).
 domain force-sensing
 
 types: object

@@ -44,7 +44,7 @@ void RequireKnownPoses(const Document& document, const domain::Problem& problem,
     if (overrides.poses.contains(name)) continue;
     document.root().At("parts").At(name).At("pose").Fail(
         fmt::format("the pose of '{}' is open, and this is about one world", name),
-        "a pose; or assay plan and assay enact, which make and walk a tree for all worlds");
+        "a pose; or assay plan and assay run, which make and execute a tree for all worlds");
   }
 }
 

@@ -6,8 +6,8 @@ namespace assay::cli {
 
 std::span<const Verb* const> Verbs() {
   static constexpr std::array kVerbs = {
-      &kCheck,  &kPlan,   &kRun,   &kMate,  &kKnow,      &kEnact,  &kSweep, &kReplay,    &kReport,
-      &kRender, &kExport, &kLabel, &kBound, &kCalibrate, &kDoctor, &kList,  &kCompletion};
+      &kCheck,  &kPlan,   &kRun,   &kMate,  &kContingent, &kSweep,  &kReplay, &kReport,
+      &kRender, &kExport, &kLabel, &kBound, &kCalibrate,  &kDoctor, &kList,   &kCompletion};
   return kVerbs;
 }
 

@@ -26,11 +26,10 @@ struct Verb {
 extern const Verb kBound;
 extern const Verb kCalibrate;
 extern const Verb kCheck;
+extern const Verb kContingent;
 extern const Verb kCompletion;
 extern const Verb kDoctor;
-extern const Verb kEnact;
 extern const Verb kExport;
-extern const Verb kKnow;
 extern const Verb kLabel;
 extern const Verb kList;
 extern const Verb kMate;

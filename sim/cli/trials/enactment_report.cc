@@ -62,8 +62,8 @@ std::map<std::string, int> Failures(const EnactmentStudy& study) {
 }
 
 std::string ReplayCommand(const EnactmentStudy& study, int number) {
-  std::string command =
-      fmt::format("assay enact {} --seed {}", sweep::Word(study.scenario), study.seed);
+  std::string command = fmt::format("assay run {}{} --seed {}", sweep::Word(study.scenario),
+                                    study.is_asked_for ? " --tree" : "", study.seed);
   command += sweep::ModelsOption(study.models);
   if (study.is_every_leaf) command += " --worlds all";
   if (study.sensing_errors > 0)

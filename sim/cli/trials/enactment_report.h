@@ -13,8 +13,9 @@ namespace assay::cli {
 
 // The trials of one plan tree.
 struct EnactmentStudy {
-  std::string scenario;      // path, as the user gave it
-  domain::ModelPath models;  // as the user gave them
+  std::string scenario;       // path, as the user gave it
+  domain::ModelPath models;   // as the user gave them
+  bool is_asked_for = false;  // the tree was asked for with --tree
   std::uint64_t seed = 0;
   double sensing_errors = 0;
   bool is_every_leaf = false;  // the trials go through the leaves in turn
@@ -33,6 +34,7 @@ struct EnactmentStudy {
 
 // Returns a row for each leaf of the tree, then the trials that failed, then totals.
 std::string TextOf(const EnactmentStudy& study);
-nlohmann::ordered_json ToJson(const EnactmentStudy& study);  // by enact.schema.json
+nlohmann::ordered_json ToJson(
+    const EnactmentStudy& study);  // by sim/cli/verbs/contingent_run.schema.json
 
 }  // namespace assay::cli

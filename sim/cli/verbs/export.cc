@@ -114,7 +114,7 @@ ExitCode ExportPddl(const Options& options) {
   return ExitCode::kDone;
 }
 
-// Writes or prints the task that `assay know` would plan with, as NAME-domain.pks and
+// Writes or prints the task that `assay contingent` would plan with, as NAME-domain.pks and
 // NAME-problem.pks.
 ExitCode ExportPks(const Options& options) {
   const std::vector<domain::Problem> worlds =
@@ -161,7 +161,7 @@ Execution Declare(CLI::App& command) {
                    "this contingent problem of a domain, and the domain, as contingent PDDL");
   what->add_flag("--pks", options->pks,
                  "what is known while the scenario's plans are executed: looks, verifications and "
-                 "recoveries as domain and problem for assay know");
+                 "recoveries as domain and problem for assay contingent");
   what->require_option(1, 2);
   command.add_option("-o,--output", options->output, "write to this file instead of printing");
   AddModelsOption(command, options->models);

@@ -14,6 +14,7 @@
 #include "planner/plan/file/plan_file.h"
 #include "sim/cli/options/models_folder.h"
 #include "sim/cli/options/resolver_option.h"
+#include "sim/cli/plans/contingent_report.h"
 #include "sim/cli/plans/explanation.h"
 #include "sim/cli/plans/plan_report.h"
 #include "sim/cli/plans/plan_text.h"
@@ -25,6 +26,8 @@
 #include "sim/cli/program/verb.h"
 #include "sim/cli/work/output_file.h"
 #include "sim/cli/work/planned_problem.h"
+#include "sim/enact/walk/knowledge_scenario.h"
+#include "sim/scenario/models_folder.h"
 
 namespace assay::cli {
 namespace plan_verb {
@@ -159,6 +162,22 @@ ExitCode ExecuteTree(const std::vector<domain::Problem>& worlds, const Options& 
   return ExitCodeOf(assembly.outcome);
 }
 
+// Plans a tree for a goal of knowledge.
+ExitCode ExecuteKnowledge(const Document& document, const Options& options) {
+  constexpr std::int64_t kBudget = 10'000'000;  // knowledge states that the planner may examine
+  RequireTreeOptions(options);
+  const Stopwatch stopwatch;
+  const domain::ModelPath models = scenario::FindModels(options.input, options.models);
+  enact::KnowledgeScenario scenario = enact::Read(document, models);
+  ContingentAnswer answer = [&] {
+    const Progress progress("planning " + options.input.string());
+    return PlanFor(std::move(scenario.interpretation.task), contingent::Wanted::kFirst, kBudget);
+  }();
+  answer.seconds = stopwatch.Seconds();
+  Print(options.json ? JsonText(answer) : Text(answer, false, kBudget));
+  return ExitCodeOf(answer.plan.outcome);
+}
+
 ExitCode ExecutePlan(const PlannedProblem& planned, double seconds, const Options& options) {
   const domain::Problem& problem = planned.problem;
   const plan::PlanResult& result = planned.result;
@@ -200,6 +219,7 @@ ExitCode Execute(const Options& options) {
     const PlannedProblem planned = ReadPlan(document, options.models);
     return ExecutePlan(planned, stopwatch.Seconds(), options);
   }
+  if (document.root().Find("knowledge")) return ExecuteKnowledge(document, options);
   std::vector<domain::Problem> worlds =
       ReadWorldsToPlan(document, options.models, {.resolvers = ResolversFrom(options.resolvers)});
   if (worlds.size() > 1 || options.tree) return ExecuteTree(worlds, options);

@@ -10,6 +10,7 @@
 #include <optional>
 #include <sstream>
 
+#include "planner/base/document/quotation.h"
 #include "planner/plan/file/json_layout.h"
 #include "planner/plan/file/plan_file.h"
 #include "sim/cli/options/models_folder.h"
@@ -26,11 +27,13 @@
 #include "sim/cli/program/usage_error.h"
 #include "sim/cli/program/verb.h"
 #include "sim/cli/trials/trial_report.h"
+#include "sim/cli/verbs/contingent_run.h"
 #include "sim/cli/verbs/noisy_run.h"
 #include "sim/cli/verbs/scattered_run.h"
 #include "sim/cli/work/output_file.h"
 #include "sim/cli/work/planned_problem.h"
 #include "sim/cli/work/trial.h"
+#include "sim/enact/walk/knowledge_scenario.h"
 #include "sim/sweep/run/shell.h"
 
 namespace assay::cli {
@@ -43,7 +46,7 @@ struct Options {
   fs::path input;
   fs::path folder;  // empty: nothing is written
   domain::ModelPath models;
-  int trials = 1;
+  std::optional<int> trials;
   int jobs = 1;
   std::optional<std::uint64_t> seed;
   std::optional<scene::GraspMode> grasp;
@@ -60,6 +63,11 @@ struct Options {
   std::string propagation = "sound";
   double error_scale = 1;
   std::vector<std::string> resolvers = {};  // empty: the scenario's
+  bool tree = false;
+  std::string worlds = "drawn";
+  double sensing_errors = 0;
+  std::vector<const CLI::Option*> of_one_world = {};  // options that plan trees do not have
+  std::vector<const CLI::Option*> of_trees = {};
 };
 
 bool IsNoisy(const Options& options) { return options.noise || options.errors; }
@@ -88,7 +96,7 @@ class Run {
     }
     const Interruption interruption;
     RunTrials({planned_.problem, planned_.result.plan, scene_},
-              {options_.trials, options_.jobs, film ? &*film : nullptr},
+              {Wanted(), options_.jobs, film ? &*film : nullptr},
               [this](Trial trial) { Keep(std::move(trial)); });
     progress_.reset();
     const Json result = Result();
@@ -113,7 +121,7 @@ class Run {
     if (!options_.folder.empty()) WriteTrace(trial);
     const std::lock_guard lock(mutex_);
     summaries_[trial.number] = {trial.verdict.outcome, trial.verdict.reason};
-    progress_->Tell(fmt::format("{} of {} trials", Trials(), options_.trials));
+    progress_->Tell(fmt::format("{} of {} trials", Trials(), Wanted()));
     if (trial.number == 1) first_ = std::move(trial);
   }
 
@@ -125,6 +133,7 @@ class Run {
     WriteFile(options_.folder / name, text.str());
   }
 
+  int Wanted() const { return options_.trials.value_or(1); }
   int Trials() const { return static_cast<int>(summaries_.size()); }
   int Succeeded() const {
     return static_cast<int>(std::ranges::count_if(
@@ -178,7 +187,7 @@ class Run {
       text += fmt::format("trial {}: {}\nagain: {}\n", failed->first, failed->second.reason,
                           ReplayCommand());
     }
-    text += Interruption::Text(Trials(), options_.trials);
+    text += Interruption::Text(Trials(), Wanted());
     text += NotCoveredText(planned_.result.plan);
     if (!options_.folder.empty()) text += fmt::format("files in {}\n", options_.folder.string());
     return text;
@@ -207,7 +216,7 @@ ExitCode ExecuteScattered(const Options& options) {
   return RunScattered({.scenario = options.input,
                        .models = options.models,
                        .folder = options.folder,
-                       .trials = options.trials,
+                       .trials = options.trials.value_or(1),
                        .jobs = options.jobs,
                        .only = options.trial,
                        .seed = options.seed.value_or(scenario.simulation.seed),
@@ -219,8 +228,7 @@ bool ChangesThePlan(const Options& options) {
   return options.propagation != "sound" || options.error_scale != 1 || !options.resolvers.empty();
 }
 
-PlannedProblem Planned(const Options& options) {
-  const Document document = Document::Load(options.input);
+PlannedProblem Planned(const Document& document, const Options& options) {
   if (!ChangesThePlan(options)) return ReadOrMakePlan(document, options.models);
   if (IsPlanFile(document)) {
     throw UsageError(
@@ -269,7 +277,7 @@ ExitCode ExecuteNoisy(const Options& options, PlannedProblem& planned) {
                    .mode = static_cast<noise::Mode>(mode),
                    .errors = options.errors,
                    .camera = options.sensing == "camera",
-                   .trials = options.trials,
+                   .trials = options.trials.value_or(1),
                    .jobs = options.jobs,
                    .only = options.trial,
                    .seed = seed,
@@ -285,10 +293,42 @@ void KeepPlan(const PlannedProblem& planned, const Json& plan_file, const Option
   WriteFile(file, plan::LaidOut(plan_file));
 }
 
+// Refuses options that have no meaning for the input.
+void RefuseOptions(const std::vector<const CLI::Option*>& refused, const std::string& reason) {
+  for (const CLI::Option* option : refused) {
+    if (option->count() == 0) continue;
+    throw UsageError(fmt::format("run: {} {} (see assay run --help)", option->get_name(), reason));
+  }
+}
+
+ExitCode ExecuteTree(const Options& options) {
+  RefuseOptions(options.of_one_world,
+                fmt::format("is for plans without branches, and the plan for {} is a tree",
+                            Quote(options.input.string())));
+  return RunContingent({.scenario = options.input,
+                        .models = options.models,
+                        .folder = options.folder,
+                        .is_tree_asked_for = options.tree,
+                        .trials = options.trials,
+                        .trial = options.trial,
+                        .jobs = options.jobs,
+                        .seed = options.seed,
+                        .is_every_leaf = options.worlds == "all",
+                        .sensing_errors = options.sensing_errors,
+                        .renders = options.renders,
+                        .pictures = options.pictures,
+                        .json = options.json});
+}
+
 ExitCode Execute(const Options& options) {
   if (!options.folder.empty()) MakeFolder(options.folder);
   if (options.scatter) return ExecuteScattered(options);
-  PlannedProblem planned = Planned(options);
+  const Document document = Document::Load(options.input);
+  if (!IsPlanFile(document) && (options.tree || enact::NeedsATree(document))) {
+    return ExecuteTree(options);
+  }
+  RefuseOptions(options.of_trees, "is for plan trees, which --tree makes of any scenario");
+  PlannedProblem planned = Planned(document, options);
   const plan::PlanResult& result = planned.result;
   Json plan_file = plan::ToJson(result, planned.problem, planned.scenario);
   KeepPlan(planned, plan_file, options);
@@ -314,30 +354,51 @@ void AddNoise(CLI::App& command, Options& options, CLI::Option* scatter) {
       command.add_option("--noise", options.noise, "errors in the bounds that the planner assumes")
           ->check(CLI::IsMember(modes))
           ->excludes(scatter);
+  options.of_one_world = {
+      noise,
+      command
+          .add_option("--errors", options.errors,
+                      "the errors of the one trial: 'dx_block=0.002 theta_hand@action_2=-0.001', "
+                      "metres and radians")
+          ->excludes(noise)
+          ->excludes(scatter),
+      command
+          .add_option(
+              "--sensing", options.sensing,
+              "drawn: within the sensor's promise, as the noise says; camera: from pictures")
+          ->check(CLI::IsMember({"drawn", "camera"})),
+      command.add_option("--attempts", options.attempts, "of an attack, at single steps")
+          ->check(CLI::Range(std::int64_t{1}, std::numeric_limits<std::int64_t>::max())),
+      command.add_flag("--conservatism", options.conservatism,
+                       "of an attack: how much more noise than is guaranteed breaks the plan"),
+      command
+          .add_option("--propagation", options.propagation,
+                      "of errors by actions, in planning: sound or paper")
+          ->check(CLI::IsMember({"sound", "paper"})),
+      AddResolvers(command, options.resolvers)->excludes(scatter),
+      command
+          .add_option("--error-scale", options.error_scale,
+                      "multiplies all errors, in planning too")
+          ->check(Within(domain::kAtLeastZero, domain::kRatio))};
+}
+
+void AddTrees(CLI::App& command, Options& options, CLI::Option* scatter) {
   command
-      .add_option("--errors", options.errors,
-                  "the errors of the one trial: 'dx_block=0.002 theta_hand@action_2=-0.001', "
-                  "metres and radians")
-      ->excludes(noise)
+      .add_flag("--tree", options.tree,
+                "execute the plan as a tree: verifications branch, recoveries repeat. Plans that "
+                "need a tree are trees without this option")
       ->excludes(scatter);
-  command
-      .add_option("--sensing", options.sensing,
-                  "drawn: within the sensor's promise, as the noise says; camera: from pictures")
-      ->check(CLI::IsMember({"drawn", "camera"}));
-  command.add_option("--attempts", options.attempts, "of an attack, at single steps")
-      ->check(CLI::Range(std::int64_t{1}, std::numeric_limits<std::int64_t>::max()));
-  command.add_flag("--conservatism", options.conservatism,
-                   "of an attack: how much more noise than is guaranteed breaks the plan");
-  command
-      .add_option("--propagation", options.propagation,
-                  "of errors by actions, in planning: sound or paper")
-      ->check(CLI::IsMember({"sound", "paper"}));
-  AddResolvers(command, options.resolvers)->excludes(scatter);
-  command
-      .add_option("--error-scale", options.error_scale, "multiplies all errors, in planning too")
-      ->check(Within(domain::kAtLeastZero, domain::kRatio));
-  command.add_option("--trial", options.trial, "run only this one of the trials")
-      ->check(CLI::Range(1, std::numeric_limits<int>::max()));
+  options.of_trees = {
+      command
+          .add_option("--worlds", options.worlds,
+                      "of a tree: drawn: hidden facts are drawn; all: the trials go through the "
+                      "leaves and repeats of the tree in turn")
+          ->check(CLI::IsMember({"drawn", "all"}))
+          ->capture_default_str(),
+      command
+          .add_option("--sensing-errors", options.sensing_errors,
+                      "of a tree: the probability with which an observation is made wrong")
+          ->check(Within({0, 1}, domain::kRatio))};
 }
 
 Execution Declare(CLI::App& command) {
@@ -345,15 +406,21 @@ Execution Declare(CLI::App& command) {
   command.add_option("input", options->input, "scenario file, or plan file")->required();
   CLI::Option* const folder = command.add_option(
       "-o,--output", options->folder, "folder for plan.json, trace.jsonl, result.json, pictures");
-  command.add_option("--trials", options->trials, "how many trials")
+  command
+      .add_option("--trials", options->trials,
+                  "how many trials: 1 if left out, with --worlds all one for each leaf")
       ->check(CLI::Range(1, std::numeric_limits<int>::max()));
   command.add_option("--jobs", options->jobs, "how many threads")->check(CLI::Range(1, 1024));
   command.add_option("--seed", options->seed, "of all that is random; the scenario's if left out")
       ->check(CLI::NonNegativeNumber);
   static const std::map<std::string, scene::GraspMode> kGraspModes = {
       {"friction", scene::GraspMode::kFriction}, {"weld", scene::GraspMode::kWeld}};
-  command.add_option("--grasp", options->grasp, "how the gripper holds parts: friction or weld")
-      ->transform(CLI::CheckedTransformer(kGraspModes));
+  CLI::Option* const grasp =
+      command
+          .add_option("--grasp", options->grasp, "how the gripper holds parts: friction or weld")
+          ->transform(CLI::CheckedTransformer(kGraspModes));
+  command.add_option("--trial", options->trial, "run only this one of the trials")
+      ->check(CLI::Range(1, std::numeric_limits<int>::max()));
   command
       .add_flag("--renders", options->renders,
                 "take pictures of the start, each step's end, and grasps and matings on the way")
@@ -363,6 +430,8 @@ Execution Declare(CLI::App& command) {
       "--scatter", options->scatter,
       "in each trial the parts lie at other places, drawn from the seed, and a plan is made anew");
   AddNoise(command, *options, scatter);
+  options->of_one_world.push_back(grasp);
+  AddTrees(command, *options, scatter);
   command.add_flag("--json", options->json, "print the result as JSON");
   AddModelsOption(command, options->models);
   return [options] { return Execute(*options); };
@@ -372,8 +441,10 @@ Execution Declare(CLI::App& command) {
 
 const Verb kRun = {
     .name = "run",
-    .summary = "executes a plan in physics and judges what came of it",
-    .example = "assay run scenarios/spar-fig13.yaml --renders -o out/fig13",
+    .summary = "executes a plan or a plan tree in physics and judges what came of it",
+    .example =
+        "assay run scenarios/spar-fig13.yaml --renders -o out/fig13\n"
+        "  assay run scenarios/two-cans.yaml --worlds all",
     .declare = run_verb::Declare,
 };
 

@@ -47,9 +47,10 @@ void Locate(const PlannedProblem& planned, std::vector<plan::Flaw>& flaws) {
 
 void RequireGoal(const Document& document, const domain::Problem& problem) {
   if (!problem.goals.empty()) return;
-  throw InputError({.file = document.file()},
-                   "the goal is one of knowledge, which `assay enact` plans for",
-                   "a scenario with a key `goal`");
+  throw InputError(
+      {.file = document.file()},
+      "the goal is one of knowledge, for which there are no plans without branches",
+      "a scenario with a key `goal`; or assay plan and assay run, which know plan trees");
 }
 
 }  // namespace

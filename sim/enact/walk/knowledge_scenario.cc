@@ -261,4 +261,14 @@ KnowledgeScenario Load(const std::filesystem::path& file, const domain::ModelPat
   return Read(Document::Load(file), models);
 }
 
+bool NeedsATree(const Document& scenario) {
+  if (scenario.root().Find("knowledge")) return true;
+  const std::optional<Value> parts = scenario.root().Find("parts");
+  if (!parts) return false;
+  return std::ranges::any_of(parts->Entries(), [](const auto& entry) {
+    const std::optional<Value> pose = entry.second.Find("pose");
+    return pose && pose->Find("one-of");
+  });
+}
+
 }  // namespace assay::enact

@@ -57,7 +57,7 @@ int Count(const ContingentAssembly& assembly, Kind kind) {
   return count;
 }
 
-// Reads the task back as `assay know` reads the exported files.
+// Reads the task back as `assay contingent` reads the exported files.
 contingent::GroundTask ReadBack(const PlanKnowledge& knowledge) {
   contingent::Externs externs;
   return contingent::Ground(contingent::ReadPksDomain(knowledge.domain, "d.pks"),

@@ -12,9 +12,9 @@ using ::testing::HasSubstr;
 using ::testing::MatchesRegex;
 using ::testing::StartsWith;
 
-const std::vector<std::string> kVerbs = {"check",  "sweep",  "replay", "plan",  "run",
-                                         "render", "export", "label",  "bound", "calibrate",
-                                         "doctor", "list",   "know"};
+const std::vector<std::string> kVerbs = {"check",  "sweep",  "replay",    "plan",  "run",
+                                         "render", "export", "label",     "bound", "calibrate",
+                                         "doctor", "list",   "contingent"};
 
 TEST(Help, ListsVerbsAndExitCodes) {
   const Ended ended = Assay({"--help"});
@@ -111,7 +111,7 @@ TEST_F(WrongCommandLine, ValuesOutOfRange) {
   Error({"run", kTwoActions, "--seed", "-1"});
   Error({"run", kTwoActions, "--seed", "18446744073709551616"});
   Error({"run", kTwoActions, "--attempts", "9223372036854775808"});
-  Error({"enact", kTwoActions, "--seed", "18446744073709551616"});
+  Error({"run", kTwoActions, "--seed", "18446744073709551616"});
   Error({"run", kTwoActions, "--camera", "nope"});
   Error({"run", kTwoActions, "--grasp", "glue"});
   Error({"plan", kTwoActions, "--models", "/no/such/folder"});

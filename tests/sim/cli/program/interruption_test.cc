@@ -82,8 +82,9 @@ INSTANTIATE_TEST_SUITE_P(
                         "sim/cli/verbs/run.schema.json"},
         InterruptedVerb{
             "mate", {"mate", kMated, "--trials", "100000"}, "sim/cli/verbs/mate.schema.json"},
-        InterruptedVerb{
-            "enact", {"enact", kCans, "--trials", "100000"}, "sim/cli/verbs/enact.schema.json"}),
+        InterruptedVerb{"run",
+                        {"run", kCans, "--trials", "100000"},
+                        "sim/cli/verbs/contingent_run.schema.json"}),
     [](const auto& verb) { return std::string(verb.param.name); });
 
 TEST(Interruption, IsToldToPeople) {

@@ -39,7 +39,7 @@ TEST(PlanTree, WhatIsKnownIsWrittenForKnow) {
   const Folder folder;
   const std::string name = folder / "peg";
   EXPECT_EQ(Assay({"export", kFallenPeg, "--pks", "-o", name}).code, 0);
-  const Ended known = Assay({"know", name + "-domain.pks", name + "-problem.pks", "--check"});
+  const Ended known = Assay({"contingent", name + "-domain.pks", name + "-problem.pks", "--check"});
   EXPECT_EQ(known.code, 0) << known.err;
   EXPECT_THAT(known.out, AllOf(StartsWith("look-peg-coarse-camera()\n"),
                                HasSubstr("check: holds in all of the worlds")));

@@ -35,13 +35,13 @@ TEST(OutputFile, IsNeverAnInput) {
       {"check", "IN", "--models", models, "-o", "OUT"},
       {"export", "IN", "--mjcf", "--models", models, "-o", "OUT"},
       {"export", "IN", "--dot", "--models", models, "-o", "OUT"},
-      {"know", kTree / "scenarios/know/force-sensing.pks", "IN", "-o", "OUT"},
+      {"contingent", kTree / "scenarios/know/force-sensing.pks", "IN", "-o", "OUT"},
       {"label", "IN", "-o", "OUT"},
       {"bound", "IN", "-o", "OUT"}};
   for (const std::vector<std::string>& command : commands) {
     const std::string& verb = command.front();
-    const std::string text = verb == "know"    ? TextOf(kTree / "scenarios/know/two-cans.pks")
-                             : verb == "label" ? "{\"nodes\": {\"v\": 2}, \"arcs\": []}"
+    const std::string text = verb == "contingent" ? TextOf(kTree / "scenarios/know/two-cans.pks")
+                             : verb == "label"    ? "{\"nodes\": {\"v\": 2}, \"arcs\": []}"
                              : verb == "bound"
                                  ? "{\"variables\": {\"x\": [0, 1]}, \"expressions\": [\"x\"]}"
                                  : TextOf(kTwoActions);

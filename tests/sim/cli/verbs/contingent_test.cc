@@ -3,7 +3,7 @@
 
 #include "tests/sim/cli/program.h"
 
-namespace assay::cli::know_test {
+namespace assay::cli::contingent_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -15,11 +15,11 @@ std::string Scenario(const std::string& name) { return kTree / "scenarios/know" 
 
 Ended Know(const std::string& domain, const std::string& problem,
            std::vector<std::string> options = {}) {
-  options.insert(options.begin(), {"know", Scenario(domain), Scenario(problem)});
+  options.insert(options.begin(), {"contingent", Scenario(domain), Scenario(problem)});
   return Assay(options);
 }
 
-TEST(Know, ThePapersTree) {
+TEST(Contingent, ThePapersTree) {
   const Ended ended = Know("force-sensing", "two-cans", {"--unfold", "--check"});
   EXPECT_EQ(ended.code, 0) << ended.err;
   EXPECT_THAT(ended.out, StartsWith("grasp(can1)\nsenseWeight(can1)\nbranch isSpillable(can1)\n"
@@ -30,7 +30,7 @@ TEST(Know, ThePapersTree) {
 }
 
 // Whether it rains is open as well, and nobody asks it.
-TEST(Know, CasesAreToldApartByWhatMatters) {
+TEST(Contingent, CasesAreToldApartByWhatMatters) {
   const Folder folder;
   const std::string domain =
       folder.Write("domain.pks",
@@ -40,33 +40,33 @@ TEST(Know, CasesAreToldApartByWhatMatters) {
   const auto said = [&](const std::string& init, const std::string& goal) {
     const std::string problem = folder.Write(
         "problem.pks", "problem door\ndomain door\ninit: " + init + "\ngoal: " + goal + "\n");
-    return Assay({"know", domain, problem, "--check"}).out;
+    return Assay({"contingent", domain, problem, "--check"}).out;
   };
   EXPECT_THAT(said("add(Kf, !isReady)", "K(open) | K(!open)"), HasSubstr(", as 2 cases\n"));
   EXPECT_THAT(said("add(Kf, open)", "K(open)"), HasSubstr(", as 1 case\n"));
 }
 
-TEST(Know, JsonIsBySchema) {
+TEST(Contingent, JsonIsBySchema) {
   for (const auto& [domain, problem] :
        {std::pair("force-sensing", "ten-cans"), std::pair("opening-a-safe", "safe-with-note"),
         std::pair("slippery-grasp", "hold-the-cup"), std::pair("unix", "find-a-file")}) {
     const Ended ended = Know(domain, problem, {"--json", "--check"});
     EXPECT_EQ(ended.code, 0) << ended.err;
     const Json json = ended.Json();
-    EXPECT_THAT(SchemaErrors("sim/cli/verbs/know.schema.json", json), IsEmpty());
+    EXPECT_THAT(SchemaErrors("sim/cli/verbs/contingent.schema.json", json), IsEmpty());
     EXPECT_THAT(SchemaErrors("planner/contingent/tree/tree.schema.json", json["tree"]), IsEmpty());
     EXPECT_EQ(json["check"]["holds"], true);
   }
 }
 
-TEST(Know, ShortestIsSaidToBe) {
+TEST(Contingent, ShortestIsSaidToBe) {
   const Ended ended = Know("visual-sensing", "one-bottle", {"--shortest", "--json"});
   EXPECT_EQ(ended.Json()["guarantee"], "least depth");
   EXPECT_EQ(ended.Json()["depth"], 5);
   EXPECT_EQ(ended.Json()["leaves"], 2);
 }
 
-TEST(Know, Dot) {
+TEST(Contingent, Dot) {
   const Ended ended = Know("slippery-grasp", "hold-the-cup", {"--dot"});
   EXPECT_EQ(ended.code, 0);
   EXPECT_THAT(ended.out, StartsWith("digraph plan {"));
@@ -74,7 +74,7 @@ TEST(Know, Dot) {
 }
 
 // A tree is data: it can be written by one program and checked by another.
-TEST(Know, TreesAreReadBack) {
+TEST(Contingent, TreesAreReadBack) {
   const Folder folder;
   for (const auto& [domain, problem] :
        {std::pair("force-sensing", "three-cans"), std::pair("opening-a-safe", "safe-with-note"),
@@ -88,7 +88,7 @@ TEST(Know, TreesAreReadBack) {
   }
 }
 
-TEST(Know, AWrongTreeIsRefused) {
+TEST(Contingent, AWrongTreeIsRefused) {
   const Folder folder;
   const std::string early =
       folder.Write("early.json",
@@ -105,7 +105,7 @@ TEST(Know, AWrongTreeIsRefused) {
               HasSubstr(endless + ":2:11: this leads back to itself"));
 }
 
-TEST(Know, OutcomesHaveTheirCodes) {
+TEST(Contingent, OutcomesHaveTheirCodes) {
   const Ended spent = Know("force-sensing", "ten-cans", {"--budget", "5", "--json"});
   EXPECT_EQ(spent.code, 11);
   EXPECT_EQ(spent.Json()["outcome"], "budget");
@@ -115,31 +115,31 @@ TEST(Know, OutcomesHaveTheirCodes) {
                                           "action a preconds: K(p) effects: add(Kf, q)\n");
   const std::string problem =
       folder.Write("p.pks", "problem p domain d init: add(Kf, !p) goal: K(q)\n");
-  const Ended none = Assay({"know", domain, problem, "--json"});
+  const Ended none = Assay({"contingent", domain, problem, "--json"});
   EXPECT_EQ(none.code, 10);
   EXPECT_EQ(none.Json()["outcome"], "none");
-  EXPECT_THAT(SchemaErrors("sim/cli/verbs/know.schema.json", none.Json()), IsEmpty());
+  EXPECT_THAT(SchemaErrors("sim/cli/verbs/contingent.schema.json", none.Json()), IsEmpty());
 }
 
-TEST(Know, WrongFilesAreToldWithTheirPlace) {
+TEST(Contingent, WrongFilesAreToldWithTheirPlace) {
   const Folder folder;
   const std::string domain =
       folder.Write("d.pks", "domain d\npredicates: p\naction a preconds: K(q)");
   const std::string problem = folder.Write("p.pks", "problem p domain d goal: K(p)");
-  const Ended ended = Assay({"know", domain, problem});
+  const Ended ended = Assay({"contingent", domain, problem});
   EXPECT_EQ(ended.code, 3);
   EXPECT_THAT(ended.err, HasSubstr(domain + ":3:22: unknown predicate 'q'"));
   EXPECT_EQ(Know("force-sensing", "one-bottle").code, 3);
   EXPECT_EQ(Know("force-sensing", "no-such-problem").code, 3);
 }
 
-TEST(Know, ReadsThePddlThatExportWrites) {
+TEST(Contingent, ReadsThePddlThatExportWrites) {
   const Folder folder;
   const Ended written = Assay({"export", Scenario("bomb-in-the-toilet"), "--pddl",
                                Scenario("four-packages"), "-o", folder / "bomb"});
   EXPECT_EQ(written.code, 0) << written.err;
-  const Ended known = Assay({"know", folder / "bomb-domain.pddl", folder / "bomb-problem.pddl",
-                             "--shortest", "--json", "--check"});
+  const Ended known = Assay({"contingent", folder / "bomb-domain.pddl",
+                             folder / "bomb-problem.pddl", "--shortest", "--json", "--check"});
   EXPECT_EQ(known.code, 0) << known.err;
   EXPECT_EQ(known.Json()["depth"], 4);
   const Ended refused = Assay({"export", Scenario("pouring"), "--pddl", Scenario("half-full-jug")});
@@ -148,4 +148,4 @@ TEST(Know, ReadsThePddlThatExportWrites) {
 }
 
 }  // namespace
-}  // namespace assay::cli::know_test
+}  // namespace assay::cli::contingent_test

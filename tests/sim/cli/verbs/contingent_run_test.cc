@@ -3,7 +3,7 @@
 
 #include "tests/sim/cli/program.h"
 
-namespace assay::cli::enact_test {
+namespace assay::cli::contingent_run_test {
 namespace {
 
 using ::testing::AllOf;
@@ -15,18 +15,18 @@ using ::testing::StartsWith;
 const std::string kTwoCans = kTree / "scenarios/two-cans.yaml";
 
 // A trial depends on the seed and its number alone.
-TEST(Enact, TrialsAreTheSameAloneAndOnAnyNumberOfThreads) {
-  const Ended both = Assay({"enact", kTwoCans, "--trials", "2", "--jobs", "2", "--json"});
+TEST(ContingentRun, TrialsAreTheSameAloneAndOnAnyNumberOfThreads) {
+  const Ended both = Assay({"run", kTwoCans, "--trials", "2", "--jobs", "2", "--json"});
   EXPECT_EQ(both.code, 0) << both.err << both.out;
-  EXPECT_THAT(SchemaErrors("sim/cli/verbs/enact.schema.json", both.Json()), IsEmpty());
+  EXPECT_THAT(SchemaErrors("sim/cli/verbs/contingent_run.schema.json", both.Json()), IsEmpty());
   EXPECT_EQ(both.Json()["reached"], 2);
   EXPECT_EQ(both.Json()["leaves"].size(), 4);
-  const Ended alone = Assay({"enact", kTwoCans, "--trial", "2", "--json"});
+  const Ended alone = Assay({"run", kTwoCans, "--trial", "2", "--json"});
   EXPECT_EQ(alone.Json()["rows"][0], both.Json()["rows"][1]);
 }
 
-TEST(Enact, AFalseClaimFailsATrialWithTheGoalReached) {
-  const Ended ended = Assay({"enact", kTwoCans, "--sensing-errors", "1"});
+TEST(ContingentRun, AFalseClaimFailsATrialWithTheGoalReached) {
+  const Ended ended = Assay({"run", kTwoCans, "--sensing-errors", "1"});
   EXPECT_EQ(ended.code, 12);
   EXPECT_THAT(ended.out,
               AllOf(HasSubstr("trial 1: false-claim: after step 2 isSpillable(can1) is claimed"),
@@ -35,21 +35,21 @@ TEST(Enact, AFalseClaimFailsATrialWithTheGoalReached) {
 }
 
 // The folder of models was named, so the command that repeats the trial names it as well.
-TEST(Enact, TheCommandThatRepeatsATrialNamesTheModels) {
+TEST(ContingentRun, TheCommandThatRepeatsATrialNamesTheModels) {
   const std::string models = kTree / "models";
   const Ended ended =
-      Assay({"enact", kTwoCans, "--sensing-errors", "1", "--models", models, "--json"});
+      Assay({"run", kTwoCans, "--sensing-errors", "1", "--models", models, "--json"});
   EXPECT_EQ(ended.code, 12) << ended.err;
-  EXPECT_EQ(ended.Json()["replay"][0], "assay enact " + kTwoCans + " --seed 0 --models " + models +
+  EXPECT_EQ(ended.Json()["replay"][0], "assay run " + kTwoCans + " --seed 0 --models " + models +
                                            " --sensing-errors 1 --trial 1");
 }
 
-TEST(Enact, PicturesOfEachStep) {
+TEST(ContingentRun, PicturesOfEachStep) {
   if (Assay({"doctor", "--json"}).Json()["renderer"] == "") {
     GTEST_SKIP() << "nothing renders on this machine";
   }
   const Folder folder;
-  const Ended ended = Assay({"enact", kTwoCans, "--pictures", folder / "out", "--camera", "top",
+  const Ended ended = Assay({"run", kTwoCans, "--renders", "-o", folder / "out", "--camera", "top",
                              "--size", "120x90", "--json"});
   EXPECT_EQ(ended.code, 0) << ended.err;
   for (const char* name :
@@ -59,27 +59,27 @@ TEST(Enact, PicturesOfEachStep) {
 }
 
 // Steps of plans in their words; nothing here can spill.
-TEST(Enact, AnAssembly) {
-  const Ended ended = Assay({"enact", kTree / "scenarios/uncertain-known.yaml"});
+TEST(ContingentRun, AnAssembly) {
+  const Ended ended = Assay({"run", kTree / "scenarios/uncertain-known.yaml", "--tree"});
   EXPECT_EQ(ended.code, 0) << ended.err << ended.out;
   EXPECT_THAT(ended.out, AllOf(HasSubstr(" pickup("), HasSubstr(" assemble("),
                                Not(HasSubstr("plan1-")), Not(HasSubstr("tilt"))));
 }
 
-TEST(Enact, WrongScenarios) {
-  const Ended none = Assay({"enact", kTree / "scenarios/impossible.yaml"});
+TEST(ContingentRun, WrongScenarios) {
+  const Ended none = Assay({"run", kTree / "scenarios/impossible.yaml", "--tree"});
   EXPECT_EQ(none.code, 10) << none.err;
   EXPECT_THAT(none.out, HasSubstr("What is missed by least:\n  - the tool would lean 45 deg"));
   const Folder folder;
   const std::string text = TextOf(kTwoCans);
   const std::string cut = folder.Write("cut.yaml", text.substr(0, text.find("    ungrasp: {")));
-  const Ended ended = Assay({"enact", cut, "--models", kTree / "models"});
+  const Ended ended = Assay({"run", cut, "--models", kTree / "models"});
   EXPECT_EQ(ended.code, 3);
   EXPECT_THAT(ended.err, StartsWith("assay: " + cut + ":"));
 }
 
 // Where the arms would have to lift the bottle higher than they reach, no grasp serves it anywhere.
-TEST(Enact, WithoutAPlanTellsWhatNoGraspServes) {
+TEST(ContingentRun, WithoutAPlanTellsWhatNoGraspServes) {
   const Folder folder;
   std::string text = TextOf(kTree / "scenarios/bottles.yaml");
   text.replace(text.find("parts:"), 6, "rules: {safe_height: 1300}\nparts:");
@@ -87,14 +87,14 @@ TEST(Enact, WithoutAPlanTellsWhatNoGraspServes) {
     text.replace(at, 2, ": " + (kTree / "scenarios").string() + "/");
   }
   const std::string high = folder.Write("high.yaml", text);
-  const Ended ended = Assay({"enact", high, "--models", kTree / "models"});
+  const Ended ended = Assay({"run", high, "--models", kTree / "models"});
   EXPECT_EQ(ended.code, 11) << ended.err;
   EXPECT_THAT(ended.out, AllOf(HasSubstr("No plan was found. That is no proof that there is none"),
                                HasSubstr("bottle (tableRight, left): "),
                                HasSubstr("; the arm gets there from 1300 mm above the table")));
-  const Ended json = Assay({"enact", high, "--models", kTree / "models", "--json"});
-  EXPECT_THAT(SchemaErrors("sim/cli/verbs/enact.schema.json", json.Json()), IsEmpty());
+  const Ended json = Assay({"run", high, "--models", kTree / "models", "--json"});
+  EXPECT_THAT(SchemaErrors("sim/cli/verbs/contingent_run.schema.json", json.Json()), IsEmpty());
 }
 
 }  // namespace
-}  // namespace assay::cli::enact_test
+}  // namespace assay::cli::contingent_run_test
