@@ -29,7 +29,7 @@ TEST(Know, ThePapersTree) {
   EXPECT_THAT(ended.out, HasSubstr(", as 4 cases\n"));
 }
 
-// Whether it rains is open as well, and nobody asks it.
+// Whether it rains is unknown as well, but neither goal nor sensing action depends on it.
 TEST(Know, CasesAreToldApartByWhatMatters) {
   const Folder folder;
   const std::string domain =
@@ -73,7 +73,7 @@ TEST(Know, Dot) {
   EXPECT_THAT(ended.out, HasSubstr("style=dashed"));
 }
 
-// A tree is data: it can be written by one program and checked by another.
+// A tree is data. One program can write it and another one can check it.
 TEST(Know, TreesAreReadBack) {
   const Folder folder;
   for (const auto& [domain, problem] :
