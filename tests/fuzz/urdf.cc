@@ -1,4 +1,5 @@
-// A URDF file, as an arm and as a gripper. An arm that is accepted gives its poses back.
+// The target reads a URDF file as an arm and as a gripper. The poses of an accepted arm must be
+// found again by inverse kinematics.
 
 #include "planner/base/check.h"
 #include "planner/kinematics/arm.h"
