@@ -74,7 +74,7 @@ std::string WithoutExtension(const std::string& file) {
   return fs::path(file).replace_extension().generic_string();
 }
 
-// keys and values are names without extension
+// Keys and values are file names without extension.
 using IncludeGraph = std::map<std::string, std::set<std::string>>;
 
 std::set<std::string> ReachedFrom(const std::string& file, const IncludeGraph& graph) {

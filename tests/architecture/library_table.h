@@ -22,7 +22,7 @@ class LibraryTable {
   std::string FolderOf(const std::string& file) const;
   // Returns the folders that the table lets `folder` use.
   const std::vector<std::string>& UsesOf(const std::string& folder) const;
-  // Returns the folder itself, the folders that it uses, and the folders that those use.
+  // Returns the folder itself and all folders that it uses, directly or indirectly.
   std::set<std::string> OpenTo(const std::string& folder) const;
 
  private:

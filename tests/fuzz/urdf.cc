@@ -1,5 +1,5 @@
-// The target reads a URDF file as an arm and as a gripper. The poses of an accepted arm must be
-// found again by inverse kinematics.
+// The target reads a URDF file as an arm and as a gripper. The inverse kinematics of an accepted
+// arm is run at a pose that the arm reaches, and may find eight solutions at most.
 
 #include "planner/base/check.h"
 #include "planner/kinematics/arm.h"

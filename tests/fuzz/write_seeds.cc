@@ -105,7 +105,7 @@ void WriteKnowledge(Seeds& seeds) {
     try {
       const auto problem = contingent::ReadPksProblem(ContentsOf(file), file.string());
       WriteTask(seeds, domains.at(problem.domain), file);
-      // the file is a domain, or contingent PDDL cannot express the task
+      // The file is a domain, or contingent PDDL cannot express the task.
     } catch (const InputError&) {
     }
   }

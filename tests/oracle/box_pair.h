@@ -14,8 +14,8 @@ using geometry::Box;
 using geometry::Vector3;
 
 // Returns the greatest separation over the 15 axes of Gottschalk, Lin and Manocha (1996), from the
-// corners. It is negative for boxes that overlap, and then minus the least overlap. Cross products
-// of nearly parallel edges are left out because they add nothing.
+// corners. For boxes that overlap, it is minus the least overlap. Cross products of nearly parallel
+// edges are left out because they add nothing.
 inline double Separation(const Box& a, const Box& b) {
   std::vector<Vector3> axes;
   for (int i = 0; i < 3; ++i) {

@@ -10,9 +10,9 @@
 #include "planner/base/random.h"
 
 // Looks for the greatest value of a function over a box. The best of many random points are
-// improved by steps along the axes, which become smaller. The search uses nothing but values. Every
-// value found is attained, so it never exceeds the true maximum. In few dimensions it comes near
-// it.
+// improved by steps along the axes, which become smaller. The search uses only values of the
+// function. Every value found is attained, so it never exceeds the true maximum. In few dimensions
+// it comes near it.
 namespace assay::oracle {
 
 using Function = std::function<double(const std::vector<double>&)>;  // NaN means undefined

@@ -263,7 +263,7 @@ class ExhaustiveAssembly {
 
   std::vector<domain::Problem> robots_;
   std::vector<std::vector<Resting>> poses_;  // for each part: at the start, placed, and mated
-  // for each part, how many of its poses are on the table
+  // For each part, the number of its poses on the table.
   std::vector<int> rests_;
   std::set<State> known_;
   std::vector<State> open_;

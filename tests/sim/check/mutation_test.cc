@@ -48,8 +48,8 @@ class TrueErrors {
     }
   }
 
-  // Returns whether a trial violates the mutant and half the timestep confirms it. This is the
-  // harness's own criterion.
+  // Returns whether a trial violates the mutant and half the timestep confirms it. Falsification
+  // uses the same criterion.
   bool Reveal(const plan::Plan& mutant) {
     return std::ranges::any_of(trials_, [&](Trial& trial) {
       const auto finer = [&] { return ClaimsOf(mutant, WithHalfTheTimestep(trial)); };
@@ -122,7 +122,7 @@ class TrueErrors {
 struct Score {
   int mutants = 0;
   int revealable = 0;
-  // for each revealed mutant, the number of the attempt that found it
+  // For each mutant that was found, the number of the attempt that found it.
   std::vector<std::int64_t> found = {};
   std::string missed = {};
 

@@ -18,8 +18,8 @@ inline const std::filesystem::path kRoot = ASSAY_SOURCE_DIR;
 
 using Replacements = std::vector<std::pair<std::string, std::string>>;
 
-// Returns the text of a scenario with two cans, with absolute paths and a longer timestep. Then
-// replaces each first text by the second one.
+// Returns the text of a scenario with two cans. It has absolute paths and a longer timestep. In
+// each pair of `replacements`, the first text is replaced by the second one.
 inline std::string TwoCansText(const Replacements& replacements = {},
                                const std::string& scenario = "two-cans") {
   std::ostringstream text;

@@ -73,8 +73,8 @@ class PathInEngine : public testing::TestWithParam<Case> {
            (GetParam().holds_the_peg && body == "part/peg");
   }
 
-  // Returns the planner's name of an engine's body, such as "arm/forearm", "gripper/finger_left" or
-  // "part/peg".
+  // Returns the planner's name for a body of the engine. The engine's names are for example
+  // "arm/forearm", "gripper/finger_left" and "part/peg".
   static std::string PlannersName(const std::string& body) {
     const std::string name = body.substr(body.find('/') + 1);
     return name.starts_with("finger") ? "fingers" : name;

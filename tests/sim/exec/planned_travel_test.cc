@@ -42,7 +42,7 @@ class BesideTheMast : public testing::Test {
     mujoco::Data data = scene.Start();
     return Execute(problem(), plan, scene, data, {.sample_rate = 200, .last = last});
   }
-  // Returns every pair of the mast and the arm, hand, fingers or peg that touched.
+  // Returns the pairs in which the mast touched the arm, the hand, a finger or the peg.
   static std::set<std::string> TouchedMast(const Trace& trace) {
     std::set<std::string> touched;
     for (const Sample* sample : trace.All<Sample>()) {
@@ -118,7 +118,8 @@ TEST_F(BesideTheMast, APathIsNotFollowedFromAnotherConfiguration) {
   }
 }
 
-// A path is followed from the tool's pose with its errors to the commanded pose with its errors.
+// The motion begins where the tool is and ends at the commanded pose of the tool, although errors
+// displace both from the planned path.
 TEST_F(BesideTheMast, APathBeginsAndEndsWhereTheToolIs) {
   const scene::Scene scene(problem(), {});
   mujoco::Data data = scene.Start();

@@ -55,7 +55,7 @@ TEST(CornerPointTest, GoesOnAtRandom) {
 }
 
 // Returns the star discrepancy of points in the unit square by its definition. It is the greatest
-// difference of share and area over all boxes from the origin whose other corner is on a grid.
+// difference of share and area over all boxes from the origin whose opposite corner is on a grid.
 double Discrepancy(const std::vector<std::vector<double>>& points) {
   constexpr int kGrid = 50;
   double worst = 0;

@@ -148,9 +148,9 @@ TEST_P(InsertionTest, TheMouthIsSeenAndThePartsAreInThePicture) {
       const double top = stage.TopOf(stage.mating.fixed);
       for (const domain::Mouth& mouth : fit.hole.mouths) {
         const domain::Face& face = fit.hole_model.faces()[mouth.face.index()];
-        // the side where a slot is open
+        // The face is on the side where a slot is open.
         if ((X_WorldHole.linear() * face.normal).z() < 0.9) continue;
-        // inside the part
+        // The face is inside of the part.
         if ((X_WorldHole * face.X_PartFace).translation().z() < top - 1e-6) continue;
         for (const geometry::Vector2& p : mouth.outline) {
           const Vector3 corner = X_WorldHole * face.X_PartFace * Vector3(p.x(), p.y(), 0);

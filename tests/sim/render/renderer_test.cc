@@ -16,7 +16,7 @@ namespace {
 using scene::PegAndBlock;
 using scene::Scene;
 
-// Out of 255. Renderers of different machines rasterise differently.
+// Renderers of different machines rasterise differently. The figure is out of 255.
 constexpr double kMeanDifference = 3;
 
 double MeanDifference(const Image& a, const Image& b) {

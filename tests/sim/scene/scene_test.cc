@@ -184,7 +184,7 @@ TEST(Scene, AttachedPartsFollowTheToolAndDetachedOnesFall) {
   const JointServo servo(scene);
   const JointVector q = JointsFor(*problem.workcell, ToolDown(0.6, 0.1, 0.4));
   scene.SetArm(data, q);
-  // below the pads, where nothing touches it
+  // The peg is below the pads, where nothing touches it.
   const Pose X_ToolPeg = geometry::Translation(0, 0, 0.06);
   scene.SetPart(data, kPeg, scene.ToolPose(data) * X_ToolPeg);
   scene.AttachPart(data, kPeg);

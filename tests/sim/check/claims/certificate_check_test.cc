@@ -124,8 +124,8 @@ TEST_F(CertificateCheckTest, LessThanTheCertifiedMarginViolatesAProvedPreconditi
   EXPECT_EQ(between(0.0019).verdict, ClaimVerdict::kContained);
   EXPECT_EQ(between(0.0017).verdict, ClaimVerdict::kViolated);
   EXPECT_NEAR(between(0.0017).margin, -0.0001, kRounding);
-  // If the clearance is less than the certified margin, the shortfall may be a tenth of the
-  // clearance.
+  // With a clearance less than the certified margin, the observed margin may fall short of the
+  // certified one by a tenth of the clearance.
   problem_.clearance = 0.001;
   EXPECT_EQ(between(0.00195).verdict, ClaimVerdict::kContained);
   EXPECT_EQ(between(0.00185).verdict, ClaimVerdict::kViolated);
@@ -187,7 +187,7 @@ TEST_F(CertificateCheckTest, AStepThatIsStoppedOnItsWayIsTheOneThatDoesNotComeTo
   exec::Trace trace;
   trace.events.push_back(exec::ExecutionEnd{exec::ExecutionOutcome::kOverload, "", moment_});
   EXPECT_EQ(stopped(trace, order[1]), order[1]);
-  // A trace that does not say in which step it begins begins in the plan's first step. Once that
+  // Without a first step, the trace is taken to begin with the first step of the plan. Once that
   // step has ended, the next step is the one that is stopped.
   EXPECT_EQ(stopped(trace, plan::StepId::None()), order[0]);
   trace.events.insert(trace.events.begin(), exec::StepEnd{order[0], "", "", moment_});
@@ -221,8 +221,8 @@ TEST_F(CertificateCheckTest, WhatIsProvedIsTestedEvenIfAnotherOfItsNameIsNot) {
   for (const int proved : {1, 2}) {
     plan_.steps[kPickup.index()].certificate.preconditions = {of_contact(1, proved == 1),
                                                               of_contact(2, proved == 2)};
-    // Finger 1 is the one with the least y. Contact 2 lies on its side, and this displacement makes
-    // the finger miss that contact.
+    // Finger 1 is the one with the least y. Contact 2 lies on the side of finger 1, and this
+    // displacement makes the finger miss it.
     const std::vector<Claim> claims = Check(Displaced(-room - 0.001), moment_);
     const Claim& claim = Named(claims, Claimed::kPrecondition, "between fingers");
     EXPECT_EQ(claim.IsViolated(), proved == 2);

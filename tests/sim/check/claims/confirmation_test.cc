@@ -42,8 +42,8 @@ TEST(Confirmation, AnErrorOfFirstOrderInTheTimestepIsToldFromOneOfTheBound) {
   }
 }
 
-// An observation that falls with one timestep and not with the other has no error of first order.
-// Its extrapolated limit must not count as a violation at the other end.
+// A part may fall at one timestep and not at the other, which is no error of first order. The
+// extrapolated limit must not count as a violation at the other end of the prediction.
 TEST(Confirmation, NoLimitIsBeyondTheOtherEnd) {
   EXPECT_EQ(VerdictOf(Observed(100), {Observed(0.5)}), ClaimVerdict::kContained);
   EXPECT_EQ(VerdictOf(Observed(-100), {Observed(1.3)}), ClaimVerdict::kContained);

@@ -147,7 +147,7 @@ TEST(ContactObserver, SeesThePlannedContactsWithoutErrors) {
   const finemotion::MatingGeometry geometry = finemotion::GeometryOf(Square(), mating);
   const finemotion::FineMotionPlan plan = TwoContacts(geometry.passage);
   plan::Strategy strategy = finemotion::StrategyOf(geometry, plan);
-  // the final slide into the crevice, which the two motions do not reach
+  // The final slide into the crevice is left out, because the two motions do not lead there.
   strategy.motions.pop_back();
   const PlannedContacts planned = PlannedContactsOf(plan);
   ASSERT_EQ(planned.states.size(), 3u);

@@ -60,7 +60,7 @@ TEST(MarginRanking, IsOneWhereTheOrderIsTheSame) {
   EXPECT_NEAR(ranking.interval->high, 1, 1e-12);
 }
 
-// If the contacts happen in only k of many trials, about a fraction e^-k of the bootstrap draws
+// If contacts happen in only k of many trials, a fraction of about e^-k of the bootstrap draws
 // contains none of these trials.
 TEST(MarginRanking, AnIntervalTakesFourTrialsAndFourContacts) {
   const auto has_interval = [](int trials, int contacts) {

@@ -116,7 +116,7 @@ TEST(ExtremePoses, InTheHandAreShiftedAlongTheAxesOfTheTool) {
               {Translation(0, 0, -0.02) * tool, Translation(0, 0, 0.04) * tool});
 }
 
-// The errors that are observed at an extreme pose are that end of the error set.
+// The error that is observed at an extreme pose is at that end of the error set.
 TEST(ExtremePoses, AreWhereTheErrorsAreObservedAtTheirEnds) {
   const domain::Problem problem = domain::ReadProblem(
       Document::Load(ASSAY_SOURCE_DIR "/scenarios/spar-fig15.yaml"), ASSAY_SOURCE_DIR "/models");

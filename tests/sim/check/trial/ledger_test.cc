@@ -24,7 +24,7 @@ using noise::Noise;
 constexpr double kLength = 3e-6;                           // metres
 constexpr double kAngle = 0.001 * std::numbers::pi / 180;  // radians
 constexpr double kFriction = 1e-12;
-// metres or radians; of the errors that the engine and executor apply
+// Tolerance in metres or radians for the errors that the engine and the executor apply.
 constexpr double kGiven = 1e-6;
 
 double ToleranceOf(const LedgerEntry& entry) {
@@ -59,7 +59,8 @@ struct Case {
 // where the height is known better already. In that case the sensor is one that measures no
 // heights.
 domain::Problem WithSensorsThatAreBelieved(domain::Problem problem) {
-  constexpr double kPromised = 1e-4;  // metres; the sensor's best promise
+  // Metres. The camera's error bound for heights is no greater.
+  constexpr double kPromised = 1e-4;
   const auto is_known_better = [](const domain::Part& part) {
     return part.error.z.high < kPromised;
   };

@@ -35,7 +35,8 @@ Json PlanOf(const std::string& scenario) {
   return plans[scenario];
 }
 
-// Returns the plan's first precondition that is proved, or that is not proved.
+// Returns the first proved precondition of the plan, or its first unproved one if `proved` is
+// false.
 Json& FirstClaim(Json& plan, bool proved) {
   for (Json& action : plan["actions"]) {
     if (!action.contains("certificate")) continue;

@@ -223,7 +223,7 @@ TEST(Mate, PicturesOfTheContactStates) {
   ASSERT_EQ(ended.code, 0) << ended.err;
   const nlohmann::json result = ended.Json();
   EXPECT_THAT(SchemaErrors(kSchema, result), IsEmpty());
-  // one more for the end of the slide
+  // The end of the slide is one more state.
   const int states = static_cast<int>(result["strategy"].size()) + 1;
   EXPECT_EQ(static_cast<int>(result["pictures"].size()), states + 4);
   for (const std::string file : result["pictures"])

@@ -102,7 +102,7 @@ TEST_F(SweepVerb, RunsGoesOnAndReplays) {
   ASSERT_EQ(replayed["again"]["verdicts"].size(), 2u);
   ExpectUnitsOfPeople(Assay(WithModels({"replay", folder_ / "a.sqlite", "2"})).out,
                       replayed["again"]["verdicts"]);
-  // four errors for each part, and four for the hand in each action
+  // There are four errors for each part, and four for the hand in each action.
   EXPECT_EQ(replayed["ledger"].size(), 16u);
   EXPECT_TRUE(std::filesystem::exists(folder_ / "pictures/contact-sheet.png"));
   EXPECT_EQ(Assay(WithModels({"replay", folder_ / "a.sqlite", "3"})).code, 2);

@@ -84,7 +84,7 @@ TEST(Enactment, AnInitThatIsNotTrueIsToldByTheAudit) {
 
 TEST(Enactment, ASpilledCanIsCaught) {
   KnowledgeScenario scenario = TwoCans();
-  // the can is full to the brim, and every motion spills it
+  // The can is full to the brim, and every motion spills it.
   scenario.interpretation.spill->beyond = 1e-5;
   const EnactedTrial trial = RunTrial(scenario, TreeOf(scenario), {1, kOneFull}, {});
   EXPECT_EQ(trial.outcome, EnactmentOutcome::kSpilled);

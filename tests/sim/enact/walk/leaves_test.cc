@@ -97,8 +97,8 @@ contingent::GroundLiteral LiteralOf(const KnowledgeScenario& scenario, const std
           true};
 }
 
-// No sensor measures the literal. No hidden quantity can make it true, and none can make a
-// conjunction false by it.
+// No sensor measures whether can2 is grasped, and no hidden quantity can make it true. If a
+// conjunction with this literal is denied, its other literal must be false.
 class LeavesOfWhatNoSensorTells : public testing::TestWithParam<const char*> {};
 INSTANTIATE_TEST_SUITE_P(Meanings, LeavesOfWhatNoSensorTells,
                          testing::Values("{is: internal}", "{is: held}"));

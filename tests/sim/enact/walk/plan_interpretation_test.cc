@@ -232,8 +232,8 @@ KnowledgeScenario FallenPegWith(
   return Load(file, root / "models");
 }
 
-// The pictures also fit a peg that lies 8 mm away from where it is looked for, but that is not
-// within the peg's error.
+// The pictures also fit a peg that lies 8 mm away from where it is looked for. The peg's error
+// bounds exclude that pose.
 TEST_F(FallenPeg, PosesNearEachOtherAreToldApart) {
   const KnowledgeScenario scenario =
       FallenPegWith({{"standing: {stable: shaft-up, at: [20, -8], yaw: -20}",

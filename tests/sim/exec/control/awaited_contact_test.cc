@@ -22,8 +22,9 @@ TEST(AwaitedContact, ThatBearsEnoughIsMade) {
   EXPECT_FALSE(After(Eigen::Vector2d(kLaw.pressing_force, 0.9 * kLaw.touching_force)).IsMade());
 }
 
-// The forces of two contacts on a lever add up to the pressing force. The awaited contact can only
-// be asked to bear half of it, because the contacts may be near each other.
+// Two contacts share the pressing force like the ends of a lever. The awaited contact counts as
+// made once it bears more than half of the force. More cannot be demanded, because the contacts may
+// be near each other.
 TEST(AwaitedContact, ThatBearsMoreThanWhatIsKeptIsMade) {
   for (const double share : {0.3, 0.45, 0.55, 0.7}) {
     const Eigen::Vector2d forces(1 - share, share);

@@ -40,8 +40,8 @@ TEST(Holding, ATiltedPegWedgesIfTheLineBetweenItsContactsIsInBothFrictionCones) 
   }
 }
 
-// The walls of a funnel lean against the push by less than counts as an obstacle. Only with
-// friction could they take up the push.
+// The walls of a funnel lean against the push, but too little to count as an obstacle. They could
+// take up the push only with friction.
 TEST(Holding, SteepSidesJamWithFrictionOnly) {
   std::vector<plan::StrategyContact> sides;
   for (const double x : {-1.0, 1.0}) {

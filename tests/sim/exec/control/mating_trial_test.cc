@@ -200,8 +200,8 @@ TEST_F(MatingTrial, AnObstructedMotionStops) {
   EXPECT_GT(Depth(result), 0.06) << "it did not go through the block";
 }
 
-// The front is 3 mm lower than believed, and the first attempt goes beyond it by no more than half
-// the way.
+// The front is 3 mm lower than believed. The first attempt goes beyond the planned contact by half
+// of its way, and does not reach the front.
 TEST_F(MatingTrial, AContactThatIsTooFarAwayIsFoundAtTheSecondAttempt) {
   const MatingSetting setting = Setting({0.003, 0, 0}, kNone);
   const plan::Strategy strategy = ToTheFront(setting.X_HeldTip, 0.5).strategy();

@@ -48,8 +48,8 @@ TEST(PlacesToTryTest, AreOnCirclesThatGrowByThePitch) {
   }
 }
 
-// Every point within the radius is within half the diagonal of a pitch square of a place that is
-// tried.
+// Every point within the radius is near a place that is tried. The distance is at most half the
+// diagonal of a square whose side is the pitch.
 TEST(PlacesToTryTest, LeaveNoGap) {
   const double radius = 0.004, pitch = 0.001;
   std::vector<Vector3> tried =

@@ -63,7 +63,7 @@ TEST(Standing, EveryOneHasNameWordsAndCount) {
     counts.Add(standing, ++sum);
     EXPECT_EQ(counts.Of(standing), sum);
   }
-  // the words of two standings differ from their names
+  // The words of two standings differ from their names.
   EXPECT_EQ(names.size(), kStandings.size() + 2);
   counts += counts;
   EXPECT_EQ(counts.Total(), 2 * (1 + 2 + 3 + 4 + 5));

@@ -98,7 +98,8 @@ TEST_F(AttackRecording, HasTheWorstClaimOfEachStepInTheOrderOfExecution) {
             (VerdictRecord{2, "action_1", "violated", "y of peg", 0.75, -0.5, 0.5, -0.25, 0.01}));
 }
 
-// A replay needs the claims for their units, and to tell which step they are before or after.
+// A replay prints the unit of each claim, and whether it is claimed before or after its step. It
+// takes both from the claims that are kept.
 TEST_F(AttackRecording, KeepsTheClaimsOfItsVerdictsAtHand) {
   const TimedTrial timed = Record();
   ASSERT_THAT(timed.verdicts, SizeIs(2));

@@ -375,7 +375,7 @@ TEST_F(StoreTest, AFullDiskLosesNothingThatWasWritten) {
   Store store = Store::Create(file_, facts_);
   AddCells(store);
   store.Add(Trials(1, 3));
-  // SQLite takes the present number of pages instead
+  // SQLite takes the present number of pages as the limit instead.
   store.database().Prepare("PRAGMA max_page_count = 1").Next();
   const std::string message = MessageOf<EnvironmentError>([&] {
     for (int i = 4; i <= TrialCount(cells_); ++i) {
