@@ -8,8 +8,8 @@
 
 namespace assay {
 
-// A path for a file that a test writes, in a folder of this process, which is removed at its end:
-// CTest runs the tests of one program side by side, each in a process of its own.
+// Returns the path of a file that a test may write. Its folder belongs to this process and is
+// removed at its end. CTest runs the tests of one program side by side, each in its own process.
 inline std::filesystem::path ScratchFile(const std::string& name) {
   struct Folder {
     std::filesystem::path path =

@@ -39,7 +39,7 @@ TEST(SourceTree, TheTableIsRead) {
                   {"planner/base", "planner/geometry", "planner/constraint_posting", "sim/scene"}));
 }
 
-// Planners of different papers meet in planner/assembly only.
+// Planners of different papers may be combined in planner/assembly only.
 TEST(SourceTree, PlannersDoNotKnowEachOther) {
   const LibraryTable table = LibraryTable::Read(kTree);
   const std::vector<std::string> planners = {"planner/constraint_posting", "planner/finemotion",
@@ -63,7 +63,7 @@ TEST(SourceTree, PlannerLibrariesUsePlannerLibraries) {
   }
 }
 
-// A small tree that breaks every rule once, so that each rule is seen to bite.
+// A small tree that breaks every rule once, so that each rule is tested.
 class BrokenTree : public ::testing::Test {
  protected:
   BrokenTree() {

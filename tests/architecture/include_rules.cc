@@ -21,7 +21,7 @@ struct Include {
 };
 
 struct SourceFile {
-  std::string name;  // from the root
+  std::string name;  // path from the root
   std::vector<Include> includes;
 
   bool is_header() const { return name.ends_with(".h"); }
@@ -40,7 +40,7 @@ std::vector<Include> ReadIncludes(const fs::path& file) {
   return includes;
 }
 
-// The .h and .cc files in `folder` of the tree and below, by name.
+// Returns the .h and .cc files in `folder` and below it, sorted by name.
 std::vector<SourceFile> SourcesIn(const fs::path& root, const std::string& folder) {
   std::vector<SourceFile> sources;
   if (!fs::exists(root / folder)) return sources;
@@ -74,7 +74,8 @@ std::string WithoutExtension(const std::string& file) {
   return fs::path(file).replace_extension().generic_string();
 }
 
-using IncludeGraph = std::map<std::string, std::set<std::string>>;  // by names without extension
+// Keys and values are file names without extension.
+using IncludeGraph = std::map<std::string, std::set<std::string>>;
 
 std::set<std::string> ReachedFrom(const std::string& file, const IncludeGraph& graph) {
   std::set<std::string> reached;

@@ -14,7 +14,7 @@ std::string WithoutComments(std::istream& cmake) {
   return text;
 }
 
-// The words after USES, up to the next keyword of assay_library(), assay_module() or
+// Returns the words after USES, up to the next keyword of assay_library(), assay_module() or
 // assay_objects().
 std::vector<std::string> WordsAfterUses(const std::string& arguments) {
   std::istringstream words(arguments);

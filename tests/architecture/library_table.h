@@ -8,7 +8,8 @@
 
 namespace assay::architecture {
 
-// The table of libraries in the root CMakeLists.txt: its lines assay_library(FOLDER USES NAME...).
+// The table of libraries in the root CMakeLists.txt. It consists of the lines assay_library(FOLDER
+// USES NAME...).
 class LibraryTable {
  public:
   // Reads ROOT/CMakeLists.txt. Throws std::runtime_error if it cannot be read, or if USES names a
@@ -16,15 +17,16 @@ class LibraryTable {
   static LibraryTable Read(const std::filesystem::path& root);
 
   std::vector<std::string> folders() const;
-  // The folder of the table that a file lies in, as written from the root; "" if there is none.
+  // Returns the folder of the table in which a file lies, or "" if there is none. The file's path
+  // is from the root.
   std::string FolderOf(const std::string& file) const;
-  // The folders that stand beside it in the table.
+  // Returns the folders that the table lets `folder` use.
   const std::vector<std::string>& UsesOf(const std::string& folder) const;
-  // The folder itself, what stands beside it in the table, and what those use.
+  // Returns the folder itself and all folders that it uses, directly or indirectly.
   std::set<std::string> OpenTo(const std::string& folder) const;
 
  private:
-  std::map<std::string, std::vector<std::string>> uses_;  // folder -> folders
+  std::map<std::string, std::vector<std::string>> uses_;  // by folder, the folders that it uses
 };
 
 }  // namespace assay::architecture

@@ -1,4 +1,4 @@
-// Expressions to be bounded: read, and bounded with a small budget.
+// The target reads expressions and computes their bounds with a small budget.
 
 #include "planner/algebra/bounds/bound_file.h"
 #include "planner/algebra/bounds/bounds.h"

@@ -1,4 +1,4 @@
-// The database of a sweep: opened, summed up and reported.
+// The target opens the database of a sweep, summarises it and writes the report.
 
 #include "sim/report/page/page.h"
 #include "sim/report/sections/findings.h"

@@ -8,7 +8,7 @@
 
 namespace assay::fuzz {
 
-// Grounds the task, plans it with a small budget, and runs what was found in some of its worlds.
+// Grounds the task, plans with a small budget, and checks a found tree in some of its worlds.
 inline void GroundAndPlan(const contingent::Domain& domain, const contingent::Problem& problem) {
   contingent::Externs externs;
   const contingent::GroundTask task = contingent::Ground(domain, problem, externs);

@@ -1,4 +1,4 @@
-// A network of constraints: read, and labeled with a small budget.
+// The target reads a constraint network and labels it with a small budget.
 
 #include "planner/network/network/network_file.h"
 #include "tests/fuzz/reader_input.h"

@@ -1,4 +1,4 @@
-// A part file: read, its stable poses and its grasps computed.
+// The target reads a part file and computes the part's stable poses and grasps.
 
 #include "planner/domain/grasp/grasp.h"
 #include "planner/domain/part/part_file.h"

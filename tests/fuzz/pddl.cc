@@ -1,4 +1,4 @@
-// A PDDL domain and a problem of it, with a line of equals signs between them.
+// The target reads a PDDL domain and one of its problems, with a line of equals signs between them.
 
 #include "planner/contingent/format/pddl_file.h"
 #include "tests/fuzz/knowledge.h"

@@ -1,4 +1,4 @@
-// A PKS domain and a problem of it, with a line of equals signs between them.
+// The target reads a PKS domain and one of its problems, with a line of equals signs between them.
 
 #include "planner/contingent/format/pks_file.h"
 #include "tests/fuzz/knowledge.h"

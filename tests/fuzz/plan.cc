@@ -1,4 +1,5 @@
-// A plan file of `uncertain-known`: read, and checked by the independent checker.
+// The target reads a plan file of the scenario `uncertain-known` and runs the independent checker
+// on it.
 
 #include "planner/assembly/plan_check.h"
 #include "planner/domain/problem/problem_file.h"

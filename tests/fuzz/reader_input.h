@@ -12,15 +12,15 @@
 
 namespace assay::fuzz {
 
-// Folder of the models that scenarios name.
+// The folder of the models that scenarios name.
 inline const std::filesystem::path kModels = std::filesystem::path(ASSAY_SOURCE_DIR) / "models";
 
-// The bytes that libFuzzer made, as a text.
+// Returns the bytes from libFuzzer as a text.
 inline std::string TextOf(const std::uint8_t* data, std::size_t size) {
   return {reinterpret_cast<const char*>(data), size};
 }
 
-// Some readers need two texts. A line of equals signs stands between them.
+// Splits an input into two texts, which some readers need. A line of equals signs is between them.
 inline constexpr std::string_view kBetweenTexts = "\n=====\n";
 inline std::pair<std::string, std::string> TwoTexts(const std::string& both) {
   const std::size_t end = both.find(kBetweenTexts);
@@ -28,7 +28,7 @@ inline std::pair<std::string, std::string> TwoTexts(const std::string& both) {
   return {both.substr(0, end), both.substr(end + kBetweenTexts.size())};
 }
 
-// A file of this process that holds the text, for readers that open files.
+// Writes the text to a temporary file of this process, for readers that open files.
 inline std::filesystem::path FileOf(const std::string& text, const std::string& name) {
   const std::filesystem::path file = ScratchFile(name);
   std::filesystem::create_directories(file.parent_path());
@@ -36,16 +36,16 @@ inline std::filesystem::path FileOf(const std::string& text, const std::string& 
   return file;
 }
 
-// One input in so many is taken further than the reader: what comes after reading takes a hundred
-// times as long. The text alone decides, so that a finding repeats.
+// Returns whether this input is one of the few, one in `many`, that are used beyond their reader.
+// That takes a hundred times as long as reading. The text alone decides, so that a finding repeats.
 inline bool IsOneIn(int many, const std::string& text) {
   std::uint32_t hash = 2166136261;
   for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 16777619;
   return hash % static_cast<std::uint32_t>(many) == 0;
 }
 
-// Does the work. A reader may refuse its input by an InputError and in no other way: every other
-// exception ends the process, which libFuzzer reports as a crash.
+// Does the work. A reader may refuse its input by an InputError only. Any other exception ends the
+// process, which libFuzzer reports as a crash.
 template <class Work>
 int RefusesOrDoes(const Work& work) {
   try {

@@ -1,4 +1,5 @@
-// A scenario file: read, and now and then planned, checked and stepped.
+// The target reads a scenario file. Now and then it plans the scenario, checks the plan, and steps
+// the simulation.
 
 #include "sim/scenario/scenario.h"
 #include "planner/assembly/plan_check.h"
@@ -15,7 +16,8 @@ constexpr std::size_t kMostParts = 3;
 constexpr int kOneInPlanned = 40;
 constexpr int kSteps = 20;
 
-// Without the paths of travels, whose search alone takes seconds under sanitizers.
+// Plans with a small budget and without paths of travels, because their search alone takes seconds
+// under sanitizers.
 plan::PlanResult SmallPlan(const domain::Problem& problem) {
   const constraint_posting::PlannerOptions planner = {.partial_plans = 200,
                                                       .instance_choices = 200};

@@ -1,4 +1,4 @@
-// A sweep file.
+// The target reads a sweep file.
 
 #include "sim/sweep/run/sweep_file.h"
 #include "tests/fuzz/reader_input.h"

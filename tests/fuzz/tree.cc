@@ -1,4 +1,4 @@
-// A plan tree of the two cans: read, and run in every world.
+// The target reads a plan tree of the scenario `two-cans` and runs it in every world.
 
 #include "planner/contingent/format/task_file.h"
 #include "planner/contingent/grounding/grounding.h"

@@ -1,4 +1,5 @@
-// A URDF file, as an arm and as a gripper. An arm that is accepted gives its poses back.
+// The target reads a URDF file as an arm and as a gripper. The inverse kinematics of an accepted
+// arm is run at a pose that the arm reaches, and may find eight solutions at most.
 
 #include "planner/base/check.h"
 #include "planner/kinematics/arm.h"

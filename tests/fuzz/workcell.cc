@@ -1,4 +1,4 @@
-// A workcell file, beside robots and grippers that it may name.
+// The target reads a workcell file that may name the repository's robots and grippers.
 
 #include "planner/domain/workcell/workcell.h"
 #include "planner/domain/workcell/workcell_file.h"
@@ -8,7 +8,7 @@ namespace {
 
 using assay::fuzz::kModels;
 
-// A folder of models in which the robots and the grippers are the repository's.
+// Makes a folder of models with the repository's robots and grippers.
 void PrepareModels() {
   namespace fs = std::filesystem;
   for (const char* folder : {"robots", "grippers"}) {

@@ -1,5 +1,5 @@
-// write_seeds FOLDER: writes FOLDER/TARGET/* for every fuzz target: the repository's own files, and
-// what the planner makes of them.
+// write_seeds FOLDER writes the seeds FOLDER/TARGET/* of every fuzz target. They are the
+// repository's own files, and what the planner makes of them.
 
 #include <algorithm>
 #include <cstdio>
@@ -69,13 +69,13 @@ void WritePlan(Seeds& seeds) {
   seeds.Write("plan", plan::ToJson(result, problem, scenario.string()).dump());
 }
 
-// The domains of the folder, by name.
+// Returns the domain files of the folder by the domain's name.
 std::map<std::string, fs::path> PksDomains() {
   std::map<std::string, fs::path> domains;
   for (const fs::path& file : FilesUnder(kRoot / "scenarios" / "know", ".pks")) {
     try {
       domains[contingent::ReadPksDomain(ContentsOf(file), file.string()).name] = file;
-    } catch (const InputError&) {  // a problem
+    } catch (const InputError&) {  // the file is a problem
     }
   }
   return domains;
@@ -105,7 +105,8 @@ void WriteKnowledge(Seeds& seeds) {
     try {
       const auto problem = contingent::ReadPksProblem(ContentsOf(file), file.string());
       WriteTask(seeds, domains.at(problem.domain), file);
-    } catch (const InputError&) {  // a domain, or a task that contingent PDDL cannot say
+      // The file is a domain, or contingent PDDL cannot express the task.
+    } catch (const InputError&) {
     }
   }
 }

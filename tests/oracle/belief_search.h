@@ -11,15 +11,16 @@
 
 namespace assay::oracle {
 
-// Contingent planning the long way: beliefs are sets of worlds, one by one, and trees are looked
-// for with one action more each time. To be trusted for a few atoms without functions and update
-// rules, effects whose conditions are of worlds or of what is known, sensing that is branched on at
-// once, and deletions that are unconditional.
+// Contingent planning by brute force. A belief is the set of all possible worlds, and the depth of
+// trees is increased by one action at a time. The oracle can be trusted for tasks of a few atoms,
+// without functions and update rules. Conditions of effects must be about worlds or about
+// knowledge. Sensing must be followed by its branch at once, and deletions must be unconditional.
 class BeliefSearch {
  public:
   explicit BeliefSearch(const contingent::GroundTask& task) : task_(task) {}
 
-  // The least depth of a plan tree, if one has at most `most` actions on each way.
+  // Returns the least depth of a plan tree, or nothing if each tree needs more than `most` actions
+  // on some way.
   std::optional<int> LeastDepth(int most) {
     for (int depth = 0; depth <= most; ++depth) {
       if (CanSolve(Initial(), depth)) return depth;
@@ -66,7 +67,8 @@ class BeliefSearch {
                : std::any_of(operands.begin(), operands.end(), is_true);
   }
 
-  // `sensed`: what has been sensed and not yet told by a branch.
+  // Returns whether the query is true. `sensed` holds the formulas that have been sensed and on
+  // which no branch has been made.
   bool IsKnown(const Query& query, const Belief& belief, const Sensed& sensed = {}) const {
     const auto is_known = [&](const Query& operand) { return IsKnown(operand, belief, sensed); };
     const auto& operands = query.operands;
@@ -110,7 +112,8 @@ class BeliefSearch {
     return after;
   }
 
-  // In the pass of false literals, or of true ones and what is forgotten.
+  // Applies a change to each world. The effects are applied in two passes. The pass with `value`
+  // false sets literals to false, and the other one sets them to true. Both passes forget literals.
   static std::set<World> Changed(const std::set<World>& worlds,
                                  const contingent::GroundChange& change, bool value) {
     using Kind = contingent::GroundChange::Kind;
@@ -139,7 +142,8 @@ class BeliefSearch {
     return sensed;
   }
 
-  // Unless the goal holds before, branches tell what has been sensed, one by one.
+  // Returns whether the goal can be reached with branches on the sensed formulas, one after the
+  // other. Branches end once the goal is true.
   bool CanSolveSensed(const Belief& belief, Sensed sensed, int depth) {
     if (sensed.empty()) return CanSolve(belief, depth);
     if (IsKnown(task_.goal, belief, sensed)) return true;

@@ -7,14 +7,15 @@
 
 #include "planner/geometry/box.h"
 
-// Two boxes by the definition, slowly.
+// Separation and distance of two boxes, slowly and by definition.
 namespace assay::oracle {
 
 using geometry::Box;
 using geometry::Vector3;
 
-// The greatest separation over the 15 axes of Gottschalk, Lin and Manocha (1996), from corners;
-// negative: the least overlap. Cross products of nearly parallel edges add nothing.
+// Returns the greatest separation over the 15 axes of Gottschalk, Lin and Manocha (1996), from the
+// corners. For boxes that overlap, it is minus the least overlap. Cross products of nearly parallel
+// edges are left out because they add nothing.
 inline double Separation(const Box& a, const Box& b) {
   std::vector<Vector3> axes;
   for (int i = 0; i < 3; ++i) {
@@ -49,7 +50,8 @@ inline double PointSegmentDistance(const Vector3& p, const Vector3& a, const Vec
   return (a + std::clamp(t, 0.0, 1.0) * (b - a) - p).norm();
 }
 
-// Between segments either an end is nearest or, if they are not parallel, two inner points are.
+// Returns the distance of two segments. Either an end is nearest or, if the segments are not
+// parallel, two inner points are.
 inline double SegmentDistance(const Vector3& a, const Vector3& b, const Vector3& c,
                               const Vector3& d) {
   double least = std::min({PointSegmentDistance(a, c, d), PointSegmentDistance(b, c, d),
@@ -65,7 +67,8 @@ inline double SegmentDistance(const Vector3& a, const Vector3& b, const Vector3&
   return least;
 }
 
-// The distance of boxes that do not overlap: a corner against the other box, or edge against edge.
+// Returns the distance of boxes that do not overlap. It is that of a corner and a box, or of two
+// edges.
 inline double DisjointDistance(const Box& a, const Box& b) {
   const std::array<Vector3, 8> of_a = a.Corners(), of_b = b.Corners();
   double least = std::numeric_limits<double>::infinity();

@@ -8,8 +8,8 @@
 
 namespace assay::oracle {
 
-// The expressions of a certificate's preconditions, read back from their texts. `pool` is empty
-// before; then it has the certificate's variables.
+// Returns the expressions of a certificate's preconditions, read from their texts. `pool` must be
+// empty, and gets the certificate's variables.
 inline std::vector<algebra::Expression> CertifiedExpressions(const plan::Certificate& certificate,
                                                              algebra::ExpressionPool& pool) {
   for (const auto& [name, range] : certificate.variables) pool.Declare(name, range);

@@ -9,12 +9,13 @@
 #include "planner/base/interval.h"
 #include "planner/base/random.h"
 
-// The greatest value of a function over a box by looking everywhere: random points, the best of
-// them improved by steps along the axes that become smaller. It uses nothing but values. What it
-// finds is attained, so it never exceeds the truth; in few dimensions it comes near it.
+// Looks for the greatest value of a function over a box. The best of many random points are
+// improved by steps along the axes, which become smaller. The search uses only values of the
+// function. Every value found is attained, so it never exceeds the true maximum. In few dimensions
+// it comes near it.
 namespace assay::oracle {
 
-using Function = std::function<double(const std::vector<double>&)>;  // NaN: undefined
+using Function = std::function<double(const std::vector<double>&)>;  // NaN means undefined
 
 struct Found {
   std::vector<double> point;
@@ -29,24 +30,25 @@ struct Found {
 
 struct DenseSearch {
   int starts = 200;
-  int improved = 5;  // of the best starts
+  int improved = 5;  // number of best starts that are improved
   int most_steps = 2000;
 };
 
 inline std::vector<double> RandomPoint(const std::vector<Interval>& box, RandomStream& random) {
   std::vector<double> point;
   for (const Interval& interval : box) {
-    const int place = random.Index(4);  // often at an end: extrema are
+    const int place = random.Index(4);  // often at an end, where extrema often are
     const double inside = random.Uniform(interval.low, interval.high);
     point.push_back(place == 0 ? interval.low : place == 1 ? interval.high : inside);
   }
   return point;
 }
 
-// Hooke and Jeeves 1961, without the pattern moves; steps along random diagonals, too.
+// Improves a point by the search of Hooke and Jeeves (1961), without its pattern moves, but with
+// steps along random diagonals.
 inline Found Improved(const Function& f, const std::vector<Interval>& box, Found found,
                       int most_steps, RandomStream& random) {
-  double step = 0.25;  // of the widths
+  double step = 0.25;  // fraction of the widths
   for (int i = 0; i < most_steps && step > 1e-9; ++i) {
     const double before = found.value;
     for (std::size_t v = 0; v <= box.size(); ++v) {

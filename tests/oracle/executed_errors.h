@@ -17,16 +17,19 @@
 #include "planner/plan/data/plan.h"
 #include "tests/oracle/box_pair.h"
 
-// What certificates promise, tried out: a plan is executed with numbers, every error drawn from its
-// bounds, ends often. Poses are plain 4x4 matrices and parts are boxes; nothing is shared with
-// planner/uncertainty but the certificates themselves.
+// Tests the promises of certificates by executing a plan in numbers. Every error is drawn from its
+// bounds, and often at their ends. Poses are plain 4x4 matrices and parts are boxes. Only the
+// certificates themselves are shared with planner/uncertainty.
 //
-// The physics is quasi-static: a part on the table only slides and turns on it; the first pad that
-// touches pushes it, by which it may turn by up to the push over twice its radius of gyration; the
-// pads then turn it flush about one of the two contacts, now the one, now the other, or jam on the
-// way, if the line between the contacts is within both friction cones; closed pads hold firmly; a
-// guarded motion ends where the part meets the table or its seat; what is let go falls flat about
-// one of the points that it stands on.
+// The physics is quasi-static:
+// - A part on the table only slides and turns on it.
+// - The first pad that touches a part pushes it. The part may turn by up to the length of the push
+//   over twice its radius of gyration.
+// - The pads then turn the part flush about one of the two contacts, in any alternation. They may
+//   jam on the way if the line between the contacts is within both friction cones.
+// - Closed pads hold firmly.
+// - A guarded motion ends where the part meets the table or its seat.
+// - A released part falls flat about one of the points on which it stands.
 namespace assay::oracle {
 
 using domain::PartId;
@@ -41,12 +44,11 @@ struct CertifiedAction {
 };
 
 struct Execution {
-  std::vector<std::string> contradictions;  // certificates that turned out false
-  bool completed =
-      false;  // false: something that was not proved did go wrong, and no more is known
+  std::vector<std::string> contradictions;  // certificates that proved false
+  bool completed = false;  // false if something unproved went wrong; the rest is then unknown
 };
 
-// The rotation that takes one unit vector to another by the least angle.
+// Returns the rotation that takes one unit vector to another by the least angle.
 inline geometry::Matrix3 LeastTurn(const Vector3& from, const Vector3& to) {
   return Eigen::Quaterniond::FromTwoVectors(from, to).normalized().toRotationMatrix();
 }
@@ -58,12 +60,13 @@ inline Pose About(const Vector3& pivot, const geometry::Matrix3& rotation) {
   return turn;
 }
 
-// How far it is turned about the world's z.
+// Returns the angle of the turn about the world's z, in radians.
 inline double YawOf(const geometry::Matrix3& R) {
   return std::atan2(R(1, 0) - R(0, 1), R(0, 0) + R(1, 1));
 }
 
-// Draws from intervals: the ends, zero and what lies between.
+// Draws errors from intervals. One world in three draws only ends, and one in three draws ends half
+// of the time.
 class ErrorDraws {
  public:
   explicit ErrorDraws(RandomStream& random) : random_(random), style_(random.Index(3)) {}
@@ -82,8 +85,8 @@ class ErrorDraws {
   int style_;
 };
 
-// Pads that close on a part, in the frame of the true hand. The grasp frame is that of the plan, as
-// it sits in the part: its y is normal to the two faces, which lie half the width to either side.
+// Pads that close on a part, in the frame of the true hand. The grasp frame is the planned one,
+// fixed in the part. Its y is normal to the two faces, which lie half the width to either side.
 class ClosingPads {
  public:
   struct PartBetween {
@@ -105,12 +108,13 @@ class ClosingPads {
 
  private:
   struct Contacts {
-    Vector3 left, right;  // of the pads at +y and -y with the faces
+    Vector3 left, right;  // contacts of the pads at +y and -y with the faces
   };
 
   Vector3 Normal() const { return part_.X_HandGrasp.linear().col(1); }
 
-  // Where a face first meets its pad: at the corner (or edge) where it lies highest.
+  // Returns where a face first meets its pad. That is the corner or edge of the pad over which the
+  // face is highest.
   Vector3 HighestUnderPad(double side) {
     const Vector3 n = Normal();
     const auto end = [&](double slope, double half) {
@@ -135,7 +139,7 @@ class ClosingPads {
     const Contacts at = Touching();
     Move(geometry::Translation(0, -(at.left.y() + at.right.y()) / 2, 0));
   }
-  // The turn about the vertical that makes the faces flush as far as a turn about it can.
+  // Returns the turn about the vertical that makes the faces as flush as it can, in radians.
   double TurnToFlush() const {
     const auto level = [&](const Vector3& v) { return Vector3(v - part_.up.dot(v) * part_.up); };
     const Vector3 from = level(Normal()), to = level(Vector3::UnitY());
@@ -147,12 +151,12 @@ class ClosingPads {
     const double off = (at.left.y() + at.right.y()) / 2;
     const Vector3 contact = off > 0 ? at.left : at.right;
     const double most = std::abs(off) / (2 * part_.gyration);
-    // Along the pads, level: the centre of mass lags behind the contact.
+    // The level direction along the pads. The centre of mass lags behind the contact.
     const Vector3 along = Vector3::UnitY().cross(part_.up).normalized();
     const double reach = std::abs(along.x()) * half_.x() + std::abs(along.z()) * half_.y();
     const double lever = along.dot(part_.center - contact);
     double turn = draw_.Share() * most * (lever * off > 0 ? 1 : -1);
-    if (std::abs(along.dot(part_.center)) <= reach) {  // it comes to lie flush and stays so
+    if (std::abs(along.dot(part_.center)) <= reach) {  // the part becomes flush and stays so
       const double flush = TurnToFlush();
       if (turn * flush < 0) turn = 0;
       turn = std::copysign(std::min(std::abs(turn), std::abs(flush)), flush);
@@ -221,8 +225,8 @@ class ExecutedWorld {
     return execution_;
   }
 
-  // Once more, the hand is told to be at X_FixedTool as it believes the fixed part to be: where, as
-  // that truly is, the part in the hand is then.
+  // Commands the hand, with new errors, to X_FixedTool relative to the believed pose of the fixed
+  // part. Returns the pose of the held part in the true frame of the fixed part.
   Pose HeldSeenBy(PartId fixed, const Pose& X_FixedTool) {
     const Pose X_WorldHeld = HandAt(body(fixed).belief * X_FixedTool) * X_HandPart_;
     return body(fixed).truth.inverse() * X_WorldHeld;
@@ -233,7 +237,7 @@ class ExecutedWorld {
     Pose truth;
     Pose belief;
     Pose planned;
-    double table = 0;  // height of the table under it
+    double table = 0;  // height of the table under the part
   };
 
   static Pose Displaced(const Pose& X, const Vector3& d, double yaw) {
@@ -255,7 +259,7 @@ class ExecutedWorld {
            geometry::RotationZ(draw_(error.theta));
   }
 
-  // ---- What was promised ----
+  // ---- Promises ----
 
   bool Promised(const std::string& condition) const {
     bool any = false;
@@ -266,7 +270,7 @@ class ExecutedWorld {
     }
     return any;
   }
-  // Whether to go on: what is promised and false is a contradiction.
+  // Returns whether the execution goes on. A promise that is false is a contradiction.
   bool Require(const std::string& condition, double margin, const std::string& what) {
     if (margin > -kRounding) return true;
     if (Promised(condition)) Contradict(fmt::format("{}: {} by {}", condition, what, -margin));
@@ -288,7 +292,8 @@ class ExecutedWorld {
     const std::array<const char*, 6> words = {"x", "y", "z", "theta", "tip", "twist"};
     for (std::size_t i = 0; i < 6; ++i) ExpectIn(ranges[i], error[i], name + words[i]);
   }
-  // Of the grasped point in the frame of the commanded hand: R = Rz(theta) Rx(tip) Ry(twist).
+  // Returns the error of the grasped point in the frame of the commanded hand. The rotation is R =
+  // Rz(theta) Rx(tip) Ry(twist).
   std::array<double, 6> HeldErrorNow() const {
     const Pose X = commanded_.inverse() * hand_ * X_HandPart_ * hold_.X_PartTool;
     const Vector3 p = X.translation();
@@ -300,7 +305,7 @@ class ExecutedWorld {
             std::asin(R(2, 1)),
             std::atan2(-R(2, 0), R(2, 2))};
   }
-  // In the world's axes, about the believed pose.
+  // Returns the error of the true pose relative to the believed one, in the world's axes.
   std::array<double, 6> RestingErrorOf(PartId part) {
     const Body& b = body(part);
     const Vector3 d = b.truth.translation() - b.belief.translation();
@@ -309,7 +314,8 @@ class ExecutedWorld {
 
   // ---- Grasps ----
 
-  // Brings the hand to the part and closes the pads.
+  // Brings the hand to the part and closes the pads. Returns false if something unproved went
+  // wrong.
   bool Grasp(PartId part, const plan::Hold& hold, const Pose& planned) {
     for (const plan::ErrorSet& set : certificate_->before) ExpectInside(set, "before");
     body(part).planned = planned;
@@ -367,8 +373,8 @@ class ExecutedWorld {
     return (a.X_FrameBox.translation() - b.X_FrameBox.translation()).norm() >
            a.half_extents.norm() + b.half_extents.norm();
   }
-  // The least separation of the hand, its pads so far apart, and a part, at places on the straight
-  // way from where the hand is.
+  // Returns the least separation of a part and the hand with its pads this far apart. It is taken
+  // at a few places of the straight retreat from the hand's pose.
   double FromHand(const Pose& hand, double opening, PartId part, const Pose& X_WorldPart) const {
     const kinematics::Gripper& gripper = problem_.workcell->gripper();
     std::vector<Box> boxes = gripper.HandBoxes();
@@ -386,7 +392,7 @@ class ExecutedWorld {
     }
     return nearest;
   }
-  // Open and closed, beside all other parts.
+  // Requires that the hand, open or closed, is clear of all parts that it does not handle.
   bool HandPasses(const Pose& hand, const std::vector<PartId>& handled, double width) {
     double nearest = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < parts_.size(); ++i) {
@@ -398,13 +404,13 @@ class ExecutedWorld {
     }
     return Keeps("hand clear", nearest, "the hand goes through a part");
   }
-  // Open, beside the part that it takes or lets go.
+  // Requires that the open hand is clear of the part that it takes or releases.
   bool OpensBeside(const Pose& hand, PartId part, const Pose& X_WorldPart) {
     return Keeps("hand clear", FromHand(hand, MostOpen(), part, X_WorldPart),
                  "the open hand goes through the part that it handles");
   }
   double MostOpen() const { return problem_.workcell->gripper().max_opening(); }
-  // What is not even asked is promised, too.
+  // Requires a separation. It counts as promised unless a claim of this condition is unproved.
   bool Keeps(const std::string& condition, double separation, const std::string& what) {
     if (separation > -kRounding) return true;
     const auto denied = [&](const plan::CertifiedPrecondition& claim) {
@@ -430,7 +436,7 @@ class ExecutedWorld {
 
   // ---- Landing ----
 
-  // The points of the part on which it stands when its pose is `flat`.
+  // Returns the points of the part on which it stands when its pose is `flat`.
   std::vector<Vector3> FeetOf(PartId part, const Pose& flat) const {
     std::vector<Vector3> feet;
     double lowest = std::numeric_limits<double>::infinity();
@@ -444,8 +450,8 @@ class ExecutedWorld {
     }
     return feet;
   }
-  // Let go at X, meant to stand as at `flat`: it turns about a foot until it stands, keeps its yaw,
-  // and its height is the table's.
+  // Returns the pose of a part that is released at X and should stand as in `flat`. It turns about
+  // a foot until it stands, keeps its yaw, and takes the table's height.
   Pose Settled(PartId part, const Pose& X, const Pose& flat, double table) {
     const std::vector<Vector3> feet = FeetOf(part, flat);
     const Vector3 up = (X.linear() * flat.linear().transpose()).col(2);
@@ -504,7 +510,7 @@ class ExecutedWorld {
 
   // ---- Sensing ----
 
-  // Coordinates that the sensor measures better than they are known take its word.
+  // Coordinates that the sensor measures better than they are known become the measured ones.
   bool Act(const plan::Sense& sense) {
     const auto& sensor = *problem_.workcell->uncertainty_operations().FindSensor(sense.sensor);
     Body& b = body(sense.part);
@@ -529,10 +535,11 @@ class ExecutedWorld {
   // ---- Mating ----
 
   struct Seat {
-    Vector3 point;      // of the held part, its frame
-    double height = 0;  // of the face that it meets, along the axis, frame of the fixed part
+    Vector3 point;      // of the held part, in its frame
+    double height = 0;  // of the face that it meets, along the axis, in the frame of the fixed part
   };
-  // Corners of the held part that touch a face of the fixed one across the axis, when mated.
+  // Returns the corners of the held part that touch a face of the fixed part across the axis when
+  // mated.
   std::vector<Seat> SeatsOf(const domain::Mating& mating) const {
     const Vector3 axis = mating.mating_vector.normalized();
     std::vector<Seat> seats;
@@ -548,7 +555,8 @@ class ExecutedWorld {
     }
     return seats;
   }
-  // How far the held part goes on along the axis until it sits; negative: already too far.
+  // Returns how far the held part must move along the axis until it sits. A negative value means
+  // that it has gone too far.
   static double TravelToSeat(const std::vector<Seat>& seats, const Pose& X_FixedHeld,
                              const Vector3& axis) {
     double least = std::numeric_limits<double>::infinity();
@@ -598,7 +606,7 @@ class ExecutedWorld {
         !HandComesIn(mating.fixed, from, to)) {
       return false;
     }
-    // Let go, it sits flat on a corner of its seat.
+    // The released part sits flat on a corner of its seat.
     const Pose down = geometry::Translation(travel * axis) * end;
     const Seat& corner =
         seats[static_cast<std::size_t>(draw_.Index(static_cast<int>(seats.size())))];
@@ -612,7 +620,8 @@ class ExecutedWorld {
     return true;
   }
 
-  // Closed, as far as to where it opens, and then open.
+  // Requires that the hand is clear of the fixed part: with closed pads on the way in, and with
+  // open pads at its end.
   bool HandComesIn(PartId fixed, const Pose& from, const Pose& to) {
     constexpr int kPlaces = 8;
     double nearest = FromHand(to, MostOpen(), fixed, body(fixed).truth);
@@ -659,7 +668,7 @@ class ExecutedWorld {
   Execution execution_;
 };
 
-// The plan, executed once.
+// Executes the plan once with random errors.
 inline Execution ExecuteOnce(const domain::Problem& problem,
                              std::span<const CertifiedAction> actions, RandomStream& random) {
   return ExecutedWorld(problem, random).Execute(actions);

@@ -12,17 +12,17 @@
 
 namespace assay::oracle {
 
-// Whether there is a plan, found out by trying everything: breadth-first over all states of small
-// problems, every order, robot, grasp and place, each step looked at among the parts as they then
-// lie. It knows more than the planner: every robot of the workcell acts, all of them may hold a
-// part at the same time, and parts are mated with parts that are themselves mated. It does not know
-// how to carry mated parts together. It can be trusted where parts start in stable poses.
+// Decides by trying everything whether a plan exists. All states of a small problem are visited,
+// with every order, robot, grasp and place. Each step is tested among the parts as they then lie.
+// The oracle allows more than the planner does. Every robot acts, all robots may hold a part at the
+// same time, and parts are mated with parts that are mated themselves. It does not carry mated
+// parts together. It can be trusted if parts start in stable poses.
 class ExhaustiveAssembly {
  public:
   enum class Answer {
     kPlan,
     kNone,
-    kNoneWithoutCarrying  // parts were mated on the way, and might be carried together
+    kNoneWithoutCarrying  // parts were mated on the way, and carrying them together might help
   };
 
   explicit ExhaustiveAssembly(const domain::Problem& problem) {
@@ -65,13 +65,13 @@ class ExhaustiveAssembly {
   using Pose = geometry::Pose;
 
   struct Resting {
-    domain::StablePoseId pose;  // None: mated onto another part
+    domain::StablePoseId pose;  // None if mated onto another part
     Pose X_WorldPart;
   };
   struct Whereabouts {
-    int robot = -1;  // none: it does not hold the part
+    int robot = -1;  // negative: no robot holds the part
     int grasp = -1;
-    int pose = 0;  // in poses_, of a part that no robot holds
+    int pose = 0;  // index in poses_, for a part that no robot holds
 
     auto operator<=>(const Whereabouts&) const = default;
   };
@@ -247,7 +247,8 @@ class ExhaustiveAssembly {
     return true;
   }
 
-  // Hand and fingers, closed, open, and open at the end of their retreat.
+  // Returns whether hand and fingers are free when closed, when open, and when open at the end of
+  // the retreat.
   static bool IsFree(const domain::Problem& worked, int part, int grasp_label,
                      const Pose& X_WorldPart, std::span<const domain::PlacedPart> others) {
     const domain::Grasp& grasp = (*worked.parts[part].grasps)[grasp_label];
@@ -261,8 +262,9 @@ class ExhaustiveAssembly {
   }
 
   std::vector<domain::Problem> robots_;
-  std::vector<std::vector<Resting>> poses_;  // by part: at the start, placed, and mated
-  std::vector<int> rests_;                   // by part: so many of them are on the table
+  std::vector<std::vector<Resting>> poses_;  // for each part: at the start, placed, and mated
+  // For each part, the number of its poses on the table.
+  std::vector<int> rests_;
   std::set<State> known_;
   std::vector<State> open_;
   std::map<Key, bool> answers_;

@@ -6,8 +6,9 @@
 
 namespace assay::oracle {
 
-// The flange in the base as the plain product of the six matrices of the Denavit-Hartenberg table,
-// alpha = (-90, 0, 90, -90, 90, 0) degrees, written out from their definition.
+// Returns the pose of the flange in the base as the product of the six matrices of the
+// Denavit-Hartenberg table. The table has alpha = (-90, 0, 90, -90, 90, 0) degrees, and each matrix
+// is written out from its definition.
 inline Eigen::Matrix4d ForwardByTable(const kinematics::ArmGeometry& g,
                                       const kinematics::JointVector& q) {
   const double cosine_alpha[6] = {0, 1, 0, 0, 0, 1};
@@ -28,7 +29,8 @@ inline Eigen::Matrix4d ForwardByTable(const kinematics::ArmGeometry& g,
   return T;
 }
 
-// The same out of the URDF's joints alone, one homogeneous matrix after the other.
+// Returns the pose of the flange from the URDF's joints alone, as a product of homogeneous
+// matrices.
 inline Eigen::Matrix4d ForwardByUrdf(const kinematics::RobotModel& model,
                                      const kinematics::JointVector& q) {
   Eigen::Matrix4d T = Eigen::Matrix4d::Identity();

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-// The part of JSON Schema draft 7 that the project's own schemas use. An unknown keyword is
-// reported as an error, so that no condition is passed over in silence.
+// Validates documents by the part of JSON Schema draft 7 that the project's own schemas use. An
+// unknown keyword is reported as an error, so that no condition is passed over in silence.
 namespace assay::oracle {
 
 class JsonSchema {
@@ -16,7 +16,7 @@ class JsonSchema {
 
   explicit JsonSchema(Json schema) : root_(std::move(schema)) {}
 
-  // What is wrong with the document, each with its JSON pointer; empty if it is valid.
+  // Returns the document's breaches of the schema, each with its JSON pointer. Empty means valid.
   std::vector<std::string> Errors(const Json& document) const {
     return Errors(root_, document, "");
   }

@@ -11,9 +11,9 @@
 
 #include "planner/base/interval.h"
 
-// Linear programs by GLPK's simplex method in rational arithmetic. It tells which bounds and rows
-// the optimum lies on; the numbers that it tells are rounded, so the point is computed anew from
-// these, as a rational. To be trusted on small systems.
+// Solves linear programs by GLPK's simplex method in rational arithmetic. GLPK gives the bounds and
+// rows on which the optimum lies. Its numbers are rounded, so the point is computed from these
+// bounds and rows as a rational. The oracle can be trusted for small systems.
 namespace assay::oracle {
 
 struct LinearProgram {
@@ -28,20 +28,21 @@ struct LinearProgram {
 
 struct Maximum {
   enum class Kind { kFinite, kUnbounded, kContradiction } kind = Kind::kContradiction;
-  mpq_class value = {};  // of kFinite
+  mpq_class value = {};  // set if `kind` is kFinite
 };
 
-// The least double that is not below q, the greatest that is not above.
+// RoundedUp returns the least double that is not below q. RoundedDown returns the greatest double
+// that is not above q.
 inline double RoundedUp(const mpq_class& q) {
   const double near = q.get_d();
   return near < q ? std::nextafter(near, std::numeric_limits<double>::infinity()) : near;
 }
 inline double RoundedDown(const mpq_class& q) { return -RoundedUp(-q); }
 
-// a1*x1 + ... = right, as the row a1, ..., right.
+// The equation a1*x1 + ... = right, as the row a1, ..., right.
 using Equation = std::vector<mpq_class>;
 
-// The solution of as many independent equations as there are unknowns.
+// Returns the solution of as many independent equations as there are unknowns.
 inline std::vector<mpq_class> Solve(std::vector<Equation> equations) {
   const std::size_t n = equations.size();
   for (std::size_t k = 0; k < n; ++k) {
@@ -59,7 +60,7 @@ inline std::vector<mpq_class> Solve(std::vector<Equation> equations) {
   return solution;
 }
 
-// The bounds and rows on which GLPK's optimum lies.
+// Returns the bounds and rows on which GLPK's optimum lies, as equations.
 inline std::vector<Equation> TightEquations(const LinearProgram& program, glp_prob* p) {
   const std::size_t n = program.box.size();
   std::vector<Equation> equations;
@@ -107,7 +108,7 @@ inline Maximum Maximize(const LinearProgram& program) {
   for (int v = 1; v <= variables; ++v) indices[v] = v;
   for (const LinearProgram::Row& row : program.rows) {
     const int i = glp_add_rows(p, 1);
-    std::vector<double> coefficients = {0};  // counted from 1
+    std::vector<double> coefficients = {0};  // GLPK counts from 1
     coefficients.insert(coefficients.end(), row.coefficients.begin(), row.coefficients.end());
     glp_set_row_bnds(p, i, GLP_UP, 0, row.upper);
     glp_set_mat_row(p, i, variables, indices.data(), coefficients.data());

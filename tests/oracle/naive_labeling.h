@@ -7,8 +7,8 @@
 #include "planner/network/network/labeling.h"
 #include "planner/network/network/network.h"
 
-// Slow and plain answers about binary constraint networks. They use LabelSet::contains and
-// Relation::Allows and nothing else of the library.
+// Slow and plain answers about binary constraint networks. The only functions of the library that
+// they use are LabelSet::contains and Relation::Allows.
 namespace assay::oracle {
 
 using network::Arc;
@@ -27,7 +27,8 @@ inline bool Holds(const std::vector<LabelSet>& nodes, const std::vector<Arc>& ar
   return true;
 }
 
-// Every combination of labels is tried. In lexicographic order of the node numbers.
+// Returns all labelings, found by trying every combination of labels. They are in lexicographic
+// order of the node numbers.
 inline std::vector<Labeling> LabelingsByEnumeration(const std::vector<LabelSet>& nodes,
                                                     const std::vector<Arc>& arcs) {
   std::vector<Labeling> found;
@@ -43,7 +44,7 @@ inline std::vector<Labeling> LabelingsByEnumeration(const std::vector<LabelSet>&
   }
 }
 
-// Chronological backtracking in the order of the node numbers, as Spar does it.
+// Chronological backtracking in the order of the node numbers, as in Spar.
 class Backtracking {
  public:
   Backtracking(const std::vector<LabelSet>& nodes, const std::vector<Arc>& arcs)
@@ -86,8 +87,9 @@ inline std::vector<Labeling> LabelingsByBacktracking(const std::vector<LabelSet>
   return Backtracking(nodes, arcs).All();
 }
 
-// AC-1 (Mackworth 1977): all arcs again and again until nothing changes; an arc from a node to
-// itself pairs each label with itself. Empty at a wipe-out.
+// Returns the arc-consistent label sets by AC-1 (Mackworth 1977), which revises all arcs until
+// nothing changes. An arc from a node to itself pairs each label with itself. Returns nothing at a
+// wipe-out.
 inline std::optional<std::vector<LabelSet>> ArcConsistentByRepetition(
     std::vector<LabelSet> nodes, const std::vector<Arc>& arcs) {
   const auto supported = [&](const Arc& arc, network::NodeId end, Label label) {

@@ -9,13 +9,14 @@
 #include "planner/algebra/numeric/interval_arithmetic.h"
 #include "planner/base/random.h"
 
-// Expressions without structure, of all operators.
+// Random expressions without structure, with all operators.
 namespace assay::oracle {
 
 using algebra::Expression;
 using algebra::ExpressionPool;
 
-// What the expression certainly is at a point: an interval that rounding makes wide.
+// Returns an interval that certainly contains the value of the expression at a point. Rounding
+// makes it wide.
 inline Interval ValueAt(const Expression& e, const std::vector<double>& point) {
   std::vector<Interval> box;
   for (double x : point) box.push_back({x, x});
@@ -28,8 +29,8 @@ inline Interval RandomInterval(RandomStream& random) {
   return {a, a + random.Uniform() * (random.Index(2) == 0 ? 0.3 : 4)};
 }
 
-// A number that is not 0, not negative; anything else as it is: a root or a reciprocal of a number
-// must be real.
+// Makes a number positive, and leaves any other expression as it is. The root and the reciprocal of
+// a positive number are real.
 inline Expression RealIfNumber(const Expression& e) {
   if (!e.IsConstant()) return e;
   return e.constant() == 0 ? 1 : std::abs(e.constant());
@@ -68,7 +69,7 @@ inline Expression RandomExpression(int depth, RandomStream& random, ExpressionPo
   }
 }
 
-// With one to four variables, and anything up to the depth.
+// Declares one to four variables and returns an expression of at most this depth.
 inline Expression RandomExpressionAndBox(int depth, RandomStream& random, ExpressionPool& pool) {
   const int variables = 1 + random.Index(4);
   for (int i = 0; i < variables; ++i) {

@@ -14,7 +14,7 @@ inline geometry::Vector3 RandomVector(RandomStream& random, double reach) {
   return {x, y, random.Uniform(-reach, reach)};
 }
 
-// Uniform over the rotations (Shoemake 1992).
+// Returns a rotation from the uniform distribution (Shoemake 1992).
 inline geometry::Matrix3 RandomRotation(RandomStream& random) {
   const double u = random.Uniform();
   const double v = random.Uniform(0, 2 * std::numbers::pi);
@@ -30,7 +30,7 @@ inline geometry::Pose RandomPose(RandomStream& random, double reach) {
   return X;
 }
 
-// One of the 24 rotations that permute the axes.
+// Returns one of the 24 rotations that permute the axes.
 inline geometry::Matrix3 RandomQuarterTurns(RandomStream& random) {
   const int axis = random.Index(3);
   const int sign = random.Index(2) * 2 - 1;

@@ -5,10 +5,11 @@
 
 #include "tests/oracle/random_pose.h"
 
-// How a body comes to rest, from its corners alone and without its facets.
+// Computes how a body comes to rest from its corners alone, without its facets.
 namespace assay::oracle {
 
-// How high the centre of mass is above a table when `down` (unit, body frame) points down.
+// Returns the height of the centre of mass above a table when `down` points down. `down` is a unit
+// vector in the body's frame.
 inline double HeightOfCenter(std::span<const geometry::Vector3> corners,
                              const geometry::Vector3& center, const geometry::Vector3& down) {
   double height = -std::numeric_limits<double>::infinity();
@@ -16,9 +17,9 @@ inline double HeightOfCenter(std::span<const geometry::Vector3> corners,
   return height;
 }
 
-// The direction that ends up pointing down when the body is let go with `down` pointing down, rolls
-// without swing and loses height only: random steps that lower the centre, ever shorter. To within
-// a few thousandths of a radian.
+// Returns the direction that points down after the body was released with `down` pointing down. The
+// body rolls without swing and only loses height. Random steps, which become ever shorter, lower
+// the centre. The result is right to a few thousandths of a radian.
 inline geometry::Vector3 RollToRest(std::span<const geometry::Vector3> corners,
                                     const geometry::Vector3& center, geometry::Vector3 down,
                                     RandomStream& random) {

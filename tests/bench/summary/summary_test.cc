@@ -105,7 +105,7 @@ TEST(Growth, FindsTheExponentOfAPowerLaw) {
   ASSERT_THAT(growths, SizeIs(2));
   EXPECT_NEAR(growths[0].Exponent(), 1.5, 1e-9);
   EXPECT_EQ(growths[0].of, "sides");
-  EXPECT_EQ(growths[1].name, "plan/tree/assay");  // kinds of instances grow apart
+  EXPECT_EQ(growths[1].name, "plan/tree/assay");  // each kind of instance has its own growth
   EXPECT_NEAR(growths[1].Exponent(), 2, 1e-9);
 }
 
@@ -240,8 +240,8 @@ TEST(Measurements, ReadsWhatGoogleBenchmarkWrites) {
   EXPECT_EQ(measurements.context.at("num_cpus"), "2");
 }
 
-// Of "labeling/a", which is wanted 5 times as quick as gecode, a pass: microseconds of each
-// contestant, or what was wrong with its answer.
+// Writes one pass of the benchmark "labeling/a", in which 5 times the speed of gecode is demanded.
+// Each contestant has its time in microseconds, or the reason why its answer is wrong.
 std::filesystem::path WritePass(
     const std::string& name, const std::vector<std::pair<std::string, std::string>>& contestants) {
   std::vector<std::string> entries;

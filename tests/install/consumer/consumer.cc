@@ -15,7 +15,7 @@ bool Plans() {
   return result.plan.steps.size() == 2;  // pickup, assemble
 }
 
-// Through the module that has FCL.
+// Tests the module that links FCL.
 bool TellsDistances() {
   using namespace assay::geometry;
   const Box cube{Pose::Identity(), Vector3(0.5, 0.5, 0.5)};
@@ -23,7 +23,7 @@ bool TellsDistances() {
   return std::abs(Distance(shape, Pose::Identity(), shape, Translation(3, 0, 0)) - 2) < 1e-6;
 }
 
-// Through the module that has OMPL.
+// Tests the module that links OMPL.
 bool FindsPaths() {
   using assay::kinematics::JointVector;
   const JointVector one = JointVector::Ones();

@@ -8,7 +8,7 @@
 
 namespace assay::check {
 
-// A scenario with its plan.
+// A problem with its certified plan.
 struct Certified {
   domain::Problem problem;
   plan::Plan plan;
@@ -35,7 +35,8 @@ inline Certified CertifiedPlan(
   return CertifiedPlan(ScenarioNamed(scenario, overrides), propagation);
 }
 
-// Of the first step of this kind, in the order of execution.
+// Returns the id of the first step of this kind in the order of execution. Returns None if there is
+// no such step.
 template <class Action>
 plan::StepId FirstStep(const plan::Plan& plan) {
   for (const plan::StepId id : plan.ExecutionOrder()) {
@@ -44,7 +45,8 @@ plan::StepId FirstStep(const plan::Plan& plan) {
   return plan::StepId::None();
 }
 
-// The plan up to its first pickup: enough for what is asked of that, and quick.
+// Returns the plan up to its first pickup. It is quicker to execute than the whole plan, and enough
+// for claims about the pickup.
 inline plan::Plan UpToThePickup(const plan::Plan& plan) {
   const int last = plan.step(FirstStep<plan::Pickup>(plan)).executed;
   plan::Plan cut{.problem = plan.problem, .steps = {}};

@@ -11,8 +11,8 @@ namespace {
 
 using testing::HasSubstr;
 
-// The plan beside the mast, up, over at safe height and down: the forearm runs into it. The trial
-// has failed, and that comes before what has become of peg and block.
+// The plan is executed beside the mast with the usual travel: up, over at safe height, and down.
+// The forearm runs into the mast. A collision fails the trial, whatever became of peg and block.
 TEST(CollidedTrial, AForearmThatRunsIntoTheMastHasFailed) {
   const domain::Problem problem = domain::ReadProblem(
       Document::Load(ASSAY_SOURCE_DIR "/scenarios/mast.yaml"), ASSAY_SOURCE_DIR "/models");

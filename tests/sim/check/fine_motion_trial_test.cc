@@ -12,8 +12,8 @@
 #include "sim/noise/sampling.h"
 #include "tests/sim/check/certified.h"
 
-// Plans with an assembly by fine motion, executed: a look, a pickup that leaves the peg off by more
-// than its play, and the way in by contacts.
+// Executions of a plan with an assembly by fine motion. The plan has a look, a pickup that leaves
+// the peg off by more than its play, and an insertion by contacts.
 namespace assay::check::fine_motion_trial_test {
 namespace {
 
@@ -51,7 +51,8 @@ class FeltAssembly : public testing::Test {
   }
 };
 
-// One trial, and one attempt at each step, as the gate takes several executions to measure.
+// One trial, and one falsification of few attempts, because measuring the noise floor takes several
+// executions.
 TEST_F(FeltAssembly, SeatsThePartInSpiteOfErrors) {
   ASSERT_TRUE(certified().plan.step(AssembleStep()).strategy);
   const NoisyTrial trial = Run(certified().plan, noise::Mode::kUniform, Gate());
@@ -66,7 +67,7 @@ TEST_F(FeltAssembly, SeatsThePartInSpiteOfErrors) {
   }
   EXPECT_THAT(claimed, Contains("tip shift"));
   EXPECT_THAT(claimed, Contains("tip turn"));
-  EXPECT_THAT(claimed, Not(Contains("entry")));  // absorbed: it may fail, and does
+  EXPECT_THAT(claimed, Not(Contains("entry")));  // the strategy absorbs it: it may fail, and does
   EXPECT_THAT(claimed, Contains("x of peg"));
 
   const Experiment experiment{certified().problem, certified().plan, {}, Gate()};
@@ -75,7 +76,7 @@ TEST_F(FeltAssembly, SeatsThePartInSpiteOfErrors) {
   EXPECT_EQ(result.certificates.size(), certified().plan.steps.size());
 }
 
-// The first motion leads away from what it is to touch.
+// The first motion leads away from the contact that it should make.
 TEST_F(FeltAssembly, AFailureTellsHowTheMatingEnded) {
   plan::Plan plan = certified().plan;
   plan::Strategy& strategy = *plan.steps[AssembleStep().index()].strategy;

@@ -15,8 +15,8 @@
 #include "sim/noise/error_box.h"
 #include "sim/noise/sampling.h"
 
-// That a hand holds what it holds, asked of the engine: parts of all weights between pads of all
-// frictions and forces.
+// Checks the precondition `holding` against the engine, for parts of many weights between pads of
+// many frictions and forces.
 namespace assay::check::held_parts_test {
 namespace {
 
@@ -25,22 +25,22 @@ namespace fs = std::filesystem;
 constexpr std::uint64_t kSeed = 27;
 const fs::path kModels = ASSAY_SOURCE_DIR "/models";
 
-// So many scenes, and corners of each that is proved; more of them with ASSAY_HELD_SCENES=500 and
-// ASSAY_HELD_CORNERS=20.
+// Returns the number in the environment variable `name`, or `otherwise` without it. For a longer
+// test: ASSAY_HELD_SCENES=500 scenes, and ASSAY_HELD_CORNERS=20 corners of each proved one.
 int Asked(const char* name, int otherwise) {
   const char* count = std::getenv(name);
   return count == nullptr ? otherwise : std::atoi(count);
 }
 
-// What differs from scene to scene. Frictions have tolerances of this share of them.
+// What differs between scenes. `tolerance` is a fraction of the pads' friction.
 struct Draw {
-  double density = 1;  // of the peg, in that of the stock one
+  double density = 1;  // density of the peg over that of the stock peg
   double pad_friction = 0.15;
   double grip_force = 100;  // newtons
   double tolerance = 0;
   double block_yaw = 30;  // degrees
   double peg_yaw = -120;
-  bool mates = true;  // else the peg is put down elsewhere
+  bool mates = true;  // false: the peg is put down elsewhere
 
   std::string Text() const {
     return fmt::format(
@@ -66,7 +66,7 @@ Draw DrawScene(RandomStream& random) {
   return draw;
 }
 
-// The stock models, but that the peg is denser.
+// Returns a folder of the stock models in which the peg has `density` times its usual density.
 fs::path ModelsWith(double density) {
   const fs::path folder = fs::path(testing::TempDir()) / fmt::format("models-{:.17g}", density);
   fs::create_directories(folder / "parts/peg");
@@ -143,7 +143,8 @@ Verdict AtCorner(const Planned& planned, int corner) {
       .verdict;
 }
 
-// Every corner of a plan that is all proved succeeds: nothing falls, slips or topples.
+// Every corner of the error box succeeds if the whole plan is proved. Nothing falls, slips or
+// topples.
 TEST(HeldParts, WhatIsProvedKeepsToItAtTheCorners) {
   RandomStream random(kSeed, "held parts");
   const int corners = Asked("ASSAY_HELD_CORNERS", 1);

@@ -45,7 +45,7 @@ void Halve(domain::PartId part, int component, std::vector<ErrorSet>& sets) {
   }
 }
 
-// By a third of what is left to it.
+// Moves the limit so that the margin grows by a third.
 void MoveLimit(plan::CertifiedPrecondition& claim) {
   if (!claim.holds()) return;
   const double third = claim.margin / 3;
@@ -53,7 +53,7 @@ void MoveLimit(plan::CertifiedPrecondition& claim) {
   claim.margin += third;
 }
 
-// After its step.
+// Applies the lie to the world and the certificate after the mutated step.
 void Lied(const Mutation& mutation, plan::Certificate& certificate,
           uncertainty::UncertainWorld& world) {
   switch (mutation.lie) {

@@ -33,8 +33,9 @@ Experiment Of(const Certified& certified, const NoiseFloor& gate) {
   return {certified.problem, certified.plan, {}, gate};
 }
 
-// Whole executions at corners of the error box, and at those at which they say that claims are
-// likely to be extreme: which mutants a true error reveals is known without any attack.
+// Executes the whole plan at corners of the error box, and at the corners where these executions
+// suggest that claims are extreme. This tells which mutants a true error reveals, without any
+// falsification.
 class TrueErrors {
  public:
   TrueErrors(const Experiment& experiment, int corners)
@@ -47,7 +48,8 @@ class TrueErrors {
     }
   }
 
-  // As the harness is to find it: confirmed with half the timestep.
+  // Returns whether a trial violates the mutant and half the timestep confirms it. Falsification
+  // uses the same criterion.
   bool Reveal(const plan::Plan& mutant) {
     return std::ranges::any_of(trials_, [&](Trial& trial) {
       const auto finer = [&] { return ClaimsOf(mutant, WithHalfTheTimestep(trial)); };
@@ -60,7 +62,7 @@ class TrueErrors {
   struct Trial {
     noise::Noise noise;
     exec::Trace trace;
-    std::optional<exec::Trace> finer = {};  // if it was asked for
+    std::optional<exec::Trace> finer = {};  // made on demand
   };
 
   std::vector<Claim> ClaimsOf(const plan::Plan& plan, const exec::Trace& trace) const {
@@ -116,11 +118,12 @@ class TrueErrors {
   std::vector<Trial> trials_;
 };
 
-// Of one kind of lie.
+// The counts for one kind of lie.
 struct Score {
   int mutants = 0;
   int revealable = 0;
-  std::vector<std::int64_t> found = {};  // numbers of the attempts that found one of those
+  // For each mutant that was found, the number of the attempt that found it.
+  std::vector<std::int64_t> found = {};
   std::string missed = {};
 
   Score& operator+=(const Score& other) {
@@ -141,11 +144,11 @@ std::optional<std::int64_t> AttemptThatFinds(const plan::Plan& mutant, const Exp
       .first_violation;
 }
 
-// How much is tried.
+// How much the test tries.
 struct Effort {
-  int corners = 32;             // of whole executions, before the likely ones
-  std::int64_t attempts = 200;  // at each mutant
-  std::size_t stride = 1;       // every so many mutants
+  int corners = 32;             // of whole executions, before those at the likely corners
+  std::int64_t attempts = 200;  // for each mutant
+  std::size_t stride = 1;       // every stride-th mutant is tried
 };
 
 Scores ScoresOf(const Certified& certified, const Effort& effort) {
@@ -178,7 +181,7 @@ Score Total(const Scores& scores) {
   return total;
 }
 
-// The smaller of two in the middle.
+// Returns the median. It is the smaller of the two middle numbers if their count is even.
 std::int64_t Median(std::vector<std::int64_t> numbers) {
   if (numbers.empty()) return 0;
   std::ranges::sort(numbers);
@@ -198,7 +201,7 @@ std::string Table(const std::string& title, const Scores& scores) {
   return text + row("all", Total(scores));
 }
 
-// The theory without a lie makes the certificates that the planner made.
+// The theory without a lie makes the same certificates as the planner.
 TEST(Mutation, WithoutALieNothingChanges) {
   const Certified certified = CertifiedPlan("uncertain-known");
   const plan::Plan again = CertifiedWith({.lie = Lie::kHalvedSet}, certified);
@@ -219,21 +222,22 @@ TEST(Mutation, EachLieChangesWhatIsCertified) {
     return false;
   };
   for (const Mutation& mutation : MutationsOf(certified)) {
-    // What is forgotten of a part that is put in its seat is known from the seat.
+    // The other lies may change nothing. For example, what is forgotten about a part is known again
+    // once the part is in its seat.
     if (mutation.lie != Lie::kHalvedSet && mutation.lie != Lie::kForgottenError) continue;
     EXPECT_TRUE(changed(CertifiedWith(mutation, certified))) << mutation.Text(certified);
   }
 }
 
-// Whether there is one plan for the scenario, and not a tree or none.
+// Returns whether the scenario has exactly one plan. It may also have a plan tree or no plan.
 bool HasPlan(const std::string& scenario) {
   const domain::Problem problem = ScenarioNamed(scenario);
   if (problem.goals.empty() || !problem.open_poses.empty()) return false;
   return !CertifiedPlan(problem).plan.steps.empty();
 }
 
-// The scenarios that `asked` names, with spaces between; "all": those that are shipped and have a
-// plan.
+// Returns the scenarios that `asked` names, separated by spaces. "all" means every shipped scenario
+// that has a plan.
 std::vector<std::string> Scenarios(const std::string& asked) {
   std::istringstream words(asked);
   std::vector<std::string> names{std::istream_iterator<std::string>(words), {}};
@@ -248,8 +252,9 @@ std::vector<std::string> Scenarios(const std::string& asked) {
   return names;
 }
 
-// The harness is tested by lying to it. ASSAY_MUTANTS: scenarios, separated by spaces, or "all",
-// whose mutants are tried with 200 attempts each (hours); else some of those of a pickup, with few.
+// The harness must find the lies that true errors reveal. The variable ASSAY_MUTANTS names
+// scenarios, separated by spaces, or "all". Every mutant of them is tried with 200 attempts, which
+// takes hours. Without the variable, some mutants of one pickup are tried with few attempts.
 TEST(Harness, FindsLiesThatTrueErrorsReveal) {
   const char* const asked = std::getenv("ASSAY_MUTANTS");
   Scores scores;

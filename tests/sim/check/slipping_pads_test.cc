@@ -12,13 +12,14 @@
 namespace assay::check::slipping_pads_test {
 namespace {
 
-// Pads that bear less than what stops a guarded move (plan::kResistance) slide down on the part
-// once it is seated. That it met its seat is then told by where the part stopped.
+// Pads whose friction is less than the resistance that stops a guarded move (plan::kResistance)
+// slide down on the part once it is seated. The place where the part stopped then tells that it met
+// its seat.
 TEST(SlippingPads, MeetTheSeatWhereThePartStops) {
   domain::Problem problem = ScenarioNamed("uncertain-known");
   domain::WorkcellRules rules = problem.workcell->rules();
   rules.pad_friction = 0.04;
-  rules.grip_force = 150;  // 12 N of friction, of 15 N that are felt
+  rules.grip_force = 150;  // 12 N of friction, less than the 15 N that stop a move
   problem.workcell = problem.workcell->WithRules(rules);
   const Certified certified = CertifiedPlan(std::move(problem));
   ASSERT_EQ(certified.plan.errors, 0);

@@ -14,8 +14,8 @@ namespace {
 
 using ::testing::HasSubstr;
 
-// How often the real program is killed; more with ASSAY_KILLS in the environment, and then in
-// attacks, too.
+// Returns how often the real program is killed. The environment variable ASSAY_KILLS sets it. With
+// more than 3 kills, the sweep contains falsification, too.
 int Kills() {
   const char* const wanted = std::getenv("ASSAY_KILLS");
   return wanted == nullptr ? 3 : std::atoi(wanted);
@@ -26,7 +26,7 @@ const char* Grid() {
                      : "noise: [none, uniform]\ntrials: 3\n";
 }
 
-// Sweeps of two plans with real trials.
+// A sweep of the scenario `s.yaml`, with real trials.
 class KilledSweep : public ::testing::Test {
  protected:
   KilledSweep() {
@@ -44,7 +44,8 @@ class KilledSweep : public ::testing::Test {
     const Ended shown = Assay({"sweep", "show", folder_ / database, "--json"});
     return shown.code == 0 ? shown.Json()["done"].get<int>() : 0;
   }
-  // Merging refuses rows that contradict each other, and adds those that one of them has not.
+  // Expects both databases to have the same rows. Merging refuses rows that contradict each other,
+  // and it adds the rows that only one of them has.
   void ExpectEqual(const std::string& a, const std::string& b) const {
     for (const auto& [first, second] : {std::pair(a, b), std::pair(b, a)}) {
       const std::string merged = folder_ / ("merged-" + first);
@@ -80,7 +81,7 @@ TEST_F(KilledSweep, GoesOnToTheSameTables) {
   RecordProperty("killed after trials were stored", after_trials);
 }
 
-// The second is told so, and the first loses nothing.
+// The second program reports the lock, and the first one loses nothing.
 TEST_F(KilledSweep, TwoAtOnceOnOneDatabase) {
   Running first(Command("two.sqlite"));
   while (!std::filesystem::exists(folder_ / "two.sqlite")) {

@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// For the shell, as one word.
+// Returns the text quoted as one word of the shell.
 std::string Quoted(const std::string& text) {
   std::string quoted = "'";
   for (const char c : text) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);

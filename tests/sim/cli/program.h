@@ -8,45 +8,47 @@
 namespace assay::cli {
 
 inline const std::filesystem::path kTree = ASSAY_SOURCE_DIR;
-// Pickup of the peg, assemble; known so well that nothing is inserted.
+// The steps are a pickup of the peg and an assembly. Poses are known so well that nothing is
+// inserted.
 inline const std::string kTwoActions = kTree / "scenarios/uncertain-known.yaml";
-// The same with a look at each part.
+// The steps are a look at each part, a pickup and an assembly.
 inline const std::string kTwoLooks = kTree / "scenarios/uncertain-sensing.yaml";
-// Two squeezes of a post, pickup of a sleeve, assemble.
+// The steps are two squeezes of a post, a pickup of a sleeve and an assembly.
 inline const std::string kTwoSqueezes = kTree / "scenarios/uncertain-squeezing.yaml";
-// Pickup and assemble, neither of which can be proved.
+// The steps are a pickup and an assembly, neither of which can be proved.
 inline const std::string kUnproved = kTree / "scenarios/uncertain-failing.yaml";
-// A look, a pickup, and assemble by fine motion.
+// The steps are a look, a pickup, and an assembly by fine motion.
 inline const std::string kFelt = kTree / "scenarios/uncertain-fine-motion.yaml";
 inline const std::string kImpossible = kTree / "scenarios/impossible.yaml";
 
-// What the program left behind.
+// The result of a program that has ended.
 struct Ended {
-  int code = -1;  // of its exit; -1: it did not exit by itself
+  int code = -1;  // exit code; -1 if a signal ended the program
   std::string out;
   std::string err;
 
   nlohmann::json Json() const { return nlohmann::json::parse(out); }
 };
 
-// Runs a program. `out`: where its standard output goes instead of into Ended::out.
+// Runs a program. Its standard output goes to the file `out`, or to Ended::out if `out` is empty.
 Ended Run(const std::string& program, const std::vector<std::string>& arguments,
           const std::string& out = "");
-// Runs the built program.
+// Runs the built program. The meaning of `out` is that of Run.
 Ended Assay(const std::vector<std::string>& arguments, const std::string& out = "");
 
-// The built program while it runs, with files for its streams.
+// The built program while it runs. Its streams go to files.
 class Running {
  public:
   explicit Running(const std::vector<std::string>& arguments);
-  ~Running();  // kills it if nobody has waited
+  ~Running();  // kills the program unless Wait was called
   Running(const Running&) = delete;
   Running& operator=(const Running&) = delete;
 
   void Signal(int signal) const;
-  // Whether it has a handler for the signal by now, which so far would end it at once (proc(5)).
+  // Returns whether the program has a handler for the signal yet (proc(5)). Before that, the signal
+  // ends the program at once.
   bool Catches(int signal) const;
-  // Its end; `code` is that of its exit, or the negative of the signal that ended it.
+  // Waits for the end. `code` is the exit code, or minus the number of the signal that ended it.
   Ended Wait();
 
  private:
@@ -57,10 +59,10 @@ class Running {
 std::string TextOf(const std::filesystem::path& file);
 nlohmann::json JsonOf(const std::filesystem::path& file);
 
-// What is wrong with the document by a schema of the source tree.
+// Returns the breaches of a schema of the source tree by the document. Empty means valid.
 std::vector<std::string> SchemaErrors(const std::string& schema, const nlohmann::json& document);
 
-// A folder of its own for each test, removed at the end.
+// A temporary folder of a test. It is removed with the object.
 class Folder {
  public:
   Folder();
@@ -70,7 +72,7 @@ class Folder {
 
   std::string operator/(const std::string& name) const { return path_ / name; }
   std::string Write(const std::string& name, const std::string& text) const;
-  std::vector<std::string> Contents() const;  // names, sorted
+  std::vector<std::string> Contents() const;  // sorted names
 
  private:
   std::filesystem::path path_;

@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Daemons stand where only root looks for programs.
+// The daemons are in folders that only root's PATH contains.
 constexpr const char* kPath = "PATH=$PATH:/usr/sbin:/sbin; export PATH; ";
 
 std::string Output(const std::string& command) {
@@ -33,7 +33,7 @@ std::string Output(const std::string& command) {
   return output;
 }
 
-// A port that nobody listens on.
+// Returns a port on which no program listens.
 int FreePort() {
   const int handle = socket(AF_INET, SOCK_STREAM, 0);
   sockaddr_in address{};
@@ -72,7 +72,8 @@ SlurmCluster::SlurmCluster() {
 }
 
 SlurmCluster::~SlurmCluster() {
-  // In the opposite order; each is waited for, so that nothing writes into the folder any more.
+  // The daemons are ended in the opposite order of their start. Each is waited for, so that none
+  // writes into the folder after it is removed.
   for (auto daemon = daemons_.rbegin(); daemon != daemons_.rend(); ++daemon) {
     kill(*daemon, SIGTERM);
     for (int i = 0; i < 50 && waitpid(*daemon, nullptr, WNOHANG) == 0; ++i) {

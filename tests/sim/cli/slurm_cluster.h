@@ -9,8 +9,8 @@
 
 namespace assay::cli {
 
-// A Slurm of one node, this one, of its own: munged, slurmctld and slurmd with all their files in a
-// temporary folder, ended with the object.
+// A Slurm cluster whose only node is this machine. It consists of munged, slurmctld and slurmd,
+// with all their files in a temporary folder. The destructor ends it.
 class SlurmCluster {
  public:
   SlurmCluster();
@@ -18,9 +18,9 @@ class SlurmCluster {
   SlurmCluster(const SlurmCluster&) = delete;
   SlurmCluster& operator=(const SlurmCluster&) = delete;
 
-  // Empty: it takes jobs; else why it does not.
+  // Returns why the cluster takes no jobs. Empty means that it takes them.
   const std::string& trouble() const { return trouble_; }
-  // Runs a shell script as a user of the cluster, in the folder; its standard output.
+  // Runs a shell script in the folder as a user of the cluster. Returns its standard output.
   std::string Shell(const std::string& script, const std::string& folder) const;
 
  private:
@@ -28,7 +28,7 @@ class SlurmCluster {
   bool Installed() const;
   void WriteConfiguration() const;
   void Start(const std::vector<std::string>& command);
-  bool Idle() const;  // the node waits for jobs
+  bool Idle() const;  // returns whether the node waits for jobs
 
   Folder folder_;
   std::vector<pid_t> daemons_;

@@ -46,7 +46,8 @@ class Bottles : public testing::Test {
   }
 };
 
-// Facts 5.8; who reaches which place is computed, and nowhere said.
+// The scenario is that of facts 5.8. It does not say which robot reaches which place. The program
+// computes that.
 TEST_F(Bottles, HandOverEmergesFromGeometry) {
   const Planned bottle(kOneBottle);
   EXPECT_EQ(
@@ -73,7 +74,7 @@ TEST_F(Bottles, EveryBranchReachesTheGoal) {
   EXPECT_EQ(number, 2);
 }
 
-// The three bottles, of two of which one look is to tell whether both are empty.
+// Returns a scenario of three bottles in which one look senses whether two of them are both empty.
 std::filesystem::path LookAtBoth() {
   std::ofstream(ScratchFile("both.pks"))
       << "domain both types: object predicates: isEmptyBottle(object)\n"
@@ -104,8 +105,8 @@ TEST_F(Bottles, AreLookedAtTogether) {
   EXPECT_THAT(trial.walk.false_claims, IsEmpty());
 }
 
-// What the camera told is made wrong: a full bottle is taken for an empty one, or the other way
-// round, and whatever comes of it, the claim is caught.
+// The sensing is made wrong, so that a full bottle is taken for an empty one or an empty one for a
+// full one. The audit must catch the false claim on every leaf.
 TEST_F(Bottles, WrongSensingIsCaught) {
   const Planned bottle(kOneBottle);
   for (const Leaf& leaf : bottle.Leaves()) {

@@ -18,8 +18,8 @@ inline const std::filesystem::path kRoot = ASSAY_SOURCE_DIR;
 
 using Replacements = std::vector<std::pair<std::string, std::string>>;
 
-// The text of a scenario with two cans, with longer timesteps and absolute paths, and some of it
-// replaced.
+// Returns the text of a scenario with two cans. It has absolute paths and a longer timestep. In
+// each pair of `replacements`, the first text is replaced by the second one.
 inline std::string TwoCansText(const Replacements& replacements = {},
                                const std::string& scenario = "two-cans") {
   std::ostringstream text;
@@ -44,14 +44,14 @@ inline KnowledgeScenario TwoCans(const Replacements& replacements = {},
   return Load(file, kRoot / "models");
 }
 
-// The problem's file is another one.
+// Returns the replacement of the scenario's problem file by a file with this text.
 inline Replacements WithProblem(const std::string& text) {
   const std::filesystem::path file = ScratchFile("problem.pks");
   std::ofstream(file) << text;
   return {{kRoot / "scenarios/know/two-cans.pks", file}};
 }
 
-// The same, of which more is known at first.
+// Returns the replacement of the problem file by one whose init has further changes.
 inline Replacements WithInit(const std::string& changes) {
   std::ostringstream text;
   text << std::ifstream(kRoot / "scenarios/know/two-cans.pks").rdbuf();
@@ -61,7 +61,7 @@ inline Replacements WithInit(const std::string& changes) {
   return WithProblem(problem.insert(init + 5, " " + changes + ","));
 }
 
-// The same, with another goal.
+// Returns the replacement of the problem file by one with another goal.
 inline Replacements WithGoal(const std::string& goal) {
   std::ostringstream text;
   text << std::ifstream(kRoot / "scenarios/know/two-cans.pks").rdbuf();

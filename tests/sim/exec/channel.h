@@ -9,7 +9,7 @@
 
 namespace assay::exec {
 
-// One error alone, at its bound.
+// Returns noise with a single error of this value, in metres or radians.
 inline noise::Noise Only(noise::Effect effect, double value, PartId part = PartId::None(),
                          plan::StepId step = plan::StepId::None()) {
   const noise::Channel channel = {
@@ -17,7 +17,8 @@ inline noise::Noise Only(noise::Effect effect, double value, PartId part = PartI
   return {{channel}, {value}};
 }
 
-// Four errors of the hand in a step, or of a sensor.
+// Returns noise with four errors of the hand in a step, or of a sensor: x, y, z in metres and yaw
+// in radians. `first` is the effect of x.
 inline noise::Noise FourErrors(noise::Effect first, plan::StepId step,
                                const std::vector<double>& values) {
   std::vector<noise::Channel> box;

@@ -20,7 +20,7 @@ std::string Text(const Trace& trace) {
   return out.str();
 }
 
-// Figure 15's plan under noise that is small enough for it.
+// The plan of Spar's figure 15, under noise that is small enough for it to succeed.
 class Checkpoints : public testing::Test {
  protected:
   static const domain::Problem& problem() {
@@ -53,10 +53,11 @@ class Checkpoints : public testing::Test {
     return options;
   }
 
-  // The plan step by step, saved between and where the second step is poised.
+  // An execution of the plan step by step. It is saved after each step and where the second step is
+  // poised.
   struct Uninterrupted {
     std::vector<Checkpoint> saved;
-    std::vector<std::size_t> events;  // that were there when it was saved
+    std::vector<std::size_t> events;  // number of events in the trace at each save
     Trace trace;
   };
   static const Uninterrupted& WithoutInterruption() {
@@ -82,7 +83,7 @@ class Checkpoints : public testing::Test {
     }();
     return whole;
   }
-  // The same from a checkpoint on, as lines of the trace.
+  // Returns the lines of the uninterrupted trace after a checkpoint.
   static std::string After(std::size_t checkpoint) {
     Trace rest = WithoutInterruption().trace;
     const auto from = static_cast<std::ptrdiff_t>(WithoutInterruption().events[checkpoint]);
@@ -107,7 +108,8 @@ TEST_F(Checkpoints, AnExecutionGoesOnToTheBit) {
   ExpectTheEnd(execution);
 }
 
-// In a simulation that has been elsewhere in the meantime, in the middle of a step.
+// The checkpoint is in the middle of a step. The simulation has been elsewhere before it is
+// restored.
 TEST_F(Checkpoints, ItMatterNotWhatWasDoneInTheMeantime) {
   const Uninterrupted& whole = WithoutInterruption();
   mujoco::Data data(scene().model());
@@ -132,7 +134,7 @@ TEST_F(Checkpoints, HoldBeliefAndHandError) {
   EXPECT_TRUE(execution.Erring(Pose::Identity()).isApprox(error, 1e-15));
 }
 
-// A whole execution under noise does not depend on what runs beside.
+// An execution under noise does not depend on what runs beside it.
 TEST_F(Checkpoints, TwoThreadsGiveTheSameBytesUnderNoise) {
   const auto run = [](std::string& text) {
     mujoco::Data data = StartOf(problem(), scene(), Drawn());

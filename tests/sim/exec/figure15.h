@@ -8,7 +8,7 @@
 
 namespace assay::exec {
 
-// Spar's figure 15: the block on its back, the peg on its side.
+// Returns the problem of Spar's figure 15: the block lies on its back and the peg on its side.
 inline domain::Problem Figure15() {
   return domain::ReadProblem(Document::Load(ASSAY_SOURCE_DIR "/scenarios/spar-fig15.yaml"),
                              ASSAY_SOURCE_DIR "/models");
@@ -22,7 +22,7 @@ inline domain::PartId PartNamed(const domain::Problem& problem, const std::strin
   return {};
 }
 
-// The first grasp with which the peg can be taken where it lies and put into the block.
+// Returns the first grasp with which the peg can be taken where it lies and put into the block.
 inline plan::Hold HoldForMating(const domain::Problem& problem, domain::MatingId id) {
   const domain::Mating& mating = problem.mating(id);
   const domain::Part& held = problem.part(mating.held);
@@ -40,7 +40,7 @@ inline plan::Hold HoldForMating(const domain::Problem& problem, domain::MatingId
   return {};
 }
 
-// The figure's plan, by hand: pick up the peg, assemble.
+// Returns the plan of the figure, made by hand: pick up the peg, then assemble.
 inline plan::Plan TwoActions(const domain::Problem& problem) {
   const domain::MatingId id(0);
   const domain::Mating& mating = problem.mating(id);

@@ -17,7 +17,7 @@ using noise::Noise;
 constexpr plan::StepId kPutdown(0);
 constexpr plan::StepId kPickup(1);
 
-// The peg is taken and put down again where it lay.
+// Returns a plan in which the peg is picked up and put down where it lay.
 plan::Plan UpAndDown(const domain::Problem& problem) {
   plan::Plan plan = TwoActions(problem);
   const auto& pickup = std::get<plan::Pickup>(plan.step(kPickup).action);
@@ -25,9 +25,9 @@ plan::Plan UpAndDown(const domain::Problem& problem) {
   return plan;
 }
 
-// What became of a putdown, with the peg in the hand at its start.
+// The result of a putdown that starts with the peg in the hand.
 struct Landing {
-  Trace trace;  // of the putdown alone, with each step of the engine
+  Trace trace;  // of the putdown alone, with a sample at every timestep
   mujoco::Data data;
 
   const GuardRecord& guard() const { return *trace.All<GuardRecord>().at(0); }
@@ -49,7 +49,7 @@ class GuardedMove : public testing::Test {
   }
   static PartId peg() { return PartNamed(problem(), "peg"); }
 
-  // At the end of the pickup, once for all tests.
+  // Returns the checkpoint at the end of the pickup. It is made once for all tests.
   static const Checkpoint& PegInHand() {
     static const Checkpoint checkpoint = [] {
       const ExecutorOptions options{.sample_rate = 0};
@@ -62,7 +62,7 @@ class GuardedMove : public testing::Test {
     }();
     return checkpoint;
   }
-  // The table is this much higher than it is believed to be.
+  // Puts the peg down on a table that is `height` metres higher than believed.
   static Landing PutDown(double height) {
     const ExecutorOptions options{.sample_rate = 1e6,
                                   .noise = Only(Effect::kTableHeight, height, peg(), kPutdown)};
@@ -80,7 +80,7 @@ class GuardedMove : public testing::Test {
     if (!landings.contains(height)) landings.emplace(height, PutDown(height));
     return landings.at(height);
   }
-  // Height of the tool where the part would rest on a table at height 0.
+  // Returns the height of the tool at which the part would rest on a table at height 0.
   static double ExpectedHeight() {
     const auto& putdown = std::get<plan::Putdown>(plan().step(kPutdown).action);
     return (putdown.to.X_WorldPart * putdown.hold.X_PartTool).translation().z();
@@ -112,14 +112,14 @@ TEST_P(Heights, ThePartRestsThere) {
       << "let go";
 }
 
-// The belief is that of the plan, whatever the table's height.
+// The believed pose after the putdown is the planned one, whatever the table's height.
 TEST_P(Heights, ThePartIsBelievedToBeWhereItWasToGo) {
   const Snapshot& end = Onto(GetParam()).trace.All<StepEnd>().at(0)->moment;
   const auto& putdown = std::get<plan::Putdown>(plan().step(kPutdown).action);
   EXPECT_EQ(end.parts[peg().index()].believed.matrix(), putdown.to.X_WorldPart.matrix());
 }
 
-// What the table exerts on the hand, at each step of the engine while the part is in it.
+// The force at the wrist is bounded at every timestep while the part is in the hand.
 TEST_P(Heights, NothingIsPressedHard) {
   const Landing& landing = Onto(GetParam());
   double greatest = 0;
@@ -131,7 +131,7 @@ TEST_P(Heights, NothingIsPressedHard) {
   EXPECT_LT(greatest, 60);
 }
 
-// The move goes on by the guarded travel, no further, and then the part is let go.
+// The move goes on by the guarded travel and no farther. Then the part is let go.
 TEST_F(GuardedMove, EndsWithoutResistanceWhereThereIsNothing) {
   const Landing& landing = Onto(-0.02);
   EXPECT_FALSE(landing.guard().resisted);

@@ -8,7 +8,7 @@
 #include "tests/sim/exec/channel.h"
 #include "tests/sim/exec/figure15.h"
 
-// Each channel of the noise, alone, moves something by what was drawn, and nothing else.
+// Each channel of the noise alone moves one quantity by what was drawn, and nothing else.
 namespace assay::exec::noise_channels_test {
 namespace {
 
@@ -16,7 +16,7 @@ using noise::Effect;
 using noise::Noise;
 
 constexpr double kMillimetre = 0.001;
-constexpr double kFollows = 1e-4;   // metres, in which the arm is where it was told to be
+constexpr double kFollows = 1e-4;   // metres, within which the arm follows its commands
 constexpr plan::StepId kPickup(1);  // in the plan of two actions
 
 class Channels : public testing::Test {
@@ -41,7 +41,7 @@ class Channels : public testing::Test {
   }
 };
 
-// A start with one error of the peg, and what it did to the peg's pose.
+// A start with one error of the peg, and the effect on the peg's pose.
 struct ErroneousStart {
   mujoco::Data data;
   Vector3 displacement;
@@ -70,14 +70,14 @@ TEST_F(StartChannels, PlacesAlongTheWorldsAxes) {
   }
 }
 
-// About the world's vertical through the part's own origin.
+// The yaw error turns the part about the world's vertical through the part's own origin.
 TEST_F(StartChannels, YawAboutTheOrigin) {
   const ErroneousStart start = Start(Effect::kPartYaw, 0.05);
   EXPECT_LT(start.displacement.norm(), 1e-12);
   EXPECT_TRUE(start.turn.isApprox(geometry::RotationZ(0.05).linear(), 1e-12));
 }
 
-// The table is higher, and the part rests on it.
+// The table under the part is higher, and the part rests on it.
 TEST_F(StartChannels, HeightOfTheTable) {
   ErroneousStart start = Start(Effect::kTableHeight, 2 * kMillimetre);
   EXPECT_NEAR(scene().TableHeight(start.data, peg()), 2 * kMillimetre, 1e-15);
@@ -89,7 +89,7 @@ TEST_F(StartChannels, HeightOfTheTable) {
   EXPECT_LT((after.translation() - before.translation()).norm(), 5e-6) << "neither falls nor leaps";
 }
 
-// Without errors: where the problem says, at rest as the engine has it.
+// Without errors, parts are at the places and yaws of the problem, at rest in the engine.
 TEST_F(StartChannels, PartsRestAtTheStart) {
   const std::vector<Pose> resting = RestingPoses(problem(), scene());
   mujoco::Data data = StartOf(problem(), scene(), {});
@@ -107,7 +107,7 @@ TEST_F(StartChannels, PartsRestAtTheStart) {
   }
 }
 
-// The pickup, poised once for all: then the hand takes up its errors and goes to work.
+// The pickup is poised once for all tests. From there the hand takes up its errors and acts.
 class HandChannels : public Channels {
  protected:
   HandChannels() : data_(scene().model()), execution_(problem(), scene(), data_, options_) {
@@ -125,7 +125,7 @@ class HandChannels : public Channels {
     }();
     return poised;
   }
-  // Where the tool is at a milestone.
+  // Returns the pose of the tool at a milestone of the pickup.
   TrueAndBelieved ToolAt(Stage stage) {
     for (const Milestone* milestone : execution_.trace().All<Milestone>()) {
       if (milestone->stage == stage) return milestone->moment.tool;
@@ -133,7 +133,7 @@ class HandChannels : public Channels {
     ADD_FAILURE() << "no milestone " << Name(stage);
     return {};
   }
-  // The hand, in the frame in which it was told to be, is off by T_dM.
+  // Expects the true hand to be displaced by T_dM in the frame of the commanded hand.
   void ExpectHandError(const Pose& error) {
     StepExecution step(plan(), kPickup, execution_);
     ASSERT_FALSE(step.TakeUpNoise());
@@ -181,7 +181,8 @@ TEST_F(HandChannels, OfAnotherStepAreNotFelt) {
   ExpectHandError(Pose::Identity());
 }
 
-// Drawn from the start of a step on, not taken up when it is poised: the same in the end.
+// Noise that is applied from the start of a step has the same effect as noise that is taken up when
+// the step is poised.
 TEST_F(Channels, AnExecutionErrsAsItsNoiseSays) {
   const Noise noise = FourErrors(Effect::kHandX, kPickup, {0.001, -0.002, 0.0015, 0.02});
   mujoco::Data data = StartOf(problem(), scene(), noise);
@@ -200,8 +201,9 @@ TEST_F(Channels, AnExecutionErrsAsItsNoiseSays) {
   EXPECT_TRUE(trace.All<GraspFact>().at(0)->holds());
 }
 
-// How far the peg can be moved to each side in the hole before it touches the block, with its shaft
-// 5 mm out of its seat. Nothing is simulated: contacts of poses.
+// Returns how far the peg can be moved to each side in the hole before it touches the block, in
+// metres. The shaft is 5 mm out of its seat. Contacts of poses are tested, and nothing is
+// simulated.
 double PlayOf(const domain::Problem& problem, const Noise& noise) {
   const scene::Scene scene(problem, TrueScene({}, noise));
   const domain::Mating& mating = problem.mating(domain::MatingId(0));
@@ -233,7 +235,7 @@ TEST_F(Channels, ClearanceOfTheHole) {
   }
 }
 
-// Sliding frictions in the model, of the geoms of a body.
+// Returns the sliding frictions of a body's geoms in the model.
 std::vector<double> Frictions(const scene::Scene& scene, mujoco::BodyId body) {
   const mujoco::Data data = scene.Start();
   std::vector<double> frictions;

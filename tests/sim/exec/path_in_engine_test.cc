@@ -26,7 +26,8 @@ using kinematics::JointVector;
 using motion::CollisionScene;
 using motion::JointPath;
 
-// ASSAY_PATH_QUERIES of them for each scene; the figures are printed.
+// Returns the number of queries for each scene. The environment variable ASSAY_PATH_QUERIES sets
+// it, and the test prints its figures.
 int Queries() {
   const char* said = std::getenv("ASSAY_PATH_QUERIES");
   return said == nullptr ? 2 : std::stoi(said);
@@ -37,8 +38,8 @@ struct Case {
   bool holds_the_peg;
 };
 
-// Random queries between postures with the tool low over the table; the engine, which has shapes of
-// its own for all that moves, is the oracle.
+// Random queries between postures with the tool low over the table. The engine is the oracle. It
+// has its own shapes for everything that moves.
 class PathInEngine : public testing::TestWithParam<Case> {
  protected:
   PathInEngine()
@@ -53,7 +54,8 @@ class PathInEngine : public testing::TestWithParam<Case> {
     engine_.SetGripper(data_, surroundings_.opening);
   }
 
-  // The scene, with contacts of what moves with itself: its geoms touch those of one bit more.
+  // Returns a model in which the moving bodies can touch each other. Their geoms have one more
+  // contact bit.
   static mjModel* WithTheArmItself(const mjModel& model) {
     constexpr int kItself = 1 << 30;
     mjModel* watching = mj_copyModel(nullptr, &model);
@@ -71,13 +73,15 @@ class PathInEngine : public testing::TestWithParam<Case> {
            (GetParam().holds_the_peg && body == "part/peg");
   }
 
-  // "arm/forearm", "gripper/finger_left", "part/peg" as the planner calls them.
+  // Returns the planner's name for a body of the engine. The engine's names are for example
+  // "arm/forearm", "gripper/finger_left" and "part/peg".
   static std::string PlannersName(const std::string& body) {
     const std::string name = body.substr(body.find('/') + 1);
     return name.starts_with("finger") ? "fingers" : name;
   }
 
-  // Whether the planner keeps the two apart, both of what moves: not what one joint connects.
+  // Returns whether the planner keeps these two moving bodies apart. It does not do so for bodies
+  // that one joint connects.
   bool MustNotTouch(const std::string& a, const std::string& b) const {
     return std::ranges::any_of(paths_.pairs(), [&](const motion::BodyPair& pair) {
       const std::string& first = paths_.body(pair.first).name;
@@ -128,7 +132,7 @@ class PathInEngine : public testing::TestWithParam<Case> {
     std::ranges::copy(values, data_.qpos().begin() + model->jnt_qposadr[joint]);
   }
 
-  // What touches what it should not with the arm there.
+  // Returns a pair of bodies that touch but should not with the arm at q. Empty means none.
   std::string Touching(const JointVector& q) {
     for (std::size_t j = 0; j < 6; ++j) data_.qpos()[engine_.arm().qpos[j]] = q[j];
     if (const auto& held = surroundings_.held) {
@@ -145,7 +149,8 @@ class PathInEngine : public testing::TestWithParam<Case> {
     return {};
   }
 
-  // In steps in which no point of what moves goes farther than a millimetre.
+  // Returns the first pair of bodies that touch along the path but should not. No point of a moving
+  // body goes farther than a millimetre between two tests.
   std::string TouchingAlong(const JointPath& path) {
     for (std::size_t i = 0; i + 1 < path.size(); ++i) {
       const JointVector way = path[i + 1] - path[i];
@@ -195,7 +200,7 @@ TEST_P(PathInEngine, TouchesNothing) {
   EXPECT_LE(solved_by_a_long_run, Queries() / 100);
 }
 
-// The oracle sees: with the hand in the middle of the block there is contact.
+// The oracle must see a contact if the hand is in the middle of the block.
 TEST_P(PathInEngine, TheEngineSeesWhatIsTouched) {
   const geometry::Pose X_WorldTool =
       problem_.part(PartId(0)).X_WorldPart *
@@ -209,7 +214,7 @@ TEST_P(PathInEngine, TheEngineSeesWhatIsTouched) {
   }
 }
 
-// And the arm where it meets itself, as in some of many postures drawn without regard to that.
+// The oracle must see the arm touch itself in some of many random postures.
 TEST_P(PathInEngine, TheEngineSeesTheArmTouchItself) {
   RandomStream random(7, "arm touches itself");
   int seen = 0;

@@ -18,7 +18,7 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::Not;
 
-// A peg and a block beside a mast that the forearm would run into.
+// A peg and a block beside a mast, which the forearm hits without planned paths.
 class BesideTheMast : public testing::Test {
  protected:
   static const domain::Problem& problem() {
@@ -30,7 +30,7 @@ class BesideTheMast : public testing::Test {
     static const plan::Plan plan = assembly::MakeCertifiedPlan(problem(), {}, {}).plan;
     return plan;
   }
-  // The same plan, up, over and down.
+  // Returns the plan with the usual travel: up, over at safe height, and down.
   static plan::Plan Usual() {
     plan::Plan plan = planned();
     plan.homing.reset();
@@ -42,7 +42,7 @@ class BesideTheMast : public testing::Test {
     mujoco::Data data = scene.Start();
     return Execute(problem(), plan, scene, data, {.sample_rate = 200, .last = last});
   }
-  // Of arm, hand, fingers or the peg with the mast: everything that happened.
+  // Returns the pairs in which the mast touched the arm, the hand, a finger or the peg.
   static std::set<std::string> TouchedMast(const Trace& trace) {
     std::set<std::string> touched;
     for (const Sample* sample : trace.All<Sample>()) {
@@ -76,7 +76,7 @@ TEST_F(BesideTheMast, PlannedPathsTouchNothingAndTheGoalIsReached) {
   EXPECT_LT((X_FixedHeld.translation() - mating.X_FixedHeld.translation()).norm(), 2e-4);
 }
 
-// The step before a path ends low, and the path takes the place of up, over and down.
+// A path replaces the usual travel, and the step before it ends low.
 TEST_F(BesideTheMast, CommandsFollowThePaths) {
   const CommandFile file = CommandFileOf(problem(), planned());
   int paths = 0;
@@ -97,8 +97,8 @@ TEST_F(BesideTheMast, CommandsFollowThePaths) {
   EXPECT_GT(paths, 0);
 }
 
-// A path belongs to a configuration of the arm: a whole turn from there, and with the wrist
-// flipped, it is not followed.
+// A path belongs to one configuration of the arm. It is not followed from a configuration that
+// differs by a whole turn or by a flipped wrist.
 TEST_F(BesideTheMast, APathIsNotFollowedFromAnotherConfiguration) {
   const scene::Scene scene(problem(), {});
   mujoco::Data data = scene.Start();
@@ -118,7 +118,8 @@ TEST_F(BesideTheMast, APathIsNotFollowedFromAnotherConfiguration) {
   }
 }
 
-// From wherever errors have the tool, to wherever they have it at the end.
+// The motion begins where the tool is and ends at the commanded pose of the tool, although errors
+// displace both from the planned path.
 TEST_F(BesideTheMast, APathBeginsAndEndsWhereTheToolIs) {
   const scene::Scene scene(problem(), {});
   mujoco::Data data = scene.Start();

@@ -10,8 +10,9 @@ namespace {
 
 constexpr double kStays = 1e-4;  // metres
 
-// Figure 15's plan, and before the peg is taken a camera that measures no heights looks at it and
-// the hand squeezes it; once more the camera looks while the peg is in the hand.
+// Returns the plan of Spar's figure 15 with three more steps. Before the pickup, a camera that
+// measures no heights looks at the peg, and the hand squeezes it. The camera then looks at the
+// block while the peg is in the hand.
 plan::Plan CarefulPlan(const domain::Problem& problem) {
   plan::Plan plan = TwoActions(problem);
   const plan::Pickup pickup = std::get<plan::Pickup>(plan.steps[1].action);
@@ -25,7 +26,7 @@ plan::Plan CarefulPlan(const domain::Problem& problem) {
   return plan;
 }
 
-// Each way in which the gripper can hold a part, executed once for all tests.
+// The plan is executed once for all tests, for each way in which the gripper can hold a part.
 class CarefullyExecuted : public testing::TestWithParam<scene::GraspMode> {
  protected:
   CarefullyExecuted()
@@ -92,8 +93,8 @@ TEST_P(CarefullyExecuted, ThePlanGoesOnAsIfNothingHadHappened) {
   EXPECT_LT((peg.truth.translation() - peg.believed.translation()).norm(), 2e-4);
 }
 
-// Without noise the sensor tells the truth, and what it measures is believed: places and yaws, but
-// no heights.
+// Without noise, the sensor measures the true pose. The believed place and yaw become the measured
+// ones, and the believed height stays.
 TEST_P(CarefullyExecuted, LooksUpdateTheBelief) {
   const auto looks = trace_.All<LookRecord>();
   ASSERT_EQ(looks.size(), 2u);

@@ -24,7 +24,7 @@ inline std::vector<nlohmann::json> Lines(const Trace& trace) {
   return lines;
 }
 
-// What is wrong with a trace as it is written; empty: nothing.
+// Returns the breaches of the schema by the trace's lines. Empty means valid.
 inline std::vector<std::string> SchemaErrors(const Trace& trace) {
   const oracle::JsonSchema schema(TraceSchemaFile());
   std::vector<std::string> errors;

@@ -17,7 +17,7 @@ namespace {
 using geometry::Pose;
 using geometry::Vector3;
 
-// Contacts of this pair alone; the upper box is put by the test.
+// Returns a model in which only these two boxes can touch. A test puts the upper box into place.
 std::string Pair(const Vector3& lower, const Vector3& upper) {
   return fmt::format(R"(<mujoco><worldbody>
     <geom name="lower" type="box" size="{} {} {}"/>
@@ -44,11 +44,11 @@ struct Case {
   Pose X_WorldUpper = Pose::Identity();
 };
 
-constexpr double kLowerHeight = 0.02;  // half
+constexpr double kLowerHeight = 0.02;  // half of the height
 const Vector3 kUpper(0.03556, 0.009275, 0.08255);
 
-// The upper box with its x face on the lower box's z face, anywhere, turned anyhow, and tilted
-// about one of its edges or about any direction.
+// Returns a random pose of the upper box, with its x face on the lower box's z face, at any place
+// and yaw. The box is slightly tilted about one of its edges or about any direction.
 Case Draw(RandomStream& random) {
   Case drawn;
   drawn.tilt = Magnitude(random, 1e-18, 1e-4);
@@ -65,7 +65,7 @@ Case Draw(RandomStream& random) {
   return drawn;
 }
 
-// How many corners of the upper box are in the lower one by more than `depth`.
+// Returns how many corners of the upper box are in the lower one by more than `depth` metres.
 std::size_t CornersDeeperThan(double depth, const Pose& X_WorldUpper) {
   const geometry::Box box{X_WorldUpper, kUpper};
   const auto corners = box.Corners();
@@ -73,7 +73,7 @@ std::size_t CornersDeeperThan(double depth, const Pose& X_WorldUpper) {
       corners, [&](const Vector3& corner) { return kLowerHeight - corner.z() > depth; }));
 }
 
-// The corners that are in the lower box touch, no deeper than they are in, and nothing else does.
+// Exactly the corners that are in the lower box touch, and no deeper than they are in.
 TEST(BoxCollision, OfNearlyParallelFacesTheCornersTouch) {
   constexpr double kRounding = 1e-11;  // metres
   const Model model = Model::FromMjcf(Pair({0.375, 0.65, kLowerHeight}, kUpper));
@@ -94,7 +94,7 @@ TEST(BoxCollision, OfNearlyParallelFacesTheCornersTouch) {
   }
 }
 
-// Two pieces of one body, flush, and a box whose lowest corner slides over where they meet.
+// Two pieces of one body are flush. The lowest corner of a box slides over their seam.
 TEST(BoxCollision, APieceIsNotStoppedByTheEndOfAnother) {
   const Model model = Model::FromMjcf(R"(<mujoco><worldbody>
     <geom name="left" type="box" size="0.05 0.05 0.02" pos="-0.05 0 0"/>

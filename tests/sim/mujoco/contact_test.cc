@@ -8,7 +8,7 @@ namespace {
 
 using geometry::Vector3;
 
-// On a slope of 10 degrees with friction to hold it, so that forces have tangential parts.
+// The slope of 10 degrees gives the contact forces tangential parts. The friction holds the box.
 constexpr char kBoxOnSlope[] = R"(<mujoco>
   <option timestep="0.001" cone="elliptic" impratio="10"/>
   <worldbody>
@@ -20,7 +20,7 @@ constexpr char kBoxOnSlope[] = R"(<mujoco>
 
 std::string Sloped() {
   std::string mjcf = kBoxOnSlope;
-  const std::string gravity = "gravity=\"1.7034 0 -9.6610\" ";  // 9.81 turned by 10 degrees
+  const std::string gravity = "gravity=\"1.7034 0 -9.6610\" ";  // 9.81 m/s^2, turned by 10 degrees
   return mjcf.insert(mjcf.find("<option ") + 8, gravity);
 }
 

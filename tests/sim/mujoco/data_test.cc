@@ -10,8 +10,8 @@
 namespace assay::mujoco::data_test {
 namespace {
 
-// A pile that is kept moving, so that steps depend on contacts, on the solver's start, on a weld,
-// on controls and on applied forces.
+// A pile that is kept moving. Its steps depend on contacts, on the solver's start, on a weld, on
+// controls and on applied forces.
 constexpr char kPile[] = R"(<mujoco>
   <option timestep="0.001" cone="elliptic"/>
   <worldbody>
@@ -29,7 +29,7 @@ constexpr char kPile[] = R"(<mujoco>
 void Steps(Data& data, int count) {
   for (int i = 0; i < count; ++i) {
     data.ctrl()[0] = 0.001 * i;
-    data.qfrc_applied()[0] = data.qfrc_bias()[14];  // reads what Step and Restore leave behind
+    data.qfrc_applied()[0] = data.qfrc_bias()[14];  // depends on what Step and Restore leave behind
     data.Step();
   }
 }
@@ -139,7 +139,7 @@ TEST(Data, RestoresTheTimestep) {
   EXPECT_EQ(model.timestep(), 0.001);
 }
 
-// A box on a table whose height is a geom's.
+// A box on a table. The height of the table is that of a geom.
 constexpr char kTable[] = R"(<mujoco>
   <default><geom solref="0.002 1" solimp="0.99 0.9999 0.00001"/></default>
   <worldbody>
@@ -165,7 +165,7 @@ TEST(Data, HeightsOfGeomsAreOfOneSimulation) {
   EXPECT_NEAR(second.qpos()[2], 0.02, 1e-4);
 }
 
-// Also into another simulation.
+// A saved state holds the heights of geoms, and restores them into another simulation, too.
 TEST(Data, StatesHoldTheHeightsOfGeoms) {
   const Model model = Model::FromMjcf(kTable);
   const GeomId table = model.Geom("table");
@@ -187,8 +187,8 @@ TEST(Data, StatesHoldTheHeightsOfGeoms) {
   }
 }
 
-// A box on a turntable, held by friction that is ample for its centripetal acceleration of
-// 0.3 m/s^2. Moved along tangents it would wander outward by half of that times the timestep: by
+// A box on a turntable. The friction is ample for its centripetal acceleration of 0.3 m/s^2. If the
+// engine moved it along tangents, it would wander outward by half of that times the timestep, or
 // 0.3 mm in two seconds.
 constexpr char kTurntable[] = R"(<mujoco>
   <option timestep="0.001" cone="elliptic" impratio="100" tolerance="1e-12"/>
@@ -202,7 +202,7 @@ constexpr char kTurntable[] = R"(<mujoco>
 
 TEST(Data, AFreeBodyGoesWithWhatCarriesIt) {
   Data data(Model::FromMjcf(kTurntable));
-  data.qvel()[0] = 1;  // the table's; then the box's: with it, and turning
+  data.qvel()[0] = 1;  // the table turns, and the box moves and turns with it
   data.qvel()[2] = 0.3;
   data.qvel()[6] = 1;
   data.Forward();

@@ -28,7 +28,7 @@ class ErrorBoxTest : public testing::Test {
   ErrorBoxTest() : problem_(Figure15()), plan_(OneOfEachStep(problem_)) {}
 
   std::vector<Channel> Box() const { return ErrorBox(problem_, plan_); }
-  // The only channel with this name.
+  // Returns the only channel with this name.
   Channel At(const std::string& name) const {
     std::vector<Channel> found;
     for (const Channel& channel : Box()) {
@@ -46,8 +46,9 @@ class ErrorBoxTest : public testing::Test {
   plan::Plan plan_;
 };
 
-// Parts first, then what each step draws, in the order of execution: the hand's errors anew for
-// each step that manipulates, the sensor's for a look, the table's height for a putdown.
+// The channels of parts come first, and then those of each step in the order of execution. A look
+// draws the sensor's errors, each manipulation draws the hand's errors anew, and a putdown draws
+// the table's height.
 TEST_F(ErrorBoxTest, HasEveryErrorThatThePlannerAssumes) {
   EXPECT_THAT(
       Names(Box()),
@@ -72,7 +73,8 @@ TEST_F(ErrorBoxTest, ACameraThatTellsNothingOfHeightsCannotErrInThem) {
   EXPECT_THAT(Names(Box()), Not(Contains("dz_sensed@action_6")));
 }
 
-// As the scenario file says: 0.11 inch and 5.5 degrees, the hand a thousandth of an inch.
+// The scenario file says 0.11 inch and 5.5 degrees for parts, and a thousandth of an inch and of a
+// degree for the hand.
 TEST_F(ErrorBoxTest, HasTheBoundsOfTheScenario) {
   for (const char* part : {"block", "peg"}) {
     for (const char* axis : {"dx_", "dy_", "dz_"}) {
@@ -89,7 +91,7 @@ TEST_F(ErrorBoxTest, HasTheBoundsOfTheScenario) {
   ExpectRange("dz_peg@action_3", -0.11 * kInch, 0.11 * kInch);
 }
 
-// As the workcell file says.
+// The sensor's ranges are those of the workcell file.
 TEST_F(ErrorBoxTest, HasThePromisesOfTheSensor) {
   const domain::SensorModel& camera =
       *problem_.workcell->uncertainty_operations().FindSensor("overhead-camera");
@@ -99,7 +101,8 @@ TEST_F(ErrorBoxTest, HasThePromisesOfTheSensor) {
   EXPECT_EQ(At("theta_sensed@action_6").range, camera.theta);
 }
 
-// The very object that the planner used, also where it is not symmetric.
+// The ranges are the intervals of the problem that the planner used, even if they are not
+// symmetric.
 TEST_F(ErrorBoxTest, TakesTheProblemsOwnIntervals) {
   problem_.parts[1].error.y = {-0.001, 0.004};
   problem_.gripper_error.theta = {0, 0.01};

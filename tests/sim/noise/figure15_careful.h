@@ -6,7 +6,7 @@
 
 namespace assay::noise {
 
-// Spar's figure 15: the block on its back, the peg on its side.
+// Returns the problem of Spar's figure 15: the block lies on its back and the peg on its side.
 inline domain::Problem Figure15() {
   return domain::ReadProblem(Document::Load(ASSAY_SOURCE_DIR "/scenarios/spar-fig15.yaml"),
                              ASSAY_SOURCE_DIR "/models");
@@ -15,8 +15,9 @@ inline domain::Problem Figure15() {
 inline constexpr domain::PartId kBlock = domain::PartId(0);
 inline constexpr domain::PartId kPeg = domain::PartId(1);
 
-// One step of each kind, in this order of execution: the camera looks at the peg, the hand squeezes
-// it, takes it, puts it down, takes it again and puts it into the block. Inserted backwards.
+// Returns a plan with one step of each kind. In the order of execution, the camera looks at the
+// peg, and the hand squeezes it, takes it, puts it down, takes it again and puts it into the block.
+// The steps are inserted in the opposite order.
 inline plan::Plan OneOfEachStep(const domain::Problem& problem) {
   const plan::Hold hold{"some", Pose::Identity(), 0.0762};
   const plan::Place place{"initial", problem.part(kPeg).X_WorldPart};

@@ -45,8 +45,8 @@ class NoiseTest : public testing::Test {
   Noise noise_;
 };
 
-// T_(O+d) of Spar's equation 2, element by element: the rotation of the part's frame is turned
-// about the world's z, and its origin is displaced along the world's axes.
+// The oracle is T_(O+d) of Spar's equation 2, element by element. The part's frame is turned about
+// the world's z, and its origin is displaced along the world's axes.
 TEST_F(NoiseTest, TruePoseFollowsSparsEquation2) {
   const double x = 0.002, y = -0.001, z = 0.0015, theta = 0.07;
   Set("dx_peg", x);
@@ -70,7 +70,7 @@ TEST_F(NoiseTest, TruePoseFollowsSparsEquation2) {
   }
 }
 
-// T_dM of Spar's equation 1: Trans(x, y, z) Rot(z, theta).
+// The oracle is T_dM of Spar's equation 1: Trans(x, y, z) Rot(z, theta).
 TEST_F(NoiseTest, HandErrorFollowsSparsEquation1) {
   const double theta = 0.1;
   Set("dx_hand@action_4", 0.001);
@@ -88,7 +88,7 @@ TEST_F(NoiseTest, HandErrorFollowsSparsEquation1) {
   }
 }
 
-// Where a part is at the start, and where it is put down later.
+// The table has one height where a part is at the start, and another where it is put down.
 TEST_F(NoiseTest, TableHeightsAreOfPlaces) {
   Set("dz_peg", 0.001);
   Set("dz_peg@action_3", -0.002);
@@ -164,7 +164,7 @@ TEST_F(NoiseTest, RefusesWhatIsNoErrorOfTheBox) {
   EXPECT_EQ(WhyNot("dx_block=0.001 dy_block=-0.002", box_), "");
 }
 
-// A person may have rounded a corner's 0.002794 up.
+// A person may round the corner's 0.002794 up when writing it.
 TEST_F(NoiseTest, TakesWhatIsOutsideByRoundingAsTheEnd) {
   const double high = box_[0].range.high;
   const Noise read = ParseNoise("dx_block=" + std::to_string(high), box_);

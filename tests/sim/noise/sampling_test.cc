@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::uint64_t kSeed = 7;
 
-// For any two channels all four combinations come equally often among the first points.
+// For any two channels, all four combinations of ends are equally frequent among the first points.
 TEST(CornerPointTest, AnyTwoChannelsGoTogetherAndAgainstEachOther) {
   for (const int dimensions : {2, 3, 4, 7, 8, 20}) {
     const int count = 2 * static_cast<int>(std::bit_ceil(static_cast<unsigned>(dimensions) + 1));
@@ -41,7 +41,7 @@ TEST(CornerPointTest, IsFollowedByItsOpposite) {
   }
 }
 
-// Every corner of a small box in time.
+// Every corner of a small box comes in time.
 TEST(CornerPointTest, GoesOnAtRandom) {
   std::map<std::vector<double>, int> seen;
   for (int number = 17; number < 17 + 1600; ++number) {
@@ -50,12 +50,12 @@ TEST(CornerPointTest, GoesOnAtRandom) {
     ++seen[point];
   }
   ASSERT_EQ(seen.size(), 16u);
-  for (const auto& [corner, times] : seen) EXPECT_NEAR(times, 100, 50);  // five deviations
+  for (const auto& [corner, times] : seen) EXPECT_NEAR(times, 100, 50);  // five standard deviations
   EXPECT_NE(CornerPoint(40, kSeed, 1000), CornerPoint(40, kSeed + 1, 1000));
 }
 
-// The star discrepancy of points in the unit square by its definition: of all boxes from the origin
-// whose corners lie on a grid the worst difference of share and area.
+// Returns the star discrepancy of points in the unit square by its definition. It is the greatest
+// difference of share and area over all boxes from the origin whose opposite corner is on a grid.
 double Discrepancy(const std::vector<std::vector<double>>& points) {
   constexpr int kGrid = 50;
   double worst = 0;
@@ -88,8 +88,8 @@ TEST(EvenPointTest, FillsTheBoxMoreEvenlyThanChance) {
   EXPECT_LT(even, 0.5 * random);
 }
 
-// In each dimension by itself the first n points leave no gap longer than 3/n: an additive
-// recurrence with a badly approximable number.
+// An additive recurrence with a badly approximable number leaves no gap longer than 3/n among its
+// first n values. This holds in each dimension by itself.
 TEST(EvenPointTest, IsInTheUnitBoxAndFillsEachEdge) {
   for (const int dimensions : {1, 2, 5, 12, 30}) {
     std::vector<std::vector<double>> edges(dimensions);
@@ -111,7 +111,7 @@ TEST(EvenPointTest, IsInTheUnitBoxAndFillsEachEdge) {
   }
 }
 
-// One dimension: steps of the golden ratio.
+// In one dimension, the steps are the golden ratio.
 TEST(EvenPointTest, OfOneDimensionIsTheGoldenSequence) {
   const double golden = (std::sqrt(5.0) - 1) / 2;
   for (int number = 1; number < 20; ++number) {
@@ -160,7 +160,7 @@ TEST_F(SampleTest, VerticesAreEndsToTheBit) {
   }
 }
 
-// Mean and variance of a uniform distribution, and the ends are approached.
+// The mean and the variance are those of a uniform distribution.
 TEST_F(SampleTest, UniformIsUniform) {
   constexpr int kCount = 2000;
   for (const std::size_t i : {0u, 1u, 9u, 12u}) {
@@ -178,7 +178,7 @@ TEST_F(SampleTest, UniformIsUniform) {
   }
 }
 
-// Trials can be done in any order, anywhere: what came before makes no difference.
+// Trials may be done in any order and on any machine, so earlier samples must make no difference.
 TEST_F(SampleTest, DependsOnNumberAndSeedAlone) {
   for (const Mode mode : kModes) {
     std::vector<std::vector<double>> forward;

@@ -10,8 +10,9 @@
 namespace assay::render::framing_test {
 namespace {
 
-// How far inside of the picture a ball is, of half its height; naive: the angles between the ray to
-// its centre and the planes of the sides, from the pose and the angle of the camera alone.
+// Returns the distance of a ball from the nearest side of the picture, as a fraction of half the
+// picture's height. This naive oracle uses the planes of the sides, from the camera's pose and
+// angle alone.
 double RoomAround(const Ball& ball, const FreeCamera& camera, double aspect) {
   const Vector3 p = camera.X_WorldCamera.inverse() * ball.center;
   const double half = std::tan(camera.vertical_angle / 2);
@@ -41,7 +42,8 @@ class FramingTest : public testing::Test {
   RandomStream random_{1, "framing"};
 };
 
-// All of them, with a margin, and one of them near a side: no camera that is nearer has them all.
+// All balls are in the picture with a margin, and one of them is near a side. A nearer camera would
+// not have all of them in its picture.
 TEST_F(FramingTest, AllBallsAreInThePictureAndFillIt) {
   for (int i = 0; i < 300; ++i) {
     std::vector<Ball> balls;
@@ -61,7 +63,8 @@ TEST_F(FramingTest, AllBallsAreInThePictureAndFillIt) {
   }
 }
 
-// Points on a line across the view, in the middle of a picture that is as wide as they are apart.
+// The two points lie on a line across the view. The camera looks at their middle, and the picture
+// is about as wide as their distance.
 TEST_F(FramingTest, KnownAnswer) {
   const std::vector<Ball> ends = {{{0, -0.1, 0}}, {{0, 0.1, 0}}};
   const FreeCamera camera = Framing(ends, Vector3::UnitX(), 2);

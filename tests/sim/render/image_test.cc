@@ -59,7 +59,7 @@ TEST(ContactSheet, IsNoWiderThanItMayBe) {
   EXPECT_GT(ContactSheet(images, 1).width, 960);
 }
 
-// The columns and rows of the smallest rectangle about the pixels that differ.
+// The columns and rows of the smallest rectangle that holds all different pixels.
 struct Changed {
   int left = 1 << 20, right = -1, top = 1 << 20, bottom = -1;
 };
@@ -76,8 +76,8 @@ Changed Difference(const Image& a, const Image& b) {
   return changed;
 }
 
-// Each begins at its point, and labels of points that are the same stand below each other: the
-// second changes nothing within the first one's box.
+// A label begins at its point. If two labels have the same point, the second one is below the first
+// and changes nothing within the first one's box.
 TEST(WithLabels, NoneIsOnAnother) {
   const Image plain = Plain(640, 480, 90);
   constexpr Colour kRed{"#ff0000"};
@@ -92,7 +92,7 @@ TEST(WithLabels, NoneIsOnAnother) {
     const Image both = WithLabels(plain, {first, second});
     const Changed below = Difference(one, both);
     EXPECT_GT(below.bottom, box.bottom + 5) << x;
-    int within = 0;  // but for the line from the point
+    int within = 0;  // changed pixels, except near the line from the point
     for (int row = box.top; row <= box.bottom; ++row) {
       for (int column = box.left; column <= box.right; ++column) {
         if (std::abs(column - x) <= 15) continue;

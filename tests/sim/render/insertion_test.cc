@@ -14,7 +14,8 @@ namespace {
 
 using domain::PartId;
 
-// Where the ray meets the box, in lengths of it; above 1 if not before its end. By slabs.
+// Returns where the ray enters the box, as a fraction of the ray's length, by the slab method.
+// Infinity means that the ray does not meet the box.
 double Meets(const geometry::Box& box, const Pose& X_WorldPart, const Vector3& from,
              const Vector3& ray) {
   const Pose X_BoxWorld = (X_WorldPart * box.X_FrameBox).inverse();
@@ -31,15 +32,15 @@ double Meets(const geometry::Box& box, const Pose& X_WorldPart, const Vector3& f
   return enter <= leave ? enter : std::numeric_limits<double>::infinity();
 }
 
-// The last mating of a scenario, with the fixed part somewhere on the table, its hole upwards, and
-// the held part before it. The arm is at home, far above.
+// The last mating of a scenario. The fixed part is on the table with its hole upward, and the held
+// part is above it. The arm is at home, far from both.
 struct Stage {
   domain::Problem problem;
   scene::Scene scene;
   const domain::Mating& mating;
   Insertion insertion;
   mujoco::Data data;
-  Vector3 out;  // world
+  Vector3 out;  // direction out of the hole, in the world frame
 
   Stage(const std::string& scenario, double yaw)
       : problem(
@@ -87,7 +88,7 @@ struct Stage {
     return false;
   }
 
-  // By the boxes of both parts alone.
+  // Returns whether the eye sees the point if only the boxes of both parts can hide it.
   bool IsSeen(const Vector3& point, const Vector3& eye) const {
     const Vector3 from = point + 1e-4 * (eye - point).normalized();
     for (const PartId part : {mating.held, mating.fixed}) {
@@ -110,8 +111,8 @@ INSTANTIATE_TEST_SUITE_P(Scenarios, InsertionTest,
                            return name;
                          });
 
-// What goes in is as long as the lowest of what is above reaches below the highest of what is
-// beneath it, whichever of them has the hole.
+// The depth of the insertion is the overlap in height of the upper and the lower part when mated.
+// This holds whichever part has the hole.
 TEST_P(InsertionTest, IsAsDeepAsThePartsReachIntoEachOther) {
   Stage stage(GetParam(), 0.4);
   stage.Insert(stage.insertion.depth());
@@ -127,8 +128,8 @@ TEST_P(InsertionTest, IsAsDeepAsThePartsReachIntoEachOther) {
   }
 }
 
-// By exact rays against the parts' boxes: before the hole nothing of its mouth is hidden, and all
-// of both parts is in the picture, before it and at the seat.
+// The oracle is exact rays against the parts' boxes. Before the insertion, nothing hides the mouth.
+// Both parts are wholly in the picture, before the insertion and at the seat.
 TEST_P(InsertionTest, TheMouthIsSeenAndThePartsAreInThePicture) {
   for (const double yaw : {0.0, 0.7, 2.0, -1.3}) {
     Stage stage(GetParam(), yaw);
@@ -142,13 +143,15 @@ TEST_P(InsertionTest, TheMouthIsSeenAndThePartsAreInThePicture) {
 
     stage.Insert(-stage.insertion.gap());
     for (const domain::ShaftFit& fit : domain::FitsOf(stage.problem, stage.mating)) {
-      if (!fit.shaft_is_held) continue;  // a sleeve's mouth looks down
+      if (!fit.shaft_is_held) continue;  // the mouth of a sleeve looks down
       const Pose X_WorldHole = stage.PoseOf(stage.mating.fixed);
       const double top = stage.TopOf(stage.mating.fixed);
       for (const domain::Mouth& mouth : fit.hole.mouths) {
         const domain::Face& face = fit.hole_model.faces()[mouth.face.index()];
-        if ((X_WorldHole.linear() * face.normal).z() < 0.9) continue;  // where a slot is open
-        if ((X_WorldHole * face.X_PartFace).translation().z() < top - 1e-6) continue;  // within
+        // The face is on the side where a slot is open.
+        if ((X_WorldHole.linear() * face.normal).z() < 0.9) continue;
+        // The face is inside of the part.
+        if ((X_WorldHole * face.X_PartFace).translation().z() < top - 1e-6) continue;
         for (const geometry::Vector2& p : mouth.outline) {
           const Vector3 corner = X_WorldHole * face.X_PartFace * Vector3(p.x(), p.y(), 0);
           EXPECT_TRUE(stage.IsSeen(corner, eye)) << yaw << ": " << corner.transpose();
@@ -171,8 +174,8 @@ TEST_P(InsertionTest, TheMouthIsSeenAndThePartsAreInThePicture) {
   }
 }
 
-// Rays near the parts, which are far from the arm: what the boxes of the parts hide, and what the
-// table does. What moves is hidden and hides where it is by then.
+// The rays are near the parts and far from the arm. They may be hidden by the boxes of the parts or
+// by the table. A moved part hides what is behind its new pose.
 TEST_P(InsertionTest, SightKnowsWhatPartsAndTableHide) {
   RandomStream random(1, GetParam());
   Stage before(GetParam(), 0.4);
@@ -189,10 +192,10 @@ TEST_P(InsertionTest, SightKnowsWhatPartsAndTableHide) {
                      random.Uniform(low, 0.15));
     };
     Vector3 point = near(-0.02);
-    while (std::abs(point.z()) < 1e-3) point = near(-0.02);  // neither in the table nor above
+    while (std::abs(point.z()) < 1e-3) point = near(-0.02);  // neither in the table nor touching it
     Vector3 eye = near(0.001);
     while (before.IsInside(eye) || after.IsInside(eye)) eye = near(0.001);
-    const bool above = point.z() > 0;  // the eye is
+    const bool above = point.z() > 0;  // the eye is always above
     const bool is_seen = above && before.IsSeen(point, eye);
     EXPECT_EQ(sight.Sees(eye, point), is_seen) << i;
     EXPECT_EQ(sight.Sees(eye, point, moved), above && after.IsSeen(point, eye)) << i;

@@ -16,7 +16,7 @@ namespace {
 using scene::PegAndBlock;
 using scene::Scene;
 
-// Renderers differ in rasterisation from machine to machine; of 255.
+// Renderers of different machines rasterise differently. The figure is out of 255.
 constexpr double kMeanDifference = 3;
 
 double MeanDifference(const Image& a, const Image& b) {
@@ -31,7 +31,7 @@ struct Rgb {
   int blue = 0;
 };
 
-// The pixels of which `is` holds, as a fraction of all.
+// Returns the fraction of the pixels for which `is` holds.
 template <class Predicate>
 double Fraction(const Image& image, Predicate is) {
   int count = 0;
@@ -108,7 +108,7 @@ TEST_F(RendererTest, SizesNeedNotBeRound) {
     EXPECT_EQ(image.height, height);
     EXPECT_EQ(image.rgb.size(), std::size_t{3} * width * height);
   }
-  // The same view, whatever the number of pixels.
+  // The view is the same for any number of pixels.
   const Image small = Picture("close", 101, 67);
   const Image large = Picture("close", 303, 201);
   EXPECT_NEAR(Fraction(small, IsBlue), Fraction(large, IsBlue), 0.005);
@@ -123,7 +123,7 @@ TEST_F(RendererTest, TwoRenderersDoNotDisturbEachOther) {
   EXPECT_TRUE(first.Render(data, camera) == before);
 }
 
-// The model's camera "top" as one that stands in no model.
+// The free camera has the pose and angle of the model's camera "top".
 TEST_F(RendererTest, AFreeCameraSeesWhatACameraOfTheModelSees) {
   const geometry::Vector3 table(0.675, 0, 0);
   const FreeCamera camera{
@@ -146,7 +146,7 @@ TEST_F(RendererTest, WithoutEffectsTheShapesAreTheSame) {
   EXPECT_NEAR(Fraction(plain, IsOrange), Fraction(full, IsOrange), 0.01);
 }
 
-// Whether a pixel has the colour of predicted sets, nearly opaque over whatever is there.
+// Returns whether a pixel has the colour of predicted sets. A ghost is nearly opaque.
 bool IsPredicted(const Rgb& c) {
   const auto [red, green, blue] = kPredicted.Rgb();
   return std::abs(c.red - red) < 26 && std::abs(c.green - green) < 26 &&
@@ -159,7 +159,7 @@ class GhostTest : public RendererTest {
     Renderer renderer(scene.model(), 320, 240);
     return renderer.Render(data, scene.model().Camera("close"), ghosts);
   }
-  // Of the block, displaced.
+  // Returns the block's ghost with this displacement, in metres.
   Ghost At(const geometry::Vector3& displacement) const {
     const domain::Problem problem = scene::PegAndBlock();
     geometry::Pose pose = scene.TruePose(data, scene::kBlock);

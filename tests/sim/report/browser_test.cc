@@ -22,7 +22,7 @@ std::string TextOf(const std::filesystem::path& file) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-// The page in headless Chromium, which knows no host.
+// The page in headless Chromium, which cannot resolve any host.
 class InBrowser : public ::testing::Test {
  protected:
   void SetUp() override {
@@ -36,7 +36,7 @@ class InBrowser : public ::testing::Test {
     std::ofstream(ScratchFile("page.html"), std::ios::binary) << Page(findings, {});
   }
 
-  // What it prints, with these options. Its log is in ScratchFile("log").
+  // Returns the output of Chromium with these options. Its log goes to ScratchFile("log").
   static std::string Chromium(const std::string& options, const std::string& file) {
     const std::string command =
         "timeout 60 chromium --headless --no-sandbox --disable-gpu --no-first-run "
@@ -50,7 +50,7 @@ class InBrowser : public ::testing::Test {
     return TextOf(ScratchFile("out"));
   }
 
-  // A page that opens the report in a frame of this width and tells what it sees there.
+  // Writes a page that opens the report in a frame of this width and lists what the frame contains.
   static void WriteFrame(int width) {
     std::ofstream(ScratchFile("frame.html")) << R"(<!DOCTYPE html><meta charset="utf-8">
 <iframe id="f" src="page.html" style="height: 900px; width: )"
@@ -89,7 +89,7 @@ TEST_F(InBrowser, FitsWideAndNarrowWindowsAndAsksForNothing) {
     EXPECT_THAT(seen, HasSubstr("overflow=0\n")) << width;
     EXPECT_THAT(seen, HasSubstr("requests=0\n"));
     EXPECT_THAT(seen, HasSubstr("verdictrows=4\n"));  // two cells of two steps
-    EXPECT_THAT(seen, HasSubstr("charts=5\n"));       // theirs, and the key
+    EXPECT_THAT(seen, HasSubstr("charts=5\n"));       // one for each row, and the key
     EXPECT_THAT(seen, HasSubstr("scripts=0\n"));
     EXPECT_THAT(seen, HasSubstr("h1=Pegs &amp; &lt;holes&gt;"));
   }

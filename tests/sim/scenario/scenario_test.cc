@@ -18,7 +18,7 @@ using testing::HasSubstr;
 
 const fs::path kRoot = ASSAY_SOURCE_DIR;
 
-// A folder of its own for each test, removed afterwards.
+// A temporary folder of a test. It is removed after the test.
 class ScenarioFile : public testing::Test {
  protected:
   ScenarioFile()
@@ -28,7 +28,7 @@ class ScenarioFile : public testing::Test {
   }
   ~ScenarioFile() override { fs::remove_all(folder_); }
 
-  // Figure 15 with more lines at its end.
+  // Writes the scenario of Spar's figure 15 with more lines at its end.
   fs::path Write(const std::string& more) const {
     std::ifstream original(kRoot / "scenarios/spar-fig15.yaml");
     std::ofstream(folder_ / "scenario.yaml") << original.rdbuf() << more;
@@ -111,14 +111,14 @@ TEST_F(ScenarioFile, TheNearestModelsCount) {
             Folders{fs::canonical(folder_ / "deep/models")});
 }
 
-// Where there are none beside the file or above it, those of the tree in which this test was built.
+// If there are no models beside the file or above it, those of the source tree are used.
 TEST_F(ScenarioFile, WithoutModelsHasThoseOfTheProgram) {
   EXPECT_EQ(FindModels(folder_ / "scenario.yaml").folders(),
             Folders{fs::canonical(kRoot / "models")});
   EXPECT_EQ(Load(Write("")).problem.parts.size(), 2u);
 }
 
-// Given folders come first, in their order; the usual one comes last, once.
+// Given folders come first in their order. The usual folder comes last, and only once.
 TEST_F(ScenarioFile, GivenModelsComeFirst) {
   fs::create_directories(folder_ / "own/parts/peg");
   fs::create_directories(folder_ / "other/parts");

@@ -8,7 +8,7 @@
 
 namespace assay::scene {
 
-// The names of all part models there are, sorted.
+// Returns the sorted names of all part models.
 inline std::vector<std::string> AllParts() {
   std::vector<std::string> names;
   for (const auto& entry : std::filesystem::directory_iterator(ModelsFolder() / "parts")) {

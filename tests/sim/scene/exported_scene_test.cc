@@ -25,8 +25,8 @@ namespace fs = std::filesystem;
 using OwnedModel = std::unique_ptr<mjModel, void (*)(mjModel*)>;
 using OwnedData = std::unique_ptr<mjData, void (*)(mjData*)>;
 
-// The engine as other programs have it: its own collision of boxes, not the one that
-// mujoco::CheckBoxCollisions puts before it in this process.
+// Gives the engine the collision function of boxes that other programs have. In this process,
+// mujoco::CheckBoxCollisions replaces it by its own one.
 class PlainEngine {
  public:
   PlainEngine() : ours_(mjCOLLISIONFUNC[mjGEOM_BOX][mjGEOM_BOX]) {
@@ -40,7 +40,7 @@ class PlainEngine {
   static const mjfCollision kTheirs;
   mjfCollision ours_;
 };
-// Before main, when nothing has been put before it yet.
+// The function is read before main, when nothing has replaced it.
 const mjfCollision PlainEngine::kTheirs = mjCOLLISIONFUNC[mjGEOM_BOX][mjGEOM_BOX];
 
 std::vector<fs::path> AllScenarios() {
@@ -66,7 +66,7 @@ OwnedModel Loaded(const std::string& mjcf) {
   return model;
 }
 
-// The first warning, or where a number is none; empty: neither.
+// Returns the first warning, or says that a velocity is not a number. Empty means neither.
 std::string TroubleIn(const mjModel& model, const mjData& data) {
   for (int i = 0; i < mjNWARNING; ++i) {
     if (data.warning[i].number > 0) return mju_warningText(i, data.warning[i].lastinfo);
@@ -77,7 +77,7 @@ std::string TroubleIn(const mjModel& model, const mjData& data) {
   return "";
 }
 
-// Seconds of simulated time: ASSAY_EXPORTED_SECONDS, else few.
+// Returns the simulated seconds. The environment variable ASSAY_EXPORTED_SECONDS sets them.
 double Seconds() {
   const char* seconds = std::getenv("ASSAY_EXPORTED_SECONDS");
   return seconds == nullptr ? 1 : std::atof(seconds);
@@ -85,7 +85,7 @@ double Seconds() {
 
 struct Stepped {
   std::string trouble;
-  double speed = 0;  // greatest of all coordinates in the end, m/s or rad/s
+  double speed = 0;  // greatest of all coordinates at the end, m/s or rad/s
 };
 
 Stepped Step(const mjModel& model, mjData& data) {
@@ -98,7 +98,8 @@ Stepped Step(const mjModel& model, mjData& data) {
   return {"", speed};
 }
 
-// From the model's own configuration and from its key frame, where everything comes to rest.
+// The model is stepped from its own configuration and from its key frame. From the key frame,
+// everything comes to rest.
 TEST(ExportedScene, StepsInThePlainEngine) {
   const PlainEngine plain;
   for (const fs::path& file : AllScenarios()) {

@@ -13,7 +13,7 @@ namespace assay::scene {
 constexpr double kInch = 0.0254;
 constexpr double kDegree = std::numbers::pi / 180;
 
-// Where a part of a test's problem rests.
+// The model and the resting place of a part in a test's problem.
 struct Resting {
   std::string model;
   std::string stable_pose;
@@ -52,7 +52,7 @@ inline domain::Problem ProblemWith(const std::vector<Resting>& restings) {
 constexpr domain::PartId kBlock(0);
 constexpr domain::PartId kPeg(1);
 
-// The start of Spar's figure 13: block face down, peg on its side.
+// Returns the start of Spar's figure 13: the block lies face down and the peg on its side.
 inline domain::Problem PegAndBlock() {
   return ProblemWith({{"block", "face-down", 22 * kInch, 6 * kInch, 30 * kDegree},
                       {"peg", "on-side", 20 * kInch, -8 * kInch, -20 * kDegree}});

@@ -5,12 +5,13 @@
 
 namespace assay::scene {
 
-// The tool pointing straight down, closing along the world's y.
+// Returns a pose of the tool that points straight down and closes along the world's y. The place is
+// in metres, in the world frame.
 inline geometry::Pose ToolDown(double x, double y, double z) {
   return geometry::PoseFromColumns({-1, 0, 0}, {0, 1, 0}, {0, 0, -1}, {x, y, z});
 }
 
-// Joint values, near home, that bring the tool there.
+// Returns the joint values nearest to home that bring the tool to this pose.
 inline kinematics::JointVector JointsFor(const domain::Workcell& workcell,
                                          const geometry::Pose& X_WorldTool) {
   const auto solutions = workcell.arm().Inverse(workcell.FlangeFor(X_WorldTool));

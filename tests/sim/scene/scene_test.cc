@@ -111,7 +111,7 @@ TEST(Scene, TheGripperOpensAndCloses) {
   EXPECT_NEAR(scene.Opening(data), 0.05, 1e-12);
 }
 
-// A part between the pads, in the air, held by friction alone.
+// A part between the pads in the air, held by friction alone.
 class Held : public testing::Test {
  protected:
   Held() {
@@ -128,7 +128,8 @@ class Held : public testing::Test {
     }
   }
 
-  // Across its y, the tool along its x: the fingers reach 20 mm deep.
+  // The pads close across the block's y, and the tool points along its x. The fingers reach 20 mm
+  // deep.
   Pose X_ToolBlock =
       geometry::Translation(0, 0, -0.02) *
       geometry::PoseFromColumns({0, 0, 1}, {0, 1, 0}, {-1, 0, 0}, {3.25 * kInch, 0, 0});
@@ -183,7 +184,8 @@ TEST(Scene, AttachedPartsFollowTheToolAndDetachedOnesFall) {
   const JointServo servo(scene);
   const JointVector q = JointsFor(*problem.workcell, ToolDown(0.6, 0.1, 0.4));
   scene.SetArm(data, q);
-  const Pose X_ToolPeg = geometry::Translation(0, 0, 0.06);  // below the pads: nothing touches
+  // The peg is below the pads, where nothing touches it.
+  const Pose X_ToolPeg = geometry::Translation(0, 0, 0.06);
   scene.SetPart(data, kPeg, scene.ToolPose(data) * X_ToolPeg);
   scene.AttachPart(data, kPeg);
   const auto hold = [&](int steps) {

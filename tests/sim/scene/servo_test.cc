@@ -12,7 +12,7 @@
 namespace assay::scene::servo_test {
 namespace {
 
-constexpr double kLoad = 1.2 * 9.81;  // N
+constexpr double kLoad = 1.2 * 9.81;  // newtons
 
 class ServoAt : public testing::TestWithParam<double> {
  protected:
@@ -65,7 +65,7 @@ TEST_P(ServoAt, AMotionAtConstantSpeedDoesNotLag) {
     const double phase = i * dt < 0.2 ? i * dt * ramp / 2 : i * dt - 0.1;
     const JointVector q = start + phase * speed;
     Follow(q, ramp * speed);
-    // Command is for the step's end, one timestep of motion behind the command of the next.
+    // A command is for the end of its step. It is one timestep behind the next command.
     if (i * dt > 0.6) {
       error = std::max(error, (scene.ArmPosition(data) - q - dt * speed).cwiseAbs().maxCoeff());
     }

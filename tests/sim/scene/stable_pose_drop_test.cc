@@ -12,19 +12,19 @@ namespace {
 
 using domain::StablePose;
 
-// Every computed stable pose, tried against physics: dropped from 2 mm, tilted by up to a degree,
-// a part must come to rest in that stable pose.
+// Each computed stable pose is tested in the simulation. A part that is dropped from 2 mm and
+// tilted by up to a degree must come to rest in that stable pose.
 class StablePosesOf : public testing::TestWithParam<std::string> {};
 
-constexpr double kDropHeight = 0.002;     // m
+constexpr double kDropHeight = 0.002;     // metres
 constexpr double kLargestTilt = kDegree;  // of the disturbance
 constexpr double kSeconds = 1.0;
-constexpr double kMostSeconds = 6.0;  // until what is high and slender has stopped rocking
+constexpr double kMostSeconds = 6.0;  // until tall and slender parts have stopped rocking
 constexpr double kAtRest = 0.002;     // rad/s
 constexpr int kDrops = 3;
 const geometry::Pose kMiddle = geometry::Translation(0.7, 0, 0);
 
-// The table is longer across than away from the arm: long parts lie across it.
+// Returns the pose in which a long part lies across the table, which is longer in that direction.
 geometry::Pose Across(const StablePose& pose, const domain::PartModel& model) {
   Eigen::AlignedBox3d box;
   for (const Vector3& vertex : model.hull().vertices) box.extend(pose.X_TablePart * vertex);
@@ -55,7 +55,7 @@ void ComeToRest(const Scene& scene, mujoco::Data& data) {
   }
 }
 
-// The angle between the directions that point down in the part.
+// Returns the angle in the part's frame between the two directions that point down.
 double AngleFrom(const StablePose& pose, const geometry::Pose& X_WorldPart) {
   const Vector3 down_now = X_WorldPart.linear().row(2);
   const Vector3 down_then = pose.X_TablePart.linear().row(2);

@@ -9,7 +9,7 @@
 #include "sim/scene/scene.h"
 #include "tests/sim/scene/peg_and_block.h"
 
-// Scenes whose truth differs from the problem.
+// Scenes whose true values differ from the problem's.
 namespace assay::scene::true_scene_test {
 namespace {
 
@@ -17,7 +17,7 @@ using geometry::Vector3;
 
 constexpr double kPi = std::numbers::pi;
 
-// What the engine has of the geoms of a body: positions, half sizes, sliding frictions.
+// The engine's positions, half sizes and sliding frictions for the geoms of a body.
 struct Geoms {
   std::vector<Vector3> position;
   std::vector<Vector3> size;
@@ -42,7 +42,7 @@ Geoms GeomsOf(const SceneOptions& options, domain::PartId part) {
   return GeomsOf(scene, scene.Body(part).index());
 }
 
-// The ring around the block's hole: along y and z, edges move by the error or stay.
+// The ring around the block's hole has edges along y and z. Each edge moves by the error or stays.
 TEST(TrueScene, HolesAreWiderByTheErrorOfTheClearance) {
   for (const double error : {0.0002, -0.0003, -0.0006}) {
     const Geoms said = GeomsOf({}, kBlock);
@@ -65,7 +65,7 @@ TEST(TrueScene, HolesAreWiderByTheErrorOfTheClearance) {
   }
 }
 
-// The peg's alignment hole is not widened.
+// The clearance does not widen the peg's alignment hole.
 TEST(TrueScene, APartWithoutWidenedHolesStaysAsItIs) {
   EXPECT_EQ(GeomsOf({.clearance_error = 0.0002}, kPeg).size, GeomsOf({}, kPeg).size);
 }
@@ -102,7 +102,7 @@ std::vector<double> PadFrictions(const SceneOptions& options) {
   return frictions;
 }
 
-// Of each finger only the pad, which is four tiles.
+// Only the pad of each finger is rougher. It consists of four tiles.
 TEST(TrueScene, PadsAreRougherByTheErrorOfTheirFriction) {
   const std::vector<double> said = PadFrictions({});
   const std::vector<double> truth = PadFrictions({.pad_friction_error = 0.2});
@@ -119,7 +119,7 @@ TEST(TrueScene, PadsAreRougherByTheErrorOfTheirFriction) {
   EXPECT_EQ(PadFrictions({.friction_error = 0.2}), said);
 }
 
-// Sliding frictions of all contacts of a block that is between the pads.
+// Returns the sliding frictions of all contacts of a block between the pads.
 std::vector<double> ContactFrictions(const SceneOptions& options) {
   const Scene scene(PegAndBlock(), options);
   mujoco::Data data = scene.Start();
@@ -139,7 +139,7 @@ std::vector<double> ContactFrictions(const SceneOptions& options) {
   return frictions;
 }
 
-// Whether the part is rougher than the pads or not.
+// The friction of the pads counts whether the part is rougher than the pads or not.
 TEST(TrueScene, BetweenPadAndPartThePadsFrictionCounts) {
   const double pads = PegAndBlock().workcell->rules().pad_friction;
   for (const double error : {-0.1, 0.0, 0.05, 0.5}) {

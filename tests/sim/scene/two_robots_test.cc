@@ -29,7 +29,7 @@ Pose ToolAt(const domain::Workcell& workcell, const JointVector& q) {
 
 class TwoRobots : public testing::TestWithParam<domain::RobotId> {
  protected:
-  // Contacts of a part at the start, all of them with its table.
+  // Returns the number of a part's contacts at the start. All of them are with its table.
   int CountOf(PartId part) const {
     return static_cast<int>(
         mujoco::ContactsBetween(first_.Start(), first_.Body(part), first_.world()).size());
@@ -62,7 +62,7 @@ TEST_P(TwoRobots, OnlyTheOneThatActsIsSet) {
   EXPECT_EQ(other_.Opening(data_), other_.max_opening());
 }
 
-// The servos of the one that rests hold it, whatever the other does.
+// The servos of the resting robot hold it, whatever the other robot does.
 TEST_P(TwoRobots, TheOneThatRestsStaysAtItsHome) {
   const JointServo servo(scene_);
   const JointVector home = workcell_->home();
@@ -93,7 +93,7 @@ TEST_P(TwoRobots, TheWristFeelsWhatItsOwnHandHolds) {
   EXPECT_NEAR(other_.WristWrench(data_).force.norm(), 0, 0.05 * weight);
 }
 
-// The hands of both at one place: the arms touch each other, and neither touches itself.
+// Both hands are brought to the same place. The arms touch each other, and neither touches itself.
 TEST_P(TwoRobots, TouchEachOther) {
   const domain::Problem others = WorkedBy(problem_, Other());
   const Pose down = geometry::PoseFromColumns({-1, 0, 0}, {0, 1, 0}, {0, 0, -1}, {0, 0, 0.4});

@@ -13,7 +13,8 @@ const domain::Problem& TwoCans() {
   return problem;
 }
 
-// Lets a can go a millimetre above the tables' plane; its height after a quarter of a second.
+// Lets a can go a millimetre above the tables' plane. Returns its height after a quarter of a
+// second, in metres.
 double HeightOfCanLetGo(const Scene& scene, mujoco::Data& data, double y) {
   const PartId can(0);
   Pose X_WorldCan = scene.TruePose(data, can);
@@ -32,7 +33,7 @@ double HeightOfCanLetGo(double y) {
 TEST(TwoTables, BothCarryAndTheGapDoesNot) {
   EXPECT_NEAR(HeightOfCanLetGo(-0.4), 0, 1e-4);
   EXPECT_NEAR(HeightOfCanLetGo(0.4), 0, 1e-4);
-  EXPECT_LT(HeightOfCanLetGo(0), -0.2);  // falls freely: 0.5 * 9.81 * 0.25^2 = 0.31 m
+  EXPECT_LT(HeightOfCanLetGo(0), -0.2);  // free fall by 0.5 * 9.81 * 0.25^2 = 0.31 m
 }
 
 TEST(TwoTables, AreAsHighAsIsSaidUnderEachPart) {
@@ -44,7 +45,7 @@ TEST(TwoTables, AreAsHighAsIsSaidUnderEachPart) {
   EXPECT_NEAR(HeightOfCanLetGo(scene, data, 0.4), 0.0005, 1e-4);
 }
 
-// What is hidden in a part is spread as its own mass is.
+// The hidden mass of a part is distributed like its own mass.
 TEST(HiddenMass, IsTheEnginesMass) {
   const Scene said(TwoCans(), {});
   const Scene truth(TwoCans(), {.part_masses = {{PartId(1), 0.42}}});

@@ -59,7 +59,7 @@ TEST_F(CalibrationTest, APlacementDependsOnSeedAndNumberAlone) {
   EXPECT_NE(once->X_WorldPart[0].matrix(), other->X_WorldPart[0].matrix());
 }
 
-// A sensor that is always wrong by the same, or finds nothing.
+// A sensor that always has the same error, or finds nothing.
 class WrongSensor : public PoseSensor {
  public:
   WrongSensor(const CalibrationPlacement& placement, const std::optional<Displacement>& error)

@@ -21,7 +21,7 @@ bool Passes(const ColorFilter& filter, const Color& color) {
   return filter.Pass(image).front() != 0;
 }
 
-// Law: hue and saturation do not change when all channels are multiplied alike.
+// Law: hue and saturation do not change if all channels are multiplied by the same factor.
 TEST(ColorFilter, BrightnessDoesNotMatter) {
   for (const Color& color : {kGreen, kPale}) {
     for (const double light : {0.3, 0.6, 1.0}) {
@@ -39,14 +39,14 @@ TEST(ColorFilter, OtherHuesGreyAndDarkDoNotPass) {
   EXPECT_FALSE(Passes(ColorFilter(kPale), kGreen));
 }
 
-// Reds have hues of 350 degrees and of 10.
+// The hues of two reds are 350 and 10 degrees.
 TEST(ColorFilter, HueIsACircle) {
   const ColorFilter red(Color(0.8, 0.1, 0.12));
   EXPECT_TRUE(Passes(red, {0.8, 0.12, 0.1}));
   EXPECT_TRUE(red.Overlaps(ColorFilter(Color(0.8, 0.12, 0.1))));
 }
 
-// Law: what passes two filters passes filters that overlap.
+// Law: if a colour passes two filters, the filters overlap.
 TEST(ColorFilter, WhatPassesTwoFiltersOverlaps) {
   RandomStream random(5, "colors");
   const auto draw = [&] {

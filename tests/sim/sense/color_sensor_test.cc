@@ -30,7 +30,7 @@ domain::Problem TwoBottles() {
 
 Eigen::Vector4d Opaque(const Color& color) { return {color[0], color[1], color[2], 1}; }
 
-// Two bottles, the first of one colour and the second of the other, in some light.
+// Two bottles in some light. The first has the given colour and the second has the other one.
 struct Cell {
   domain::Problem problem = TwoBottles();
   scene::Scene scene;
@@ -62,7 +62,8 @@ class ColorSensorTest : public testing::Test {
   }
 };
 
-// The promise: all over the table, whatever the error within the window and the light.
+// The sensor promises the right colour all over the table, for any light and for any error within
+// its window.
 TEST_F(ColorSensorTest, TellsTheColorEverywhere) {
   RandomStream random(31, "places");
   constexpr SearchWindow kWindow = ColorSensor::kWindow;
@@ -92,7 +93,7 @@ TEST_F(ColorSensorTest, CannotTellWhatIsNotThere) {
   EXPECT_TRUE(cell.sensor.Measure(cell.data, kBottle, elsewhere).IsNone());
 }
 
-// Of a colour that is none of the named ones.
+// The bottle has a colour that is not one of the named ones.
 TEST_F(ColorSensorTest, CannotTellAColorItDoesNotKnow) {
   const domain::Problem problem = TwoBottles();
   const scene::Scene scene(problem, {.part_colors = {{kBottle, {0.8, 0.2, 0.15, 1}}}});
@@ -101,8 +102,9 @@ TEST_F(ColorSensorTest, CannotTellAColorItDoesNotKnow) {
   EXPECT_TRUE(sensor.Measure(data, kBottle, problem.part(kBottle).X_WorldPart).IsNone());
 }
 
-// Whatever posture the arm is in about the bottle (in the picture it may go through it): the other
-// colour is never told, and where hand and forearm hide most of the bottle, none is.
+// The arm is in random postures about the bottle. It may go through the bottle in the picture. The
+// wrong colour is never reported. No colour is reported if hand and forearm hide most of the
+// bottle.
 TEST_F(ColorSensorTest, AnArmInTheWayHidesIt) {
   Cell cell(kEmpty, 1);
   const Pose X = cell.Upright(-0.4, 0.0, 0);

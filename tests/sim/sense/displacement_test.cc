@@ -21,7 +21,7 @@ Displacement RandomDisplacement(RandomStream& random) {
           random.Uniform(-3, 3)};
 }
 
-// Spar, equation 2: the origin moves by (x, y, z), and the part turns about it.
+// In Spar's equation 2, the origin moves by (x, y, z), and the part turns about it.
 TEST(Displacement, MovesTheOriginAndTurnsAboutIt) {
   RandomStream random(1, "displacement");
   for (int i = 0; i < 100; ++i) {

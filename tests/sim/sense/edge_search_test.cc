@@ -15,8 +15,8 @@ const Vector3 kPartColor(60, 100, 180);
 const Vector3 kTableColor(210, 200, 180);
 const Vector3 kHandColor(40, 40, 45);
 
-// A picture of surfaces that are given by a function of the place: each pixel is the mean of many
-// samples, and its surface is that of most of them.
+// Returns a picture of surfaces that are a function of the place. The colour of a pixel is the mean
+// of many samples, and its surface is that of most of them.
 Picture PictureOf(const std::function<Surface(const Vector2&)>& surface_at) {
   constexpr int kSamples = 8;
   Picture picture{View({0, 0, 1}, {0, 0, 0}, 0.1, kSize), {kSize, kSize, {}}, {kSize, {}}};
@@ -46,7 +46,7 @@ Picture PictureOf(const std::function<Surface(const Vector2&)>& surface_at) {
   return picture;
 }
 
-// A contour point somewhere in the middle, with the part's true edge `offset` pixels outward of it.
+// A contour point near the picture's middle. The true edge of the part is `offset` pixels outward.
 struct Edge {
   ContourPoint point;
   double offset = 0;
@@ -86,7 +86,7 @@ TEST(EdgeSearch, FindsNothingBeyondItsRangeNorWhereTheTableBeginsInward) {
                         inward.point, 4));
 }
 
-// Where the hand is beside the part, it may hide it.
+// The hand is next to the edge and may hide the part there.
 TEST(EdgeSearch, TakesNoEdgeOfWhatMayHideThePart) {
   const Edge edge = EdgeAt(1.1, 1);
   EXPECT_FALSE(FindEdge(PictureOf([&](const Vector2& p) {

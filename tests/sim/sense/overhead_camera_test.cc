@@ -16,7 +16,7 @@ namespace {
 using scene::kDegree;
 using scene::Resting;
 
-// With the parts' names made different.
+// Returns the problem with a number in each part's name, so that the names differ.
 domain::Problem NamedProblemWith(const std::vector<Resting>& restings) {
   domain::Problem problem = scene::ProblemWith(restings);
   int number = 0;
@@ -40,7 +40,7 @@ struct Cell {
   const domain::SensorModel& promise() const {
     return *problem.workcell->uncertainty_operations().FindSensor("overhead-camera");
   }
-  // Looks for a part that was put where the problem says, from a wrong belief.
+  // Measures a part whose believed pose is displaced from its true pose.
   std::optional<Pose> Measure(PartId part, const Displacement& displacement) {
     return camera.Measure(data, part, Displaced(problem.part(part).X_WorldPart, -displacement));
   }
@@ -64,18 +64,18 @@ class OverheadCameraTest : public testing::Test {
 class CalibratedPair : public OverheadCameraTest,
                        public testing::WithParamInterface<std::pair<const char*, const char*>> {};
 
-// More by hand: ASSAY_CALIBRATION_PLACEMENTS=1000.
+// Returns the number of placements. For a longer test: ASSAY_CALIBRATION_PLACEMENTS=1000.
 int Placements() {
   const char* count = std::getenv("ASSAY_CALIBRATION_PLACEMENTS");
   return count == nullptr ? 6 : std::stoi(count);
 }
 
-// As `assay calibrate` does, which also says what is promised. Now and then what is seen of a part
-// is too little, and it is not found.
+// The test is that of `assay calibrate`. Now and then, too little of a part is seen and it is not
+// found.
 TEST_P(CalibratedPair, KeepsItsPromise) {
   const auto& [first, second] = GetParam();
   Cell cell({{first, "on-side"}, {second, "on-side"}});
-  cell.problem.name = first;  // each pair has places of its own
+  cell.problem.name = first;  // gives each pair its own placements
   constexpr std::uint64_t kSeed = 20;
   int not_found = 0;
   for (int number = 1; number <= Placements(); ++number) {
@@ -130,7 +130,8 @@ TEST_F(OverheadCameraTest, PartsOfOneColorSideBySideAreKeptApart) {
   cell.ExpectMeasured(PartId(1), {0, 0.010, 0, 5 * kDegree});
 }
 
-// Its quarter turns look alike: the nearest to the belief is meant.
+// The brick looks alike after quarter turns. The nearest of these poses to the believed one is
+// meant.
 TEST_F(OverheadCameraTest, OfSymmetricPosesTheNearestToTheBelief) {
   Cell cell({{"brick", "upright", 0.6, -0.2, 0.3}});
   cell.ExpectMeasured(PartId(0), {0.01, 0.01, -0.003, 8 * kDegree});
@@ -153,7 +154,7 @@ TEST_F(RefusalTest, APartFarFromWhereItIsBelievedIsNotFound) {
   }
 }
 
-// Inside of the block, whose outside is all that can be seen.
+// The brick is inside of the block, whose outside hides it.
 TEST_F(RefusalTest, APartThatIsCoveredIsNotFound) {
   Cell cell({{"block", "on-side", 0.6, 0.2, 0}, {"brick", "on-side", 0.6, -0.2, 0}});
   const domain::Part& block = cell.problem.parts[0];
@@ -164,8 +165,8 @@ TEST_F(RefusalTest, APartThatIsCoveredIsNotFound) {
   EXPECT_FALSE(cell.camera.Measure(cell.data, PartId(1), inside));
 }
 
-// A mast of 0.9 m would have to be seen from so far away that a pixel is 2 mm: it cannot be
-// measured as well as is promised, and that is said.
+// A mast of 0.9 m is seen from so far away that a pixel is 2 mm wide. It cannot be measured within
+// the promise, and the camera must refuse.
 TEST_F(RefusalTest, APartTooLargeForThePromiseIsNotFound) {
   Cell cell({{"mast", "upright", 0.6, 0.1, 0.3}});
   const Pose& truth = cell.problem.parts[0].X_WorldPart;
@@ -175,7 +176,7 @@ TEST_F(RefusalTest, APartTooLargeForThePromiseIsNotFound) {
   EXPECT_FALSE(cell.Measure(PartId(0), kOff));
 }
 
-// A peg that has fallen does not fit the silhouette of one that stands.
+// A peg that has fallen does not fit the silhouette of a standing one.
 TEST_F(RefusalTest, APartThatRestsOtherwiseIsNotFound) {
   Cell cell({{"peg", "on-side", 0.6, -0.2, 1}});
   const domain::PartModel& model = *cell.problem.parts[0].model;

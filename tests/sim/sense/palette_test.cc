@@ -14,7 +14,7 @@ using scene::kPeg;
 
 class PaletteTest : public testing::Test {
  protected:
-  // What a small picture of one colour shows (0 to 1, each channel).
+  // Returns the surface in a small picture of one colour. Each channel is from 0 to 1.
   Surface SurfaceOf(double red, double green, double blue, PartId part) const {
     render::Image image{2, 2, {}};
     for (int i = 0; i < 4; ++i) {

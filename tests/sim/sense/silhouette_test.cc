@@ -14,15 +14,15 @@ using geometry::Box;
 
 constexpr int kSize = 300;
 
-// The point of a pixel's ray one metre from the eye.
+// Returns the point on a pixel's ray at one metre from the eye.
 Vector3 OnRay(const View& view, const Vector2& pixel) {
   const double focal = kSize / 2.0 / std::tan(view.camera().vertical_angle / 2);
   const Vector3 in_camera(pixel.x() - kSize / 2.0, kSize / 2.0 - pixel.y(), -focal);
   return view.camera().X_WorldCamera * Vector3(in_camera.normalized());
 }
 
-// Whether the ray from the eye goes through the box: the interval in which it is between each pair
-// of faces is cut down pair by pair.
+// Returns whether the ray from the eye goes through the box. Each pair of faces narrows the
+// interval in which the ray is between them.
 bool Hits(const Vector3& eye, const Vector3& through, const Box& box) {
   const Pose X_BoxWorld = box.X_FrameBox.inverse();
   const Vector3 start = X_BoxWorld * eye;
@@ -44,7 +44,7 @@ bool HitsAny(const View& view, const Vector2& pixel, const std::vector<Box>& box
   return std::ranges::any_of(boxes, [&](const Box& box) { return Hits(eye, through, box); });
 }
 
-// A part in one of its stable poses, seen from somewhere above.
+// A part in one of its stable poses, with a view from above.
 struct Sight {
   std::vector<Box> boxes;
   View view;
@@ -100,8 +100,8 @@ bool AnyWithin(double distance, const std::vector<Vector2>& pixels, const Vector
   return std::ranges::any_of(pixels, [&](const Vector2& q) { return (q - p).norm() < distance; });
 }
 
-// Wherever hits end along a row of pixels, a contour point is near, unless a corner is, of a box or
-// where the outlines of two boxes cross: a few.
+// Wherever hits end along a row of pixels, a contour point must be near. Ends near a corner do not
+// count. A few are missed where the outlines of two boxes cross.
 TEST_P(SilhouetteTest, TheContourHasNoGaps) {
   int ends = 0;
   int missed = 0;
@@ -136,7 +136,7 @@ INSTANTIATE_TEST_SUITE_P(Parts, SilhouetteTest,
                            return name;
                          });
 
-// A ring of four boxes, seen from straight above: its contour goes around the hole as well.
+// The boxes form a ring, seen from straight above. The contour goes around its hole as well.
 TEST(Silhouette, GoesAroundThroughHoles) {
   const Box plate = Box::FromCorners({-0.05, -0.05, 0}, {0.05, 0.05, 0.02});
   const Box hole = Box::FromCorners({-0.02, -0.02, -0.01}, {0.02, 0.02, 0.03});

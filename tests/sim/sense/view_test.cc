@@ -41,7 +41,8 @@ TEST_F(ViewTest, TheBallFillsThePicture) {
   }
 }
 
-// Cosine of the angle between two rays, from the pixels and the angle of the picture alone.
+// The oracle is the cosine of the angle between two rays, from the pixels and the angle of the
+// picture alone.
 TEST_F(ViewTest, PixelsKeepTheAnglesBetweenRays) {
   const double focal = kSize / 2.0 / std::tan(view_.camera().vertical_angle / 2);
   const auto ray_of = [&](const Vector2& pixel) {

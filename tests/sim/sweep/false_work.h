@@ -10,8 +10,8 @@
 
 namespace assay::sweep {
 
-// Plans and trials without planner and physics, which depend on cell and number alone, as the real
-// ones do.
+// Plans and trials without planner and physics. They depend on the cell and the number alone, as
+// the real ones do.
 inline CellRecord FalseCell(const Cell& cell) {
   return {.cell = cell.number,
           .scenario = cell.scenario,
@@ -67,7 +67,7 @@ inline TimedTrial FalseTrial(const PlannedCell& planned, int number) {
 
 constexpr int kFalseAttempts = 25;
 
-// Some of the plans are broken; of one variable, nobody knows how.
+// Returns a record in which some plans are falsified. For one variable, no ratio is known.
 inline AttackRecord FalseAttackRecord(const Cell& cell) {
   RandomStream random(cell.seed, fmt::format("{} {}", cell.scenario, cell.error_scale));
   constexpr double kInfinity = std::numeric_limits<double>::infinity();

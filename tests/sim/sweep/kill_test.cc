@@ -22,7 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Processes that end in the middle of a sweep.
+// Runs sweeps in processes that are ended in the middle.
 class BrokenOff : public SweepFolder {
  protected:
   BrokenOff()
@@ -45,7 +45,8 @@ class BrokenOff : public SweepFolder {
     store.Close();
   }
 
-  // The id of a process that does this and ends with 0, or with 1 on an error.
+  // Starts a process that calls `what` and returns its id. The process exits with 0, or with 1 on
+  // an error.
   static pid_t Start(const std::function<void()>& what) {
     const pid_t child = fork();
     if (child != 0) return child;
@@ -88,7 +89,7 @@ TEST_F(BrokenOff, KilledAtAnyMomentItGoesOnToTheSameTables) {
   EXPECT_EQ(Tables(file), Tables(folder_ / "whole.sqlite"));
 }
 
-// The limit on a file's size stands for a full disk where no disk can be made.
+// A limit on the file size stands for a full disk, because not every machine allows a small disk.
 TEST_F(BrokenOff, WithoutRoomItKeepsWhatItHas) {
   RunInto(folder_ / "whole.sqlite", {});
   const fs::path file = folder_ / "limited.sqlite";
@@ -110,8 +111,8 @@ TEST_F(BrokenOff, WithoutRoomItKeepsWhatItHas) {
   EXPECT_EQ(Tables(file), Tables(folder_ / "whole.sqlite"));
 }
 
-// In namespaces of its own, so that nothing is left mounted. Ends with 77 where that is not
-// allowed.
+// The disk is mounted in a namespace of the process, so that nothing stays mounted. The process
+// exits with 77 where that is not allowed.
 TEST_F(BrokenOff, AFullDiskIsToldAndLosesNothing) {
   const fs::path disk = folder_ / "disk";
   fs::create_directories(disk);
@@ -123,7 +124,7 @@ TEST_F(BrokenOff, AFullDiskIsToldAndLosesNothing) {
     }
     try {
       RunInto(disk / "full.sqlite", {.jobs = 2, .batch = 8});
-      _exit(5);  // it was not full
+      _exit(5);  // the disk was not full
     } catch (const EnvironmentError& error) {
       const std::string what = error.what();
       if (what.find("full.sqlite") == std::string::npos) _exit(6);
@@ -136,7 +137,7 @@ TEST_F(BrokenOff, AFullDiskIsToldAndLosesNothing) {
     if (mount("none", disk.c_str(), nullptr, MS_REMOUNT | MS_RDONLY, "size=8m") != 0) _exit(77);
     try {
       Store::Resume(disk / "full.sqlite", facts_);
-      _exit(9);  // it was not read-only
+      _exit(9);  // the disk was not read-only
     } catch (const EnvironmentError& error) {
       if (std::string(error.what()).find("read-only") == std::string::npos) _exit(10);
     }

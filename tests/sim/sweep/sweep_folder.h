@@ -11,7 +11,7 @@
 
 namespace assay::sweep {
 
-// A folder of its own for each test, with two scenario files for grids to name.
+// A temporary folder for each test, with two scenario files that grids can name.
 class SweepFolder : public ::testing::Test {
  protected:
   SweepFolder() {
@@ -28,7 +28,7 @@ class SweepFolder : public ::testing::Test {
     std::ofstream(folder_ / name, std::ios::binary) << text;
     return folder_ / name;
   }
-  // A sweep file with these lines.
+  // Reads a sweep file with these lines.
   Sweep Read(const std::string& lines) const {
     return Load(Write("sweep.yaml", "format: assay-sweep/1\n" + lines));
   }

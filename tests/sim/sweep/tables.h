@@ -9,8 +9,8 @@
 
 namespace assay::sweep {
 
-// All rows of a database's tables that must not differ between runs of the same sweep, in the order
-// in which the tables have them, as text.
+// Returns all rows, as text, that must be equal for all runs of the same sweep. They are in the
+// order of the tables.
 inline std::map<std::string, std::vector<std::string>> Tables(const std::filesystem::path& file) {
   const Database database(file, Database::Access::kRead);
   const std::map<std::string, std::string> queries = {

@@ -14,7 +14,7 @@ using exec::Stage;
 using geometry::Pose;
 using geometry::Vector3;
 
-// A pickup with a certificate by hand, and traces of executions that never were.
+// A pickup with a certificate made by hand, and invented traces of its execution.
 class CertificateCheckTest : public testing::Test {
  protected:
   CertificateCheckTest()
@@ -48,7 +48,7 @@ class CertificateCheckTest : public testing::Test {
     claim.margin = margin;
     return claim;
   }
-  // The same moment, the peg displaced in the world.
+  // Returns the snapshot with the peg displaced by `y_of_tool` metres along the tool's y.
   exec::Snapshot Displaced(double y_of_tool) const {
     exec::Snapshot moment = moment_;
     Pose& truth = moment.parts[peg_.index()].truth;
@@ -81,7 +81,7 @@ class CertificateCheckTest : public testing::Test {
 
   static constexpr plan::StepId kPickup = plan::StepId(1);
   static constexpr double kJustProved = 1e-15;  // metres
-  static constexpr double kRounding = 1.1e-9;   // that every gate forgives
+  static constexpr double kRounding = 1.1e-9;   // rounding that the noise floor always forgives
   domain::Problem problem_;
   plan::Plan plan_;
   PartId peg_;
@@ -103,7 +103,7 @@ TEST_F(CertificateCheckTest, APartThatIsElsewhereInTheHandViolatesTheOutputSet) 
   EXPECT_EQ(Named(claims, Claimed::kAfter, "x of peg").verdict, ClaimVerdict::kContained);
 }
 
-// The contacts are half the part's width from the grasped point, the pads half the opening.
+// The contacts lie half the part's width from the grasped point, and the pads half the opening.
 TEST_F(CertificateCheckTest, ContactsBesideThePadsViolateAProvedPrecondition) {
   const double room = (moment_.opening - pickup_.hold.width) / 2;
   const auto between = [&](double y) {
@@ -113,7 +113,7 @@ TEST_F(CertificateCheckTest, ContactsBesideThePadsViolateAProvedPrecondition) {
   EXPECT_EQ(between(-room - 0.001).verdict, ClaimVerdict::kViolated);
 }
 
-// Nine tenths of it are held against what happened.
+// The observed margin may fall short of the certified one by a tenth of the certified one.
 TEST_F(CertificateCheckTest, LessThanTheCertifiedMarginViolatesAProvedPrecondition) {
   problem_.clearance = 1;
   const double room = (moment_.opening - pickup_.hold.width) / 2;
@@ -124,7 +124,8 @@ TEST_F(CertificateCheckTest, LessThanTheCertifiedMarginViolatesAProvedPreconditi
   EXPECT_EQ(between(0.0019).verdict, ClaimVerdict::kContained);
   EXPECT_EQ(between(0.0017).verdict, ClaimVerdict::kViolated);
   EXPECT_NEAR(between(0.0017).margin, -0.0001, kRounding);
-  // Of a margin that is greater than the clearance, all but a tenth of that.
+  // With a clearance less than the certified margin, the observed margin may fall short of the
+  // certified one by a tenth of the clearance.
   problem_.clearance = 0.001;
   EXPECT_EQ(between(0.00195).verdict, ClaimVerdict::kContained);
   EXPECT_EQ(between(0.00185).verdict, ClaimVerdict::kViolated);
@@ -144,12 +145,12 @@ TEST_F(CertificateCheckTest, NothingIsClaimedOnceAnUnprovedPreconditionFails) {
   const double room = (moment_.opening - pickup_.hold.width) / 2;
   const std::vector<Claim> failed = Check(Displaced(room + 0.001), Displaced(0.012));
   EXPECT_EQ(Named(failed, Claimed::kAfter, "y of peg").verdict, ClaimVerdict::kNotClaimed);
-  // It may hold all the same: then the rest is claimed.
+  // If the unproved precondition holds in the trial, the rest is claimed.
   const std::vector<Claim> held = Check(moment_, Displaced(0.012));
   EXPECT_EQ(Named(held, Claimed::kAfter, "y of peg").verdict, ClaimVerdict::kViolated);
 }
 
-// That pads hold a part is not measured: what was not proved of it may have failed.
+// Whether the pads hold a part is not measured. An unproved `holding` may therefore have failed.
 TEST_F(CertificateCheckTest, NothingIsClaimedAfterWhatIsNeitherProvedNorMeasured) {
   auto& preconditions = plan_.steps[kPickup.index()].certificate.preconditions;
   preconditions.push_back(Precondition("holding", -1));
@@ -186,7 +187,8 @@ TEST_F(CertificateCheckTest, AStepThatIsStoppedOnItsWayIsTheOneThatDoesNotComeTo
   exec::Trace trace;
   trace.events.push_back(exec::ExecutionEnd{exec::ExecutionOutcome::kOverload, "", moment_});
   EXPECT_EQ(stopped(trace, order[1]), order[1]);
-  // Without the step in which the trace begins it is the plan's first, and then the one after it.
+  // Without a first step, the trace is taken to begin with the first step of the plan. Once that
+  // step has ended, the next step is the one that is stopped.
   EXPECT_EQ(stopped(trace, plan::StepId::None()), order[0]);
   trace.events.insert(trace.events.begin(), exec::StepEnd{order[0], "", "", moment_});
   trace.events.insert(trace.events.begin(), exec::Milestone{order[0], Stage::kPoised, moment_});
@@ -207,8 +209,8 @@ TEST_F(CertificateCheckTest, ACollisionIsAClaimOfTheStepInWhichItHappens) {
   EXPECT_TRUE(clear.IsViolated());
 }
 
-// The fingers' bounds are told apart: what is proved of one is held against physics whatever is not
-// proved of the other, and what was not proved is no violation.
+// Each finger has its own bounds. A bound that is proved for one finger is checked even if the
+// other finger's bound is not proved. The unproved bound cannot be violated.
 TEST_F(CertificateCheckTest, WhatIsProvedIsTestedEvenIfAnotherOfItsNameIsNot) {
   const auto of_contact = [](int contact, bool proved) {
     plan::CertifiedPrecondition claim = Precondition("between fingers", proved);
@@ -219,7 +221,8 @@ TEST_F(CertificateCheckTest, WhatIsProvedIsTestedEvenIfAnotherOfItsNameIsNot) {
   for (const int proved : {1, 2}) {
     plan_.steps[kPickup.index()].certificate.preconditions = {of_contact(1, proved == 1),
                                                               of_contact(2, proved == 2)};
-    // Finger 1 is where y is least, and contact 2, on its side, is the one that it misses.
+    // Finger 1 is the one with the least y. Contact 2 lies on the side of finger 1, and this
+    // displacement makes the finger miss it.
     const std::vector<Claim> claims = Check(Displaced(-room - 0.001), moment_);
     const Claim& claim = Named(claims, Claimed::kPrecondition, "between fingers");
     EXPECT_EQ(claim.IsViolated(), proved == 2);

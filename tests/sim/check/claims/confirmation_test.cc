@@ -5,7 +5,7 @@
 namespace assay::check::confirmation_test {
 namespace {
 
-// In [-1, 1], judged.
+// Returns a judged claim that predicts [-1, 1].
 Claim Observed(double observed, double gate = 0.1) {
   Claim claim;
   claim.step = plan::StepId(0);
@@ -27,8 +27,8 @@ TEST(Confirmation, WhatTheTimestepDoesNotChangeIsViolated) {
   EXPECT_EQ(VerdictOf(Observed(-1.5), {Observed(-1.4)}), ClaimVerdict::kViolated);
 }
 
-// What is true is `at` the timestep 0, and the engine adds c times the timestep: whatever c is, the
-// verdict is that on what is true.
+// The true value, at timestep 0, is `at`, and the engine adds c times the timestep. The verdict
+// must be that of the true value for every c.
 TEST(Confirmation, AnErrorOfFirstOrderInTheTimestepIsToldFromOneOfTheBound) {
   for (const double c : {0.3, 1.0, 1.7}) {
     for (const double side : {-1.0, 1.0}) {
@@ -42,14 +42,14 @@ TEST(Confirmation, AnErrorOfFirstOrderInTheTimestepIsToldFromOneOfTheBound) {
   }
 }
 
-// What falls with one timestep and not with the other is no error of first order: its limit is not
-// taken for a violation at the other end.
+// A part may fall at one timestep and not at the other, which is no error of first order. The
+// extrapolated limit must not count as a violation at the other end of the prediction.
 TEST(Confirmation, NoLimitIsBeyondTheOtherEnd) {
   EXPECT_EQ(VerdictOf(Observed(100), {Observed(0.5)}), ClaimVerdict::kContained);
   EXPECT_EQ(VerdictOf(Observed(-100), {Observed(1.3)}), ClaimVerdict::kContained);
 }
 
-// Outside is outside, whatever is claimed by then.
+// A value outside the prediction is a violation even if the finer execution claims nothing.
 TEST(Confirmation, WhatTheFinerExecutionDoesNotClaimIsViolatedAllTheSame) {
   Claim unclaimed = Observed(1.5);
   unclaimed.verdict = ClaimVerdict::kNotClaimed;

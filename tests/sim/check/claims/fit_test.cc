@@ -14,7 +14,7 @@ namespace {
 using geometry::Pose;
 using geometry::Vector3;
 
-// Peg and block of Spar, with 0.5 mm of clearance: a square shaft of 38.1 mm in a square hole.
+// Spar's peg and block with a clearance of 0.5 mm: a square shaft of 38.1 mm in a square hole.
 class FitTest : public testing::Test {
  protected:
   FitTest()
@@ -23,7 +23,7 @@ class FitTest : public testing::Test {
         mating_(problem_.matings.front()),
         direction_(mating_.mating_vector.normalized()) {}
 
-  // The peg starts where it should, but for this error of its pose in the block's frame.
+  // Returns the margins if the peg starts at its planned pose with this error in the block's frame.
   FitMargins With(const Pose& error) const {
     const Pose start = geometry::Translation(-mating_.mating_vector) * error * mating_.X_FixedHeld;
     return MarginsOfFits(problem_, mating_, {start, direction_});
@@ -53,8 +53,8 @@ TEST_F(FitTest, ADisplacementTakesFromOneSide) {
   }
 }
 
-// About the axis of the hole, which is along x of the block at y = 0, z = 82.55 mm: a corner at
-// (h, h) of the shaft comes to h (cos + sin).
+// The axis of the hole is along x of the block, at y = 0, z = 82.55 mm. A turn by an angle about it
+// brings a corner of the shaft from (h, h) out to h (cos + sin).
 TEST_F(FitTest, ATurnAboutTheAxisBringsCornersOut) {
   const Vector3 axis(0, 0, 3.25 * 0.0254);
   const double half = 0.75 * 0.0254;
@@ -68,7 +68,8 @@ TEST_F(FitTest, ATurnAboutTheAxisBringsCornersOut) {
   }
 }
 
-// About y of the block it leans across the walls that look along z, and across no others.
+// A turn about y of the block leans the shaft across the walls whose normals are along z, and
+// across no others.
 TEST_F(FitTest, ALeanIsTheSineOfItsAngleAcrossOnePairOfWalls) {
   Pose tilt = Pose::Identity();
   tilt.linear() = Eigen::AngleAxisd(0.004, Vector3::UnitY()).toRotationMatrix();
@@ -81,7 +82,8 @@ TEST_F(FitTest, ALeanIsTheSineOfItsAngleAcrossOnePairOfWalls) {
   }
 }
 
-// Also where the tip's face goes on beyond the shaft, as it does on a key and on a T-slide's head.
+// The clearance is also right where the tip's face extends beyond the shaft, as on a key and on the
+// head of a T-slide.
 TEST(FitOfParts, ACentredShaftHasTheClearanceOnEachSide) {
   for (const char* name :
        {"spar-fig15", "keyed", "mate-stepped", "mate-octagonal", "mate-t-slot"}) {

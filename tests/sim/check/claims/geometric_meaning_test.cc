@@ -15,8 +15,8 @@ using geometry::Box;
 using geometry::Pose;
 using geometry::Vector3;
 
-constexpr double kGrid = 0.006;     // metres between the oracle's points
-constexpr double kOverlap = -1e-3;  // what is said of bodies that overlap
+constexpr double kGrid = 0.006;     // metres between the oracle's sample points
+constexpr double kOverlap = -1e-3;  // the observation for bodies that overlap
 
 const Certified& Known() {
   static const Certified certified = CertifiedPlan("uncertain-known");
@@ -27,7 +27,7 @@ const domain::Part& PartNamed(const std::string& name) {
   return *std::ranges::find(Known().problem.parts, name, &domain::Part::name);
 }
 
-// Points of the faces and the inside of boxes, no farther apart than the grid.
+// Returns points on the faces and inside of boxes. Neighbours are at most kGrid apart.
 std::vector<Vector3> PointsOf(const std::vector<Box>& boxes, const Pose& X_WorldBody) {
   std::vector<Vector3> points;
   for (const Box& box : boxes) {
@@ -54,7 +54,8 @@ double DistanceTo(const std::vector<Box>& boxes, const Pose& X_WorldBody, const 
   return nearest;
 }
 
-// What the oracle finds: no less than the distance, and by the grid's points hardly more.
+// Returns the oracle's distance of two bodies by sampling. It is never less than the true distance,
+// and exceeds it by little because the samples are dense.
 double Sampled(const std::vector<Box>& a, const Pose& X_WorldA, const std::vector<Box>& b,
                const Pose& X_WorldB) {
   double nearest = std::numeric_limits<double>::infinity();
@@ -102,7 +103,7 @@ Pose Somewhere(double reach, RandomStream& random) {
   return geometry::Translation(any(), any(), any()) * geometry::RotationZ(random.Uniform(-3, 3));
 }
 
-// The closed hand, as it acts, beside the block, which is put anywhere about it.
+// The closed hand is beside the block, which is put at random places about it.
 TEST(GeometricMeaning, HandClearIsTheHandsDistanceFromAnotherPart) {
   const plan::PlannedStep& pickup = StepOf<plan::Pickup>();
   const plan::Hold& hold = std::get<plan::Pickup>(pickup.action).hold;
@@ -129,7 +130,7 @@ TEST(GeometricMeaning, HandClearIsTheHandsDistanceFromAnotherPart) {
   EXPECT_LT(overlaps, 38);
 }
 
-// Pads on their faces are clear of the part; a hand that is too low is not.
+// Pads that touch the faces of the part are clear of it. A hand that is too low is not.
 TEST(GeometricMeaning, HandClearLeavesOutWhatThePadsTouch) {
   const plan::PlannedStep& pickup = StepOf<plan::Pickup>();
   const plan::Hold& hold = std::get<plan::Pickup>(pickup.action).hold;
@@ -144,12 +145,12 @@ TEST(GeometricMeaning, HandClearLeavesOutWhatThePadsTouch) {
                     "the hand stays clear of peg");
   };
   EXPECT_GT(observed(0), 0);
-  EXPECT_NEAR(observed(-0.01) - observed(0), 0.01, 1e-6);  // of the palm, above the part
+  EXPECT_NEAR(observed(-0.01) - observed(0), 0.01, 1e-6);  // distance of the palm above the part
   EXPECT_EQ(observed(0.2), kOverlap);
 }
 
-// The held part, moved along the mating vector, beside the block: as it is planned, it comes near
-// the rim only; aside or too far in, it meets the block.
+// The held part moves along the mating vector beside the block. As planned, it comes near the rim
+// only. If it is displaced sideways or too far in, it meets the block.
 TEST(GeometricMeaning, PassingClearIsTheWayToTheMouth) {
   const plan::PlannedStep& step = StepOf<plan::Assemble>();
   const auto& assemble = std::get<plan::Assemble>(step.action);
@@ -171,7 +172,7 @@ TEST(GeometricMeaning, PassingClearIsTheWayToTheMouth) {
   };
   const double planned = observed(Vector3::Zero());
   EXPECT_GT(planned, 0);
-  EXPECT_LT(planned, 2e-3);  // a millimetre before the mouth, which is as wide as the play
+  EXPECT_LT(planned, 2e-3);  // it stops a millimetre before the mouth, which is as wide as the play
   EXPECT_NEAR(observed(-0.01 * vector.normalized()), planned + 0.01, 1e-3);
   EXPECT_NEAR(observed(1.0 * aside), 1.0, 0.2);
   EXPECT_EQ(observed(0.01 * aside + 0.01 * vector.normalized()), kOverlap);

@@ -11,9 +11,10 @@
 namespace assay::check::noise_floor_test {
 namespace {
 
-constexpr double kRounding = 1e-9;  // of every gate
+constexpr double kRounding = 1e-9;  // added to every prediction
 
-// Penetration turns a part by 1e-4 radians, and everything differs in its unit.
+// Returns a noise floor in which penetration turns a part by 1e-4 radians, and in which every
+// figure differs from the others of its unit.
 NoiseFloor Gate() {
   return {{{.components = {{Claimed::kAfter, "x of peg", 5e-5, 2e-5},
                            {Claimed::kAfter, "theta of peg", 0, -3e-3},
@@ -40,7 +41,7 @@ TEST(NoiseFloor, WhatTheTimestepDoesIsKnownOnItsSideOnly) {
   EXPECT_DOUBLE_EQ(theta.gate, 3e-3);
 }
 
-// However great an angle's or another length's gate is, it is nothing to a length that has none.
+// A length without a gate of its own gets none from angles or from other lengths, however great.
 TEST(NoiseFloor, GatesOfOtherClaimsAndUnitsAreNotTaken) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   const Claim landing =
@@ -48,7 +49,7 @@ TEST(NoiseFloor, GatesOfOtherClaimsAndUnitsAreNotTaken) {
   EXPECT_NEAR(landing.predicted.low, -3e-6, 2 * kRounding);
   EXPECT_EQ(landing.predicted.high, kInfinity);
   EXPECT_EQ(landing.gate, 0);
-  // The same name of something else.
+  // A claim about another time has another gate, although its name is the same.
   EXPECT_EQ(Gate().Passed(Of("x of peg", Unit::kMetre, {0, 0}, Claimed::kBefore)).gate, 0);
   const Claim end = Gate().Passed(Of("comes to its end", Unit::kNone, {1, 1}));
   EXPECT_EQ(end.predicted, (Interval{1, 1}));
@@ -62,7 +63,7 @@ TEST(NoiseFloor, RoundingIsAlwaysForgiven) {
   EXPECT_EQ(Judged(NoiseFloor().Passed(claim)).verdict, ClaimVerdict::kViolated);
 }
 
-// The floor is 43 micrometres and 8.15 mrad.
+// The floor of `x of peg` is 43 micrometres, and that of the tilt is 8.15 mrad.
 TEST(NoiseFloor, HidesWhatIsNarrowerThanItsFloor) {
   const NoiseFloor gate = Gate();
   const auto hides = [&](Claim claim, double clearance) {
@@ -71,7 +72,8 @@ TEST(NoiseFloor, HidesWhatIsNarrowerThanItsFloor) {
   EXPECT_NEAR(gate.Floor(Of("x of peg", Unit::kMetre, {})), 43e-6, 2 * kRounding);
   EXPECT_FALSE(hides(Of("x of peg", Unit::kMetre, {-22e-6, 22e-6}), 1e-6));
   EXPECT_TRUE(hides(Of("x of peg", Unit::kMetre, {-21e-6, 21e-6}), 1));
-  // Without a width it is the clearance that counts; of angles, over the arm.
+  // A claim without a width is compared with the clearance. An angle is compared with the clearance
+  // over the arm.
   EXPECT_FALSE(hides(Of("x of peg", Unit::kMetre, {0, 0}), 44e-6));
   EXPECT_TRUE(hides(Of("x of peg", Unit::kMetre, {0, 0}), 42e-6));
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -101,8 +103,8 @@ class WithoutNoise : public testing::Test {
   plan::StepId pickup_;
 };
 
-// The part is where it is told to be, and the certificate says that it is a millimetre beside it:
-// the offset of the run without noise, 1 mm, does not widen its own gate.
+// The part is where the plan puts it, but the certificate says that it is a millimetre or more
+// away. The offset of 1 mm in the execution without noise does not widen the gate of that claim.
 TEST_F(WithoutNoise, APlanThatLeavesItsOwnCertificateIsViolatedBeforeAnythingIsTried) {
   InHand().x = {0.001, 0.002};
   const AttackResult result = Attacked();
@@ -114,8 +116,8 @@ TEST_F(WithoutNoise, APlanThatLeavesItsOwnCertificateIsViolatedBeforeAnythingIsT
   for (const double value : result.counterexamples.front().noise.values()) EXPECT_EQ(value, 0);
 }
 
-// Nine tenths of what the engine makes of the twist in the pads cannot be tested, and the attack
-// does not claim to have done so.
+// The predicted set has nine tenths of the width of the twist's noise floor. It cannot be tested,
+// and the falsification reports it as hidden.
 TEST_F(WithoutNoise, ASetThatTheEngineDoesNotResolveIsToldBeforeAnythingIsTried) {
   const NoiseFloor gate = MeasureNoiseFloor(certified_.problem, certified_.plan, {});
   Claim twist = Of("twist of peg", Unit::kRadian, {});

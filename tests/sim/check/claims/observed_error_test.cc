@@ -49,7 +49,7 @@ TEST_F(ObservedErrorTest, AtRestItIsDisplacedInTheWorldAndTurnedAboutTheVertical
   EXPECT_NEAR(Named(errors, "theta"), 0.03, 1e-12);
 }
 
-// X_ToolGrasp = Tr(x, y, z) Rz(theta) Rx(tip) Ry(twist), seen from where the hand believes itself.
+// X_ToolGrasp = Tr(x, y, z) Rz(theta) Rx(tip) Ry(twist), in the frame of the hand's believed pose.
 TEST_F(ObservedErrorTest, InTheHandItIsOfTheGraspedPoint) {
   const plan::Action& pickup = plan_.step(plan::StepId(1)).action;
   const Pose X_PartTool = std::get<plan::Pickup>(pickup).hold.X_PartTool;
@@ -60,7 +60,7 @@ TEST_F(ObservedErrorTest, InTheHandItIsOfTheGraspedPoint) {
           .toRotationMatrix();
   X_ToolGrasp.translation() = Vector3(0.001, 0.002, -0.004);
   moment_.tool.believed = geometry::Translation(0.5, 0.1, 0.4) * geometry::RotationZ(1);
-  moment_.tool.truth = Pose::Identity();  // does not matter
+  moment_.tool.truth = Pose::Identity();  // the true tool pose does not matter
   Peg().truth = moment_.tool.believed * X_ToolGrasp * X_PartTool.inverse();
   const auto errors = ObservedErrors(
       problem_, pickup, {.part = peg_, .in_hand = true, .x = {}, .y = {}, .z = {}, .theta = {}},

@@ -21,7 +21,7 @@ using ::testing::IsEmpty;
 
 constexpr double kMicrometre = 1e-6;
 
-// --- What bears a force, of contacts by hand.
+// --- Which contacts bear a force, for contacts made by hand.
 
 PrimitiveContact Touching(int moving, const Vector3& at, const Vector3& normal, double gap = 0) {
   PrimitiveContact contact;
@@ -70,7 +70,8 @@ TEST(Loads, OfSeveralAtOnePlaceAreOfTheOneThatIsWanted) {
   EXPECT_THAT(Loads(point, contacts, wanted), ElementsAre(std::pair(2, 4.0)));
 }
 
-// An edge on a face, pressed at a seam of the face: by the law of the lever.
+// An edge lies on a face and is pressed at a seam of the face. The law of the lever shares the
+// force between both contacts.
 TEST(Loads, BetweenTwoContactsAreShared) {
   const std::vector<PrimitiveContact> contacts = {Touching(1, Vector3::Zero(), kUp),
                                                   Touching(2, {0.01, 0, 0}, kUp)};
@@ -80,7 +81,7 @@ TEST(Loads, BetweenTwoContactsAreShared) {
   EXPECT_THAT(Loads({kOrigin - Vector3(0.002, 0, 0), kUp, 5}, contacts), IsEmpty());
 }
 
-// --- What touches in physics.
+// --- Which contacts touch in the simulation.
 
 const domain::Problem& Square() {
   static const domain::Problem problem = domain::ReadProblem(
@@ -92,7 +93,8 @@ std::vector<PrimitiveContact> ContactsAt(const finemotion::Passage& passage, con
   return finemotion::PrimitiveContacts(passage.moving, passage.stationary, X, 0.012, {}, 0.02);
 }
 
-// A move along `direction` until the first contact. Shifts keep rows as they are.
+// Returns a motion along `direction` until the first contact that is not kept. The motion is a pure
+// shift, so the rows of the contacts stay as they are.
 finemotion::CertainMotion MoveToContact(const finemotion::Passage& passage, const Pose& from,
                                         const std::vector<ContactKey>& kept,
                                         const Vector3& direction) {
@@ -125,7 +127,8 @@ finemotion::CertainMotion MoveToContact(const finemotion::Passage& passage, cons
   return motion;
 }
 
-// The tip is tilted, comes down on the rim, and goes along it until it touches once more.
+// Returns a plan in which the tilted tip comes down on the rim and then slides along the rim until
+// it touches a second time.
 finemotion::FineMotionPlan TwoContacts(const finemotion::Passage& passage) {
   finemotion::FineMotionPlan plan;
   Pose& X = plan.X_StationaryStart;
@@ -144,7 +147,8 @@ TEST(ContactObserver, SeesThePlannedContactsWithoutErrors) {
   const finemotion::MatingGeometry geometry = finemotion::GeometryOf(Square(), mating);
   const finemotion::FineMotionPlan plan = TwoContacts(geometry.passage);
   plan::Strategy strategy = finemotion::StrategyOf(geometry, plan);
-  strategy.motions.pop_back();  // the crevice, where it is not
+  // The final slide into the crevice is left out, because the two motions do not lead there.
+  strategy.motions.pop_back();
   const PlannedContacts planned = PlannedContactsOf(plan);
   ASSERT_EQ(planned.states.size(), 3u);
 

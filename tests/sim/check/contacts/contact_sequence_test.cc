@@ -49,7 +49,7 @@ TEST(ContactSequence, ALongLossIsNotBridged) {
               ElementsAre(ContactSet{kA}, IsEmpty(), ContactSet{kA}));
 }
 
-// One contact's loss is none of the other's.
+// A short loss of one contact is bridged even if another contact is lost for good.
 TEST(ContactSequence, ContactsAreBridgedEachForItself) {
   const auto spans = Stream({{0.5, {kA, kB}}, {0.02, {kA}}, {0.02, {}}, {0.5, {kA}}});
   const auto bridged = Bridged(spans);
@@ -64,7 +64,7 @@ TEST(ContactSequence, WhatIsShortIsNoState) {
   EXPECT_NEAR(states[0].dwell, 1, 1e-12);
 }
 
-// A motion's end is none of a state.
+// The end of a motion does not end a contact state.
 TEST(ContactSequence, AStateGoesOnInTheNextMotion) {
   std::vector<ContactSpan> spans = Stream({{0.02, {kA}}, {0.02, {kA}}});
   spans[1].motion = 1;
@@ -74,8 +74,9 @@ TEST(ContactSequence, AStateGoesOnInTheNextMotion) {
   EXPECT_NEAR(states[0].dwell, 0.04, 1e-12);
 }
 
-// Of random streams: neighbours differ, no state is short, states are in their order and take no
-// more time than there was; and where all spans are long, they are what was there.
+// Laws of states for random streams. Neighbouring states differ, and none is short. States are in
+// order of time, and their dwell sums to no more than the whole time. If all spans are long, the
+// states are exactly the spans' contacts.
 TEST(ContactSequence, LawsOfStates) {
   RandomStream random(1, "streams");
   for (int round = 0; round < 300; ++round) {

@@ -11,7 +11,8 @@ using ::testing::SizeIs;
 
 ContactKey K(int moving) { return {ContactKind::kVertexFace, moving, 0}; }
 
-// Two motions; the contacts that are unwanted in them have scales 1.25, 1.5, .. by their numbers.
+// Returns a plan of two motions with four unwanted contacts each. The contacts have the scales
+// 1.25, 1.5, 2 and 3 in the order of their numbers.
 finemotion::FineMotionPlan Plan() {
   finemotion::FineMotionPlan plan;
   plan.motions.resize(2);
@@ -40,7 +41,7 @@ TEST(MarginRanking, WithoutEventsThereIsNotEnoughVariation) {
   EXPECT_THAT(Ranked({}).contacts, SizeIs(0));
 }
 
-// The less the margin, the oftener.
+// A contact with a smaller margin happens more often, so the rank correlation is 1.
 TEST(MarginRanking, IsOneWhereTheOrderIsTheSame) {
   std::vector<SequenceComparison> trials;
   for (int trial = 0; trial < 40; ++trial) {
@@ -59,7 +60,8 @@ TEST(MarginRanking, IsOneWhereTheOrderIsTheSame) {
   EXPECT_NEAR(ranking.interval->high, 1, 1e-12);
 }
 
-// Of many trials as good as a fraction e^-k of the draws has none of k in it.
+// If contacts happen in only k of many trials, a fraction of about e^-k of the bootstrap draws
+// contains none of these trials.
 TEST(MarginRanking, AnIntervalTakesFourTrialsAndFourContacts) {
   const auto has_interval = [](int trials, int contacts) {
     std::vector<ContactEvent> events;

@@ -19,7 +19,7 @@ TEST(Ranks, TiesShareTheirMean) {
   EXPECT_THAT(RanksOf(Values{7, 7, 7}), ElementsAre(2, 2, 2));
 }
 
-// Without ties it is 1 - 6 sum d^2 / (n (n^2 - 1)).
+// Without ties, Spearman's formula gives 1 - 6 sum d^2 / (n (n^2 - 1)).
 TEST(RankCorrelation, WithoutTiesIsSpearmansFormula) {
   RandomStream random(1, "permutations");
   for (int round = 0; round < 200; ++round) {
@@ -32,7 +32,7 @@ TEST(RankCorrelation, WithoutTiesIsSpearmansFormula) {
     }
     double squares = 0;
     for (int i = 0; i < n; ++i) {
-      int before = 0;  // in x, less those in y
+      int before = 0;  // rank in x less rank in y
       for (int k = 0; k < n; ++k) before += (x[k] < x[i] ? 1 : 0) - (y[k] < y[i] ? 1 : 0);
       squares += before * before;
     }
@@ -40,7 +40,8 @@ TEST(RankCorrelation, WithoutTiesIsSpearmansFormula) {
   }
 }
 
-// Ranks 1.5 1.5 3.5 3.5 against 1 2 3 4: the covariance is 4, the squares are 4 and 5.
+// Ranks 1.5 1.5 3.5 3.5 are correlated with 1 2 3 4. Their covariance is 4, and their sums of
+// squares are 4 and 5.
 TEST(RankCorrelation, WithTiesIsPearsonsOfRanks) {
   EXPECT_NEAR(*RankCorrelation(Values{0, 0, 1, 1}, Values{1, 2, 3, 4}), 4 / std::sqrt(4.0 * 5.0),
               1e-12);

@@ -36,7 +36,7 @@ bool IsPart(const ContactSet& part, const ContactSet& of) {
   return part != of && std::ranges::includes(of, part);
 }
 
-// By recursion over the first states of both, as the distance is defined.
+// Returns the edit distance by plain recursion over its definition.
 int SlowDistance(const Sets& planned, const Sets& observed, std::size_t i, std::size_t j) {
   if (i == planned.size()) return static_cast<int>(observed.size() - j);
   int least = SlowDistance(planned, observed, i + 1, j) + 1;
@@ -48,7 +48,7 @@ int SlowDistance(const Sets& planned, const Sets& observed, std::size_t i, std::
   return std::min(least, SlowDistance(planned, observed, i + 1, j + 1) + exchange);
 }
 
-// Subsets of three contacts, neighbours different.
+// Returns a random sequence of subsets of three contacts. Neighbouring subsets differ.
 Sets RandomSequence(RandomStream& random, int most) {
   Sets sets;
   const int length = 1 + random.Index(most);
@@ -140,7 +140,7 @@ TEST(FirstDivergence, TellsWhatWasToComeAndWhatCame) {
   EXPECT_TRUE(FirstDivergence(planned, {}));
 }
 
-// Free, to contact 1, along it to contact 2.
+// Returns a plan that starts free, moves to contact 1, and slides along it to contact 2.
 PlannedContacts TwoContacts() {
   PlannedContacts planned;
   planned.states = {Set({}), Set({1}), Set({1, 2})};

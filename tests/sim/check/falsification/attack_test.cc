@@ -28,7 +28,7 @@ std::int64_t Violated(const AttackResult& result) {
   return violated;
 }
 
-// Parts in jigs, everything proved.
+// A plan for parts in jigs, with all its preconditions proved.
 class Proved : public testing::Test {
  protected:
   static void SetUpTestSuite() {
@@ -77,8 +77,8 @@ TEST_F(Proved, MoreNoiseThanIsGuaranteedIsNeededToBreakIt) {
   options.variables = {"x of the hand"};
   const auto ratios = Conservatism(*experiment_, options);
   ASSERT_EQ(ratios.size(), 1u);
-  EXPECT_GE(ratios.front().guaranteed, 1);  // all is proved
-  // Nothing broke up to twice the bounds: there is no ratio, and nothing is said to be false.
+  EXPECT_GE(ratios.front().guaranteed, 1);  // every precondition is proved
+  // Nothing broke at up to twice the bounds. There is no ratio, and no guarantee is called false.
   EXPECT_EQ(ratios.front().broken, std::nullopt);
   EXPECT_EQ(ratios.front().ratio(), std::nullopt);
   EXPECT_FALSE(ratios.front().IsFalse());
@@ -88,11 +88,11 @@ TEST(ConservatismRatio, IsFalseWhereATrialFailsWithWhatIsGuaranteed) {
   EXPECT_FALSE((ConservatismRatio{.variable = "all", .guaranteed = 2, .broken = 2.5}.IsFalse()));
   EXPECT_TRUE((ConservatismRatio{.variable = "all", .guaranteed = 2, .broken = 2.0}.IsFalse()));
   EXPECT_TRUE((ConservatismRatio{.variable = "all", .guaranteed = 2, .broken = 1.5}.IsFalse()));
-  // A task that fails by itself, and of which nothing is proved.
+  // The task fails by itself, and nothing about it is guaranteed.
   EXPECT_FALSE((ConservatismRatio{.variable = "all", .guaranteed = 0, .broken = 0.1}.IsFalse()));
 }
 
-// Spar leaves out that a turned part's grasped point is displaced by its lever arm (facts 2.6).
+// Spar neglects that the grasped point of a turned part is displaced by its lever arm (facts 2.6).
 TEST(PaperPropagation, TheMissingLeverArmIsFoundAndShrunk) {
   Certified certified = CertifiedPlan("spar-fig13", {}, uncertainty::Propagation::kPaper);
   certified.plan = UpToThePickup(certified.plan);
@@ -103,7 +103,7 @@ TEST(PaperPropagation, TheMissingLeverArmIsFoundAndShrunk) {
   const Counterexample& example = result.counterexamples.front();
   EXPECT_TRUE(example.replayed);
   EXPECT_EQ(example.claim.verdict, ClaimVerdict::kViolated);
-  // Few errors are left, and the turn of the part is among them.
+  // Few errors are left in the shrunk counterexample. The turn of the part is among them.
   const auto& box = example.noise.box();
   std::size_t left = 0;
   bool turned = false;

@@ -12,7 +12,7 @@ namespace {
 
 using Corner = std::vector<double>;
 
-// Linear in the errors, with an offset for each start.
+// An observation that is linear in the errors, with an offset for each start.
 struct Observation {
   std::vector<double> slopes;
   std::vector<double> offsets;
@@ -38,15 +38,15 @@ LikelyExtremes Of(const Observation& observation, int corners) {
   for (int n = 1; n <= corners; ++n) design.push_back(noise::CornerPoint(errors, 1, n));
   std::vector<CornerResponse> responses;
   for (std::size_t n = 0; n < design.size(); ++n) {
-    // Each corner and its opposite after the same start.
+    // Each corner and its opposite come after the same start.
     const std::size_t start = n / 2 % observation.offsets.size();
     responses.push_back({&design[n], start, observation.At(design[n], start)});
   }
   return ByMainEffects(responses);
 }
 
-// Over a whole orthogonal array the effects of a linear observation are its slopes, so that the
-// extremes are those of all corners, exactly.
+// Over a whole orthogonal array, the main effects of a linear observation are exactly its slopes.
+// The extremes found are therefore those over all corners.
 TEST(MainEffects, OfALinearObservationFindTheExtremesOfAllCorners) {
   RandomStream random(3, "slopes");
   for (int instance = 0; instance < 100; ++instance) {

@@ -12,7 +12,7 @@
 namespace assay::check::step_attack_test {
 namespace {
 
-// A look, and the pickup after it.
+// A plan with a look and the pickup after it.
 class PickupAfterALook : public testing::Test {
  protected:
   static void SetUpTestSuite() {
@@ -37,10 +37,10 @@ class PickupAfterALook : public testing::Test {
 
   static const AttackedWorld& world() { return worlds_->front(); }
   PoisedTrial Poised() const {
-    // From the start of the plan: the look is made on the way.
+    // The trial begins at the start of the plan and makes the look on its way.
     return *attack_.Poise(world(), world().noise, nullptr).poised;
   }
-  // All errors at their upper ends.
+  // Returns the corner with all errors at their upper ends.
   std::vector<double> Corner() const {
     std::vector<double> values;
     for (const std::size_t i : attack_.free_channels()) {
@@ -51,7 +51,8 @@ class PickupAfterALook : public testing::Test {
   domain::PartId part() const {
     return std::get<plan::Pickup>(certified_->plan.step(pickup_).action).part;
   }
-  // The same trial, in which the part lies elsewhere than it came to: as if the engine had erred.
+  // Returns the trial with the part displaced from where it came to rest, as if the engine had
+  // erred.
   PoisedTrial Spoiled(PoisedTrial poised, const geometry::Vector3& by) const {
     exec::ExecutorOptions options;
     options.noise = poised.noise;
@@ -77,7 +78,7 @@ const Claim* Find(const std::vector<Claim>& claims, const Claim& claim) {
   return found == claims.end() ? nullptr : &*found;
 }
 
-// Broken off where a claim is decided, an attempt says exactly the same of it.
+// An attempt that is broken off once a claim is decided observes exactly the same for that claim.
 TEST_F(PickupAfterALook, ABrokenOffAttemptSaysTheSameOfWhatIsDecided) {
   const PoisedTrial poised = Poised();
   const StepAttempt whole = attack_.Attempt(poised, Corner(), Until::kEnd);
@@ -100,7 +101,8 @@ TEST_F(PickupAfterALook, ABrokenOffAttemptSaysTheSameOfWhatIsDecided) {
   }
 }
 
-// What is claimed of the start of a step is decided there, and what is claimed of its end is not.
+// Claims about the start of a step are decided at its start. Claims about its end are decided at
+// its end.
 TEST_F(PickupAfterALook, ClaimsAreDecidedInTheOrderOfTime) {
   const StepAttempt whole = attack_.Attempt(Poised(), Corner(), Until::kEnd);
   std::set<Until> seen;
@@ -117,8 +119,8 @@ TEST_F(PickupAfterALook, ClaimsAreDecidedInTheOrderOfTime) {
   EXPECT_EQ(seen, (std::set{Until::kPoised, Until::kReached, Until::kActed, Until::kEnd}));
 }
 
-// What the engine has erred up to a saved state would be confirmed by whatever starts from there:
-// the finer trial starts where the plan does, and finds nothing.
+// An error of the engine in a saved state would be confirmed by every execution that starts from
+// that state. The finer trial therefore starts with the plan, and finds no violation.
 TEST_F(PickupAfterALook, WhatASavedStateHasOfItselfIsNoViolation) {
   const PoisedTrial spoiled = Spoiled(Poised(), {0.004, 0, 0});
   const StepAttempt attempt = attack_.Attempt(spoiled, Corner(), Until::kPoised);
@@ -126,7 +128,7 @@ TEST_F(PickupAfterALook, WhatASavedStateHasOfItselfIsNoViolation) {
   for (const Claim& claim : attempt.claims) EXPECT_FALSE(claim.IsViolated()) << claim.name;
 }
 
-// But what is so with half the timestep, too, is one.
+// An observation that half the timestep confirms from the start of the plan is a violation.
 TEST_F(PickupAfterALook, WhatIsSoFromTheStartIsAViolation) {
   plan::Plan lied = certified_->plan;
   for (plan::ErrorSet& set : lied.steps[pickup_.index()].certificate.before) {

@@ -12,7 +12,7 @@
 namespace assay::check::effective_clearance_test {
 namespace {
 
-// Figure 15 with another clearance, in millimetres.
+// Returns the problem of Spar's figure 15 with another clearance, in millimetres.
 domain::Problem WithClearance(double millimetres) {
   std::ifstream file(ASSAY_SOURCE_DIR "/scenarios/spar-fig15.yaml");
   std::stringstream text;
@@ -40,8 +40,8 @@ TEST(EffectiveClearance, LooksAcrossTheHole) {
   EXPECT_NEAR(plays[0].axis.dot(plays[1].axis), 0, 1e-12);
 }
 
-// What is measured is the engine's, and follows from the parts as they are: half the clearance,
-// half the play, whatever the problem says of it.
+// The engine measures the clearance of the parts themselves, whatever the problem's figure is. Half
+// the clearance gives half the play.
 TEST(EffectiveClearance, IsThatOfTheParts) {
   domain::Problem problem = WithClearance(0.5);
   for (domain::Part& part : problem.parts)

@@ -11,7 +11,7 @@ using finemotion::ContactKind;
 const ContactKey kWall = {ContactKind::kVertexFace, 3, 1};
 const ContactKey kRim = {ContactKind::kEdgeEdge, 2, 5};
 
-// The wall is touched from 1 to 2 seconds, the rim from 1.5 to 3.
+// Returns spans in which the wall is touched from 1 to 2 s and the rim from 1.5 to 3 s.
 std::vector<ContactSpan> Spans() {
   return {{0, 0, 1, {}},
           {0, 1, 1.5, {kWall}},
@@ -70,7 +70,7 @@ TEST(ErrorRecognition, TheWayInTheCreviceIsLeftOut) {
   EXPECT_EQ(tally.states, Recognition{});
 }
 
-// It ends in the error state that it went on in.
+// The strategy ignores an error state, goes on, and ends in the same state. It counts once.
 TEST(ErrorRecognition, WhatWasIgnoredCountsOnce) {
   exec::StrategyEnd end;
   end.ignored = {State(0, Made(kWall, 1.2))};

@@ -22,7 +22,7 @@ constexpr double kRight = std::numbers::pi / 2;
 const domain::PartId kPart(0);
 
 exec::Snapshot MomentWith(const Pose& believed_part, const Pose& believed_tool = Pose::Identity()) {
-  // The truth does not matter.
+  // The true poses do not matter.
   const Pose elsewhere = Translation(7, 7, 7);
   exec::Snapshot moment;
   moment.tool = {elsewhere, believed_tool};
@@ -30,7 +30,7 @@ exec::Snapshot MomentWith(const Pose& believed_part, const Pose& believed_tool =
   return moment;
 }
 
-// Errors of a part, all 0 but these.
+// Returns the error set of a part with these ranges. All other components are 0.
 plan::ErrorSet SetWith(
     std::initializer_list<std::pair<Interval plan::ErrorSet::*, Interval>> ranges,
     bool in_hand = false) {
@@ -97,14 +97,14 @@ TEST(ExtremePoses, HaveNoEndsWhereThereIsNoBound) {
               {Translation(0, -0.01, 0), Translation(0, 0.01, 0)});
 }
 
-// The grasped point is 0.1 from the part's origin along the part's x, which is the tool's x. Turned
-// about it by a right angle, the origin comes from -x of the point to -y.
+// The grasped point is 0.1 m from the part's origin along the part's x, which is the tool's x. A
+// turn by a right angle about the point brings the origin from the point's -x side to its -y side.
 TEST(ExtremePoses, InTheHandAreTurnedAboutTheGraspedPoint) {
   const plan::Pickup pickup = PickupWith(Translation(0.1, 0, 0));
   const Pose tool = Translation(1, 0, 0.5);
   const plan::ErrorSet set = SetWith({{&plan::ErrorSet::theta, {0, kRight}}}, true);
   const std::vector<Pose> poses = ExtremePoses(pickup, set, MomentWith(Translation(9, 9, 9), tool));
-  // The middle of the other components is 0, and theta's low end no turn.
+  // The other components are at the middle of their ranges, which is 0. The low end of theta is 0.
   ExpectPoses(poses, {Translation(0.9, 0, 0.5), Translation(1, -0.1, 0.5) * RotationZ(kRight)});
 }
 
@@ -116,7 +116,7 @@ TEST(ExtremePoses, InTheHandAreShiftedAlongTheAxesOfTheTool) {
               {Translation(0, 0, -0.02) * tool, Translation(0, 0, 0.04) * tool});
 }
 
-// What is measured of a part at an extreme pose is that end of the set.
+// The error that is observed at an extreme pose is at that end of the error set.
 TEST(ExtremePoses, AreWhereTheErrorsAreObservedAtTheirEnds) {
   const domain::Problem problem = domain::ReadProblem(
       Document::Load(ASSAY_SOURCE_DIR "/scenarios/spar-fig15.yaml"), ASSAY_SOURCE_DIR "/models");

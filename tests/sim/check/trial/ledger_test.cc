@@ -19,19 +19,20 @@ namespace {
 using noise::Effect;
 using noise::Noise;
 
-// What the engine resolves: the arm follows what it is told to half a micrometre, with a part in
-// the hand to two; parts rest within a fifth of one.
+// Tolerances of what the engine resolves. The arm follows its command to half a micrometre, or to
+// two micrometres with a part in the hand. Parts rest within a fifth of a micrometre.
 constexpr double kLength = 3e-6;                           // metres
 constexpr double kAngle = 0.001 * std::numbers::pi / 180;  // radians
 constexpr double kFriction = 1e-12;
-constexpr double kGiven = 1e-6;  // metres or radians; of what the engine and the executor are given
+// Tolerance in metres or radians for the errors that the engine and the executor apply.
+constexpr double kGiven = 1e-6;
 
 double ToleranceOf(const LedgerEntry& entry) {
   if (entry.unit.empty()) return kFriction;
   return entry.unit == "m" ? kLength : kAngle;
 }
 
-// A scenario with its plan, and a box that has errors of the tolerances besides.
+// A scenario with its plan, and an error box that includes the errors of the tolerances.
 struct Case {
   Certified certified;
   std::vector<noise::Channel> box;
@@ -40,7 +41,8 @@ struct Case {
   Noise Drawn() const { return noise::Sample(box, noise::Mode::kUniform, 7, 1); }
   Noise None() const { return noise::Sample(box, noise::Mode::kNone, 7, 1); }
 
-  // It ends with the first error that is signalled: groping takes long, and changes no entry.
+  // The execution ends with the first error that is signalled. Groping takes long and changes no
+  // entry of the ledger.
   exec::Trace TraceOf(const Noise& noise, plan::StepId last = plan::StepId::None()) const {
     const domain::Problem& problem = certified.problem;
     const scene::Scene scene(problem, exec::TrueScene({}, noise));
@@ -53,10 +55,12 @@ struct Case {
   }
 };
 
-// Of a height that is known better than a sensor tells it, the sensor is not believed: then one
-// looks that tells no heights.
+// Returns the problem with a sensor whose measurements are used. A sensor's height is not used
+// where the height is known better already. In that case the sensor is one that measures no
+// heights.
 domain::Problem WithSensorsThatAreBelieved(domain::Problem problem) {
-  constexpr double kPromised = 1e-4;  // metres, at least
+  // Metres. The camera's error bound for heights is no greater.
+  constexpr double kPromised = 1e-4;
   const auto is_known_better = [](const domain::Part& part) {
     return part.error.z.high < kPromised;
   };
@@ -86,7 +90,7 @@ void ExpectAsDrawn(const LedgerEntry& entry) {
   EXPECT_NEAR(*entry.measured, entry.drawn, ToleranceOf(entry)) << entry.channel.name;
 }
 
-// All errors at once, each with a value of its own: so none shows in another's place.
+// All errors at once, each with a value of its own, so that none can stand for another.
 class WholeTrial : public testing::TestWithParam<const char*> {};
 INSTANTIATE_TEST_SUITE_P(Scenarios, WholeTrial, testing::Values("uncertain-sensing", "spar-fig15"));
 
@@ -103,8 +107,8 @@ TEST_P(WholeTrial, WhatWasDrawnIsWhatIsMeasured) {
   }
 }
 
-// The table's height where a part is put down is not the one where it was taken; and steps that
-// were not reached have done nothing.
+// A putdown has its own error of the table's height, apart from that at the pickup. Steps that were
+// not reached have no entries applied.
 TEST(Ledger, EndsWithTheTrial) {
   const Case& of = Of("spar-fig13");
   const plan::StepId putdown = FirstStep<plan::Putdown>(of.certified.plan);
@@ -142,7 +146,7 @@ class Alone : public testing::Test {
     only.Set(channel, of_.box[channel].range.high);
     return only;
   }
-  // It moves its own entry, and no other that was reached.
+  // Expects that the error changes its own entry and no other entry of a step that was reached.
   void ExpectAlone(std::size_t channel, const std::vector<LedgerEntry>& ledger) const {
     ExpectAsDrawn(ledger[channel]);
     EXPECT_GT(std::abs(*ledger[channel].measured), ToleranceOf(ledger[channel]));
@@ -171,7 +175,7 @@ TEST_F(Alone, EachErrorOfTheStartAndOfASensor) {
   EXPECT_EQ(tried, 14);  // four of each part, three tolerances, three of the sensor
 }
 
-// The pickup is poised once; from there each error of the hand is taken up.
+// The pickup is poised once, and each error of the hand is applied from there.
 TEST_F(Alone, EachErrorOfTheHand) {
   const plan::StepId pickup = FirstStep<plan::Pickup>(plan_);
   const domain::Problem& problem = of_.certified.problem;
@@ -194,7 +198,8 @@ TEST_F(Alone, EachErrorOfTheHand) {
   EXPECT_EQ(tried, 4);
 }
 
-// What is measured comes from the trial: with the trace of another one it is not what was drawn.
+// The measured value comes from the trace. With the trace of another trial it differs from the
+// drawn value.
 TEST_F(Alone, AnErrorThatDoesNothingShows) {
   const exec::Trace without = of_.TraceOf(of_.None(), plan_.ExecutionOrder().front());
   for (const LedgerEntry& entry : of_.Ledger(of_.Drawn(), without)) {
@@ -204,7 +209,8 @@ TEST_F(Alone, AnErrorThatDoesNothingShows) {
   }
 }
 
-// A camera tells something else than was drawn; and what is not taken over has no effect.
+// The sensor may measure something else than what was drawn. An error of a measurement that is not
+// used has no effect.
 TEST_F(Alone, WhatASensorTellsIsNotAlwaysBelieved) {
   const plan::StepId look = plan_.ExecutionOrder().front();
   exec::Trace trace = of_.TraceOf(of_.None(), look);

@@ -12,8 +12,8 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
 
-// Each predicate is tried on both sides of its limit. The mating is Spar's: the axis of hole and
-// shaft is x of the block, the mating vector -x.
+// Each predicate is tested on both sides of its limit. The mating is Spar's: the axis of hole and
+// shaft is x of the block, and the mating vector is along -x.
 class MatingPredicates : public testing::Test {
  protected:
   MatingPredicates()
@@ -21,11 +21,11 @@ class MatingPredicates : public testing::Test {
                                      ASSAY_SOURCE_DIR "/models")),
         mating_(problem_.matings.front()) {}
 
-  // The mated pose, displaced in the frame of the block.
+  // Returns the mated pose displaced in the frame of the block, in metres.
   Pose Displaced(double x, double y, double z) const {
     return geometry::Translation(x, y, z) * mating_.X_FixedHeld;
   }
-  // The mated pose, turned about the peg's own origin.
+  // Returns the mated pose turned about the peg's own origin.
   Pose Turned(const Pose& turn) const { return mating_.X_FixedHeld * turn; }
 
   domain::Problem problem_;
@@ -60,7 +60,7 @@ TEST_F(MatingPredicates, LateralErrorIsAcrossEachSideOfTheHole) {
   }
 }
 
-// The tip of the shaft counts: a tilt moves it.
+// The lateral error is measured at the tip of the shaft, and a tilt moves the tip.
 TEST_F(MatingPredicates, LateralErrorSeesTheTipOfATiltedShaft) {
   const Finding finding =
       LateralError(problem_, mating_, Turned(geometry::RotationZ(1 * kDegree)), limits_);
@@ -80,7 +80,7 @@ TEST_F(MatingPredicates, AxisAngleCountsTiltAndNotTurning) {
   EXPECT_NEAR(angle(geometry::RotationX(1)).value, 0, 1e-9);
 }
 
-// Half a turn about the axis seats as well, but the small holes are then on opposite sides.
+// Half a turn about the axis seats the peg, but then the small holes are on opposite sides.
 TEST_F(MatingPredicates, AlignmentErrorSeesAPegPutInTheWrongWayRound) {
   const Finding turned =
       AlignmentError(problem_, mating_, 1, Turned(geometry::RotationX(180 * kDegree)), limits_);

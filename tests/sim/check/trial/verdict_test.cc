@@ -17,7 +17,7 @@ using exec::RestRecord;
 using exec::Trace;
 using testing::HasSubstr;
 
-// Traces of executions that never were, each with one thing wrong.
+// Invented traces of executions, each with one fault.
 class JudgeTest : public testing::Test {
  protected:
   JudgeTest()
@@ -54,7 +54,7 @@ class JudgeTest : public testing::Test {
   ExecutionEnd end_;
 };
 
-// The goal holds all the same.
+// A touch of the arm fails the trial although the goal holds.
 TEST_F(JudgeTest, AnArmThatTouchedSomethingHasFailed) {
   const exec::CollisionRecord collision{.time = 2.5, .robot = "arm/forearm", .other = "part/brick"};
   const Trace trace = {.problem = "test", .parts = {}, .events = {grasp_, collision, rest_, end_}};
@@ -84,7 +84,7 @@ TEST_F(JudgeTest, Misaligned) {
   EXPECT_EQ(Judged().outcome, TrialOutcome::kMisaligned);
 }
 
-// A part that is neither in nor aligned is first of all not in.
+// A part that is neither seated nor aligned is reported as not seated.
 TEST_F(JudgeTest, NamesTheFirstReason) {
   DisplaceHeld(0.02, 0.002, 0);
   EXPECT_EQ(Judged().outcome, TrialOutcome::kNotSeated);
@@ -114,7 +114,7 @@ TEST_F(JudgeTest, GraspFailedExplainsWhyAGoalDoesNotHold) {
   EXPECT_THAT(verdict.reason, HasSubstr("seated depth"));
 }
 
-// Success is judged by where the parts are and not by how they came there.
+// Success is judged by where the parts end, and not by how they came there.
 TEST_F(JudgeTest, AFailedGraspAloneIsNoFailure) {
   grasp_.opening = 0;
   EXPECT_EQ(Judged().outcome, TrialOutcome::kSucceeded);

@@ -20,7 +20,7 @@ Json Variable(const std::string& name, double low, double high) {
   return {{"name", name}, {"range", {low, high}}};
 }
 
-// expression < limit, with its bound and the corner where it is greatest.
+// Returns the precondition expression < limit, with its bound and the corner of its greatest value.
 Json Less(const std::string& condition, const std::string& expression, double limit, double bound,
           const std::vector<std::pair<std::string, double>>& corner) {
   Json worst = Json::object();
@@ -32,7 +32,7 @@ Json Less(const std::string& condition, const std::string& expression, double li
           {"rung", "termwise"},       {"worst", worst}};
 }
 
-// Explains a plan whose first step has a certificate made by hand.
+// Explains a plan whose first executed step has a certificate made by hand.
 class Explained : public ::testing::Test {
  protected:
   Explained() {
@@ -58,8 +58,9 @@ class Explained : public ::testing::Test {
   const Folder folder_;
 };
 
-// SUP is 2 * 3 mm + 10 mm * sin(0.1); without theta's error 6 mm, without dx's 0.9983 mm. It is
-// less than 5 mm if dx_peg is within (5 - 0.9983) / 2 = 2.0008 mm: 0.666 of 3 mm to three digits.
+// SUP is 2 * 3 mm + 10 mm * sin(0.1). It would be 6 mm without theta's error, and 0.9983 mm without
+// dx's. It is less than 5 mm if dx_peg is within (5 - 0.9983) / 2 = 2.0008 mm, which is 0.666 of 3
+// mm to three digits.
 TEST_F(Explained, UnprovedWithItsWorstCornerSharesAndRemedy) {
   const double sup = 0.006 + 0.01 * std::sin(0.1);
   certificate_["preconditions"].push_back(Less("between fingers", "2*dx_peg + 0.01*sin(theta_peg)",
@@ -79,7 +80,7 @@ TEST_F(Explained, UnprovedWithItsWorstCornerSharesAndRemedy) {
   EXPECT_THAT(ended.out, HasSubstr("Enough alone: tighten dx_peg from +-3 to +-1.998 mm.\n"));
 }
 
-// Half of the sum would still be too much, from either variable.
+// Either variable alone exceeds the limit, so that no single range can be tightened enough.
 TEST_F(Explained, UnprovedWhereNoSingleRangeIsEnough) {
   certificate_["preconditions"].push_back(Less("between fingers", "dx_peg + dy_peg", 0.0005, 0.007,
                                                {{"dx_peg", 0.003}, {"dy_peg", 0.004}}));
@@ -88,7 +89,8 @@ TEST_F(Explained, UnprovedWhereNoSingleRangeIsEnough) {
   EXPECT_THAT(text, ContainsRegex("dy_peg +-2 to 4 mm +4 mm +3 mm\n"));
 }
 
-// A bound that no known corner comes near is a loose bound, not a false precondition.
+// A bound that no known corner comes near is a loose bound. It does not make the precondition
+// false.
 TEST_F(Explained, LooseBoundIsNotCalledFalse) {
   certificate_["preconditions"].push_back(
       Less("between fingers", "dx_peg - dx_peg^3", 0.0031, 0.0032, {{"dx_peg", 0.003}}));
@@ -162,7 +164,7 @@ TEST(Explain, WrongStepTellsWhatIsAllowed) {
   }
 }
 
-// The same of a scenario and of the file of its plan.
+// The explanation of a scenario is the same as that of its plan file.
 TEST(Explain, NeedsOnlyTheCertificate) {
   const Folder folder;
   ASSERT_EQ(Assay({"plan", kUnproved, "-o", folder / "plan.json"}).code, 0);

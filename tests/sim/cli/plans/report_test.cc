@@ -11,7 +11,7 @@ namespace {
 using ::testing::Contains;
 using ::testing::HasSubstr;
 
-// The page of one trial without noise, with pictures and tables.
+// The page reports one trial without noise, with pictures and tables.
 TEST(ReportVerb, MakesAPageAndTables) {
   const Folder folder;
   const std::string models = kTree / "models";

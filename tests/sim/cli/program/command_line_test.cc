@@ -33,7 +33,8 @@ TEST(Help, OfEveryVerbHasAnExampleOfTheVerb) {
   }
 }
 
-// The least number too large for a seed has the greatest one below it.
+// The greatest seed is 2^64 - 1. It must be read as a whole number, because the nearest double is
+// 2^64.
 TEST(Seeds, AreWhole) {
   const auto json = Assay({"run", kTwoActions, "--seed", "18446744073709551615", "--json"}).Json();
   EXPECT_EQ(json["seed"], 18446744073709551615ULL);
@@ -45,7 +46,7 @@ TEST(Version, IsPrinted) {
   EXPECT_THAT(ended.out, MatchesRegex("assay [0-9]+\\.[0-9]+\\.[0-9]+\n"));
 }
 
-// Wrong command lines end with 2 and one line that says where help is.
+// A wrong command line ends with exit code 2 and one line that says where help is.
 class WrongCommandLine : public ::testing::Test {
  protected:
   static std::string Error(const std::vector<std::string>& arguments) {

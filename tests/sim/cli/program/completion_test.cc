@@ -6,7 +6,7 @@
 
 #include "tests/sim/cli/program.h"
 
-// Each shell is asked itself what it would complete.
+// Each shell is run and asked what it completes.
 namespace assay::cli::completion_test {
 namespace {
 
@@ -15,7 +15,7 @@ using ::testing::Not;
 
 class Completion : public ::testing::Test {
  protected:
-  // What bash offers for the last of the words.
+  // Returns the completions of the last word in bash.
   Ended InBash(const std::vector<std::string>& words) {
     std::string script = "source " + FileOf("bash") + "; COMP_WORDS=(";
     for (const std::string& word : words) script += " '" + word + "'";
@@ -23,7 +23,7 @@ class Completion : public ::testing::Test {
               "; _assay; printf '%s\n' \"${COMPREPLY[@]}\"";
     return cli::Run("bash", {"-c", script});
   }
-  // What fish offers at the end of the line.
+  // Returns the completions at the end of the line in fish.
   Ended InFish(const std::string& line) {
     return cli::Run("fish",
                     {"--no-config", "-c",
@@ -43,7 +43,7 @@ TEST_F(Completion, BashKnowsVerbsFlagsAndValues) {
   EXPECT_THAT(InBash({"assay", "sweep", "sh"}).out, HasSubstr("show"));
   EXPECT_EQ(InBash({"assay", "plan", "--expl"}).out, "--explain\n");
   EXPECT_EQ(InBash({"assay", "run", "--noise", "vert"}).out, "vertices\n");
-  EXPECT_EQ(InBash({"assay", "export", "--mj"}).out, "--mjcf\n");  // of a group of options
+  EXPECT_EQ(InBash({"assay", "export", "--mj"}).out, "--mjcf\n");  // an option of a group
 }
 
 TEST_F(Completion, BashOffersFilesWhereAFileMayStand) {
@@ -60,7 +60,7 @@ TEST_F(Completion, FishKnowsVerbsFlagsAndValues) {
   EXPECT_THAT(InFish("assay run --noise vert").out, HasSubstr("vertices"));
 }
 
-// The shell takes the file for the completion of assay, and finds no fault in its functions.
+// Zsh accepts the file as the completion of assay, and finds no fault in its functions.
 TEST_F(Completion, ZshFindsTheFile) {
   const Ended ended =
       cli::Run("zsh", {"-fc",

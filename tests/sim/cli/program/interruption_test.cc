@@ -14,8 +14,8 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
-// Ends the command, which would take for ever, by a signal, as soon as that is no longer the end of
-// it with nothing to tell.
+// Ends a command that would run for ever by a signal. The signal is sent as soon as the program has
+// a handler for it.
 std::optional<Ended> Interrupted(const std::vector<std::string>& arguments, int signal) {
   Running running(arguments);
   for (int waits = 0; !running.Catches(signal); ++waits) {
@@ -96,7 +96,7 @@ TEST(Interruption, IsToldToPeople) {
   }
 }
 
-// The end of a terminal is the end of the run, unless nohup has said otherwise.
+// A hang-up of the terminal ends the program, unless nohup ignores the signal.
 TEST(Interruption, ByAHangUpIsLikeTermination) {
   const std::optional<Ended> ended =
       Interrupted({"run", kTwoActions, "--noise", "uniform", "--trials", kForEver}, SIGHUP);
@@ -105,7 +105,7 @@ TEST(Interruption, ByAHangUpIsLikeTermination) {
   }
 }
 
-// Plans of figure 15 take their time.
+// Planning for figure 15 takes long enough for the signal to come during it.
 TEST(Interruption, OfASweepThatPlansIsAnsweredSoon) {
   const Folder folder;
   std::filesystem::copy(kTree / "scenarios/spar-fig15.yaml", folder / "s.yaml");

@@ -24,7 +24,7 @@ using ::testing::StartsWith;
 
 using Json = nlohmann::json;
 
-// The plan of a scenario is made once.
+// Returns the plan of a scenario. Each plan is made once.
 Json PlanOf(const std::string& scenario) {
   static std::map<std::string, Json> plans;
   if (!plans.contains(scenario)) {
@@ -35,7 +35,8 @@ Json PlanOf(const std::string& scenario) {
   return plans[scenario];
 }
 
-// The first proved precondition, or the first unproved one,.
+// Returns the first proved precondition of the plan, or its first unproved one if `proved` is
+// false.
 Json& FirstClaim(Json& plan, bool proved) {
   for (Json& action : plan["actions"]) {
     if (!action.contains("certificate")) continue;
@@ -53,7 +54,7 @@ class CertificateCheck : public ::testing::Test {
   Ended Check(const Json& plan) { return Assay({"check", Write(plan), "--json"}); }
   std::string Write(const Json& plan) { return folder_.Write("plan.json", plan.dump()); }
 
-  // What `check` finds; it fails if and only if it finds anything.
+  // Returns the flaws that `check` finds. It must fail if and only if it finds a flaw.
   std::vector<std::string> FlawsOf(const Json& plan) {
     const Ended ended = Check(plan);
     std::vector<std::string> flaws;
@@ -80,7 +81,7 @@ TEST_F(CertificateCheck, PlansWithoutCertificatesHaveNothingToHoldUp) {
   EXPECT_THAT(FlawsOf(plan), IsEmpty());
 }
 
-// An unproved precondition is written as if it were proved by as much as it fails.
+// The margin of an unproved precondition is replaced by a positive one of about the same size.
 TEST_F(CertificateCheck, WhatIsSaidToBeProvedAndIsNot) {
   Json plan = PlanOf(kUnproved);
   Json& claim = FirstClaim(plan, false);
@@ -110,7 +111,7 @@ TEST_F(CertificateCheck, MarginThatIsNotFromTheBoundToTheLimit) {
   }
 }
 
-// Better than the expression is at its own worst corner.
+// The bound is replaced by a tighter one than the value of the expression at its worst corner.
 TEST_F(CertificateCheck, BoundThatTheExpressionCrosses) {
   Json plan = PlanOf(kTwoActions);
   Json& claim = FirstClaim(plan, true);
@@ -118,11 +119,11 @@ TEST_F(CertificateCheck, BoundThatTheExpressionCrosses) {
   claim["bound"] = claim["bound"].get<double>() - Sign(claim) * gain;
   claim["margin"] = claim["margin"].get<double>() + gain;
   EXPECT_THAT(FlawsOf(plan), Contains(HasSubstr("the bound is said to be ")));
-  claim["worst"] = Json::object();  // the corner is found again
+  claim["worst"] = Json::object();  // `check` must find the corner itself
   EXPECT_THAT(FlawsOf(plan), Contains(HasSubstr("but the expression attains ")));
 }
 
-// A bound that would still prove the precondition, of another expression.
+// The bound is kept and still proves the precondition, but the expression is another one.
 TEST_F(CertificateCheck, ExpressionThatWasReplaced) {
   Json plan = PlanOf(kTwoActions);
   Json& claim = FirstClaim(plan, true);
@@ -150,7 +151,7 @@ TEST_F(CertificateCheck, CornerThatIsNone) {
   EXPECT_THAT(FlawsOf(plan), Contains(HasSubstr("the worst corner lacks ")));
 }
 
-// Narrower ones no longer hold the worst corners; with wider ones less is proved.
+// Narrower ranges do not contain the worst corners. Wider ranges prove less.
 TEST_F(CertificateCheck, RangesThatWereReplaced) {
   const auto with_ranges_times = [](double factor) {
     Json plan = PlanOf(kTwoActions);
@@ -199,8 +200,8 @@ TEST_F(CertificateCheck, WhatDoesNotReadIsToldWithTheFile) {
                     HasSubstr("ends too early")));
 }
 
-// A set that is half as wide makes every later claim about the part too strong, though nothing in
-// the file contradicts it.
+// An error set of half its width makes every later claim about the part too strong, although
+// nothing in the file contradicts it.
 TEST_F(CertificateCheck, SetsAreComputedAnew) {
   for (const char* when : {"before", "after"}) {
     for (const char* what : {"x", "theta"}) {
@@ -213,7 +214,7 @@ TEST_F(CertificateCheck, SetsAreComputedAnew) {
   }
 }
 
-// Without the preconditions of a kind.
+// Removes all preconditions of a kind from the certificate.
 void LeaveOut(const std::string& kind, Json& certificate) {
   Json kept = Json::array();
   for (const Json& claim : certificate["preconditions"]) {
@@ -237,8 +238,8 @@ TEST_F(CertificateCheck, EachKindThatACertificateLacksIsTold) {
   }
 }
 
-// The pads close on a part beside which there is another one: that nothing is near is a reason for
-// others.
+// The pads close on a part that is next to another part. The reason that nothing is near is thus
+// false, although it is valid in other certificates.
 TEST_F(CertificateCheck, AReasonThatIsNotTrueIsTold) {
   Json plan = PlanOf(kTwoActions);
   const std::string kind = "pushed clear";
@@ -254,9 +255,9 @@ TEST_F(CertificateCheck, AReasonThatIsNotTrueIsTold) {
               Contains(StartsWith("certificate.covers.pushed clear: \"no other part is near")));
 }
 
-// What certificates and poses say, one thing after another of a sample that is drawn: numbers
-// become greater by a hundredth and a micrometre, flags and texts something else. ASSAY_EDITS: how
-// many.
+// Each random edit changes one value of a certificate or pose. A number grows by a hundredth plus a
+// micrometre, and a flag or text becomes another one. The variable ASSAY_EDITS sets the number of
+// edits.
 TEST_F(CertificateCheck, EveryEditIsFound) {
   const char* const asked = std::getenv("ASSAY_EDITS");
   const int edits = asked == nullptr ? 12 : std::atoi(asked);
@@ -301,7 +302,7 @@ TEST_F(CertificateCheck, ListsThatLoseAnEntry) {
   }
 }
 
-// Written in another way, an expression is the same function.
+// Two ways of writing an expression are the same function, and the check accepts both.
 TEST_F(CertificateCheck, ExpressionsAreComparedAsFunctions) {
   Json plan = PlanOf(kTwoActions);
   Json& claim = FirstClaim(plan, true);
@@ -313,7 +314,7 @@ TEST_F(CertificateCheck, ExpressionsAreComparedAsFunctions) {
   EXPECT_THAT(FlawsOf(plan), Not(IsEmpty()));
 }
 
-// Shown all the same, with a warning.
+// A plan with a flaw is shown, with a warning.
 TEST_F(CertificateCheck, PlanWarns) {
   Json plan = PlanOf(kTwoActions);
   plan["errors"] = 1;

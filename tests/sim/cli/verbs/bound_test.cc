@@ -27,7 +27,7 @@ class BoundVerb : public ::testing::Test {
   const Folder folder_;
 };
 
-// The paper's printed lower bound is 3.2793; the exact range is [3.279336, 3.693041].
+// The paper prints the lower bound 3.2793. The exact range is [3.279336, 3.693041].
 TEST_F(BoundVerb, SparsPickup) {
   const Json refined = Bounds({kSparPickup})[0];
   EXPECT_NEAR(refined["inf"].get<double>(), 3.279336, 2e-6);
@@ -54,7 +54,7 @@ TEST_F(BoundVerb, LinearWithInfiniteEnds) {
   EXPECT_EQ(bounds[1]["sup"], 5);
 }
 
-// Doubles near 1e16 lie 2 apart.
+// Neighbouring doubles near 1e16 differ by 2.
 TEST_F(BoundVerb, AGapThatRoundingLeavesIsNoAnswer) {
   const std::string file = folder_.Write("gap.json", R"({"variables": {"x": [99999999, 100000001]},
                       "expressions": ["x*x - 2*100000000*x + 1e16"]})");
@@ -83,7 +83,7 @@ TEST_F(BoundVerb, WritesToAFile) {
   EXPECT_THAT(SchemaErrors("sim/cli/verbs/bound.schema.json", JsonOf(out)), IsEmpty());
 }
 
-// Nothing lies between 1 and 0, and -1 has no root.
+// No number satisfies both constraints, and the root of a negative number has no value.
 TEST_F(BoundVerb, BoundsOfNothing) {
   const std::string contradiction = folder_.Write(
       "contradiction.yaml",

@@ -11,14 +11,15 @@ using ::testing::HasSubstr;
 const std::string kTable = "models/workcells/puma762-table/workcell.yaml";
 const std::string kNarrowTable = "models/workcells/narrow-table/workcell.yaml";
 
-// A copy of the models.
+// Copies the models into the folder and returns their path.
 std::string ModelsIn(const Folder& folder) {
   std::filesystem::copy(kTree / "models", folder / "models",
                         std::filesystem::copy_options::recursive);
   return folder / "models";
 }
 
-// The file's text with another promise of the overhead camera; the old one as `removed`.
+// Returns the file's text with another promise of the overhead camera, and puts the old promise
+// into `removed`.
 std::string Promising(std::string text, const std::string& promise, std::string* removed) {
   const std::size_t camera = text.find("  overhead-camera:");
   EXPECT_NE(camera, std::string::npos);
@@ -28,7 +29,7 @@ std::string Promising(std::string text, const std::string& promise, std::string*
   return text.replace(start, end - start, promise);
 }
 
-// A copy of the models of which the camera promises what none can keep.
+// Copies the models and lets the camera promise an error that no sensor can keep.
 std::string BoastfulModels(const Folder& folder) {
   const std::string models = ModelsIn(folder);
   folder.Write(kTable, Promising(TextOf(folder / kTable), "error: {x: 0.000000001}", nullptr));
@@ -57,7 +58,7 @@ TEST_F(Calibrate, TellsTheGreatestErrorsAndWhetherThePromiseIsKept) {
     EXPECT_GT(greatest, 0) << coordinate << ": nothing measured is exact";
   }
 
-  // One of them alone comes out as among the others.
+  // A trial that is run alone has the same result as in the series.
   const int worst = result["greatest_errors"]["x"]["trial"];
   const Ended alone =
       Assay({"calibrate", kTwoLooks, "--trial", std::to_string(worst), "--seed", "7", "--json"});
@@ -74,8 +75,8 @@ TEST_F(Calibrate, ABrokenPromiseIsAFailureWithTheCommandThatShowsIt) {
   EXPECT_THAT(ended.out, HasSubstr("again: assay calibrate " + kTwoLooks + " --seed 7 --trial 1"));
 }
 
-// The promise is the margin times the greatest errors of all scenarios, in all of their workcells,
-// where it is read again; nothing else in the files changes.
+// The promise is the margin times the greatest errors of all scenarios. It is written into the
+// workcells of all of them and read from there. Nothing else in the files changes.
 TEST_F(Calibrate, WritesThePromiseIntoTheWorkcellsOfAllScenarios) {
   const Folder folder;
   const std::string models = ModelsIn(folder);

@@ -41,7 +41,7 @@ TEST(Check, EveryScenarioHolds) {
   EXPECT_EQ(ended.Json()["files"].size(), arguments.size() - 2);
 }
 
-// The sleeve, which has the hole, is put over the post.
+// The sleeve is the held part here, and it has the hole.
 TEST(Check, ClearancesAreMeasuredWhicheverPartHasTheHole) {
   const Ended ended = Assay({"check", kTwoLooks, "--json"});
   ASSERT_EQ(ended.code, 0) << ended.err;
@@ -72,7 +72,7 @@ goal:
   EXPECT_THAT(ended.out, HasSubstr("no play of upper on lower: no shaft is in a hole there"));
 }
 
-// Wider than the gripper opens, whichever way.
+// The part is wider than the gripper opens in every direction.
 TEST(Check, TellsWhatNoGraspCanMove) {
   const Folder folder;
   const std::filesystem::path models = folder / "models";
@@ -123,7 +123,7 @@ TEST(Check, GoesOnAfterAWrongFile) {
   EXPECT_EQ(ended.Json()["files"][1]["workcell"], "puma762-table");
 }
 
-// A plan whose part is somewhere else than the plan believes.
+// A plan whose pickup takes the part from a place where it does not lie.
 class FlawedPlan : public ::testing::Test {
  protected:
   FlawedPlan() {
@@ -142,7 +142,7 @@ TEST_F(FlawedPlan, IsFoundOut) {
   EXPECT_EQ(ended.Json()["files"][0]["holds"], false);
   const auto flaws = ended.Json()["files"][0]["check"]["flaws"];
   ASSERT_THAT(flaws, Not(IsEmpty()));
-  // The file is one line.
+  // The plan file is one line.
   EXPECT_EQ(flaws[0]["line"], 1);
   EXPECT_GT(flaws[0]["column"], 1);
   EXPECT_THAT(Assay({"check", file_}).out, HasSubstr("  " + file_ + ":1:"));

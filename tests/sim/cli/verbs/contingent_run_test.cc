@@ -14,7 +14,7 @@ using ::testing::StartsWith;
 
 const std::string kTwoCans = kTree / "scenarios/two-cans.yaml";
 
-// A trial depends on the seed and its number alone.
+// A trial depends on the seed and on its own number alone.
 TEST(ContingentRun, TrialsAreTheSameAloneAndOnAnyNumberOfThreads) {
   const Ended both = Assay({"run", kTwoCans, "--trials", "2", "--jobs", "2", "--json"});
   EXPECT_EQ(both.code, 0) << both.err << both.out;
@@ -34,7 +34,7 @@ TEST(ContingentRun, AFalseClaimFailsATrialWithTheGoalReached) {
                     HasSubstr("made wrong in 1 trials, and the audit told in 1")));
 }
 
-// The folder of models was named, so the command that repeats the trial names it as well.
+// The models' folder was given, so the command that repeats the trial must give it as well.
 TEST(ContingentRun, TheCommandThatRepeatsATrialNamesTheModels) {
   const std::string models = kTree / "models";
   const Ended ended =
@@ -58,7 +58,7 @@ TEST(ContingentRun, PicturesOfEachStep) {
   }
 }
 
-// Steps of plans in their words; nothing here can spill.
+// The steps are printed in the words of assembly plans. No part can spill.
 TEST(ContingentRun, AnAssembly) {
   const Ended ended = Assay({"run", kTree / "scenarios/uncertain-known.yaml", "--tree"});
   EXPECT_EQ(ended.code, 0) << ended.err << ended.out;
@@ -78,7 +78,8 @@ TEST(ContingentRun, WrongScenarios) {
   EXPECT_THAT(ended.err, StartsWith("assay: " + cut + ":"));
 }
 
-// Where the arms would have to lift the bottle higher than they reach, no grasp serves it anywhere.
+// The safe height is greater than the arms reach with the bottle, so that no grasp serves the
+// bottle at any place.
 TEST(ContingentRun, WithoutAPlanTellsWhatNoGraspServes) {
   const Folder folder;
   std::string text = TextOf(kTree / "scenarios/bottles.yaml");

@@ -29,7 +29,7 @@ TEST(Contingent, ThePapersTree) {
   EXPECT_THAT(ended.out, HasSubstr(", as 4 cases\n"));
 }
 
-// Whether it rains is open as well, and nobody asks it.
+// Whether it rains is unknown as well, but neither goal nor sensing action depends on it.
 TEST(Contingent, CasesAreToldApartByWhatMatters) {
   const Folder folder;
   const std::string domain =
@@ -73,7 +73,7 @@ TEST(Contingent, Dot) {
   EXPECT_THAT(ended.out, HasSubstr("style=dashed"));
 }
 
-// A tree is data: it can be written by one program and checked by another.
+// A tree is data. One program can write it and another one can check it.
 TEST(Contingent, TreesAreReadBack) {
   const Folder folder;
   for (const auto& [domain, problem] :

@@ -10,7 +10,8 @@ using ::testing::IsEmpty;
 using ::testing::StartsWith;
 using Json = nlohmann::json;
 
-// Colours of the corners of a triangle: with three colours 3 * 2 * 1 labelings, with two none.
+// Returns a network that colours the corners of a triangle. It has 3 * 2 * 1 labelings with three
+// colours and none with two.
 std::string Triangle(int colors) {
   Json same = Json::array();
   for (int c = 0; c < colors; ++c) same.push_back({c, c});

@@ -21,7 +21,7 @@ TEST(List, HasEverythingWithALine) {
   EXPECT_EQ(json["actions"].size(), 3);
 }
 
-// It is told among the others.
+// A file that cannot be read is listed with its error among the other files.
 TEST(List, AFileThatCannotBeReadHidesNoOther) {
   const Folder folder;
   std::filesystem::copy(kTree / "models", folder / "models",
@@ -47,7 +47,7 @@ TEST(List, OneKind) {
   EXPECT_THAT(ended.out, ::testing::Not(HasSubstr("scenarios")));
 }
 
-// Those that the scenarios use.
+// The list contains the skills and meanings that the scenarios use.
 TEST(List, WhatADomainsWordsMayMean) {
   const Ended ended = Assay({"list", "skills", "--models", kTree / "models"});
   for (const char* skill : {"pick-up", "weigh", "carry", "put-down", "look"}) {

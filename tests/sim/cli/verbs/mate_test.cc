@@ -38,7 +38,8 @@ TEST(Mate, WithoutAStrategyThereIsNoPlan) {
   EXPECT_THAT(ended.out, HasSubstr("looked through all sequences"));
 }
 
-// What is in the way comes beyond what is certain, and at a lesser multiple of greater errors.
+// The obstacle happens beyond the scale that is certain. With greater errors it happens at a
+// smaller multiple of them.
 TEST(Mate, TheMarginOfTheObstacleIsOneOfTheErrors) {
   double last = 1;
   for (const auto& [displacement, rotation] : {std::pair("5", "2.5"), std::pair("10", "5")}) {
@@ -62,7 +63,7 @@ TEST(Mate, ASpentBudgetIsNoProof) {
   EXPECT_THAT(ended.out, HasSubstr("--nodes"));
 }
 
-// Each has the errors that it is for.
+// Each scenario is planned with its own errors.
 TEST(Mate, EveryMatingScenarioHasAStrategy) {
   for (const std::string name : {"keyed", "octagonal", "square", "stepped", "t-slot"}) {
     const Ended ended = Assay({"mate", kTree / ("scenarios/mate-" + name + ".yaml")});
@@ -83,8 +84,8 @@ TEST(Mate, ErrorsOnTheCommandLineReplaceTheScenarios) {
   EXPECT_EQ(ended.out, Assay({"mate", kSquare}).out);
 }
 
-// Free space, a crevice of the mouth, one of the lips, the seat: told for each critical point, and
-// by how many contacts the strategy came as far.
+// The graphs lead from free space through a crevice of the mouth and one of the lips to the seat.
+// Each critical point has a graph, and its goals are the next graph's initial states.
 TEST(Mate, GraphsOfAllCriticalPointsAreAChain) {
   const Ended ended = Assay({"mate", kTree / "scenarios/mate-t-slot.yaml", "--json"});
   ASSERT_EQ(ended.code, 0) << ended.err;
@@ -94,7 +95,7 @@ TEST(Mate, GraphsOfAllCriticalPointsAreAChain) {
   ASSERT_EQ(graphs.size(), 3u);
   int motions = 0;
   for (std::size_t i = 0; i < graphs.size(); ++i) {
-    const nlohmann::json one = 1;  // free space
+    const nlohmann::json one = 1;  // free space is the only initial state
     EXPECT_EQ(graphs[i]["initial"], i > 0 ? graphs[i - 1]["goals"] : one);
     EXPECT_GT(graphs[i]["goals"], 0);
     EXPECT_GT(graphs[i]["transitions"], 0);
@@ -107,7 +108,7 @@ TEST(Mate, GraphsOfAllCriticalPointsAreAChain) {
   EXPECT_EQ(result["graph"]["states"], graphs[0]["states"]);
 }
 
-// The mouth, the lips, and the plate's landing.
+// The three critical points are the mouth, the lips and the plate's landing.
 TEST(Mate, AStrategyLeadsThroughAllCriticalPoints) {
   const Ended ended =
       Assay({"mate", kTree / "scenarios/mate-t-slot.yaml", "--trials", "1", "--json"});
@@ -118,20 +119,20 @@ TEST(Mate, AStrategyLeadsThroughAllCriticalPoints) {
   EXPECT_EQ(result["trials"]["strategy"]["seated"], 1);
 }
 
-// Nothing holds the block against what a strategy pushes.
+// No fixture holds the block against the forces of the strategy.
 TEST(Mate, AFixturesAbsenceIsTold) {
   const Ended ended = Assay({"mate", kTree / "scenarios/keyed.yaml", "--trials", "1"});
   EXPECT_EQ(ended.code, 12) << ended.err;
   EXPECT_THAT(ended.out, HasSubstr("a fixture is declared by the key clamp of block"));
 }
 
-// The block stands on an end, and is laid down before.
+// The block stands on one end, and the plan lays it down before the mating.
 TEST(Mate, TheFixedPartLiesWhereThePlanHasPutIt) {
   const Folder folder;
   std::string text = TextOf(kTree / "scenarios/keyed.yaml");
   const std::string model = "model: keyed-block\n";
   text.insert(text.find(model) + model.size(),
-              "    clamp: 300\n");  // against what a strategy pushes
+              "    clamp: 300\n");  // newtons, against the forces of the strategy
   const std::string file = folder.Write("clamped.yaml", text);
   const Ended ended =
       Assay({"mate", file, "--models", kTree / "models", "--trials", "1", "--json"});
@@ -139,8 +140,9 @@ TEST(Mate, TheFixedPartLiesWhereThePlanHasPutIt) {
   EXPECT_EQ(ended.Json()["trials"]["strategy"]["seated"], 1);
 }
 
-// At the edge of its reach the arm comes straight to the hole, but not with every tilt. That is no
-// proof: the search from another seed may find a strategy that the arm can execute.
+// At the edge of its reach, the arm can come straight to the hole, but not with every tilt. The
+// result is a spent budget and no proof, because the search from another seed may find a strategy
+// that the arm can execute.
 TEST(Mate, WhereTheArmDoesNotReachNoPlanIsFound) {
   const Folder folder;
   std::string text = TextOf(kSquare);
@@ -168,7 +170,8 @@ TEST(Mate, WhereTheArmDoesNotReachNoPlanIsFound) {
   EXPECT_GT(unreached, 0);
 }
 
-// Far beyond what the plan is for, the first errors that are drawn may put the part into the block.
+// The errors are far beyond those that the plan covers. The first ones drawn may put the held part
+// inside of the block.
 TEST(Mate, ErrorsWithWhichNoTrialCanBeginAreDrawnAnew) {
   const Ended ended = Assay({"mate", kSquare, "--beyond", "12", "--trial", "9", "--json"});
   ASSERT_EQ(ended.code, 0) << ended.err;
@@ -178,7 +181,7 @@ TEST(Mate, ErrorsWithWhichNoTrialCanBeginAreDrawnAnew) {
   EXPECT_GT(row["simulated"], 1) << "it began";
 }
 
-// The one that is run alone is the same as among others.
+// A trial that is run alone has the same result as in the series.
 TEST(Mate, AFewTrialsComeToTheSeat) {
   const Ended ended = Assay({"mate", kSquare, "--clearance", "0.5", "--trials", "2", "--json"});
   ASSERT_EQ(ended.code, 0) << ended.err;
@@ -187,7 +190,7 @@ TEST(Mate, AFewTrialsComeToTheSeat) {
   EXPECT_EQ(trials["strategy"]["seated"], 2);
   EXPECT_EQ(trials["sequences"]["covered"], 2);
   EXPECT_GT(trials["sequences"]["points"], 100);
-  // The engine may press at a seam between a part's pieces, where the model has no edge.
+  // The engine may report a force at a seam between a part's pieces, where the model has no edge.
   EXPECT_LT(trials["sequences"]["unmapped"], trials["sequences"]["points"].get<int>() / 100);
   for (const auto& row : trials["rows"]) {
     EXPECT_EQ(row["sequence"]["matches"], row["sequence"]["divergence"].is_null());
@@ -197,8 +200,8 @@ TEST(Mate, AFewTrialsComeToTheSeat) {
   EXPECT_EQ(again.Json()["trials"]["rows"][0], trials["rows"][1]);
 }
 
-// Where edges lie on the same rim near each other, the second one takes over what the first one
-// bears; and errors that are covered, but greater than planned for, put them nearer still.
+// If two edges are near each other on the same rim, the second one takes over the first one's load.
+// Errors that are covered, but greater than those planned for, bring the edges still nearer.
 TEST(Mate, WhatIsKeptIsNotLiftedByTheNextContact) {
   for (const std::vector<std::string>& errors :
        {std::vector<std::string>{"--clearance", "0.2", "--trial", "24"},
@@ -211,7 +214,8 @@ TEST(Mate, WhatIsKeptIsNotLiftedByTheNextContact) {
   }
 }
 
-// A picture for each motion, one of all of them, the graphs, and a page that shows them.
+// The verb writes a picture of each motion, one of all motions, the graphs, and a page that shows
+// them.
 TEST(Mate, PicturesOfTheContactStates) {
   const Folder folder;
   const std::string pictures = folder / "pictures";
@@ -219,7 +223,8 @@ TEST(Mate, PicturesOfTheContactStates) {
   ASSERT_EQ(ended.code, 0) << ended.err;
   const nlohmann::json result = ended.Json();
   EXPECT_THAT(SchemaErrors(kSchema, result), IsEmpty());
-  const int states = static_cast<int>(result["strategy"].size()) + 1;  // and the slide's end
+  // The end of the slide is one more state.
+  const int states = static_cast<int>(result["strategy"].size()) + 1;
   EXPECT_EQ(static_cast<int>(result["pictures"].size()), states + 4);
   for (const std::string file : result["pictures"])
     EXPECT_TRUE(std::filesystem::exists(std::filesystem::path(pictures) / file)) << file;

@@ -15,7 +15,7 @@ using ::testing::StartsWith;
 
 constexpr const char* kSchema = "planner/plan/file/plan.schema.json";
 
-// The planner inserts the steps the other way round.
+// The planner inserts the steps in the opposite order.
 TEST(Plan, TableIsInTheOrderOfExecution) {
   const Ended ended = Assay({"plan", kTwoActions});
   EXPECT_EQ(ended.code, 0) << ended.err;
@@ -55,7 +55,7 @@ TEST(Plan, TableTellsWhatIsProved) {
                         "Nothing was inserted.\n"));
 }
 
-// Fine motion is used where looks and squeezes are not enough, and told of.
+// Fine motion is used where looks and squeezes are not enough, and it is reported.
 TEST(Plan, TellsOfTheStrategyThatAbsorbsErrors) {
   const std::string scenario = kTree / "scenarios/uncertain-fine-motion.yaml";
   const Folder folder;
@@ -68,7 +68,7 @@ TEST(Plan, TellsOfTheStrategyThatAbsorbsErrors) {
   EXPECT_THAT(ended.out, HasSubstr("Every precondition is proved or absorbed, but for"));
   EXPECT_THAT(SchemaErrors(kSchema, JsonOf(folder / "plan.json")), IsEmpty());
   const Ended explained = Assay({"plan", folder / "plan.json", "--explain", "3"});
-  // By the id that is printed it is the same step.
+  // The same step can be named by the id that is printed.
   for (const nlohmann::json& action : JsonOf(folder / "plan.json")["actions"]) {
     if (action["executed"] != 3) continue;
     const std::string id = action["id"];
@@ -83,7 +83,7 @@ TEST(Plan, TellsOfTheStrategyThatAbsorbsErrors) {
   EXPECT_THAT(unknown.err, HasSubstr("fine-motion"));
 }
 
-// The part may lie any way in the hand.
+// The part may lie in the hand with any turn.
 TEST(Plan, FineMotionIsNoHelpForErrorsOfARightAngle) {
   const Ended ended = Assay({"plan", kUnproved, "--resolvers", "sensing,squeezing,fine-motion"});
   EXPECT_EQ(ended.code, 0) << ended.err;
@@ -118,8 +118,8 @@ TEST(Plan, CertificatesFollowTheSchema) {
   }
 }
 
-// The paper knows four preconditions of a pickup, and that each draw of the hand's error is the
-// same.
+// The paper has four preconditions of a pickup. It takes the hand's error to be the same at all
+// poses.
 TEST(Plan, PropagationAsInThePaper) {
   const auto preconditions = [](const std::string& propagation) {
     const auto plan = Assay({"plan", kTwoActions, "--propagation", propagation, "--json"}).Json();
@@ -141,7 +141,7 @@ TEST(Plan, PlanFileIsShownAsItIs) {
   EXPECT_THAT(wrong.err, HasSubstr("--instances is for scenarios"));
 }
 
-// What is printed with --json can be checked and executed like a plan file.
+// The output of --json is a plan file, which can be checked and executed.
 TEST(Plan, PrintedJsonIsAPlanFile) {
   const Folder folder;
   const Ended planned = Assay({"plan", kTwoActions, "--json", "--instances", "2", "--check"});

@@ -13,7 +13,8 @@ using ::testing::StartsWith;
 
 const std::string kFallenPeg = kTree / "scenarios/fallen-peg.yaml";
 
-// Spar's figures 15 and 16: two actions where the peg lies, four where it stands.
+// The poses are those of Spar's figures 15 and 16. The plan has two actions if the peg lies, and
+// four if it stands.
 TEST(PlanTree, ALookThenAPlanForEachPose) {
   const Ended ended = Assay({"plan", kFallenPeg, "--json"});
   EXPECT_EQ(ended.code, 0) << ended.err;
@@ -45,7 +46,8 @@ TEST(PlanTree, WhatIsKnownIsWrittenForKnow) {
                                HasSubstr("check: holds in all of the worlds")));
 }
 
-// Figure 15 of Spar begins with looks at parts of known pose: steps like others.
+// The plan for Spar's figure 15 begins with looks at parts whose pose is known. They are steps like
+// others.
 TEST(PlanTree, FirstLooksAtKnownPosesAreSteps) {
   const Ended ended = Assay({"plan", kTree / "scenarios/spar-fig15.yaml", "--tree"});
   EXPECT_EQ(ended.code, 0) << ended.err;

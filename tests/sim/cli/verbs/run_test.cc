@@ -16,7 +16,7 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::StartsWith;
 
-// One trial, with pictures.
+// One trial is run with pictures.
 TEST(Run, AssemblesThePegAndLeavesItsFiles) {
   const Folder folder;
   const Ended ended = Assay({"run", kTwoActions, "-o", folder / "out", "--renders", "--size",
@@ -37,7 +37,7 @@ TEST(Run, AssemblesThePegAndLeavesItsFiles) {
                           "contact-sheet.png", "plan.json", "result.json", "trace.jsonl"));
 }
 
-// Trials from a plan file on two threads leave the same bytes as one from the scenario.
+// Trials of a plan file on two threads write the same bytes as trials of the scenario on one.
 TEST(Run, NumberOfThreadsChangesNothing) {
   const Folder folder;
   const Ended one = Assay({"run", kTwoActions, "-o", folder / "one", "--trials", "2", "--json"});
@@ -58,7 +58,7 @@ TEST(Run, NumberOfThreadsChangesNothing) {
   EXPECT_FALSE(JsonOf(folder / "one/result.json").contains("seconds"));
 }
 
-// Each trial draws from a stream of its own: alone it comes out as among others.
+// Each trial draws from its own random stream. Run alone, it has the same result as in the series.
 TEST(Run, ScatteredTrialsDependOnTheirNumberAlone) {
   const Folder folder;
   const auto scatter = [&](const std::string& out, const std::vector<std::string>& more) {
@@ -86,7 +86,7 @@ TEST(Run, AnAttackTellsWhatCameNearestToBeingViolated) {
   EXPECT_THAT(result["counterexamples"], IsEmpty());
 }
 
-// What was drawn for a trial, and what it did.
+// The ledger holds the errors that were drawn for a trial, and their effects.
 TEST(Run, ASingleTrialUnderNoiseHasALedger) {
   const Folder folder;
   const Ended ended = Assay({"run", kTwoActions, "--errors", "dx_peg=4e-5 theta_hand@action_2=1e-4",
@@ -99,7 +99,7 @@ TEST(Run, ASingleTrialUnderNoiseHasALedger) {
   EXPECT_THAT(SchemaErrors("sim/cli/verbs/run.schema.json", result), IsEmpty());
   std::map<std::string, nlohmann::json> ledger;
   for (const nlohmann::json& entry : result["ledger"]) ledger[entry["name"]] = entry;
-  EXPECT_EQ(ledger.size(), 16u);  // four of each part and of each hand
+  EXPECT_EQ(ledger.size(), 16u);  // four for each part, and four for the hand in each action
   EXPECT_EQ(ledger["theta_hand@action_2"]["unit"], "rad");
   EXPECT_EQ(ledger["theta_hand@action_2"]["drawn"], 1e-4);
   EXPECT_NEAR(ledger["theta_hand@action_2"]["measured"], 1e-4, 1e-5);
@@ -113,7 +113,8 @@ TEST(Run, WhatHasNoPlanIsNotExecuted) {
   EXPECT_THAT(ended.out, HasSubstr("No plan exists"));
 }
 
-// Too weak a grip: the peg slips out of the hand, which is judged and not believed.
+// The grip is too weak, and the peg slips out of the hand. The trial is judged by the peg's true
+// pose and not by the believed one.
 TEST(Run, TrialThatFails) {
   const Folder folder;
   const std::string weak =
@@ -142,8 +143,8 @@ TEST(Render, TakesPicturesOfWhatWasInserted) {
   const Ended ended = Assay({"render", kTwoSqueezes, "-o", folder / "out", "--size", "32x24",
                              "--camera", "close", "--json"});
   ASSERT_EQ(ended.code, 0) << ended.err;
-  // The start, two looks or squeezes and two actions of which one mates; closed pads of three, four
-  // of the mating; and all.
+  // Five pictures show the start, two squeezes and two actions. Three show closed pads, four the
+  // mating, and one is the contact sheet.
   std::vector<std::string> names = ended.Json()["pictures"];
   EXPECT_EQ(names.size(), 5 + 3 + 4 + 1);
   EXPECT_TRUE(std::ranges::is_sorted(names)) << "not in the order of execution";
@@ -154,7 +155,8 @@ TEST(Render, TellsItsFiles) {
   const Ended ended = Assay({"render", kTwoActions, "-o", folder / "out", "--size", "32x24",
                              "--camera", "top", "work", "--json"});
   ASSERT_EQ(ended.code, 0) << ended.err;
-  // Three moments by two cameras, five close-ups, and all.
+  // Three snapshots are taken by two cameras. Five pictures are close-ups, and one is the contact
+  // sheet.
   EXPECT_EQ(ended.Json()["pictures"].size(), 12);
   for (const std::string name : ended.Json()["pictures"]) {
     EXPECT_TRUE(std::filesystem::exists(folder / ("out/" + name))) << name;
@@ -195,7 +197,8 @@ TEST(Export, WhatWasInserted) {
   EXPECT_THAT(commands.out, HasSubstr("open, releasing post"));
 }
 
-// Spar, figure 9: the path init_pos_1 - grasp_2 - pos_1 - grasp_1 - init_pos_2.
+// The worked example is Spar's figure 9, with the path init_pos_1 - grasp_2 - pos_1 - grasp_1 -
+// init_pos_2.
 TEST(Export, NetworkOfTheWorkedExample) {
   const Ended ended = Assay({"export", kTree / "scenarios/spar-example.yaml", "--network"});
   EXPECT_EQ(ended.code, 0) << ended.err;
@@ -210,7 +213,8 @@ TEST(Export, NetworkOfTheWorkedExample) {
   EXPECT_EQ(mate_reachable, 1);
 }
 
-// As many states and arcs as `mate` counts, and a bold edge for each state that neighbours share.
+// The export has as many states and arcs as `mate` counts. It has a bold edge for each state that
+// two graphs share.
 TEST(Export, ContactStatesOfAMating) {
   const std::string square = kTree / "scenarios/mate-square.yaml";
   const Ended ended = Assay({"export", square, "--contacts"});

@@ -23,8 +23,8 @@ using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
-// Parts in jigs, one trial without noise and one with it, in a long timestep: what is tested
-// here is the program around the physics.
+// A sweep of one trial without noise and one with it, for parts in jigs and with a long timestep.
+// The program around the physics is under test here.
 class SweepVerb : public ::testing::Test {
  protected:
   SweepVerb() {
@@ -59,8 +59,8 @@ class SweepVerb : public ::testing::Test {
   std::string sweep_;
 };
 
-// "y of peg +0.038 in [-0.025, +0.025] mm, gate 0.016", beside the margin: the figures are those of
-// the JSON, which are in SI.
+// Expects the printed claims and margins to have the figures of the JSON, which are in SI units. A
+// printed claim is for example "y of peg +0.038 in [-0.025, +0.025] mm, gate 0.016".
 void ExpectUnitsOfPeople(const std::string& text, const nlohmann::json& verdicts) {
   for (const nlohmann::json& verdict : verdicts) {
     const std::string claim =
@@ -102,7 +102,8 @@ TEST_F(SweepVerb, RunsGoesOnAndReplays) {
   ASSERT_EQ(replayed["again"]["verdicts"].size(), 2u);
   ExpectUnitsOfPeople(Assay(WithModels({"replay", folder_ / "a.sqlite", "2"})).out,
                       replayed["again"]["verdicts"]);
-  EXPECT_EQ(replayed["ledger"].size(), 16u);  // four errors of each part and of each hand
+  // There are four errors for each part, and four for the hand in each action.
+  EXPECT_EQ(replayed["ledger"].size(), 16u);
   EXPECT_TRUE(std::filesystem::exists(folder_ / "pictures/contact-sheet.png"));
   EXPECT_EQ(Assay(WithModels({"replay", folder_ / "a.sqlite", "3"})).code, 2);
 
@@ -112,8 +113,8 @@ TEST_F(SweepVerb, RunsGoesOnAndReplays) {
   EXPECT_THAT(other.err, HasSubstr("the sweep file has changed"));
 }
 
-// In so long a timestep the engine makes more of the plan without any error than its sets are wide:
-// trials would tell nothing.
+// With this long timestep, the engine's errors without any noise are greater than the plan's error
+// sets. Trials would prove nothing.
 TEST_F(SweepVerb, TellsOfAPlanThatCannotBeTested) {
   folder_.Write("known.yaml", TextOf(kTwoActions) + "simulation: {timestep: 0.001}\n");
   const Ended ended = Sweep("a.sqlite", {"--json"});
@@ -151,7 +152,7 @@ TEST_F(SweepVerb, IsOnADisk) {
   EXPECT_EQ(ended.code, 0) << "a file of that name in a folder is one: " << ended.err;
 }
 
-// In the script's comments a line break would begin a command.
+// A line break in a comment of the script would begin a command.
 TEST_F(SweepVerb, ScriptsHaveNoStrangeNames) {
   for (const char* name : {"a\nrm -rf x", "a\x1b[31m", "a\xff"}) {
     const std::string sweep = folder_.Write(name, TextOf(sweep_));
@@ -209,7 +210,7 @@ TEST_F(SweepVerb, InterruptedItTellsHowToGoOn) {
           "--models", models.c_str(), nullptr);
     _exit(127);
   }
-  // Until it has begun.
+  // Waits until the sweep has begun.
   for (int i = 0; i < 200 && !std::filesystem::exists(database); ++i) {
     std::this_thread::sleep_for(std::chrono::milliseconds(50));
   }
@@ -223,7 +224,7 @@ TEST_F(SweepVerb, InterruptedItTellsHowToGoOn) {
   EXPECT_EQ(Assay({"sweep", "show", database}).code, 0);
 }
 
-// The commands that the script's comments tell, with its own path in place of THIS-SCRIPT.
+// Returns the commands in the script's comments, with the script's path instead of THIS-SCRIPT.
 std::string Instructions(const std::string& script, const std::string& path) {
   std::string commands;
   std::istringstream lines(script);

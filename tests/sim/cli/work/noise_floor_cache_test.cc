@@ -13,7 +13,7 @@ namespace {
 namespace fs = std::filesystem;
 using ::testing::SizeIs;
 
-// One trial of the plan, with the cache in `folder`.
+// Returns the result of one trial with the cache in this folder.
 nlohmann::json TrialWith(const std::string& cache, const std::string& scenario) {
   ::setenv("XDG_CACHE_HOME", cache.c_str(), 1);
   nlohmann::json result =
@@ -40,19 +40,19 @@ TEST(NoiseFloorCache, KeepsWhatWasMeasured) {
   const fs::path file = KeptIn(cache).front();
   const std::string kept = TextOf(file);
 
-  // That the file is read shows when it says something else.
+  // A changed file changes the result, so the file is read.
   nlohmann::json floor = JsonOf(file);
   floor[0][2] = 0.25;  // penetration, metres
   std::ofstream(file) << floor;
   nlohmann::json told = TrialWith(cache, scenario);
   EXPECT_NE(told["gate"].dump().find("0.25"), std::string::npos);
 
-  // What is broken is measured again, and mended.
+  // A broken file is measured again and repaired.
   std::ofstream(file) << kept.substr(0, kept.size() / 2);
   EXPECT_EQ(TrialWith(cache, scenario), measured);
   EXPECT_EQ(TextOf(file), kept);
 
-  // Another scenario has a floor of its own.
+  // Another scenario has its own noise floor.
   folder.Write("scenario.yaml", TextOf(kTwoActions) + "simulation: {timestep: 0.001}\n");
   TrialWith(cache, scenario);
   EXPECT_THAT(KeptIn(cache), SizeIs(2));

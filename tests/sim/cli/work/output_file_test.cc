@@ -27,7 +27,7 @@ TEST(OutputFile, InAFolderThatIsNone) {
   EXPECT_THAT(folder.Contents(), ElementsAre("file"));
 }
 
-// Whatever a command reads it does not overwrite: by its own name, nor through links.
+// No command overwrites a file that it has read, whether by its own name or through links.
 TEST(OutputFile, IsNeverAnInput) {
   const std::string models = kTree / "models";
   const std::vector<std::vector<std::string>> commands = {
@@ -97,7 +97,7 @@ TEST(OutputFile, KeepsItsPermissions) {
   EXPECT_EQ(JsonOf(file)["outcome"], "planned");
 }
 
-// Standard output is a file here, which must not be replaced.
+// Standard output is a file here. The program must not replace it.
 TEST(OutputFile, StandardOutputIsWrittenInOrder) {
   const Folder folder;
   ASSERT_EQ(Assay({"plan", kTwoActions, "-o", "/dev/stdout"}, folder / "all").code, 0);
@@ -108,7 +108,8 @@ TEST(OutputFile, StandardOutputIsWrittenInOrder) {
   EXPECT_EQ(nlohmann::json::parse(all.substr(plan))["outcome"], "planned");
 }
 
-// Nothing to read, and nowhere to write: never an abort, and 4 where a result is lost.
+// The program never aborts when streams are missing or full. Its exit code is 4 if a result is
+// lost.
 TEST(Streams, MayBeMissing) {
   const Folder folder;
   const auto code = [&](const std::string& command, const std::string& streams) {
@@ -146,7 +147,7 @@ TEST(OutputFile, IsAFolder) {
   EXPECT_EQ(Assay({"plan", kTwoActions, "-o", folder / ""}).code, 4);
 }
 
-// On a full disk what was found is still printed.
+// A result that cannot be written to a full disk is printed nevertheless.
 TEST(OutputFile, OnAFullDisk) {
   const Ended ended = Assay({"plan", kTwoActions, "-o", "/dev/full"});
   EXPECT_EQ(ended.code, 4);

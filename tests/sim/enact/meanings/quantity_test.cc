@@ -20,7 +20,7 @@ using testing::Field;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-// The cans' weight is a number, not a predicate.
+// The weight of a can is a number in this domain, and not a predicate.
 constexpr const char* kDomain = R"(domain weighing
 types: object
 predicates: isGrasped(object), isRemoved(object), handEmpty
@@ -64,7 +64,7 @@ EnactedTrial Enact(const KnowledgeScenario& scenario, double mass) {
   return RunTrial(scenario, TreeOf(scenario), {1, {.masses = {{PartId(0), mass}}}}, {});
 }
 
-// What is claimed at first, in a simulation where can1 weighs 0.42 kg.
+// The initial knowledge state, in a simulation in which can1 weighs 0.42 kg.
 struct AtFirst {
   explicit AtFirst(const std::string& init, const std::string& goal = kMoved)
       : scenario(Weighing(init, goal)) {}
@@ -147,7 +147,7 @@ TEST(Quantity, GoalsOnNumbersAreJudgedByTheTruth) {
   EXPECT_FALSE(is_true("K(weight(can1) > 0.4) & K(weight(can1) < 0.41)"));
 }
 
-// The known interval lets the planner spare the weighing.
+// The planner uses the known interval and leaves out the weighing.
 TEST(Quantity, AFalseIntervalFailsATrialThatReachesItsGoal) {
   const EnactedTrial trial = Enact(Weighing("add(Kf, weight(can1) = [0.6, 0.7])", kMoved), 0.42);
   EXPECT_EQ(trial.outcome, EnactmentOutcome::kFalseClaim);
@@ -184,7 +184,7 @@ TEST(Quantity, LeavesDrawMassesOnTheirSideOfABound) {
   }
 }
 
-// The plan ends with the weighing, and nothing branches.
+// The plan ends with the weighing. No branch depends on the result.
 TEST(Quantity, WhatTheGoalTakesForSensedMustHaveBeenTold) {
   const char* init = "add(Kf, weight(can1) = [0, 1])";
   const char* goal = "Kw(weight(can1) > 0.25)";
@@ -194,7 +194,7 @@ TEST(Quantity, WhatTheGoalTakesForSensedMustHaveBeenTold) {
   EXPECT_THAT(blind.reason, HasSubstr("do not tell whether weight(can1) > 0.25"));
 }
 
-// Nothing branches on what is read.
+// No branch depends on the reading.
 TEST(Quantity, AReadingThatIsMadeWrongIsToldByTheAudit) {
   const std::string text = kDomain;
   const std::size_t begin = text.find("action senseWeight");

@@ -21,8 +21,8 @@ const plan::Hold kFromAbove = {
     .X_PartTool = geometry::PoseFromColumns({1, 0, 0}, {0, -1, 0}, {0, 0, -1}, {0, 0, 0.09}),
     .width = 0.06};
 
-// The arm at its home believes that it holds a can from above. Nothing is truly in the hand: what a
-// skill does follows from what is believed.
+// The arm is at its home, and the world model says that it holds a can from above. Nothing is in
+// the hand in the simulation, because a skill acts on believed poses only.
 class Carry : public testing::Test {
  protected:
   Carry()
@@ -37,7 +37,7 @@ class Carry : public testing::Test {
   void Believe(PartId part, double x, double y, double z = 0) {
     robots_.acting().world().Believe(part, geometry::Translation(x, y, z));
   }
-  // Why it is not done; empty if it is.
+  // Returns why the skill fails. Empty means that it succeeds.
   std::string FailureOf(const std::string& action) {
     Situation situation{.robots = robots_,
                         .readings = readings_,
@@ -59,8 +59,9 @@ class Carry : public testing::Test {
   RandomStream random_{1, "carry"};
 };
 
-// Beside the middle of the second table, on the side of the robot: the held can has room there, the
-// forearm over it has not. An earlier choice ended above that place, and nothing could be put down.
+// The post stands beside the middle of the second table, on the side of the robot. The held can has
+// room at the middle, but the forearm has no room above the post. A carry that ends there cannot be
+// followed by a putdown.
 TEST_F(Carry, EndsWhereWhatIsHeldCanBePutDown) {
   Believe(kPost, 0.45, 0.32);
   EXPECT_THAT(FailureOf("transfer"), IsEmpty());

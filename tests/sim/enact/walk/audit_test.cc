@@ -16,7 +16,7 @@ using testing::Field;
 using testing::IsEmpty;
 using testing::UnorderedElementsAre;
 
-// What is known at first, in a simulation that a test changes by hand.
+// The initial knowledge state of the two cans, in a simulation that a test changes by hand.
 class AuditOfTwoCans : public testing::Test {
  protected:
   explicit AuditOfTwoCans(const Replacements& replacements = {})
@@ -39,7 +39,7 @@ class AuditOfTwoCans : public testing::Test {
   contingent::KnowledgeState state_ = knowledge_.Initial();
 };
 
-// The init knows which cans are grasped and removed: none.
+// The init knows that no can is grasped and that none is removed.
 TEST_F(AuditOfTwoCans, WhatIsKnownAtFirstIsTrue) {
   EXPECT_THAT(FalseClaims(), IsEmpty());
   EXPECT_FALSE(audit_.IsGoalTrue(truth_));
@@ -55,7 +55,7 @@ TEST_F(AuditOfTwoCans, WhatTheWorldDoesByItselfIsTold) {
   EXPECT_TRUE(audit_.IsGoalTrue(truth_));
 }
 
-// Whether a can is spillable is not known at first: nothing is claimed.
+// Whether a can is spillable is not known at first, so nothing is claimed about it.
 TEST_F(AuditOfTwoCans, WhatIsNotKnownIsNotClaimed) {
   for (const bool value : {false, true}) {
     const contingent::KnowledgeState initial = state_;
@@ -67,15 +67,15 @@ TEST_F(AuditOfTwoCans, WhatIsNotKnownIsNotClaimed) {
     state_ = *knowledge_.After(*sense, state_);
     EXPECT_THAT(FalseClaims(), IsEmpty());
     state_ = *knowledge_.Learned(state_, knowledge_.FormulaToBranch(state_), value);
-    // By its model a can weighs 0.7 * 120 * 8 * tan(22.5 deg) * 30^2 mm^3 g = 0.25 kg and more.
+    // By its model, a can weighs at least 0.7 * 120 * 8 * tan(22.5 deg) * 30^2 mm^3 g = 0.25 kg.
     const bool is_true = scene_.TrueMass(PartId(0)) > 0.25;
     EXPECT_EQ(FalseClaims().size(), value == is_true ? 0u : 1u);
     state_ = initial;
   }
 }
 
-// By its model a can is spillable (above). The init tells of can1 and closes the rest: no action
-// changes that, so that no query asks it any more.
+// Facts of the init that no action changes, so that no query asks about them. The parameters are
+// the init and the number of its false claims. Both cans are spillable by their models.
 class AuditOfUnchangingFacts : public AuditOfTwoCans,
                                public testing::WithParamInterface<std::pair<const char*, int>> {
  protected:
@@ -94,10 +94,10 @@ INSTANTIATE_TEST_SUITE_P(
                     std::pair("add(LCW, isSpillable(?o))", 2),
                     std::pair("add(LCW, isSpillable(?o)), add(Kf, isSpillable(can2))", 1)));
 
-// A relation of unknown atoms, of which some may have no meaning in the workcell.
+// A relation between unknown atoms. Some of them may have no meaning in the workcell.
 struct Related {
   const char* alternatives;
-  const char* truth;  // where it does not hold
+  const char* truth;  // the true literals if the relation does not hold, else empty
   const char* meaning_of_grasped = "{is: held}";
 };
 
@@ -111,7 +111,7 @@ class AuditOfRelations : public AuditOfTwoCans, public testing::WithParamInterfa
   }
 };
 
-// Both cans are spillable, none is held.
+// In the simulation, both cans are spillable and neither is held.
 TEST_P(AuditOfRelations, AreHeldAgainstTheSimulator) {
   const std::string truth = GetParam().truth;
   const std::vector<FalseClaim> claims = FalseClaims();
@@ -136,8 +136,8 @@ class AuditOfAConjunction : public AuditOfTwoCans {
       : AuditOfTwoCans(WithInit("add(Kw, isSpillable(can1) & !isSpillable(can2))")) {}
 };
 
-// Both cans are spillable: it is false, though its first literal is true; that it were true would
-// be false of the second.
+// Both cans are spillable, so the conjunction is false although its first literal is true. If the
+// conjunction is claimed to be true, only the claim about its second literal is false.
 TEST_F(AuditOfAConjunction, ClaimsOfItsLiteralsWhatItTellsOfThem) {
   const auto& formulas = scenario_.interpretation.task.formulas;
   const auto sensed = std::ranges::find_if(

@@ -27,7 +27,8 @@ void ExpectSame(const EnactedTrial& a, const EnactedTrial& b) {
   EXPECT_EQ(a.walk.branches, b.walk.branches);
 }
 
-// The paper's tree, in every world: which way is gone depends on what the cans weigh.
+// The tree is the paper's. The weights of the cans decide which leaf is reached, so every leaf has
+// its world.
 TEST(Enactment, EveryLeafOfTwoCansIsReached) {
   const KnowledgeScenario scenario = TwoCans();
   const contingent::PlanTree tree = TreeOf(scenario);
@@ -54,7 +55,7 @@ TEST(Enactment, EveryLeafOfTwoCansIsReached) {
   }
 }
 
-// The cans come to stand on the second table all the same.
+// The cans end on the second table although the sensing was wrong.
 TEST(Enactment, SensingThatErrsIsToldByTheAudit) {
   const KnowledgeScenario scenario = TwoCans();
   const EnactedTrial trial =
@@ -70,7 +71,7 @@ TEST(Enactment, SensingThatErrsIsToldByTheAudit) {
   EXPECT_THAT(trial.reason, HasSubstr("isSpillable(can1) is claimed to be false and is true"));
 }
 
-// The plan needs no weighing of can1, and never asks whether it is spillable.
+// The plan does not weigh can1, and no query asks whether it is spillable.
 TEST(Enactment, AnInitThatIsNotTrueIsToldByTheAudit) {
   const KnowledgeScenario scenario = TwoCans(WithInit("add(Kf, !isSpillable(can1))"));
   const EnactedTrial trial = RunTrial(scenario, TreeOf(scenario), {1, kOneFull}, {});
@@ -83,25 +84,27 @@ TEST(Enactment, AnInitThatIsNotTrueIsToldByTheAudit) {
 
 TEST(Enactment, ASpilledCanIsCaught) {
   KnowledgeScenario scenario = TwoCans();
-  scenario.interpretation.spill->beyond = 1e-5;  // brimful: no way is as smooth as that
+  // The can is full to the brim, and every motion spills it.
+  scenario.interpretation.spill->beyond = 1e-5;
   const EnactedTrial trial = RunTrial(scenario, TreeOf(scenario), {1, kOneFull}, {});
   EXPECT_EQ(trial.outcome, EnactmentOutcome::kSpilled);
-  EXPECT_THAT(trial.spilled, ElementsAre("can1"));  // the other one is as good as empty
+  EXPECT_THAT(trial.spilled, ElementsAre("can1"));  // the other can is not spillable
   EXPECT_TRUE(trial.is_goal_true);
 }
 
-// 0.255 kg, told within 1 N: it may be more or less than 0.25.
+// The can weighs 0.255 kg, and the sensor's error is 1 N. The threshold of 0.25 kg is within that
+// error.
 TEST(Enactment, WhatTheSensorLeavesOpenIsSaid) {
   const KnowledgeScenario scenario = TwoCans({{"error: 0.3", "error: 1"}});
   const HiddenWorld world = {{{PartId(0), 0.255}, {PartId(1), 0.1}}};
   const EnactedTrial trial = RunTrial(scenario, TreeOf(scenario), {1, world}, {});
   EXPECT_EQ(trial.outcome, EnactmentOutcome::kUncertain);
   EXPECT_THAT(trial.reason, HasSubstr("isSpillable(can1)"));
-  EXPECT_EQ(trial.walk.steps.size(), 6u);  // the can is lifted and weighed five times
+  EXPECT_EQ(trial.walk.steps.size(), 6u);  // the can is lifted once and weighed five times
   EXPECT_THAT(trial.walk.false_claims, IsEmpty());
 }
 
-// Between sensing and branch it is sensed, and not yet known.
+// Between the sensing and its branch, the formula is sensed but not yet known.
 TEST(Enactment, AGoalMayAskThatWhatIsSensedIsNotKnown) {
   const KnowledgeScenario scenario =
       TwoCans(WithGoal("Kw(isSpillable(can1)) & !K(isSpillable(can1)) & !K(!isSpillable(can1))"));
@@ -113,7 +116,7 @@ TEST(Enactment, AGoalMayAskThatWhatIsSensedIsNotKnown) {
   }
 }
 
-// The goal asks it, and no branch.
+// The goal asks for the sensing, and no branch depends on it.
 TEST(Enactment, WhatTheGoalAsksOfSensingIsMadeWrongToo) {
   const KnowledgeScenario scenario = TwoCans(WithGoal("Kw(isSpillable(can1))"));
   for (const double errors : {0.0, 1.0}) {
@@ -126,8 +129,8 @@ TEST(Enactment, WhatTheGoalAsksOfSensingIsMadeWrongToo) {
   }
 }
 
-// A post stands where the straight way would lead: what goes around it upright does not spill, and
-// what just goes around it does.
+// A post stands in the straight way. A can that is carried around it upright does not spill, and a
+// can that is carried around it with any tilt does.
 TEST(Enactment, WhatIsCarriedAroundAPostSpillsUnlessItIsKeptUpright) {
   const auto run = [](const Replacements& replacements) {
     const KnowledgeScenario scenario = TwoCans(replacements, "post");
@@ -142,7 +145,7 @@ TEST(Enactment, WhatIsCarriedAroundAPostSpillsUnlessItIsKeptUpright) {
   EXPECT_THAT(any.collisions, IsEmpty());
 }
 
-// Somebody puts the post into the way when all motions have been looked at without it there.
+// The post is put into the way after the motions have been planned without it there.
 TEST(Enactment, AnArmThatRunsIntoSomethingHasFailed) {
   const KnowledgeScenario scenario = TwoCans({{"at: [650, -142]", "at: [850, -640]"}}, "post");
   const geometry::Vector3 into_the_way(-0.2, 0.498, 0);
@@ -156,7 +159,7 @@ TEST(Enactment, AnArmThatRunsIntoSomethingHasFailed) {
               AllOf(HasSubstr("transferUpright(can1): "), HasSubstr(" touched part/post")));
 }
 
-// Somebody puts the other can to where this one is put down, in the middle of the second table.
+// The other can is put where this one is to be put down, in the middle of the second table.
 TEST(Enactment, AHeldPartThatRunsIntoAnotherHasFailed) {
   const KnowledgeScenario scenario = TwoCans();
   HiddenWorld world = kOneFull;

@@ -24,7 +24,7 @@ std::string ErrorOf(const Replacements& replacements) {
   return "no error";
 }
 
-// "two-cans.yaml:LINE:COLUMN: " of where a text stands in the changed file.
+// Returns "two-cans.yaml:LINE:COLUMN: " for the place of `what` in the changed file.
 std::string PlaceOf(const std::string& what, const Replacements& replacements) {
   const std::string text = TwoCansText(replacements);
   const std::size_t at = text.find(what);
@@ -45,7 +45,7 @@ struct Wrong {
   std::string from;
   std::string to;
   std::string place;    // the text at which the message points
-  std::string message;  // a piece of it
+  std::string message;  // a piece of the message
 };
 
 TEST(Interpretation, WrongFilesAreRefusedWithPlaceAndRemedy) {
@@ -83,7 +83,8 @@ TEST(Interpretation, WrongFilesAreRefusedWithPlaceAndRemedy) {
   }
 }
 
-// Whether a part is over a table depends on which one, unless the meaning names it.
+// Whether a part is over a table is a question about two things, unless the meaning names the
+// table. What spills must be a question about a part alone.
 TEST(Interpretation, WhatSpillsIsAskedOfAPartAlone) {
   const auto error_of = [](const std::string& meaning) {
     const std::string domain = ScratchFile("placed.pks");

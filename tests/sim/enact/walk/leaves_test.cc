@@ -28,7 +28,7 @@ TEST(Leaves, ThoseOfThePapersTree) {
                                          "!isSpillable(can1), !isSpillable(can2)"));
 }
 
-// Shared sub-plans are gone through once for each way to them.
+// A sub-plan that several branches share has its own leaf for each way to it.
 TEST(Leaves, TwoToTheNumberOfCans) {
   for (const auto& [name, count] : {std::pair("three-cans", 8u), std::pair("five-cans", 32u)}) {
     const KnowledgeScenario scenario =
@@ -53,7 +53,7 @@ TEST(Leaves, WorldsThatLeadThere) {
   }
 }
 
-// A kind that reaches only just over the threshold: 1 in 10,000 of its masses do.
+// The masses of can1 reach only just over the threshold. 1 in 10,000 of them does.
 TEST(Leaves, RareWorldsAreDrawnFromWhatTheLeafAsks) {
   const KnowledgeScenario scenario =
       TwoCans({{"can1: {mass: [[0.06, 0.12], [0.38, 0.48]]}", "can1: {mass: [[0.06, 0.25002]]}"}});
@@ -79,7 +79,7 @@ std::vector<std::string> WhyNoWorldLeadsThere(const KnowledgeScenario& scenario)
   return whys;
 }
 
-// A can weighs 0.25 kg and more by its model; a bottle has none of the colours that are told.
+// By its model, a can weighs 0.25 kg or more. A bottle has neither of the two named colours.
 TEST(Leaves, WhatIsNotHiddenIsKnown) {
   KnowledgeScenario cans = TwoCans();
   cans.interpretation.hidden.erase(PartId(1));
@@ -97,7 +97,8 @@ contingent::GroundLiteral LiteralOf(const KnowledgeScenario& scenario, const std
           true};
 }
 
-// Nothing that is told makes it true, nor a conjunction false.
+// No sensor measures whether can2 is grasped, and no hidden quantity can make it true. If a
+// conjunction with this literal is denied, its other literal must be false.
 class LeavesOfWhatNoSensorTells : public testing::TestWithParam<const char*> {};
 INSTANTIATE_TEST_SUITE_P(Meanings, LeavesOfWhatNoSensorTells,
                          testing::Values("{is: internal}", "{is: held}"));
@@ -119,7 +120,7 @@ TEST_P(LeavesOfWhatNoSensorTells, AreNotComeTo) {
             "no sensor tells whether isGrasped(can2)");
 }
 
-// That not both can be spilled: one of them cannot, whichever that may be.
+// If the conjunction of both literals is denied, either of them may be the false one.
 TEST(Leaves, DeniedConjunctionsHaveCases) {
   const KnowledgeScenario scenario =
       TwoCans({{"can1: {mass: [[0.06, 0.12], [0.38, 0.48]]}", "can1: {mass: [[0.38, 0.48]]}"}});

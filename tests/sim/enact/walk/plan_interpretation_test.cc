@@ -38,7 +38,7 @@ class FallenPeg : public testing::Test {
         Load(ASSAY_SOURCE_DIR "/scenarios/fallen-peg.yaml", ASSAY_SOURCE_DIR "/models");
     return scenario;
   }
-  // The same with another line in its file.
+  // Returns the scenario with another line in its file.
   static KnowledgeScenario With(const std::string& line) {
     std::ostringstream text;
     text << std::ifstream(ASSAY_SOURCE_DIR "/scenarios/fallen-peg.yaml").rdbuf() << line << '\n';
@@ -54,7 +54,7 @@ class FallenPeg : public testing::Test {
   }
 };
 
-// The camera tells how the peg lies, and each plan leads to the goal.
+// The camera measures how the peg lies. The plan for each pose leads to the goal.
 TEST_F(FallenPeg, EachWorldReachesTheGoal) {
   for (const auto& [world, told] :
        {std::pair(0, "pose(peg) = lying"), std::pair(1, "pose(peg) = standing")}) {
@@ -66,8 +66,9 @@ TEST_F(FallenPeg, EachWorldReachesTheGoal) {
   }
 }
 
-// Where errors lead, something is made to go wrong: a recovery mends it, or a person is called; or
-// it is said why nothing can lead there. The other world is alike.
+// For each error branch, a fault is injected that leads to it. A recovery corrects the fault or the
+// operator is called. If no fault leads there, the reason is given. The world in which the peg
+// stands is left out because it is alike.
 TEST_F(FallenPeg, ErrorBranchesAreComeTo) {
   const Interpretation& interpretation = Scenario().interpretation;
   const contingent::PlanTree& tree = interpretation.planned->assembly.tree;
@@ -90,10 +91,10 @@ TEST_F(FallenPeg, ErrorBranchesAreComeTo) {
   EXPECT_GT(executed, 0);
 }
 
-// Pads that close on opposite corners of the peg's plate stay wider open than they should, and hold
-// it so.
+// Pads that close on opposite corners of the peg's plate stay wider open than planned, and hold the
+// peg turned.
 TEST_F(FallenPeg, AnOpeningThatIsTooWideIsATurnedPart) {
-  // Too weak to be proved to hold the peg: its pickup is verified.
+  // The grip is too weak to be proved to hold the peg, so the pickup has a verification.
   const KnowledgeScenario scenario = With("rules: {grip_force: 25}");
   const Interpretation& interpretation = scenario.interpretation;
   const PlannedWorlds& planned = *interpretation.planned;
@@ -106,7 +107,7 @@ TEST_F(FallenPeg, AnOpeningThatIsTooWideIsATurnedPart) {
   ASSERT_TRUE(std::holds_alternative<Fault>(made));
   const auto& fault = std::get<Fault>(made);
   EXPECT_EQ(fault.action, too_wide->step);
-  // The plate is 3 inches wide and 1 inch thick; it leans a little.
+  // The plate is 3 inches wide and 1 inch thick. The peg also leans a little.
   EXPECT_NEAR(std::abs(fault.turn), std::atan2(1, 3), 0.02);
 
   const EnactedTrial trial =
@@ -117,8 +118,8 @@ TEST_F(FallenPeg, AnOpeningThatIsTooWideIsATurnedPart) {
   EXPECT_FALSE(trial.IsFailed());
 }
 
-// What is measured once another step is done tells nothing of the one before. All ways through the
-// tree are followed, of pads that may be so smooth that every step is verified.
+// A measurement made after another step says nothing about the step before. The test follows all
+// ways through the tree. The pads may be so smooth that every step is verified.
 TEST_F(FallenPeg, VerificationsAreOfTheStepThatWasDoneLast) {
   const KnowledgeScenario scenario = With("tolerances: {pad_friction: 0.145}");
   const PlannedWorlds& planned = *scenario.interpretation.planned;
@@ -145,8 +146,8 @@ TEST_F(FallenPeg, VerificationsAreOfTheStepThatWasDoneLast) {
   EXPECT_GE(verified, 4);
 }
 
-// A sensor that says of the peg what it is told to say, one after the other; nothing if that is
-// empty.
+// A sensor of the peg's pose that gives these answers in their order. An empty answer means that it
+// measures nothing.
 class Says : public Skill {
  public:
   explicit Says(std::vector<std::string> poses) : poses_(std::move(poses)) {}
@@ -164,8 +165,8 @@ class Says : public Skill {
   mutable std::size_t times_ = 0;
 };
 
-// A plan that ends when it is known what the pose is. If it may only be sensed, too, nothing
-// branches on what the look tells.
+// Enacts a plan that ends when the pose is known. If it is enough that the pose is sensed, no
+// branch depends on the look.
 enum class Wanted { kKnown, kSensed };
 EnactedTrial LookAtStandingPeg(const KnowledgeScenario& of, Wanted wanted,
                                const std::vector<std::string>& said) {
@@ -205,7 +206,8 @@ TEST_F(FallenPeg, AValueThatTheGoalTakesForSensedIsAudited) {
   EXPECT_EQ(silent.reason, "the sensors do not tell pose(peg)");
 }
 
-// As where it is asked whether something is so: it is sensed again, five times at most.
+// A value that the sensor does not measure is sensed again, at most five times. A formula's truth
+// is treated in the same way.
 TEST_F(FallenPeg, AValueThatIsNotToldIsSensedAgain) {
   for (const Wanted wanted : {Wanted::kKnown, Wanted::kSensed}) {
     const EnactedTrial late = LookAtStandingPeg(Scenario(), wanted, {"", "", "standing"});
@@ -230,7 +232,8 @@ KnowledgeScenario FallenPegWith(
   return Load(file, root / "models");
 }
 
-// The pictures fit a peg that lies 8 mm from where it is looked for, too; but not within its error.
+// The pictures also fit a peg that lies 8 mm away from where it is looked for. The peg's error
+// bounds exclude that pose.
 TEST_F(FallenPeg, PosesNearEachOtherAreToldApart) {
   const KnowledgeScenario scenario =
       FallenPegWith({{"standing: {stable: shaft-up, at: [20, -8], yaw: -20}",
@@ -261,7 +264,7 @@ TEST_F(FallenPeg, PosesNearEachOtherAreToldApart) {
   }
 }
 
-// A peg that stands is claimed to lie: the audit tells at once.
+// The peg stands and is claimed to lie. The audit finds the false claim after the first step.
 TEST_F(FallenPeg, AWrongPoseIsAFalseClaim) {
   const EnactedTrial trial = Run(1, 1);
   EXPECT_EQ(trial.outcome, EnactmentOutcome::kFalseClaim);

@@ -9,7 +9,8 @@
 namespace assay::exec::command_file_test {
 namespace {
 
-// The kinds of the commands, as letters: safe height, line, open, close, look (W).
+// Returns one letter for each command's kind: S for safe height, P for a path, L for a line, O for
+// open, C for close and W for a look.
 std::string Kinds(const std::vector<Command>& commands) {
   std::string kinds;
   for (const Command& command : commands) kinds += "SPLOCW"[command.index()];
@@ -37,7 +38,8 @@ TEST_F(CommandFileTest, IsInTheOrderOfExecution) {
   EXPECT_EQ(file.steps[1].step, plan::StepId(0));
 }
 
-// Spar, figure 18: open, above the part, straight down, close, straight up.
+// The commands of Spar's figure 18 are: open, move above the part, move straight down, close, move
+// straight up.
 TEST_F(CommandFileTest, PickupFollowsFigure18) {
   const auto pickup = std::get<plan::Pickup>(plan_.steps[1].action);
   const StepCommands commands = CommandsFor(problem_, world_, pickup);
@@ -55,8 +57,8 @@ TEST_F(CommandFileTest, PickupFollowsFigure18) {
   EXPECT_TRUE(lifted.head<2>().isApprox(grasp.translation().head<2>()));
 }
 
-// What was taken wrongly is let go where it was believed to be, and the hand goes back by the way
-// it came.
+// A wrongly taken part is released at its believed pose. The hand then goes back by the way it
+// came.
 TEST_F(CommandFileTest, APickupThatFailedGoesBackToWhereItWasPoised) {
   const auto pickup = std::get<plan::Pickup>(plan_.steps[1].action);
   const StepCommands commands = CommandsFor(problem_, world_, pickup);
@@ -68,8 +70,7 @@ TEST_F(CommandFileTest, APickupThatFailedGoesBackToWhereItWasPoised) {
   EXPECT_EQ(Line(commands.withdraw, 1).matrix(), Line(commands.approach, 2).matrix());
 }
 
-// The way down of a pickup and of a putdown is the same but for the guarded travel, by which what
-// is put down may go on.
+// The way down of a putdown is that of a pickup, prolonged by the guarded travel.
 TEST_F(CommandFileTest, PutdownGoesOnUntilItMeetsResistance) {
   const auto pickup = std::get<plan::Pickup>(plan_.steps[1].action);
   const plan::Putdown putdown{pickup.part, pickup.hold, pickup.from};
@@ -86,7 +87,8 @@ TEST_F(CommandFileTest, PutdownGoesOnUntilItMeetsResistance) {
   EXPECT_TRUE(Line(down.depart, 1).isApprox(Line(up.approach, 2), 1e-12));
 }
 
-// Where heights are certain to a millimetre, pads have no farther to slide.
+// If the height is certain to a millimetre, the guarded travel is shortened accordingly, so that
+// the pads do not slide farther on the part.
 TEST_F(CommandFileTest, PutdownEndsWhereItMustHaveMetTheTable) {
   const auto pickup = std::get<plan::Pickup>(plan_.steps[1].action);
   const plan::Putdown putdown{pickup.part, pickup.hold, pickup.from};
@@ -105,7 +107,7 @@ TEST_F(CommandFileTest, PutdownEndsWhereItMustHaveMetTheTable) {
   EXPECT_GE(std::get<MoveStraight>(certain.advance[0]).pace.final_length, doubt + beyond);
 }
 
-// From before the parts may touch until the held one is let go.
+// The fixture clamps from before the parts may touch until the held part is let go.
 TEST_F(CommandFileTest, AFixtureClampsTheFixedPart) {
   const auto assemble = std::get<plan::Assemble>(plan_.steps[0].action);
   problem_.parts[problem_.mating(assemble.mating).fixed.index()].clamp = 120;
@@ -133,7 +135,7 @@ TEST_F(CommandFileTest, AssembleGoesAlongTheMatingVector) {
   EXPECT_EQ(Kinds(commands.withdraw), "") << "it is enough to back off a little";
 }
 
-// Commands go to where parts are believed to be, wherever the plan has them.
+// Commands go to the believed poses of parts, even if the plan has other poses.
 TEST_F(CommandFileTest, CommandsFollowTheBelief) {
   const Pose away = geometry::Translation(0.02, -0.03, 0) * geometry::RotationZ(0.1);
   const PartId peg = PartNamed(problem_, "peg");
@@ -148,7 +150,8 @@ TEST_F(CommandFileTest, CommandsFollowTheBelief) {
   }
 }
 
-// A squeeze is a pickup up to the closing, and a putdown from the opening on.
+// A squeeze has the commands of a pickup up to the closing, and those of a putdown from the opening
+// on.
 TEST_F(CommandFileTest, SqueezeClosesAndLetsGoWhereThePartIs) {
   const auto pickup = std::get<plan::Pickup>(plan_.steps[1].action);
   const plan::Squeeze squeeze{pickup.part, pickup.hold, pickup.from};
@@ -179,7 +182,7 @@ TEST_F(CommandFileTest, SenseSendsTheArmHomeAndLooks) {
   EXPECT_EQ(Text(problem_, plan::Action(sense)), "sense(block, overhead-camera)");
 }
 
-// The coarse camera promises 0.3 mm and 0.2 degrees, and nothing of heights.
+// The coarse camera promises 0.3 mm and 0.2 degrees, and it measures no heights.
 TEST_F(CommandFileTest, ALookTakesWhatTheSensorKnowsBetter) {
   const PartId block = PartNamed(problem_, "block");
   plan::PlannedStep step = {"action_3", plan::Sense{block, "coarse-camera", {}}};
@@ -189,7 +192,7 @@ TEST_F(CommandFileTest, ALookTakesWhatTheSensorKnowsBetter) {
   EXPECT_TRUE(takes().x && takes().y && takes().yaw) << "without a certificate all it measures";
   EXPECT_FALSE(takes().z);
   plan::ErrorSet known;
-  known.part = PartNamed(problem_, "peg");  // of which nothing is asked
+  known.part = PartNamed(problem_, "peg");  // another part, whose errors do not matter
   step.certificate.before.push_back(known);
   known.part = block;
   known.x = {-1e-4, 1e-4};

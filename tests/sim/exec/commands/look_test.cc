@@ -16,7 +16,7 @@ constexpr plan::StepId kAssemble(0);
 constexpr plan::StepId kPickup(1);
 constexpr plan::StepId kLook(2);
 
-// Figure 15's plan after a look at the peg, by a camera that measures no heights.
+// The plan of Spar's figure 15 after a look at the peg by a camera that measures no heights.
 class Looking : public testing::Test {
  protected:
   Looking() : problem_(Figure15()), peg_(PartNamed(problem_, "peg")), plan_(TwoActions(problem_)) {
@@ -30,7 +30,7 @@ class Looking : public testing::Test {
     static const scene::Scene scene(Figure15(), {});
     return scene;
   }
-  // Up to a step, the peg somewhere else than believed.
+  // Executes the plan up to a step, with the peg displaced from its believed pose.
   Trace RunTo(plan::StepId last, const Noise& noise, sense::PoseSensor* sensor = nullptr) {
     mujoco::Data data = StartOf(problem_, scene(), {});
     const Pose X_WorldPeg = Turned(scene().TruePose(data, peg_), 0.03, {0.002, -0.0015, 0});
@@ -44,7 +44,8 @@ class Looking : public testing::Test {
     turned.translation() = pose.translation() + displacement;
     return turned;
   }
-  // Of the true pose about the one that was told: along the world's axes, and the yaw.
+  // Returns the error of the true pose relative to the measured one: the displacement along the
+  // world's axes, and the yaw.
   static std::pair<Vector3, double> Error(const LookRecord& look) {
     const geometry::Matrix3 turn = look.before.truth.linear() * look.measured.linear().transpose();
     EXPECT_NEAR(turn(2, 2), 1, 1e-12) << "only about the vertical";
@@ -57,7 +58,8 @@ class Looking : public testing::Test {
   plan::Plan plan_;
 };
 
-// True minus told is what was drawn, each channel by itself.
+// Each channel of the sensor moves the measured pose by what was drawn. The error is the true pose
+// less the measured one.
 TEST_F(Looking, EachChannelOfTheSensorAlone) {
   for (int i = 0; i < 4; ++i) {
     std::vector<double> values(4, 0);
@@ -71,7 +73,7 @@ TEST_F(Looking, EachChannelOfTheSensorAlone) {
   }
 }
 
-// The camera tells nothing of heights; tilts stay, too.
+// The camera measures no heights, and a look does not change tilts.
 TEST_F(Looking, WhatItMeasuresIsBelieved) {
   const Noise noise = FourErrors(Effect::kSensedX, kLook, {0.0002, -0.0003, 0.0001, 0.002});
   const Trace trace = RunTo(kLook, noise);
@@ -88,7 +90,7 @@ TEST_F(Looking, WhatItMeasuresIsBelieved) {
   EXPECT_EQ(trace.end().moment.parts[peg_.index()].believed.matrix(), look.believed.matrix());
 }
 
-// Of the other camera heights are believed, too.
+// The overhead camera measures heights as well, and they are used.
 TEST_F(Looking, HeightsThatAreMeasuredAreBelieved) {
   std::get<plan::Sense>(plan_.steps[kLook.index()].action).sensor = "overhead-camera";
   const Noise noise = FourErrors(Effect::kSensedX, kLook, {0, 0, 0.0001, 0});
@@ -96,7 +98,7 @@ TEST_F(Looking, HeightsThatAreMeasuredAreBelieved) {
   EXPECT_NEAR(look.believed.translation().z(), look.before.truth.translation().z() - 0.0001, 1e-12);
 }
 
-// What is known better than the sensor would tell stays as it was believed.
+// A coordinate that is known better than the sensor measures it keeps its believed value.
 TEST_F(Looking, TakesOnlyWhatItKnowsBetter) {
   plan::ErrorSet known;
   known.part = peg_;
@@ -112,7 +114,7 @@ TEST_F(Looking, TakesOnlyWhatItKnowsBetter) {
   EXPECT_TRUE(look.believed.linear().isApprox(look.before.believed.linear(), 1e-12));
 }
 
-// The hand goes where the part is believed to be after the look, and finds it there.
+// After the look, the hand goes to the believed pose of the part and finds it there.
 TEST_F(Looking, LaterCommandsGoToTheBelievedPlace) {
   const Noise noise = FourErrors(Effect::kSensedX, kLook, {0.0002, -0.0003, 0, 0.002});
   const Trace trace = RunTo(kPickup, noise);
@@ -128,7 +130,7 @@ TEST_F(Looking, LaterCommandsGoToTheBelievedPlace) {
   EXPECT_TRUE(trace.All<GraspFact>().at(0)->holds());
 }
 
-// Tells what it was given, and remembers what it was asked.
+// A sensor that gives a fixed answer and records what it was asked.
 class FalseSensor : public sense::PoseSensor {
  public:
   explicit FalseSensor(std::optional<Pose> answer) : answer_(std::move(answer)) {}
@@ -142,7 +144,7 @@ class FalseSensor : public sense::PoseSensor {
   std::optional<Pose> answer_;
 };
 
-// A real sensor is asked, and the noise has no say in what it tells.
+// A real sensor is asked, and the drawn noise does not change its answer.
 TEST_F(Looking, ASensorIsAskedWithWhatIsBelieved) {
   const Pose& X_WorldPeg = problem_.part(peg_).X_WorldPart;
   const Pose told = Turned(X_WorldPeg, 0.01, {0.001, 0.002, 0});

@@ -8,7 +8,8 @@ namespace {
 constexpr double kTimestep = 5e-4;  // seconds
 const ControlLaw kLaw;
 
-// After these forces, for so long that their average is these.
+// Returns the contact after these forces have acted for so long that their averages are equal to
+// them. The last force is that of the awaited contact.
 AwaitedContact After(const Eigen::VectorXd& forces, double seeming = 0) {
   AwaitedContact contact(static_cast<int>(forces.size()) - 1, seeming, kLaw);
   for (double time = 0; time < 10 * kLaw.touch_filter; time += kTimestep)
@@ -21,8 +22,9 @@ TEST(AwaitedContact, ThatBearsEnoughIsMade) {
   EXPECT_FALSE(After(Eigen::Vector2d(kLaw.pressing_force, 0.9 * kLaw.touching_force)).IsMade());
 }
 
-// A lever on which forces add up to what is pressed with: half of it is all that can be asked for
-// where contacts are not known to be far apart.
+// Two contacts share the pressing force like the ends of a lever. The awaited contact counts as
+// made once it bears more than half of the force. More cannot be demanded, because the contacts may
+// be near each other.
 TEST(AwaitedContact, ThatBearsMoreThanWhatIsKeptIsMade) {
   for (const double share : {0.3, 0.45, 0.55, 0.7}) {
     const Eigen::Vector2d forces(1 - share, share);
@@ -54,7 +56,8 @@ TEST(AwaitedContact, IsApartWhileNothingOfItIsFelt) {
   EXPECT_FALSE(After(Eigen::Vector2d(1, 2)).IsApart());
 }
 
-// What is kept and taken over from is not to be lifted; motions never stop.
+// A kept contact whose load the awaited one takes over must not be lifted, so the motion slows
+// down. It never stops.
 TEST(AwaitedContact, LeavesTheMotionThePaceOfWhatKeptContactsStillBear) {
   EXPECT_DOUBLE_EQ(After(Eigen::Vector2d(1.2 * kLaw.pressing_force, 0)).Pace(), 1);
   EXPECT_NEAR(After(Eigen::Vector2d(0.5 * kLaw.pressing_force, 2)).Pace(), 0.5, 1e-12);

@@ -26,9 +26,9 @@ TEST(Holding, AFloorIsAnObstacleAndAWallIsNone) {
   EXPECT_EQ(Down({Touching(Vector3::UnitX(), Vector3::Zero())}, 0.5), Holding::kNothing);
 }
 
-// A tilted peg of width 1 that is in by a depth d touches the wall with its tip and the rim with
-// its other side: it wedges if the line between the two is in both friction cones, f > d (Whitney
-// 1982).
+// A tilted peg of width 1 is in its hole by a depth d. Its tip touches the wall, and its other side
+// touches the rim. It wedges if the line between the contacts is in both friction cones, which is
+// the case if f > d (Whitney 1982).
 TEST(Holding, ATiltedPegWedgesIfTheLineBetweenItsContactsIsInBothFrictionCones) {
   constexpr double kWidth = 0.02;
   for (const double depth : {0.1, 0.3, 1.0}) {
@@ -40,8 +40,8 @@ TEST(Holding, ATiltedPegWedgesIfTheLineBetweenItsContactsIsInBothFrictionCones) 
   }
 }
 
-// Walls of a funnel that leans against the push by less than counts as an obstacle, with friction:
-// two sides and their friction take up the push, and nothing holds without it.
+// The walls of a funnel lean against the push, but too little to count as an obstacle. They could
+// take up the push only with friction.
 TEST(Holding, SteepSidesJamWithFrictionOnly) {
   std::vector<plan::StrategyContact> sides;
   for (const double x : {-1.0, 1.0}) {

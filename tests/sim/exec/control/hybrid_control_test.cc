@@ -5,7 +5,7 @@
 namespace assay::exec::hybrid_control_test {
 namespace {
 
-// Motions whose contacts are each planned anew, as planners write them.
+// Makes a strategy whose motions each have their own contacts, as planners write them.
 class Contacts {
  public:
   int Named(const std::string& name) {

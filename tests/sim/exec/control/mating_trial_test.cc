@@ -13,19 +13,20 @@ namespace assay::exec::mating_trial_test {
 namespace {
 
 constexpr double kDegree = M_PI / 180;
-constexpr double kHalfWidth = 0.01905;  // of the shaft
-constexpr double kMouth = 0.0762;       // of the hole along the block's x
-constexpr double kAxis = 0.08255;       // of the hole, z of the block
-constexpr double kSeat = 0.00635;       // of the tip along x
-constexpr double kClearance = 0.00025;  // on each side
+constexpr double kHalfWidth = 0.01905;  // of the shaft, metres
+constexpr double kMouth = 0.0762;       // of the hole along the block's x, metres
+constexpr double kAxis = 0.08255;       // of the hole, z of the block, metres
+constexpr double kSeat = 0.00635;       // x of the tip when seated, metres
+constexpr double kClearance = 0.00025;  // on each side, metres
 const Vector3 kNone = Vector3::Zero();
 
-// A square shaft's way into its hole, by hand: one vertex of the tip goes first.
+// Makes by hand a strategy that puts a square shaft into its hole, one vertex of the tip first.
 class SquareStrategy {
  public:
   explicit SquareStrategy(const Pose& X_HeldTip) { strategy_.X_HeldTip = X_HeldTip; }
 
-  // The tip tilted about y and z and turned about x, with a vertex of its end somewhere.
+  // Returns the pose of the tip with these tilts about y and z and this turn about x. The vertex
+  // (y, z) of its end is at `where`.
   static Pose VertexAt(const Vector3& tilts, int y, int z, const Vector3& where) {
     Pose X = geometry::RotationX(tilts.x()) * geometry::RotationY(-tilts.y()) *
              geometry::RotationZ(tilts.z());
@@ -78,7 +79,8 @@ class MatingTrial : public testing::Test {
   }
 };
 
-// Down from 4 mm above the block's front, beside the hole, until the tip's vertex is on it.
+// Returns a motion down from 4 mm above the block's front, beside the hole, until a vertex of the
+// tip touches the front.
 SquareStrategy ToTheFront(const Pose& X_HeldTip, double beyond) {
   SquareStrategy plan(X_HeldTip);
   const Vector3 tilts = Vector3(0, 16, 8) * kDegree;
@@ -91,9 +93,9 @@ SquareStrategy ToTheFront(const Pose& X_HeldTip, double beyond) {
   return plan;
 }
 
-// First the tip is laid flat on the block's front, which tells its height and both tilts; then one
-// vertex goes into the hole and finds two walls, the next one is lowered and found by turning, and
-// with that the place is known.
+// Returns a full insertion. The tip is laid flat on the block's front, which tells its height and
+// both tilts. Then one vertex goes into the hole and finds two walls. The next vertex is lowered
+// and finds a wall by a turn. The place of the hole is then known.
 plan::Strategy Insertion(const Pose& X_HeldTip) {
   SquareStrategy plan = ToTheFront(X_HeldTip, 1);
   const auto tilted = [](double turn, double y, double z) -> Vector3 {
@@ -172,7 +174,7 @@ TEST_F(MatingTrial, AStraightLineDoesNotInsertWithSuchErrors) {
   EXPECT_GT(Depth(result), 0.05);
 }
 
-// The way ends 3 mm above the front.
+// The motion ends 3 mm above the front.
 TEST_F(MatingTrial, AContactThatDoesNotComeIsATimeout) {
   const MatingSetting setting = Setting(kNone, kNone);
   SquareStrategy plan = ToTheFront(setting.X_HeldTip, 0);
@@ -198,7 +200,8 @@ TEST_F(MatingTrial, AnObstructedMotionStops) {
   EXPECT_GT(Depth(result), 0.06) << "it did not go through the block";
 }
 
-// The front is 3 mm lower than believed, and no more than half the way was to be allowed for.
+// The front is 3 mm lower than believed. The first attempt goes beyond the planned contact by half
+// of its way, and does not reach the front.
 TEST_F(MatingTrial, AContactThatIsTooFarAwayIsFoundAtTheSecondAttempt) {
   const MatingSetting setting = Setting({0.003, 0, 0}, kNone);
   const plan::Strategy strategy = ToTheFront(setting.X_HeldTip, 0.5).strategy();
@@ -212,9 +215,9 @@ TEST_F(MatingTrial, AContactThatIsTooFarAwayIsFoundAtTheSecondAttempt) {
             MatingOutcome::kTimeout);
 }
 
-// What the engine lets the parts press on each other with, at the last timestep that they do.
+// Records the contact points of the two parts at the last timestep in which they touch.
 struct Pressed {
-  std::vector<Vector3> points = {};  // fixed part's frame
+  std::vector<Vector3> points = {};  // metres, fixed part's frame
 
   void operator()(const scene::Scene& scene, const domain::Mating& mating,
                   const mujoco::Data& data) {
@@ -230,8 +233,8 @@ struct Pressed {
 
 std::string VertexName(int y, int z) { return fmt::format("vertex {} {} on front", y, z); }
 
-// The tip, tilted somehow, goes down as if the block's front were 10 mm lower. Each of its four
-// vertices is known to be unwanted there, and so is a wall that is nowhere near.
+// Returns a motion of the tilted tip down to 10 mm below the block's front. Contacts of its four
+// vertices with the front are unwanted, and so is a contact with a wall that is nowhere near.
 plan::Strategy ThroughTheFront(const Pose& X_HeldTip, const Vector3& tilts) {
   SquareStrategy plan(X_HeldTip);
   const Vector3 beside(kMouth, kHalfWidth, kAxis - 0.045 + kHalfWidth);
@@ -266,7 +269,8 @@ plan::Strategy ThroughTheFront(const Pose& X_HeldTip, const Vector3& tilts) {
   return strategy;
 }
 
-// Which vertex it is, torques tell; the engine knows.
+// The torques at the wrist must tell which vertex touches. The engine's contact points are the
+// oracle.
 TEST_F(MatingTrial, TheContactThatItRunsIntoIsRecognized) {
   RandomStream random(9, "tilts");
   const MatingSetting setting = Setting(kNone, kNone);
@@ -296,8 +300,9 @@ TEST_F(MatingTrial, TheContactThatItRunsIntoIsRecognized) {
   }
 }
 
-// The tip, tilted, with its lowest vertex 3 mm into the hole and as far from both walls. If it is
-// displaced by more than that it stands on the front; by 5 mm, this plan takes for likely.
+// Returns a motion that brings the lowest vertex of the tilted tip 3 mm into the hole, at 3 mm from
+// both walls. With a greater displacement the vertex lands on the front. The plan says that the
+// likely error is then 5 mm along y.
 plan::Strategy IntoTheCorner(const Pose& X_HeldTip) {
   const Vector3 tilts = Vector3(0, 16, 8) * kDegree;
   const double inside = kHalfWidth + kClearance - 0.003;
@@ -316,7 +321,7 @@ plan::Strategy IntoTheCorner(const Pose& X_HeldTip) {
   return strategy;
 }
 
-// That it stands on the front tells nothing of where the hole is; the plan does.
+// The contact with the front does not tell where the hole is. The likely error of the plan does.
 TEST_F(MatingTrial, WhatErrorsAreLikelyLeadsOutOfAnErrorState) {
   const MatingSetting setting = Setting({0.001, 0.0045, 0.001}, kNone);
   plan::Strategy strategy = IntoTheCorner(setting.X_HeldTip);
@@ -335,7 +340,7 @@ TEST_F(MatingTrial, WhatErrorsAreLikelyLeadsOutOfAnErrorState) {
   EXPECT_EQ(without.end.recovered.size(), 2U) << "in all three attempts";
 }
 
-// Straight along the hole's axis, without feeling for its walls first.
+// Returns a slide straight along the hole's axis, without feeling for the walls first.
 plan::Strategy SlideOnly(const Pose& X_HeldTip, const Vector3& beside) {
   SquareStrategy plan(X_HeldTip);
   const Vector3 axis = Vector3(0, 0, kAxis) + beside;
@@ -344,7 +349,7 @@ plan::Strategy SlideOnly(const Pose& X_HeldTip, const Vector3& beside) {
   return plan.strategy();
 }
 
-// The tip's whole face meets the block's front, 10 mm before the way's end.
+// The whole face of the tip meets the block's front 10 mm before the end of the motion.
 TEST_F(MatingTrial, AnImpactIsAsHardAsItIsFast) {
   const MatingSetting setting = Setting(kNone, kNone);
   SquareStrategy plan(setting.X_HeldTip);
@@ -374,9 +379,10 @@ TEST_F(MatingTrial, BesideTheHoleItJams) {
   EXPECT_LT(result.greatest_force, ControlLaw().GreatestForce());
 }
 
-// A tilted shaft touches both walls where it is in by the play over the tilt. It can hold itself
-// there if the line between the contacts is in both friction cones, which it is if the friction is
-// greater than that depth over the width (Whitney 1982); else it can always be drawn back.
+// A tilted shaft touches both walls at a depth of the play over the tilt. It can hold itself there
+// if the line between the contacts is in both friction cones. That is the case if the friction is
+// greater than the depth over the width (Whitney 1982). Otherwise the shaft can always be drawn
+// back.
 TEST_F(MatingTrial, WedgesOnlyWithFriction) {
   const double tilt = 2.5 * kDegree;
   const double ratio = 2 * kClearance / tilt / (2 * kHalfWidth);
@@ -400,7 +406,8 @@ TEST_F(MatingTrial, WedgesOnlyWithFriction) {
   EXPECT_EQ(mate(0.02), MatingOutcome::kDone);
 }
 
-// Two millimetres over the block's front with the tip's whole end: no turns, so that depth decides.
+// The whole end of the tip is 2 mm above the block's front and is not turned, so that only the
+// depth decides.
 TEST_F(MatingTrial, WithPartsThatOverlapItCannotStart) {
   const Pose X_HeldTip = Setting(kNone, kNone).X_HeldTip;
   SquareStrategy plan(X_HeldTip);
@@ -418,7 +425,8 @@ bool IsErrorState(MatingOutcome outcome) {
          outcome == MatingOutcome::kWrongContact || outcome == MatingOutcome::kTimeout;
 }
 
-// Four times the errors that it is for: whatever becomes of it, it is told, and nothing breaks.
+// The errors are four times those that the strategy is made for. The trial must report how it ends,
+// and nothing may be overloaded.
 TEST_F(MatingTrial, BeyondItsRangeItEndsInAnErrorState) {
   RandomStream random(5, "beyond the range");
   for (int trial = 0; trial < 2; ++trial) {
@@ -427,7 +435,7 @@ TEST_F(MatingTrial, BeyondItsRangeItEndsInAnErrorState) {
     Vector3 w;
     for (double& x : d) x = std::copysign(0.008, random.Uniform(-1, 1));
     for (double& x : w) x = std::copysign(4 * kDegree, random.Uniform(-1, 1));
-    d.x() = std::abs(d.x());  // else the parts overlap where it starts
+    d.x() = std::abs(d.x());  // a negative value would make the parts overlap at the start
     const MatingResult result = Insert(problem(), scene(), Setting(d, w));
     EXPECT_EQ(result.end.outcome == MatingOutcome::kDone, std::abs(Depth(result)) < 1e-3);
     EXPECT_NE(result.end.outcome == MatingOutcome::kDone, IsErrorState(result.end.outcome))

@@ -12,7 +12,8 @@ namespace {
 
 constexpr double kFriction = 0.2;
 
-// A force that a contact can exert, at the tip; `random` null: without friction.
+// Returns a wrench that a contact can exert, about the tip's origin. It has no friction if `random`
+// is null.
 Vector6 ForceOf(const plan::StrategyContact& contact, double pressure, RandomStream* random) {
   Vector3 force = contact.normal;
   if (random != nullptr) {
@@ -23,8 +24,8 @@ Vector6 ForceOf(const plan::StrategyContact& contact, double pressure, RandomStr
   return pressure * Joined(force, contact.at.cross(force));
 }
 
-// A motion that keeps a contact below the tip and waits for another one; walls and a second contact
-// below are unwanted, each 1 mm away where it leads.
+// Returns a strategy of one motion. It keeps a contact below the tip and waits for another one.
+// Three walls and a second contact below are unwanted. The motion leads to within 1 mm of each.
 plan::Strategy SomeStrategy() {
   const auto contact = [](const char* name, const Vector3& normal, const Vector3& at) {
     return plan::StrategyContact{name, normal, at};
@@ -91,7 +92,7 @@ TEST(Recognition, ForcesOfNoKnownStateAreNotNamed) {
       << "half a newton tells of nothing";
 }
 
-// Of two contacts with the same force, the one that smaller errors bring about.
+// Two contacts have the same force. The one that smaller errors bring about is named.
 TEST(Recognition, OfLikeForcesTheLikelierContactIsNamed) {
   plan::Strategy strategy = SomeStrategy();
   strategy.contacts[4] = strategy.contacts[2];
@@ -103,7 +104,7 @@ TEST(Recognition, OfLikeForcesTheLikelierContactIsNamed) {
   EXPECT_EQ(NameOf(strategy, wrench), "right again");
 }
 
-// Nothing is to touch, and something does.
+// No contact is planned, so that every force is unplanned.
 TEST(Recognition, AfterAFreeMotionAnyForceIsUnplanned) {
   plan::Strategy strategy = SomeStrategy();
   strategy.motions[0].kept.clear();

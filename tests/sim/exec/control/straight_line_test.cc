@@ -18,7 +18,8 @@ class StraightLine : public testing::Test {
   }
   const JointRates rates_ = motion::RatesOf(workcell());
 
-  // Lines of the tool from home, up to 20 cm in any direction but up to 5 cm upward.
+  // Returns the end of a random line of the tool from home. It goes up to 20 cm sideways or down,
+  // and up to 5 cm upward.
   Vector3 DrawEnd(RandomStream& random) const {
     const Vector3 home = ToolAt(workcell(), workcell().home()).translation();
     return home + Vector3(random.Uniform(-0.1, 0.1), random.Uniform(-0.2, 0.2),

@@ -39,7 +39,7 @@ TEST_F(CollisionWatchTest, NothingIsTouchedAtTheStart) {
   EXPECT_THAT(watch_.Look(data_), IsEmpty());
 }
 
-// Whatever the hand may touch, the arm may not; each pair is told once.
+// The arm may not touch a part even if the hand may. Each pair is reported once.
 TEST_F(CollisionWatchTest, TellsWhatTheArmTouches) {
   watch_.Handle({kBlock});
   PutBlockOnto("arm/forearm");
@@ -56,8 +56,8 @@ TEST_F(CollisionWatchTest, AHandTouchesWhatItHandlesAndNothingElse) {
   EXPECT_THAT(Names(watch_.Look(data_)), testing::Contains("gripper/finger_left part/block"));
 }
 
-// The block lies on the table, and the peg is put into it. What a held part touches when it is
-// taken is where it comes from; in the next action it may touch that no more.
+// The block lies on the table, and the peg is put into the block. A held part may touch what it
+// touches when it is taken. In the next action it may no longer touch it.
 TEST_F(CollisionWatchTest, AHeldPartTouchesWhereItIsTakenFromAndNothingElse) {
   watch_.Handle({kBlock}, HeldTouches::kNothing);
   EXPECT_THAT(watch_.Look(data_), IsEmpty());
@@ -72,7 +72,8 @@ TEST_F(CollisionWatchTest, AHeldPartTouchesWhereItIsTakenFromAndNothingElse) {
   EXPECT_THAT(Names(watch_.Look(data_, kBlock)), SizeIs(1));  // the table
 }
 
-// Steps of plans slide parts into each other.
+// Steps of assembly plans slide parts into each other, so a held part may touch anything by
+// default.
 TEST_F(CollisionWatchTest, AHeldPartMayTouchAnythingIfNothingElseIsSaid) {
   EXPECT_THAT(watch_.Look(data_, kPeg), IsEmpty());
   scene_.SetPart(data_, kPeg, data_.BodyPose(scene_.Body(kBlock)));

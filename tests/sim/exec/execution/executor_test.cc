@@ -22,7 +22,7 @@ std::string Text(const Trace& trace) {
   return out.str();
 }
 
-// The plan of figure 15 as it is executed without noise, once for all tests.
+// The plan of Spar's figure 15, executed without noise, once for all tests.
 class Figure15Executed : public testing::Test {
  protected:
   static const domain::Problem& problem() {
@@ -47,7 +47,7 @@ class Figure15Executed : public testing::Test {
   }
   static PartId peg() { return PartNamed(problem(), "peg"); }
 
-  // From the moment the gripper has closed until the step ends in which it lets go.
+  // Returns the samples from the closing of the gripper until the end of the step that opens it.
   static std::vector<const Sample*> SamplesInHand() {
     const double closed = trace().All<GraspFact>().front()->time;
     std::vector<const Sample*> samples;
@@ -85,7 +85,7 @@ TEST_F(Figure15Executed, PickupLiftsThePegAndKeepsIt) {
                                    "gripper/finger_left", "part/peg")));
 }
 
-// In the hand, the part stays where the world model has it: slip over the whole way.
+// The held part stays where the world model has it. Its slip is bounded over the whole way.
 TEST_F(Figure15Executed, HeldPegSlipsLessThanAFifthOfAMillimetre) {
   const auto samples = SamplesInHand();
   ASSERT_GT(samples.size(), 200u);
@@ -99,14 +99,14 @@ TEST_F(Figure15Executed, HeldPegSlipsLessThanAFifthOfAMillimetre) {
   }
 }
 
-// Believed means commanded for the tool: along lines and on the way, the arm follows.
+// The believed pose of the tool is the commanded one. The arm follows it on lines and between them.
 TEST_F(Figure15Executed, TheToolFollowsItsCommands) {
   for (const Sample* sample : trace().All<Sample>()) {
     ASSERT_LT(Error(sample->moment.tool).norm(), 2e-4) << "at " << sample->moment.time << " s";
   }
 }
 
-// The mating motion is straight: true positions of the tool between its two ends.
+// The true positions of the tool lie on a straight line between the ends of the mating motion.
 TEST_F(Figure15Executed, TheMatingMotionIsStraight) {
   const StepCommands commands = CommandsFor(problem(), WorldModel(problem()),
                                             std::get<plan::Assemble>(plan().steps[0].action));
@@ -142,7 +142,7 @@ TEST_F(Figure15Executed, SamplesComeAtTheirRate) {
   }
 }
 
-// Writes down what it sees, and checks that it sees it when it happens.
+// Records what it observes, and checks that each event is observed when it happens.
 class Chronicler : public Observer {
  public:
   void SeeTimestep(const mujoco::Data& data) override {
@@ -164,7 +164,7 @@ class Chronicler : public Observer {
   std::vector<std::string> seen;
 };
 
-// It sees everything in the order of the trace, and changes nothing.
+// The observer sees all events in the order of the trace, and changes nothing.
 TEST_F(Figure15Executed, AnObserverSeesWhatTheTraceHas) {
   Chronicler chronicler;
   const Trace observed = Run({.observer = &chronicler});
@@ -184,8 +184,8 @@ TEST_F(Figure15Executed, WritesWhatItsSchemaSays) {
   EXPECT_THAT(SchemaErrors(trace()), testing::IsEmpty());
 }
 
-// Each step is poised, then at its work, then done with it; a guarded move for each way down. The
-// peg's last meets the bottom of the hole.
+// Each step has the milestones poised, reached and acted. Each way down is a guarded move. Only the
+// last one meets resistance, at the bottom of the hole.
 TEST_F(Figure15Executed, MilestonesMarkTheWay) {
   std::string stages;
   for (const Milestone* milestone : trace().All<Milestone>()) {
@@ -200,8 +200,8 @@ TEST_F(Figure15Executed, MilestonesMarkTheWay) {
   EXPECT_TRUE(guards[1]->resisted);
 }
 
-// A part that is not where it is believed to be: the gripper closes on nothing, which is recorded.
-// Later the fingers cannot open in the hole that the peg should be in; the execution goes on.
+// The part is not where it is believed to be, and the gripper closes on nothing. The trace records
+// that and the execution goes on. Later the open fingers touch the block at the hole.
 TEST_F(Figure15Executed, AMissedPartIsAFactInTheTrace) {
   mujoco::Data data = scene().Start();
   const Pose away = geometry::Translation(0, -0.15, 0) * problem().part(peg()).X_WorldPart;
@@ -228,7 +228,8 @@ TEST_F(Figure15Executed, SaysWhereTheArmCannotGo) {
   EXPECT_THAT(trace.end().reason, HasSubstr("action_2: no configuration of the arm reaches (3"));
 }
 
-// A block in the way of the hand stops the arm instead of being crushed.
+// The execution stops when the force at the wrist exceeds the limit. A limit of 1 N is exceeded
+// even without errors.
 TEST_F(Figure15Executed, StopsWhenTheWristFeelsTooMuch) {
   mujoco::Data data = scene().Start();
   const Trace trace = Execute(problem(), plan(), scene(), data, {.force_limit = 1});

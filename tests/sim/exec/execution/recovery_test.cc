@@ -30,8 +30,8 @@ plan::Recovery Simple(plan::StepId step, const std::string& error, RecoveryStrat
   return {.step = step, .error = error, .strategy = strategy};
 }
 
-// As many places on a circle as keep neighbours a pitch apart along it: 7 on the first (2 pi), 13
-// on the second, 19 on the third.
+// A circle has as many places as keep neighbours about a pitch apart: 7 on the first circle (2 pi),
+// 13 on the second and 19 on the third.
 TEST(PlacesToTryTest, AreOnCirclesThatGrowByThePitch) {
   const std::vector<Vector3> places =
       PlacesToTry(Groping(kPickup, "error1", 0.010, 0.003), Vector3::UnitZ());
@@ -48,13 +48,14 @@ TEST(PlacesToTryTest, AreOnCirclesThatGrowByThePitch) {
   }
 }
 
-// No place within the radius is further from what is tried than half the diagonal of the pitch.
+// Every point within the radius is near a place that is tried. The distance is at most half the
+// diagonal of a square whose side is the pitch.
 TEST(PlacesToTryTest, LeaveNoGap) {
   const double radius = 0.004, pitch = 0.001;
   std::vector<Vector3> tried =
       PlacesToTry(Groping(kAssemble, "error4", radius, pitch), Vector3::UnitZ());
   EXPECT_EQ(tried.size(), 7u + 13 + 19 + 26);
-  tried.emplace_back(0, 0, 0);  // at first
+  tried.emplace_back(0, 0, 0);  // the place of the first attempt
   for (double x = -radius; x <= radius; x += pitch / 10) {
     for (double y = -radius; y <= radius; y += pitch / 10) {
       if (std::hypot(x, y) > radius) continue;
@@ -83,8 +84,8 @@ TEST(PlacesToTryTest, OfTheOperatorAreNone) {
   EXPECT_TRUE(PlacesToTry(call, Vector3::UnitZ()).empty());
 }
 
-// Figure 15's plan with a check of the gripper's opening after the pickup, and of the tool's height
-// after the mating.
+// The plan of Spar's figure 15 with two verifications: the gripper's opening after the pickup, and
+// the tool's height after the mating.
 class Recovering : public testing::Test {
  protected:
   Recovering()
@@ -117,20 +118,21 @@ class Recovering : public testing::Test {
     static const scene::Scene scene(Figure15(), {});
     return scene;
   }
-  // A part lies elsewhere than believed, by a displacement in the world.
+  // Executes the plan with a part displaced from its believed pose, in the world's axes.
   Trace Run(PartId part, const Vector3& displacement, const ExecutorOptions& options) {
     mujoco::Data data = StartOf(problem_, scene(), {});
     const Pose X_WorldPart = scene().TruePose(data, part);
     scene().SetPart(data, part, geometry::Translation(displacement) * X_WorldPart);
     return Execute(problem_, plan_, scene(), data, options);
   }
-  // The peg so far along its shaft that the pads close in front of the plate that they are to take.
+  // Returns a displacement of the peg along its shaft by `length` metres. It takes the plate out
+  // from between the pads.
   Vector3 OutOfThePads(double length) const {
     Vector3 shaft = problem_.part(peg_).X_WorldPart.linear().col(0);
     shaft.z() = 0;
     return length * shaft.normalized();
   }
-  // Each error, with what was done: the attempts of one search count up from 1, at its places.
+  // Expects that the attempts of a search count up from 1 and are made at its places.
   static void ExpectAttempts(const Trace& trace, const plan::Recovery& recovery,
                              const Vector3& axis) {
     const auto records = trace.All<RecoveryRecord>();
@@ -187,7 +189,7 @@ TEST_F(Recovering, ASearchFindsWhatThePadsMissed) {
   EXPECT_THAT(SchemaErrors(trace), testing::IsEmpty());
 }
 
-// No place gives the opening that is looked for: each is tried once, then the operator is called.
+// No place gives the expected opening. Each place is tried once, and then the operator is called.
 TEST_F(Recovering, ASearchInVainCallsTheOperator) {
   plan_.verifications[0].expected += 0.002;
   plan_.recoveries[0] = Groping(kPickup, "error1", 0.001, 0.001);
@@ -202,7 +204,7 @@ TEST_F(Recovering, ASearchInVainCallsTheOperator) {
   EXPECT_TRUE(trace.All<StepEnd>().empty()) << "the step did not end";
 }
 
-// The block stands 5 mm beside the hand, and the peg, which is gone, is looked for 15 mm around.
+// The block stands 5 mm beside the hand. The peg is gone, and it is looked for within 15 mm.
 TEST_F(Recovering, NoSearchLeadsTheHandIntoAnotherPart) {
   const PartId block = PartNamed(problem_, "block");
   const auto& pickup = std::get<plan::Pickup>(plan_.step(kPickup).action);
@@ -232,7 +234,7 @@ TEST_F(Recovering, NoSearchLeadsTheHandIntoAnotherPart) {
   }
 }
 
-// The gripper was to close on less: something else was grasped.
+// The gripper is wider open than expected, so that something else seems to be grasped.
 TEST_F(Recovering, SomeErrorsCallTheOperatorAtOnce) {
   plan_.verifications[0].expected -= 0.002;
   const Trace trace = Run(peg_, Vector3::Zero(), {.sample_rate = 0});
@@ -243,7 +245,7 @@ TEST_F(Recovering, SomeErrorsCallTheOperatorAtOnce) {
   EXPECT_EQ(recoveries[0]->attempt, 0);
 }
 
-// Whoever wrote the plan prepared nothing.
+// The plan has no recovery for the error.
 TEST_F(Recovering, AnErrorWithoutARecoveryCallsTheOperator) {
   plan_.verifications[0].expected -= 0.002;
   plan_.recoveries.clear();
@@ -259,7 +261,7 @@ TEST_F(Recovering, WithoutRecoveryTheOperatorIsCalledAtOnce) {
   EXPECT_EQ(trace.All<RecoveryRecord>().size(), 1u);
 }
 
-// An error that stays is met by a few more attempts at the same place.
+// The error stays. The step is tried a few more times at the same place.
 TEST_F(Recovering, ARetryIsMadeAFewTimes) {
   plan_.verifications[0].expected += 0.002;
   plan_.recoveries[0].strategy = RecoveryStrategy::kRetry;
@@ -273,8 +275,8 @@ TEST_F(Recovering, ARetryIsMadeAFewTimes) {
   for (const GraspFact* grasp : grasps) EXPECT_NEAR(grasp->opening, grasp->expected_width, 1e-4);
 }
 
-// The block lies 1.7 mm away, more than the hole's clearance: the peg meets the rim, and then the
-// hole. It ends in the block where that truly is.
+// The block is displaced by 1.7 mm, which is more than the hole's clearance. The peg meets the rim,
+// and then finds the hole at the block's true pose.
 TEST_F(Recovering, APegThatStopsAtTheRimIsGropedIn) {
   const domain::Mating& mating = problem_.mating(domain::MatingId(0));
   const Trace trace = Run(mating.fixed, {0.0015, 0.0008, 0}, {.sample_rate = 0});

@@ -87,7 +87,7 @@ TEST_F(TraceSchema, EveryLineFollowsIt) {
   for (const Json& line : lines) EXPECT_THAT(schema_.Errors(line), IsEmpty()) << line.dump(2);
 }
 
-// Each line of its own kind, with nothing that the schema does not tell of.
+// Each kind of line has only fields that the schema describes.
 TEST_F(TraceSchema, TellsOfEveryField) {
   for (const Json& line : Lines(OneOfEach())) {
     const std::string kind = line.value("kind", "header");
@@ -173,7 +173,8 @@ TEST(TraceTest, SaysHowMotionsEnded) {
   EXPECT_EQ(line["recognized"]["loss"], false);
 }
 
-// Of the two quaternions of a rotation the one with w >= 0: 3.5 rad about x is -2.78 rad.
+// A rotation has two quaternions, and the trace has the one with w >= 0. The example is 3.5 rad
+// about x, which is -2.78 rad.
 TEST(TraceTest, QuaternionsAreUnique) {
   const Json quaternion = Lines(OneOfEach())[1]["tool"]["true"]["quaternion"];
   EXPECT_NEAR(quaternion[0].get<double>(), -std::cos(1.75), 1e-12);

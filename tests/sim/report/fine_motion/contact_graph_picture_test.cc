@@ -28,7 +28,7 @@ finemotion::ContactState StateOf(std::vector<int> contacts, std::vector<int> par
           .sons = std::move(sons)};
 }
 
-// Two contacts, apart and together.
+// Returns the topology of two contacts. Each of them can be made alone, and both together.
 finemotion::LocalTopology TwoContacts() {
   finemotion::LocalTopology topology;
   for (const int vertex : {1, 2}) {
@@ -74,7 +74,7 @@ std::vector<const Markup*> OfClass(const Markup& picture, const std::string& nam
   return found;
 }
 
-// What pointing at it tells.
+// Returns the tooltip of an element.
 std::string TitleOf(const Markup& element) { return element.All("title").at(0)->text; }
 
 TEST(ContactGraphPicture, HasADotForEachStateInTheRowOfItsDimension) {
@@ -92,7 +92,7 @@ TEST(ContactGraphPicture, HasADotForEachStateInTheRowOfItsDimension) {
                     }));
 }
 
-// Each line once: free to either contact, and either to both.
+// Each line is drawn once. Lines join the free state to each contact, and each contact to both.
 TEST(ContactGraphPicture, JoinsNeighbours) {
   const Markup picture = Drawn({});
   const std::string lines = OfClass(picture, "neighbour").at(0)->attributes.at("d");
@@ -109,7 +109,7 @@ TEST(ContactGraphPicture, NumbersThePlansStates) {
   for (const Markup* ring : OfClass(picture, "planned")) titles.push_back(TitleOf(*ring));
   EXPECT_THAT(titles, ElementsAre("start: free", "1, 4: vertex 2 on face 0",
                                   "2–3: vertex 1 on face 0, vertex 2 on face 0"));
-  // Rings are where the dots of their states are.
+  // A ring is drawn at the dot of its state.
   std::set<std::pair<std::string, std::string>> dots;
   for (const Markup* dot : OfClass(picture, "state"))
     dots.insert({dot->attributes.at("cx"), dot->attributes.at("cy")});
@@ -117,7 +117,8 @@ TEST(ContactGraphPicture, NumbersThePlansStates) {
     EXPECT_TRUE(dots.contains({ring->attributes.at("cx"), ring->attributes.at("cy")}));
 }
 
-// Each state of the plan has its contacts written out, and each kind of dot and line its meaning.
+// The contacts of each state of the plan are written out. The key explains each kind of dot and
+// line.
 TEST(ContactGraphPicture, TellsContactsAndWhatIsDrawn) {
   const Markup picture =
       Drawn(Through({{OnFace(2)}, {OnFace(1), OnFace(2)}, {OnFace(1), OnFace(2)}, {OnFace(2)}}));
@@ -142,7 +143,7 @@ TEST(ContactGraphPicture, TellsContactsAndWhatIsDrawn) {
   EXPECT_EQ(OfClass(picture, "key").size(), 6);
 }
 
-// At a later critical point the way begins where the motion before it has ended.
+// At a later critical point, the way begins where the previous motion has ended.
 TEST(ContactGraphPicture, HasOnlyTheMotionsThatAreAsked) {
   const Markup picture = Drawn(Through({{OnFace(2)}, {OnFace(1), OnFace(2)}, {OnFace(1)}}), {1, 2});
   std::vector<std::string> numbers;
@@ -184,7 +185,7 @@ TEST(MatingPage, IsWellFormedAndHasAllOfIt) {
   const Markup page = ReadMarkup(MatingPage(subject));
   EXPECT_EQ(page.All("h1").at(0)->text, "peg <1> into block");
   EXPECT_EQ(page.All("svg").size(), 2u);
-  EXPECT_EQ(page.All("tr").size(), 3u);  // names and two motions
+  EXPECT_EQ(page.All("tr").size(), 3u);  // the header and two motions
   ASSERT_EQ(page.All("img").size(), 1u);
   EXPECT_THAT(page.All("img")[0]->attributes.at("src"), HasSubstr("data:image/png;base64,"));
   EXPECT_EQ(page.All("img")[0]->attributes.at("alt"), "1: vertex 1 on face 0");

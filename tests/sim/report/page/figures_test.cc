@@ -60,7 +60,7 @@ TEST(Command, QuotesThePath) {
   EXPECT_EQ(WithDatabase("assay run x", "a.sqlite"), "assay run x");
 }
 
-// RFC 4648, section 10.
+// The examples are those of RFC 4648, section 10.
 TEST(DataUri, IsBase64) {
   EXPECT_EQ(DataUri("a/b", "f"), "data:a/b;base64,Zg==");
   EXPECT_EQ(DataUri("a/b", "fo"), "data:a/b;base64,Zm8=");

@@ -38,7 +38,7 @@ TEST(Findings, AreWhatTheTrialsObserved) {
   EXPECT_DOUBLE_EQ(x.least, -0.0009);
   EXPECT_DOUBLE_EQ(x.greatest, 0.0009);
   EXPECT_NEAR(x.median, 0, 1e-15);
-  // Between the 3rd and the 4th of ten: 2.25 steps of 0.2 mm from the least.
+  // The quartile is between the 3rd and the 4th of ten values, 2.25 steps of 0.2 mm from the least.
   EXPECT_NEAR(x.lower_quartile, -0.00045, 1e-15);
   EXPECT_EQ(x.verdicts.Verdicts(), (VerdictCounts{.contained = 10}));
   const StepFindings& second = cell.steps[1];
@@ -53,9 +53,9 @@ TEST(Findings, AreWhatTheTrialsObserved) {
 
 TEST(Findings, NotableTrialsAreInOrderOfSuccessAndMargin) {
   const NotableTrials notable = Sample(false).notable;
-  // Of those that succeeded with all contained, those with x nearest to 0: numbers 5 and 6.
+  // Numbers 5 and 6 have x nearest to 0 among the trials that succeeded with all claims contained.
   EXPECT_EQ(notable.best, 6);
-  // Of the two that failed, number 3 saw x farther out than number 4.
+  // Two trials failed, and number 3 observed x farther out than number 4.
   EXPECT_EQ(notable.worst, 4);
 }
 
@@ -94,7 +94,7 @@ TEST(Page, CanBeReadWithoutEyes) {
     EXPECT_NE(table->All("caption")[0]->text, "");
     for (const Markup* heading : table->All("th"))
       EXPECT_TRUE(heading->attributes.contains("scope"));
-    // Rows are as long as the head.
+    // Each row has as many cells as the head.
     const std::size_t columns = table->All("thead").at(0)->All("th").size();
     for (const Markup* row : table->All("tbody").at(0)->All("tr")) {
       const bool group = row->attributes.contains("class");
@@ -112,7 +112,7 @@ TEST(Page, CanBeReadWithoutEyes) {
 TEST(Page, TellsTheRates) {
   const Markup root = ReadMarkup(Page(Sample(true), {}));
   const std::string summary = root.WithId("summary")->text;
-  // By hand: (0.8 + z²/20) / (1 + z²/10) = 0.71674, give or take 0.22658, for z = 1.96.
+  // By hand, (0.8 + z²/20) / (1 + z²/10) = 0.71674, plus or minus 0.22658, for z = 1.96.
   EXPECT_THAT(summary, HasSubstr("8 of 10 trials; 95 % interval 49 to 94.3 %"));
   EXPECT_THAT(summary, HasSubstr("Predictions were violated 3 times in 22 certificates of trials "
                                  "and 20,000 attacked steps."));
@@ -148,7 +148,7 @@ TEST(Page, TellsTheAttacks) {
 TEST(Page, TellsOnlySomeCellsInFull) {
   const Markup root = ReadMarkup(Page(Sample(false), {.cells_in_full = 1}));
   const std::string sets = root.WithId("error-sets")->text;
-  EXPECT_THAT(sets, HasSubstr("Cell 2"));  // the one with a violation
+  EXPECT_THAT(sets, HasSubstr("Cell 2"));  // the cell with a violation
   EXPECT_THAT(sets, Not(HasSubstr("Cell 1")));
   EXPECT_THAT(sets, HasSubstr("in error_sets.csv: 1 cell."));
 }

@@ -23,15 +23,15 @@ Rgb Linear(std::string_view colour) {
 
 double Luminance(const Rgb& rgb) { return 0.2126 * rgb[0] + 0.7152 * rgb[1] + 0.0722 * rgb[2]; }
 
-// WCAG 2.1, contrast ratio.
+// Returns the contrast ratio of WCAG 2.1.
 double Contrast(std::string_view a, std::string_view b) {
   const double la = Luminance(Linear(a));
   const double lb = Luminance(Linear(b));
   return (std::max(la, lb) + 0.05) / (std::min(la, lb) + 0.05);
 }
 
-// How a colour looks, by rows of a matrix on linear RGB: Machado, Oliveira and Fernandes (2009),
-// severity 1.
+// A colour vision, as the rows of a matrix on linear RGB. The values are those of Machado, Oliveira
+// and Fernandes (2009) for severity 1.
 using Vision = std::array<Rgb, 3>;
 constexpr std::array<Vision, 4> kVisions = {
     Vision{Rgb{1, 0, 0}, Rgb{0, 1, 0}, Rgb{0, 0, 1}},
@@ -43,7 +43,7 @@ constexpr std::array<Vision, 4> kVisions = {
            Rgb{0.004733, 0.691367, 0.303900}},  // tritanopia
 };
 
-// CIE 1976 L*a*b* of what is seen.
+// Returns the CIE 1976 L*a*b* coordinates of the colour that is perceived.
 Rgb Lab(const Vision& vision, std::string_view colour) {
   const Rgb rgb = Linear(colour);
   Rgb seen{};
@@ -62,7 +62,7 @@ double Distance(const Rgb& a, const Rgb& b) {
   return std::sqrt(std::pow(a[0] - b[0], 2) + std::pow(a[1] - b[1], 2) + std::pow(a[2] - b[2], 2));
 }
 
-// A difference of 2.3 is just seen; several times that is plain.
+// A difference of 2.3 is just noticeable, and several times that is plain.
 TEST(Palette, VerdictsAreToldApartByEveryEye) {
   constexpr std::array kVerdicts = {kContained, kWithinResolution, kInconclusive, kViolated,
                                     kNotClaimed};
@@ -80,7 +80,7 @@ TEST(Palette, VerdictsAreToldApartByEveryEye) {
   }
 }
 
-// WCAG 2.1, 1.4.11: shapes that mean something need 3 to 1.
+// WCAG 2.1, 1.4.11, demands a contrast of 3 to 1 for shapes with a meaning.
 TEST(Palette, StandsOutFromTheGround) {
   for (const Colour& colour : kPalette) {
     EXPECT_GT(Contrast(colour.light, kLightGround), 3) << colour.name;

@@ -25,8 +25,8 @@ Standing Told(const Claim& claim) {
   return StandingOf(StoredVerdict{check::Name(claim.verdict), claim.margin, claim.gate});
 }
 
-// Whatever is observed: inside it is contained, outside by less than the gate within the engine's
-// resolution, and beyond violated.
+// An observation inside the prediction is contained. Outside by less than the gate, it is within
+// the engine's resolution. Farther outside it is violated.
 TEST(Standing, IsWithinResolutionExactlyWithinTheGate) {
   RandomStream random(1, "standing");
   for (int i = 0; i < 1000; ++i) {
@@ -41,7 +41,7 @@ TEST(Standing, IsWithinResolutionExactlyWithinTheGate) {
   }
 }
 
-// A violation that the finer execution does not come to see is not small: it stays inconclusive.
+// A violation that the finer execution does not observe is inconclusive, whatever its size.
 TEST(Standing, WhatIsNotConfirmedIsInconclusive) {
   RandomStream random(2, "standing");
   for (int i = 0; i < 1000; ++i) {
@@ -63,7 +63,8 @@ TEST(Standing, EveryOneHasNameWordsAndCount) {
     counts.Add(standing, ++sum);
     EXPECT_EQ(counts.Of(standing), sum);
   }
-  EXPECT_EQ(names.size(), kStandings.size() + 2);  // two have words that are no name
+  // The words of two standings differ from their names.
+  EXPECT_EQ(names.size(), kStandings.size() + 2);
   counts += counts;
   EXPECT_EQ(counts.Total(), 2 * (1 + 2 + 3 + 4 + 5));
   const check::VerdictCounts expected{

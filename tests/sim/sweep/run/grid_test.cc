@@ -47,7 +47,7 @@ TEST_F(Grid, SeedsChangeFastestAndScenariosLast) {
   EXPECT_EQ(cells.back().scenario, "b.yaml");
 }
 
-// The trials of the cells follow each other without a gap.
+// The numbers of the trials go on from cell to cell without a gap.
 TEST_F(Grid, TrialsAreNumberedThroughTheCells) {
   const std::vector<Cell> cells = Cells(Full());
   int trial = 0;
@@ -77,7 +77,8 @@ TEST_F(Grid, AnAttackIsOneTrial) {
   EXPECT_TRUE(SharePlan(cells[0], cells[2]));
 }
 
-// Even where the trials between them would bring all of them to one shard.
+// Each shard gets its share of falsifications, even if the trials between them would bring all of
+// them to one shard.
 TEST_F(Grid, AttacksAreDealtOutEvenly) {
   const std::vector<Cell> cells = Cells(Read(
       "scenarios: [a.yaml]\nnoise: [attack, uniform]\nerror_scales: [1, 2, 3, 4]\ntrials: 3\n"));

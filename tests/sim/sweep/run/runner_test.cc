@@ -31,7 +31,7 @@ class Runner : public SweepFolder {
         facts_(FactsOf(sweep_, "1")),
         trials_(TrialCount(Cells(sweep_))) {}
 
-  // A run into a database with this name, from the start or onwards.
+  // Runs the sweep into a database with this name. A database with trials is continued.
   RunEnd RunInto(const std::string& name, const RunOptions& options,
                  const Work& work = FalseWork()) const {
     Store store = Store::Resume(folder_ / name, facts_);
@@ -183,7 +183,7 @@ TEST_F(Runner, WhatWasDoneBeforeAnErrorIsKept) {
   };
   EXPECT_THROW(RunInto("a.sqlite", {.jobs = 1, .batch_seconds = 100}, work), EnvironmentError);
   RunInto("whole.sqlite", {});
-  EXPECT_EQ(TablesOf("a.sqlite")["trial"].size(), 8u);  // 3 and 3 of the control arm, then two
+  EXPECT_EQ(TablesOf("a.sqlite")["trial"].size(), 8u);  // 3 + 3 of the control arm, then two more
   RunInto("a.sqlite", {});
   EXPECT_EQ(TablesOf("a.sqlite"), TablesOf("whole.sqlite"));
 }
@@ -221,7 +221,7 @@ TEST_F(Runner, AttacksMayUseAllThreadsAndComeLast) {
   RunInto("a.sqlite", {.jobs = 3}, work);
 }
 
-// Each of them is written when it is done, and one that was broken off is not there.
+// A falsification is stored when it is done. One that was broken off is not stored.
 TEST_F(Runner, AttacksAreStoppedInTheMiddle) {
   RunInto("whole.sqlite", {});
   int before = 0;
@@ -286,7 +286,7 @@ TEST_F(Runner, MergingComparesAttacksButNotTheirCommands) {
                InputError);
 }
 
-// Of the trials that are no attacks.
+// The throughput counts trials only, and no falsifications.
 TEST_F(Runner, TellsItsThroughput) {
   const RunEnd end = RunInto("a.sqlite", {.jobs = 2});
   const Store store = Store::Open(folder_ / "a.sqlite");

@@ -78,7 +78,7 @@ TEST_F(SweepFile, NeedsScenariosAndTrialsOnly) {
   EXPECT_EQ(sweep.control_trials, 1);
 }
 
-// A set of resolvers is the same in any order.
+// The order of resolvers in a set does not matter.
 TEST_F(SweepFile, ResolversAreSets) {
   const std::string good = "scenarios: [a.yaml]\ntrials: 5\n";
   const auto both = Read(good + "resolvers: [[squeezing, sensing]]\n").resolvers.front();

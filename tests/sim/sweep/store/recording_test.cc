@@ -24,7 +24,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 noise::Noise Displaced(double x) { return {{{.name = "dx_peg", .range = {-1, 1}}}, {x}}; }
 
-// An attack on two steps, the second of which is executed first.
+// The falsification of a plan of two steps. The second step is executed first.
 class AttackRecording : public ::testing::Test {
  protected:
   AttackRecording() {
@@ -87,7 +87,8 @@ TEST_F(AttackRecording, SucceededWhereNoneWas) {
   EXPECT_EQ(timed.record.reason, "");
 }
 
-// A precondition has one end only, and is nearer to it.
+// The precondition has one end only, and its observed value is nearer to its end than x of the peg
+// is to either of its own.
 TEST_F(AttackRecording, HasTheWorstClaimOfEachStepInTheOrderOfExecution) {
   const std::vector<VerdictRecord> verdicts = Record().record.verdicts;
   ASSERT_THAT(verdicts, SizeIs(2));
@@ -97,7 +98,8 @@ TEST_F(AttackRecording, HasTheWorstClaimOfEachStepInTheOrderOfExecution) {
             (VerdictRecord{2, "action_1", "violated", "y of peg", 0.75, -0.5, 0.5, -0.25, 0.01}));
 }
 
-// So that a replay tells their units, and before or after which step they are claimed.
+// A replay prints the unit of each claim, and whether it is claimed before or after its step. It
+// takes both from the claims that are kept.
 TEST_F(AttackRecording, KeepsTheClaimsOfItsVerdictsAtHand) {
   const TimedTrial timed = Record();
   ASSERT_THAT(timed.verdicts, SizeIs(2));

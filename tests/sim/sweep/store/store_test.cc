@@ -19,7 +19,7 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
-// What the call throws.
+// Returns the message of the exception that the call throws.
 template <class Error>
 std::string MessageOf(const std::function<void()>& call) {
   try {
@@ -55,7 +55,7 @@ class StoreTest : public SweepFolder {
     for (const Cell& cell : cells_) cells.push_back(FalseCell(cell));
     store.Add(cells, 0.25);
   }
-  // A whole database.
+  // Writes a whole database.
   void Fill(const fs::path& file) const {
     Store store = Store::Create(file, facts_);
     AddCells(store);
@@ -82,7 +82,7 @@ struct Tampering {
   const char* message;
 };
 
-// Each change makes of a whole database one that nothing of ours has written.
+// Each change makes a database that this program cannot have written.
 TEST_F(StoreTest, WhatCannotBeIsRefusedWhenItIsOpened) {
   for (const Tampering& tampering : {
            Tampering{"UPDATE sweep SET value = 'x' WHERE key = 'trials'", "the sweep has x trials"},
@@ -133,7 +133,7 @@ TEST_F(StoreTest, NumbersThatDoNotFitAreRefused) {
               HasSubstr("recovered is 1099511627776; allowed: "));
 }
 
-// SQLite knows it as the name of a database in memory.
+// SQLite takes this name for a database in memory.
 TEST_F(StoreTest, AFileMayHaveAnyName) {
   const fs::path before = fs::current_path();
   fs::current_path(folder_);
@@ -171,14 +171,14 @@ TEST_F(StoreTest, CellsAreReadAsTheyWereWritten) {
   }
 }
 
-// Infinite ends included.
+// The claims have infinite ends, too.
 TEST_F(StoreTest, ClaimsAreKeptOncePerCell) {
   Fill(file_);
   const Store store = Store::Open(file_);
   for (const Cell& cell : cells_) EXPECT_EQ(store.Claims(cell.number), Trial(1).claims);
 }
 
-// Infinite ends and missing ratios included; with a command that has quotes in it.
+// The records have infinite ends, missing ratios, and a command with quotes in it.
 TEST_F(StoreTest, AttacksAreReadAsTheyWereWritten) {
   const Sweep sweep =
       Read("scenarios: [a.yaml, b.yaml]\nnoise: [attack]\nerror_scales: [1, 2, 3]\n");
@@ -201,10 +201,10 @@ TEST_F(StoreTest, AttacksAreReadAsTheyWereWritten) {
   EXPECT_LT(violated, static_cast<int>(cells.size()));
   EXPECT_EQ(store.database().Integer("SELECT count(*) FROM conservatism WHERE broken IS NULL"),
             static_cast<int>(cells.size()) - violated);
-  EXPECT_EQ(store.MeanSeconds(), 0);  // of other trials
+  EXPECT_EQ(store.MeanSeconds(), 0);  // only other trials count
 }
 
-// As its readers outside of the program know them.
+// Programs that read the database depend on these columns.
 TEST_F(StoreTest, TablesOfAttacksHaveTheirColumns) {
   const Store store = Store::Create(file_, facts_);
   const std::map<std::string, std::string> columns = {
@@ -301,7 +301,7 @@ TEST_F(StoreTest, AnotherSweepIsNotGoneOnWith) {
   EXPECT_EQ(Store::Resume(file_, facts_).Trials().size(), 21u);
 }
 
-// As a killed program leaves it that was about to begin.
+// A program that is killed before it begins leaves an empty file.
 TEST_F(StoreTest, AnEmptyOneIsBegun) {
   Write("sweep.sqlite", "");
   EXPECT_THAT(Store::Resume(file_, facts_).Trials(), IsEmpty());
@@ -375,7 +375,8 @@ TEST_F(StoreTest, AFullDiskLosesNothingThatWasWritten) {
   Store store = Store::Create(file_, facts_);
   AddCells(store);
   store.Add(Trials(1, 3));
-  store.database().Prepare("PRAGMA max_page_count = 1").Next();  // not less than there are already
+  // SQLite takes the present number of pages as the limit instead.
+  store.database().Prepare("PRAGMA max_page_count = 1").Next();
   const std::string message = MessageOf<EnvironmentError>([&] {
     for (int i = 4; i <= TrialCount(cells_); ++i) {
       TimedTrial trial = Trial(i);

@@ -7,8 +7,8 @@
 namespace assay::sweep::wilson_test {
 namespace {
 
-// The ends are the rates p from which the observed one is z standard deviations of p away: the
-// roots of (r - p)^2 = z^2 p (1 - p) / n.
+// The ends of the interval are the rates p whose distance from the observed rate r is z standard
+// deviations of p. They are the roots of (r - p)^2 = z^2 p (1 - p) / n.
 TEST(WilsonInterval, EndsAreRatesWithTheObservedOneAtTheEdge) {
   const double z = 1.959963984540054;
   for (const int trials : {1, 5, 40, 1000}) {
