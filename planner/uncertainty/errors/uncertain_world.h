@@ -62,7 +62,7 @@ class UncertainWorld {
   std::string SymbolName(PartId part) const;
 
   // Sets the error of the part in the hand. In sound mode, this function and SetResting condense
-  // what they set: a long expression is replaced by an affine form (algebra/affine_form.h), whose
+  // what they set: a long expression is replaced by an affine form (affine_form.h), whose
   // rest is a new variable. Otherwise expressions would grow by a factor with every action (Spar,
   // "Propagation of Uncertainty").
   void SetHeld(PartId part, const HeldError& error);
