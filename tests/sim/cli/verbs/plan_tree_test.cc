@@ -31,7 +31,7 @@ TEST(PlanTree, ALookThenAPlanForEachPose) {
 TEST(PlanTree, VerificationsOfOneWorldBranch) {
   const Ended ended = Assay({"plan", kTree / "scenarios/uncertain-failing.yaml", "--tree"});
   EXPECT_EQ(ended.code, 0) << ended.err;
-  EXPECT_THAT(ended.out, AllOf(HasSubstr("1: verify pickup(peg, PG63, initial)"),
+  EXPECT_THAT(ended.out, AllOf(HasSubstr("1: verify pickup(peg, PG"),
                                HasSubstr("recover from error1\n    go to 1"),
                                HasSubstr("call the operator: error2")));
 }
