@@ -105,6 +105,27 @@ Vector2 Centroid(const Polygon& polygon) {
   return sum / static_cast<double>(polygon.size());
 }
 
+double RadiusOfGyration(std::span<const Polygon> polygons) {
+  Vector2 middle = Vector2::Zero();
+  double area = 0;
+  for (const Polygon& polygon : polygons) {
+    if (polygon.empty()) continue;
+    middle += Area(polygon) * Centroid(polygon);
+    area += Area(polygon);
+  }
+  if (area <= 0) return 0;
+  middle /= area;
+  double moment = 0;  // the integral of the squared distance from the centroid
+  for (const Polygon& polygon : polygons) {
+    for (size_t i = 0; i < polygon.size(); ++i) {
+      const Vector2 a = polygon[i] - middle;
+      const Vector2 b = polygon[(i + 1) % polygon.size()] - middle;
+      moment += (a.x() * b.y() - a.y() * b.x()) / 12 * (a.dot(a) + b.dot(b) + a.dot(b));
+    }
+  }
+  return std::sqrt(moment / area);
+}
+
 Polygon Intersection(const Polygon& a, const Polygon& b) {
   if (a.size() < 3 || b.size() < 3) return {};
   Polygon kept = a;

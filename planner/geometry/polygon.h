@@ -16,6 +16,9 @@ using Polygon = std::vector<Vector2>;
 Polygon Hull2(std::span<const Vector2> points);
 double Area(const Polygon& polygon);       // 0 for fewer than three corners
 Vector2 Centroid(const Polygon& polygon);  // of the area; without an area the mean of the corners
+// Returns the root of the mean square of the distance between the points of disjoint polygons and
+// their common centroid; 0 without an area.
+double RadiusOfGyration(std::span<const Polygon> polygons);
 // Returns the intersection of two polygons (Sutherland and Hodgman 1974). It is empty if they share
 // no area.
 Polygon Intersection(const Polygon& a, const Polygon& b);

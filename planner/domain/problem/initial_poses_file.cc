@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <limits>
 #include <utility>
@@ -48,6 +49,7 @@ class InitialPosesFile {
   void ReadPose(const Value& pose, Part& part) const;
   Pose ReadStanding(const Value& pose, StablePoseId resting, const Part& part) const;
   void CheckOnTable(const Value& pose, PartId id) const;
+  void CheckOnTableWithErrors(const Value& pose, const Part& part) const;
   void CheckAboveTable(const Value& place, const Part& part) const;
   void CheckApart() const;
   void CheckRests(const Value& place, PartId id) const;
@@ -170,7 +172,7 @@ Pose InitialPosesFile::ReadStanding(const Value& pose, StablePoseId resting,
 
 void InitialPosesFile::CheckOnTable(const Value& pose, PartId id) const {
   const Part& part = problem_.part(id);
-  if (OnTable(problem_, id, part.X_WorldPart)) return;
+  if (OnTable(problem_, id, part.X_WorldPart)) return CheckOnTableWithErrors(pose, part);
   const auto extent = [&](const geometry::Polygon& polygon) {
     Eigen::AlignedBox2d box;
     for (const Vector2& p : polygon) box.extend(p);
@@ -184,6 +186,28 @@ void InitialPosesFile::CheckOnTable(const Value& pose, PartId id) const {
                         extent(Footprint(part, part.X_WorldPart)),
                         tables.size() == 1 ? "the table" : "one table"),
             fmt::format("{}", fmt::join(tables, "; or ")));
+}
+
+// The table is convex, so that the ends of the displacements suffice.
+void InitialPosesFile::CheckOnTableWithErrors(const Value& pose, const Part& part) const {
+  const Table& table = TableUnder(*problem_.workcell, part, part.X_WorldPart);
+  for (const Interval& error : {part.error.x, part.error.y, part.error.theta}) {
+    if (!std::isfinite(error.high - error.low)) return;  // nothing is known of the pose
+  }
+  for (const double x : {part.error.x.low, part.error.x.high}) {
+    for (const double y : {part.error.y.low, part.error.y.high}) {
+      for (const double theta : {part.error.theta.low, 0.0, part.error.theta.high}) {
+        Pose X_WorldPart = part.X_WorldPart;
+        X_WorldPart.linear() = geometry::RotationZ(theta).linear() * X_WorldPart.linear();
+        X_WorldPart.translation() += Vector3(x, y, 0);
+        if (IsOver(table, part, X_WorldPart)) continue;
+        pose.Fail(fmt::format("part '{}' may stand beyond the edge of the table: {} along x and {} "
+                              "along y from here, which its error allows",
+                              part.name, InFileUnit(x), InFileUnit(y)),
+                  "a place on the table, whatever errs");
+      }
+    }
+  }
 }
 
 void InitialPosesFile::CheckAboveTable(const Value& place, const Part& part) const {

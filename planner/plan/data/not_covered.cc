@@ -20,14 +20,27 @@ constexpr char kBeside[] =
     "parts beside the two that are mated: as a strategy runs they are kept clear of without errors "
     "only";
 
+constexpr char kYields[] =
+    "a wrist that yields, and bevelled edges: simulated arms and parts have neither, so that a "
+    "trial "
+    "may stop at a rim that they would lead over";
+
+// Returns whether the proof of a mating counts on a wrist that yields.
+bool CountsOnYielding(const PlannedStep& step) {
+  return std::ranges::any_of(step.certificate.preconditions, [](const auto& claim) {
+    return claim.meaning.ends_with(kFitsBetween);
+  });
+}
+
 struct NotCoveredOf {
   const PlannedStep& step;
 
   std::vector<std::string> operator()(const Pickup&) const { return {kStuck, kServos}; }
   std::vector<std::string> operator()(const Putdown&) const { return {}; }
   std::vector<std::string> operator()(const Assemble&) const {
-    if (!step.strategy) return {};
-    return {kBeside, kPushes};
+    if (step.strategy) return {kBeside, kPushes};
+    if (CountsOnYielding(step)) return {kYields};
+    return {};
   }
   std::vector<std::string> operator()(const Sense&) const { return {}; }
   std::vector<std::string> operator()(const Squeeze&) const { return {kStuck}; }

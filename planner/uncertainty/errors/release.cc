@@ -13,6 +13,7 @@
 #include "planner/plan/data/pushing.h"
 #include "planner/uncertainty/errors/axis_angle.h"
 #include "planner/uncertainty/errors/possible_masses.h"
+#include "planner/uncertainty/errors/turn_of_push.h"
 #include "planner/uncertainty/preconditions/touching_cells.h"
 
 namespace assay::uncertainty {
@@ -41,6 +42,16 @@ void Yield(UncertainWorld& world, PartId part, RestingError& error) {
   }
 }
 
+// Returns whether a part that is let go in a seat that leans may slide as far as the walls let it:
+// the seat is steeper than the least friction between the two parts bears.
+bool SlidesInSeat(const domain::Problem& problem, const domain::Mating& mating,
+                  const Vector3& motion) {
+  const double friction = std::max(problem.part(mating.held).model->friction(),
+                                   problem.part(mating.fixed).model->friction()) -
+                          problem.tolerances.friction;
+  return motion.head<2>().norm() > friction * -motion.z();
+}
+
 // Returns whether the push of a mating may drag its fixed part along the table.
 bool Drags(const domain::Problem& problem, const domain::Mating& mating) {
   const domain::Part& fixed = problem.part(mating.fixed);
@@ -54,15 +65,6 @@ bool Drags(const domain::Problem& problem, const domain::Mating& mating) {
   keeping += fixed.clamp + plan::kGreatestPush;
   return (between + problem.tolerances.friction) * plan::kGreatestPush >=
          (own - problem.tolerances.friction) * keeping;
-}
-
-// Returns the turn, in radians, of a part that is dragged by `way` at any of its points. It turns
-// like a part that a pad pushes (squeezing.h).
-double TurnOfDrag(const domain::Part& part, const Pose& X_WorldPart, double way) {
-  constexpr double kTurn = 0.55;  // the turn, in shares of the way over the radius of gyration
-  const geometry::MassProperties& mass = part.model->mass();
-  const Vector3 up = X_WorldPart.linear().transpose() * Vector3::UnitZ();
-  return std::min(std::numbers::pi, kTurn * way / std::sqrt(up.dot(mass.inertia * up) / mass.mass));
 }
 
 }  // namespace
@@ -129,8 +131,9 @@ RestingError ReleaseInSeat(UncertainWorld& world, domain::MatingId id, const pla
   const Pose X_WorldHeld = X_WorldFixed * mating.X_FixedHeld;
   RestingError error = Release(world, mating.held, hold, X_ToolGrasp, draw, X_WorldHeld);
   if (world.propagation() == Propagation::kPaper) return error;
-  Yield(world, mating.held, error);
   const Vector3 along = X_WorldFixed.linear() * mating.mating_vector.normalized();
+  if (SlidesInSeat(world.problem(), mating, along)) return LedToSeat(world, id);
+  Yield(world, mating.held, error);
   const SymbolicVector motion = AsVector(along);
   const SymbolicVector seat = PossiblePose(X_WorldFixed, world.resting(mating.fixed)) *
                                   AsVector(mating.X_FixedHeld.translation()) -
@@ -173,7 +176,7 @@ Drag DragOfFixed(const UncertainWorld& world, domain::MatingId id, const plan::H
     way += problem.part(mating.held).model->shape().radius() * LeaningOf(world, up, draw).levelling;
   }
   if (way == 0 || !Drags(problem, mating)) return {};
-  return {way, TurnOfDrag(problem.part(mating.fixed), X_WorldFixed, way)};
+  return {way, TurnOfPush(world, mating.fixed, X_WorldFixed, way)};
 }
 
 void DragFixed(UncertainWorld& world, domain::MatingId id, const plan::Hold& hold,

@@ -4,18 +4,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "planner/algebra/expression/simplify.h"
 #include "planner/domain/part/part_model.h"
 #include "planner/uncertainty/errors/axis_angle.h"
 #include "planner/uncertainty/errors/possible_masses.h"
+#include "planner/uncertainty/errors/turn_of_push.h"
 
 namespace assay::uncertainty {
 namespace {
 
 constexpr double kRightAngle = std::numbers::pi / 2;
-constexpr double kTurnOfPush = 0.55;  // the turn, in shares of the push over the radius of gyration
 
 HeldError AsPublished(const UncertainWorld& world, PartId part, const plan::Hold& hold) {
   Pose R_WorldTool = world.X_WorldPart(part) * hold.X_PartTool;
@@ -49,18 +50,14 @@ class Closing {
       : up_(VerticalInTool(world.X_WorldPart(part) * hold.X_PartTool)),
         pad_x_(world.problem().workcell->gripper().pad_half_extents().x()),
         pad_z_(world.problem().workcell->gripper().pad_half_extents().y()),
-        half_width_(hold.width / 2),
         hand_(Magnitude(world.RangeOf(draw.theta))),
         off_x_(Magnitude(world.RangeOf(grasped[0]))),
+        off_y_(Magnitude(world.RangeOf(grasped[1]))),
         off_z_(Magnitude(world.RangeOf(grasped[2]))) {
     const double theta = Magnitude(world.RangeOf(world.resting(part).theta));
-    const double push =
-        Magnitude(world.RangeOf(grasped[1])) + 2 * pad_x_ * std::sin(AtMostRight(theta + hand_));
-    for (const geometry::MassProperties& mass : PossibleMasses(world.problem(), part)) {
-      const double turn = TurnOfPush(mass, world.X_WorldPart(part), hold, theta + hand_, push);
-      pushed_turn_ = std::max(pushed_turn_, AtMostRight(turn));
-    }
+    pushed_turn_ = TurnOfFirstPad(world, part, hold, theta + hand_);
     turn_ = AtMostRight(theta + pushed_turn_ + hand_);
+    lever_ = LeverOfTurn(world, part, hold, turn_);
     way_ = turn_ + pushed_turn_;
     jams_ = !(turn_ + std::atan(GreatestPadFriction(world.problem())) <
               std::atan(ContactLength() / hold.width));
@@ -68,6 +65,7 @@ class Closing {
 
   bool jams() const { return jams_; }
   double turn() const { return turn_; }  // between faces and pads, when they touch
+  double pushed_turn() const { return pushed_turn_; }
 
   // Returns how much of the part's total turn is about an axis, in radians. In a tool that leans,
   // flat faces follow the hand's own rotation out of the vertical. Rotations about two axes
@@ -105,23 +103,55 @@ class Closing {
     return is_straight() ? along_x : std::min(along_x, 2 * pad_z_ - off_z_);
   }
 
-  // Returns how far the first pad may turn the part while it pushes it to the second one.
-  double TurnOfPush(const geometry::MassProperties& mass, const Pose& X_WorldPart,
-                    const plan::Hold& hold, double turned, double push) const {
-    const Vector3 center = hold.X_PartTool.inverse() * mass.center;
+  // Returns how far the first pad may turn the part while it pushes it to the second one: not at
+  // all if the centre of mass is surely behind the pad.
+  double TurnOfFirstPad(const UncertainWorld& world, PartId part, const plan::Hold& hold,
+                        double turned) const {
     const Vector3 level = up_.cross(Vector3::UnitY());  // horizontal, along the pads
     const double reach = pad_x_ * std::abs(level.x()) + pad_z_ * std::abs(level.z());
-    const double lever = std::abs(level.dot(center)) + std::hypot(off_x_, off_z_) +
-                         center.norm() * std::sin(AtMostRight(turned));
-    if (up_.y() == 0 && lever <= reach) return 0;
-    const Vector3 up = X_WorldPart.linear().transpose() * Vector3::UnitZ();
-    return kTurnOfPush * push / std::sqrt(up.dot(mass.inertia * up) / mass.mass);
+    if (up_.y() == 0 && OffsetOfMass(world, part, hold, level, turned).high <= reach) return 0;
+    const double push = off_y_ + 2 * pad_x_ * std::sin(AtMostRight(turned));
+    return AtMostRight(TurnOfPush(world, part, world.X_WorldPart(part), push));
+  }
+
+  // Returns the least and the greatest distance, in metres along an axis of the tool, between the
+  // middle of the pads and the centre of mass of a part that is displaced and turned so far.
+  Interval OffsetOfMass(const UncertainWorld& world, PartId part, const plan::Hold& hold,
+                        const Vector3& axis, double turned) const {
+    Interval offset = {std::numeric_limits<double>::infinity(), 0};
+    for (const geometry::MassProperties& mass : PossibleMasses(world.problem(), part)) {
+      const Vector3 center = hold.X_PartTool.inverse() * mass.center;
+      const double doubt =
+          std::hypot(off_x_, off_z_) + center.norm() * std::sin(AtMostRight(turned));
+      const double nominal = std::abs(axis.dot(center));
+      offset.low = std::min(offset.low, std::max(0.0, nominal - doubt));
+      offset.high = std::max(offset.high, nominal + doubt);
+    }
+    return offset;
+  }
+
+  // Returns how far from the middle of the pads, in the direction in which they close, the point
+  // lies about which they turn the part. The support's friction draws that point towards the centre
+  // of mass. The pads' friction keeps it between them if the centre of mass is far off: the pads
+  // press as hard as the moment of the support's friction asks for. With a the distance of a
+  // contact from the middle of the pads, d that of the centre of mass, and mu the pads'
+  // coefficient, a force R of the support asks for the normal force R d / (2 a) at either pad.
+  // Their friction, twice mu times that, is more than R where d > a / mu.
+  double LeverOfTurn(const UncertainWorld& world, PartId part, const plan::Hold& hold,
+                     double turned) const {
+    const domain::Problem& problem = world.problem();
+    const double friction =
+        problem.workcell->rules().pad_friction - problem.tolerances.pad_friction;
+    const double contact = is_straight() ? pad_x_ : std::max(pad_x_, pad_z_);
+    const Interval mass = OffsetOfMass(world, part, hold, Vector3::UnitY(), turned);
+    if (friction * mass.low > contact) return hold.width / 2;
+    return std::max(hold.width / 2, mass.high);
   }
 
   // Returns the slip of the grasped point in an upright tool. A pushed part turns first to the
   // turned position and then back; any other only turns back.
   double StraightSlip() const {
-    const double across = half_width_ * (pushed_turn_ + std::sin(turn_));
+    const double across = lever_ * (pushed_turn_ + std::sin(turn_));
     const double along = 2 * pad_x_ * (1 - std::cos(turn_));
     return across + (pushed_turn_ > 0 ? 2 * along : along);
   }
@@ -130,7 +160,7 @@ class Closing {
   // points on its faces that the pads reach.
   Vector3 WaysOfGraspedPoint() const {
     const Vector3 about(TurnAbout(0), TurnAbout(1), TurnAbout(2));
-    const Vector3 arm(2 * pad_x_, half_width_, 2 * pad_z_);
+    const Vector3 arm(2 * pad_x_, lever_, 2 * pad_z_);
     return {about.z() * arm.y() + about.y() * arm.z(), about.z() * arm.x() + about.x() * arm.z(),
             about.x() * arm.y() + about.y() * arm.x()};
   }
@@ -138,11 +168,12 @@ class Closing {
   Vector3 up_;  // the vertical, in the tool's axes
   double pad_x_;
   double pad_z_;
-  double half_width_;
   double hand_;
   double off_x_;
+  double off_y_;
   double off_z_;
-  double pushed_turn_ = 0;
+  double pushed_turn_ = 0;  // by the first pad
+  double lever_ = 0;        // of the turn, from the middle of the pads
   double turn_ = 0;
   double way_ = 0;  // the total turn of the part, there and back
   bool jams_ = false;
@@ -168,6 +199,11 @@ HeldError Sound(UncertainWorld& world, PartId part, const plan::Hold& hold,
 }
 
 }  // namespace
+
+double TurnBeforeGrasp(const UncertainWorld& world, PartId part, const plan::Hold& hold,
+                       const ManipulatorError& draw) {
+  return Closing(world, part, hold, draw, GraspedPoint(world, part, hold, draw)).pushed_turn();
+}
 
 HeldError ClosePads(UncertainWorld& world, PartId part, const plan::Hold& hold,
                     const ManipulatorError& draw) {

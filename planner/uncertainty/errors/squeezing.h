@@ -18,16 +18,20 @@ namespace assay::uncertainty {
 //     had, and is not proved to be held.
 //   - The friction of the surface that the part stands on does not keep it from turning until its
 //     faces lie flat.
-//   - The part turns about a point between the pads. The grasped point slips along the pads by no
-//     more than it moves about the farthest point of this kind.
+//   - The part turns about a point on the line through the middle of the pads in the direction in
+//     which they close: both pads move equally. The point lies between the pads, or up to the
+//     centre of mass if the pads' friction is too small for the support's. The grasped point slips
+//     along the pads by no more than it moves about the farthest point of this kind.
 //   - Until the second pad touches, the first one pushes the part. It may turn the part further
-//     where the centre of mass is not behind the pad, by at most 0.55 of the push over the radius
-//     of gyration. That is the most by which a point contact can turn a sliding body that presses
-//     on the table with uniform pressure. The factor is 0.5 if the pressure is on a ring, and less
-//     if it is farther out.
+//     where the centre of mass is not behind the pad (TurnOfPush).
 //   - In a tool that leans, each of the tool's axes takes a share of the rotation about the
 //     vertical.
 HeldError ClosePads(UncertainWorld& world, PartId part, const plan::Hold& hold,
                     const ManipulatorError& draw);
+
+// Returns the greatest turn, in radians, that the first pad may give the part before the second one
+// touches.
+double TurnBeforeGrasp(const UncertainWorld& world, PartId part, const plan::Hold& hold,
+                       const ManipulatorError& draw);
 
 }  // namespace assay::uncertainty

@@ -7,6 +7,7 @@
 #include "planner/algebra/numeric/interval_arithmetic.h"
 #include "planner/base/check.h"
 #include "planner/domain/mating/shaft_fit.h"
+#include "planner/plan/data/not_covered.h"
 #include "planner/uncertainty/errors/mating_end.h"
 #include "planner/uncertainty/preconditions/precondition.h"
 
@@ -93,7 +94,7 @@ class FitConditions {
     for (const SymbolicVector& p : corners) {
       for (const SymbolicVector& q : corners) {
         if (&p == &q) continue;
-        conditions_.Greater(condition, fmt::format("{} fits between the walls", fit_.name),
+        conditions_.Greater(condition, fmt::format("{} {}", fit_.name, plan::kFitsBetween),
                             algebra::Dot(AsVector(wall.normal), p - q),
                             wall.offset + opposite.offset - 2 * bevel);
       }

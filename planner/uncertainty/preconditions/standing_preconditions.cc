@@ -10,6 +10,7 @@
 #include "planner/uncertainty/errors/axis_angle.h"
 #include "planner/uncertainty/errors/possible_masses.h"
 #include "planner/uncertainty/errors/release.h"
+#include "planner/uncertainty/errors/squeezing.h"
 #include "planner/uncertainty/preconditions/grip.h"
 #include "planner/uncertainty/preconditions/precondition.h"
 #include "planner/uncertainty/preconditions/support.h"
@@ -51,7 +52,8 @@ class ClosingConditions {
         hand_turn_(MostOf(world, draw.theta)),
         hand_(std::hypot(MostOf(world, draw.x), MostOf(world, draw.y), MostOf(world, draw.z))),
         off_(OffInHandOf(world, held)),
-        before_(world.about_plan(part)) {}
+        before_(world.about_plan(part)),
+        turned_on_the_way_(TurnBeforeGrasp(world, part, hold, draw)) {}
 
   // Pads push at the same heights from either side. The pad on the far side of the part pushes it
   // along `outward`.
@@ -83,7 +85,9 @@ class ClosingConditions {
         hand_ + off_.shift.norm() +
         problem.part(part_).model->shape().radius() *
             (MostOf(world_, shift.turn) + hand_turn_ + off_.turn);
-    const double reach = std::max(moved, ReachOf(world_, part_, before_));
+    // On the way, the first pad may have turned the part about any of its points.
+    const double swung = 2 * problem.part(part_).model->shape().radius() * turned_on_the_way_;
+    const double reach = std::max(moved, ReachOf(world_, part_, before_)) + swung;
     Neighbour nearest;
     for (int p = 0; p < static_cast<int>(problem.parts.size()); ++p) {
       const PartId other(p);
@@ -155,6 +159,7 @@ class ClosingConditions {
   double hand_;       // error of the hand, metres
   OffInHand off_;
   RestingError before_;
+  double turned_on_the_way_;  // radians
 };
 
 // ---- A part that is let go ------------------------------------------------------------------

@@ -115,6 +115,10 @@ class CertificateCheck {
       std::vector<Claim> proved;
       std::vector<Claim> not_proved;
       for (const GeometricMeaning& meaning : MeaningsOf(claim.condition, problem_, step, events)) {
+        if (meaning.counts_on_yielding && meaning.observed < 0) {
+          assumed_ = false;
+          continue;
+        }
         const double margin = MarginOf(claim.condition, meaning.subject, step.certificate);
         (margin > 0 ? proved : not_proved).push_back(ClaimOf(claim.condition, meaning, margin));
       }

@@ -352,7 +352,8 @@ Meanings InMetres(double observed) {
 Meanings InsideWalls(double observed, const domain::Problem& problem) {
   Meanings meanings = InMetres(observed);
   for (GeometricMeaning& meaning : meanings) {
-    meaning.is_at_least_the_margin = problem.workcell->rules().lateral_compliance == 0;
+    meaning.counts_on_yielding = problem.workcell->rules().lateral_compliance > 0;
+    meaning.is_at_least_the_margin = !meaning.counts_on_yielding;
   }
   return meanings;
 }

@@ -19,6 +19,9 @@ struct GeometricMeaning {
   // clearances between bodies. A margin is certified of some of their corners only, and nothing is
   // asked of corners that no error can bring near, so that bodies may come nearer to each other.
   bool is_at_least_the_margin = true;
+  // Whether the certificate counts on a wrist that yields and on bevelled edges. Simulated arms and
+  // parts have neither: where a shaft would need them, the trial says nothing of the plan.
+  bool counts_on_yielding = false;
 };
 
 // Returns the meanings of all preconditions called `condition` ("between fingers") in the step's

@@ -9,12 +9,12 @@
 #include "planner/contingent/search/contingent_planner.h"
 #include "planner/contingent/tree/tree_check.h"
 #include "planner/contingent/tree/tree_file.h"
-#include "sim/cli/plans/contingent_report.h"
-#include "sim/cli/plans/dot.h"
 #include "sim/cli/program/console.h"
 #include "sim/cli/program/progress.h"
 #include "sim/cli/program/stopwatch.h"
 #include "sim/cli/program/verb.h"
+#include "sim/cli/trees/contingent_report.h"
+#include "sim/cli/trees/dot.h"
 #include "sim/cli/work/output_file.h"
 
 namespace assay::cli {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "planner/domain/mating/shaft_fit.h"
 #include "tests/oracle/random_pose.h"
 #include "tests/planner/uncertainty/part_on_table.h"
 
@@ -102,6 +103,40 @@ TEST(LeaningOf, BoundsWhatPadsOfAnyStiffnessLeave) {
     }
     EXPECT_LE((turned - turned.dot(up) * up).norm(), leaning.tilt + 1e-6);
   }
+}
+
+// Returns the greatest displacement across a seat that leans by `lean`, of a part that a hand
+// without errors lets go there, between parts whose friction is surely at least `friction`.
+double DisplacedInSeat(double lean, double friction) {
+  domain::Problem problem = LoadScenario("spar-example");
+  const domain::Mating& mating = problem.matings.front();
+  domain::Part& fixed = problem.parts[mating.fixed.index()];
+  problem.gripper_error = Symmetric(0, 0);
+  fixed.error = Symmetric(0, 0);
+  problem.tolerances.friction =
+      std::max(fixed.model->friction(), problem.part(mating.held).model->friction()) - friction;
+  const Vector3 leaning(std::sin(lean), 0, -std::cos(lean));
+  fixed.X_WorldPart.linear() =
+      Eigen::Quaterniond::FromTwoVectors(mating.mating_vector, leaning).toRotationMatrix();
+  UncertainWorld world(problem, Propagation::kSound);
+  world.SetHeld(mating.held, {.x = 0, .z = 0});
+  const ManipulatorError draw = world.DrawManipulator();
+  const plan::Hold hold = HoldFromAbove(problem, Vector3::UnitX());
+  const Transform grasp = PossibleGrasp(world.held(), draw, world.propagation());
+  const RestingError error = ReleaseInSeat(world, domain::MatingId(0), hold, grasp, draw);
+  return Magnitude(world.TightRangeOf(error.displacement[1]));
+}
+
+// Below the angle of friction the part stays where the hand let it go; above, the walls alone hold
+// it, and it may slide by all its play.
+TEST(ReleaseInSeat, APartOnASmoothSeatThatLeansMaySlideByItsPlay) {
+  const domain::Problem problem = LoadScenario("spar-example");
+  const double play = domain::PlayInSeat(problem, problem.matings.front(), 0).shift;
+  ASSERT_GT(play, 0);
+  const double lean = 0.1;
+  EXPECT_GE(DisplacedInSeat(lean, 0.9 * std::tan(lean)), play - 1e-12);
+  EXPECT_NEAR(DisplacedInSeat(lean, 1.1 * std::tan(lean)), 0, 1e-9);
+  EXPECT_NEAR(DisplacedInSeat(0, 0.001), 0, 1e-9);
 }
 
 }  // namespace

@@ -2,7 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <fstream>
+
+#include "planner/domain/part/part_file.h"
+#include "planner/domain/part/part_model.h"
 #include "tests/planner/uncertainty/part_on_table.h"
+#include "tests/scratch_file.h"
 
 namespace assay::uncertainty::squeezing_test {
 namespace {
@@ -61,6 +66,50 @@ TEST(ClosePads, PadsThatMayJamLeaveTheRotation) {
   UncertainWorld world(problem, Propagation::kSound);
   const HeldError held = CloseOn(world, HoldFromAbove(problem, Vector3::UnitX()));
   EXPECT_GE(Magnitude(world.TightRangeOf(held.skew)), errors.angle);
+}
+
+// Returns a thin wall on one side of a plate: pads that close on the wall have the part's centre of
+// mass some 50 mm beside them, in the direction in which they close.
+std::shared_ptr<const domain::PartModel> PlateWithWall() {
+  const std::filesystem::path file = ScratchFile("plate-with-wall.yaml");
+  std::ofstream(file) << R"(format: assay-part/1
+name: plate-with-wall
+initial: W
+units: {length: mm, angle: degree}
+density: 700
+friction: 0.5
+solids:
+  plate: {box: [[-55, -30, 0], [55, 130, 8]], color: [1, 1, 1, 1]}
+  wall: {box: [[-12, -6, 8], [12, 6, 34]], color: [1, 1, 1, 1]}
+features:
+  1: {face: wall, normal: [0, 0, 1], what: top}
+stable_poses: {flat: [0, 0, -1]}
+)";
+  return domain::PartFile::Load(file, 0.001);
+}
+
+double SlipOnWall(double pad_friction) {
+  domain::Problem problem = UprightBlock({.length = 0, .angle = 0.02, .hand = 0});
+  problem.parts[kBlock.index()].model = PlateWithWall();
+  domain::WorkcellRules rules = problem.workcell->rules();
+  rules.pad_friction = pad_friction;
+  problem.workcell = problem.workcell->WithRules(rules);
+  UncertainWorld world(problem, Propagation::kSound);
+  plan::Hold hold = HoldFromAbove(problem, Vector3::UnitY());
+  hold.X_PartTool.translation() = Vector3(0, 0, 0.022);
+  hold.width = 0.012;
+  return Magnitude(world.TightRangeOf(CloseOn(world, hold).x));
+}
+
+// Slippery pads let the table's friction turn the part about its centre of mass, 50 mm off. Pads
+// with more friction than a / 50 mm, a being half their length, hold the point of the turn between
+// them.
+TEST(ClosePads, SlipperyPadsTurnThePartAboutItsCentreOfMass) {
+  const double center = PlateWithWall()->mass().center.y();
+  ASSERT_GT(center, 0.04);
+  const double a = UprightBlock({}).workcell->gripper().pad_half_extents().x();
+  EXPECT_GE(SlipOnWall(0.2 * a / center), center * std::sin(0.02));
+  EXPECT_LT(SlipOnWall(2 * a / center), 0.5 * center * std::sin(0.02));
 }
 
 }  // namespace

@@ -55,18 +55,31 @@ TEST(PlanTree, FirstLooksAtKnownPosesAreSteps) {
                                HasSubstr("\nassemble(peg, block, ")));
 }
 
-TEST(PlanTree, AGoalOfKnowledgeHasNone) {
+// A goal of knowledge has a tree with or without --tree, and no task of steps that could be
+// written.
+TEST(PlanTree, AGoalOfKnowledgeIsPlannedFor) {
   const std::string cans = kTree / "scenarios/two-cans.yaml";
-  for (const auto& command : {std::vector<std::string>{"plan", cans, "--tree"},
-                              std::vector<std::string>{"export", cans, "--pks"}}) {
-    const Ended ended = Assay(command);
-    EXPECT_EQ(ended.code, 3);
-    EXPECT_THAT(ended.err, HasSubstr("a scenario with a key `goal`"));
-  }
+  const Ended plan = Assay({"plan", cans});
+  EXPECT_EQ(plan.code, 0) << plan.err;
+  EXPECT_THAT(plan.out, AllOf(StartsWith("grasp(can1)\nsenseWeight(can1)\n"),
+                              HasSubstr("depth 8, 4 leaves, 3 branch points")));
+  EXPECT_EQ(Assay({"plan", cans, "--tree"}).out, plan.out);
+  const Ended ended = Assay({"export", cans, "--pks"});
+  EXPECT_EQ(ended.code, 3);
+  EXPECT_THAT(ended.err, HasSubstr("a scenario with a key `goal`"));
+}
+
+TEST(PlanTree, OptionsOfOneWorldAreRefusedWhereThePlanIsATree) {
+  const Ended noise = Assay({"run", kFallenPeg, "--noise", "uniform"});
+  EXPECT_EQ(noise.code, 2);
+  EXPECT_THAT(noise.err, HasSubstr("--noise is for plans without branches"));
+  const Ended worlds = Assay({"run", kTree / "scenarios/uncertain-known.yaml", "--worlds", "all"});
+  EXPECT_EQ(worlds.code, 2);
+  EXPECT_THAT(worlds.err, HasSubstr("--worlds is for plan trees"));
 }
 
 TEST(PlanTree, VerbsAboutOneWorldRefuseOpenPoses) {
-  const Ended ended = Assay({"run", kFallenPeg});
+  const Ended ended = Assay({"render", kFallenPeg});
   EXPECT_EQ(ended.code, 3);
   EXPECT_THAT(ended.err,
               AllOf(HasSubstr("fallen-peg.yaml:18:"), HasSubstr("the pose of 'peg' is open")));

@@ -1,4 +1,4 @@
-#include "sim/cli/plans/dot.h"
+#include "sim/cli/trees/dot.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "sim/cli/plans/contingent_report.h"
+#include "sim/cli/trees/contingent_report.h"
 
 #include <fmt/format.h>
 
@@ -7,8 +7,8 @@
 #include "planner/contingent/tree/tree_file.h"
 #include "planner/contingent/tree/tree_text.h"
 #include "planner/plan/file/json_layout.h"
-#include "sim/cli/plans/goal_conflict_text.h"
 #include "sim/cli/program/usage_error.h"
+#include "sim/cli/trees/goal_conflict_text.h"
 
 namespace assay::cli {
 namespace {
@@ -46,7 +46,7 @@ std::string Word(Outcome outcome) {
   return "";
 }
 
-Json ToJson(const TreeCheck& check) {
+Json CheckToJson(const TreeCheck& check) {
   Json json = {{"holds", check.holds},
                {"worlds", check.worlds},
                {"all", check.AreAllWorlds()},
@@ -95,7 +95,7 @@ std::string JsonText(const ContingentAnswer& answer) {
   }
   if (!answer.plan.doubt.empty()) json["doubt"] = answer.plan.doubt;
   if (answer.conflict) json["conflict"] = cli::ToJson(answer.task, *answer.conflict);
-  if (answer.check) json["check"] = ToJson(*answer.check);
+  if (answer.check) json["check"] = CheckToJson(*answer.check);
   json["expanded"] = answer.plan.states;
   json["seconds"] = answer.seconds;
   return plan::JsonText(json);

@@ -1,4 +1,4 @@
-#include "sim/cli/plans/goal_conflict_text.h"
+#include "sim/cli/trees/goal_conflict_text.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "sim/cli/plans/plan_tree_report.h"
+#include "sim/cli/trees/plan_tree_report.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
