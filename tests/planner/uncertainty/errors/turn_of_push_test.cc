@@ -4,12 +4,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numbers>
+#include <vector>
 
 #include "planner/domain/part/part_model.h"
 #include "tests/planner/uncertainty/part_on_table.h"
 
 namespace assay::uncertainty::turn_of_push_test {
 namespace {
+
+using geometry::Vector2;
 
 // Points of the block's base, which is a rectangle: uniform pressure on a grid, about its middle.
 std::vector<Vector2> Pressure(const domain::PartModel& model) {
