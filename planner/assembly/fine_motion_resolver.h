@@ -25,7 +25,7 @@ class FineMotionResolver : public constraint_posting::Resolver {
 
   std::string_view name() const override { return "fine-motion"; }
   std::vector<std::string> absorbs() const override { return AbsorbedConditions(); }
-  // Returns no remedies unless all unmet goals of the step are about shaft and hole.
+  // Returns remedies only if all unmet goals of the step concern a shaft and its hole.
   std::vector<constraint_posting::Remedy> Propose(
       const constraint_posting::UnmetGoals& unmet) override;
 

@@ -16,9 +16,10 @@ struct LabelGeometry {
   std::vector<std::shared_ptr<const network::Relation>> reachable;
   std::vector<std::vector<int>> start;
   std::vector<bool> movable;
-  // By part: the positions in which the goals want it to end; empty if any will do.
+  // Indexed by part: the positions in which the goals want the part to end; empty if any position
+  // will do.
   std::vector<std::vector<int>> located;
-  // By mating: mate_reachable(grasp, position), GraspList and PositionList.
+  // Indexed by mating: mate_reachable(grasp, position), GraspList and PositionList.
   std::vector<std::shared_ptr<const network::Relation>> mate_reachable;
   std::vector<std::vector<int>> grasp_list;
   std::vector<std::vector<int>> position_list;

@@ -123,8 +123,9 @@ class PartialPlan {
   bool IsThreat(const Threat& threat) const;
   bool Promote(const Threat& threat);   // posts prior_to(consumer, violator)
   bool Separate(const Threat& threat);  // forbids that the two codesignate
-  // Puts the goal back on its stack. It must then be established after the violator and after those
-  // that threatened it before. So a goal is reopened at most once for each step of the plan.
+  // Puts the goal of the threatened link back on its stack. The goal must then be established after
+  // the violator, and after the violators for which it was reopened before. A goal is therefore
+  // reopened at most once for each step of the plan.
   void Reopen(const Threat& threat);
 
   // ---- Geometric refinements (Spar, "Satisfying Geometric Goals") --------------------------

@@ -93,7 +93,7 @@ class RrtConnect : public TreeSearch {
     Write(problem.goal, goal.get());
     definition->setStartAndGoalStates(start, goal);
     og::RRTConnect planner(space);
-    // The other structures draw random pivots.
+    // OMPL's other structures for nearest neighbours draw random pivots.
     planner.setNearestNeighbors<ompl::NearestNeighborsLinear>();
     planner.setRange(problem.longest_motion);
     planner.setProblemDefinition(definition);

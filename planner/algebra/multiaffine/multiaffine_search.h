@@ -138,8 +138,8 @@ class MultiaffineSearch {
   std::vector<int> unused_sectors_;
   std::int64_t age_ = 0;
 
-  // The remaining form as a trigonometric polynomial, where only angles are free. Several parts
-  // share one.
+  // The remaining form as a trigonometric polynomial, for parts in which only angles are free.
+  // Several parts may share one polynomial.
   struct Waves {
     TrigonometricPolynomial sum;
     std::vector<int> angles;

@@ -20,8 +20,8 @@ struct UnmetGoals {
   std::vector<uncertainty::Unproved> goals;
   // the parts whose errors occur in the goals, in increasing order
   std::vector<domain::PartId> parts = {};
-  // By index in `actions`: the fine motion strategy that executes the action. Empty if no action
-  // has one.
+  // For each action in `actions`: the fine motion strategy that executes it, if there is one. The
+  // vector is empty if no action has a strategy.
   std::vector<std::optional<plan::Strategy>> strategies = {};
 };
 

@@ -8,8 +8,8 @@
 
 namespace assay::constraint_posting {
 
-// Returns the parts that an action moves, or to which it moves a part. For an assemble they are the
-// held part and the fixed part.
+// Returns the parts that take part in an action: the part that it moves and, for an assemble, the
+// fixed part too.
 std::vector<domain::PartId> HandledParts(const domain::Problem& problem,
                                          const plan::Action& action);
 

@@ -52,7 +52,7 @@ class DecisionDiagrams {
   Diagram Exists(Diagram f, int variable);
   Diagram ForAll(Diagram f, int variable);
 
-  // Returns the literals that hold in all of f, which must not be empty.
+  // Returns the literals that hold in every assignment of the set f. The set must not be empty.
   const std::vector<Assignment>& Essential(Diagram f);
   // Returns the variables that f depends on, sorted.
   const std::vector<int>& Support(Diagram f);

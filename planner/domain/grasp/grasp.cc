@@ -274,8 +274,9 @@ class PairSearch {
 
 }  // namespace
 
-// The pads lie wholly on exposed surface, and mouths of holes are open. So the faces alone decide
-// which features a grasp hides, and each pair and direction is one class.
+// The pads lie wholly on exposed surface, and mouths of holes are open. The features that a grasp
+// hides therefore depend on its two faces alone. So each pair of faces with one approach direction
+// is one class of grasps.
 std::vector<Grasp> ComputeGrasps(const PartModel& part, const kinematics::Gripper& gripper,
                                  const GraspSearch& search) {
   ASSAY_CHECK(search.approach_step > kRounding);

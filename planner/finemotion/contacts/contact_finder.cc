@@ -361,7 +361,7 @@ class Linearizer {
            half_angle(moving) + half_angle(stationary) + 2 * turn_ + kTurnOnTheWay;
   }
 
-  // Returns the other edge as seen along the edge `bar`.
+  // Returns the ends of the edge `other` in coordinates with the third axis along the edge `bar`.
   EdgeAlongEdge Along(const Placed& with_bar, const PlacedEdge& bar, const Edge& bar_edge,
                       const Placed& with_other, const PlacedEdge& other,
                       const Edge& other_edge) const {

@@ -37,7 +37,7 @@ struct SharedState {
 struct ContactChain {
   // One for each critical point, or one at the seat if there are none.
   std::vector<LocalTopology> points;
-  // For each point and the next; empty where the chain breaks.
+  // The states that each point shares with the next point; empty where the chain breaks.
   std::vector<std::vector<SharedState>> shared;
 };
 

@@ -15,7 +15,8 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kAgainst = 0.3;
 constexpr double kRoom = 0.6;          // fraction of the play that errors across it may take
 constexpr double kLeastMotion = 1e-6;  // metres and radians; less is not worth a motion
-// Least length of a unit direction after kept contacts are complied with.
+// The least length that a unit direction may have after it is corrected to comply with the kept
+// contacts. A shorter one means that the contacts block the motion.
 constexpr double kBlocked = 0.2;
 constexpr double kGrazing = 0.3;          // sine of an angle at which a contact is felt too late
 constexpr double kCorrection = 2e-3;      // metres; more is not a correction

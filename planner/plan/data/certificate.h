@@ -92,7 +92,8 @@ struct Certificate {
   std::vector<std::string> shared = {};
   std::vector<ErrorSet> before = {};  // input error sets of the parts that the step handles
   std::vector<CertifiedPrecondition> preconditions = {};
-  // Together with the preconditions, these are all kinds that the step needs.
+  // The kinds of precondition that the step usually needs and that do not apply here, with reasons.
+  // Every kind of the step is either here or among the preconditions.
   std::vector<NotNeeded> not_needed = {};
   std::vector<ErrorSet> after = {};  // output error sets of the same parts
   std::vector<Resolution> resolutions = {};

@@ -45,8 +45,8 @@ inline constexpr std::string_view kNotPublished = "the paper's propagation does 
 // Returns whether any certificate of the plan gives kNotPublished as a reason.
 bool IsAsPublished(const Plan& plan);
 
-// Returns the kinds that a step needs, in the order of the table. `strategy` is null if the step
-// goes straight.
+// Returns the kinds that a step needs, in the order of the table. `strategy` is null if no strategy
+// executes the step.
 std::vector<const ConditionKind*> KindsNeeded(const Action& action, const Strategy* strategy);
 
 // Returns the kinds that the step needs and of which there is no precondition, each with its

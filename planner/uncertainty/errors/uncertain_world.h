@@ -111,7 +111,8 @@ class UncertainWorld {
     std::map<int, Interval> tight_ranges = {};  // by Expression::index
   };
 
-  // `rest` is the stem of the new variable's name, to which the part's name is added.
+  // Returns the expression as a linear form plus a new variable for the rest, if the expression is
+  // large. `rest` is the stem of the variable's name; the part's name is added to it.
   Expression Condensed(const Expression& e, const char* rest, PartId part);
   RestingError Condensed(const RestingError& error, PartId part);
   Expression DeclareOfPart(const char* what, const Interval& range, PartId part);

@@ -15,8 +15,8 @@ namespace {
 constexpr int kDirections = 8;  // number of directions in a half circle of accelerations
 constexpr int kLeans = 12;      // number of leans from the plane of the pads to straight across it
 
-// Returns the greatest ratio of a unit force in any direction. It is taken over the corners of a
-// polygon around the unit circle, which suffices since the ratio is a norm.
+// Returns an upper bound of the load ratio over unit forces in all directions. The ratio is a norm,
+// so its values at the corners of a polygon around the unit circle bound it.
 double RatioOfAnyForce(const PadFriction& friction, const Vector2& lever) {
   double greatest = 0;
   for (int i = 0; i < kDirections; ++i) {

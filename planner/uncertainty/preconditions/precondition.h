@@ -19,7 +19,7 @@ struct Precondition {
   PartId neighbour = PartId::None();
 };
 
-// The ratio of a load to what bears it, where nothing bears it.
+// The ratio of a load to the bearable load if nothing bears the load. It stands for infinity.
 inline constexpr double kNothingBorne = 1e6;
 
 // The preconditions of one action. Equal claims about the same expression are kept once.

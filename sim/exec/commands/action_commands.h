@@ -30,10 +30,11 @@ struct StepCommands {
 
 // Returns the commands of a step of a plan, for the believed poses of the parts. Straight lines
 // down and up are vertical. The last piece to a part and the first piece away from it are along the
-// tool's axis, with the workcell's approach distance as length. Parts that are put down or mated go
-// on until they meet resistance, or until they must have met it (BeyondContact). The arm comes by
-// the plan's travel: the usual way, or a path from where the step before has left the tool
-// (plan::RouteOf). With a path, the arm does not go up to safe height between the two steps.
+// tool's axis, with the workcell's approach distance as length. A part that is put down or mated
+// moves on until it meets resistance, or until it must have met resistance (BeyondContact). The arm
+// comes to the step by the plan's travel. The travel is the usual one, or a path that begins where
+// the previous step left the tool (plan::RouteOf). With a path, the arm does not go up to safe
+// height between the two steps.
 StepCommands CommandsFor(const domain::Problem& problem, const WorldModel& world,
                          const plan::Plan& plan, plan::StepId step);
 // Returns the command after the last step.

@@ -302,7 +302,8 @@ TEST_F(CertificateCheck, ListsThatLoseAnEntry) {
   }
 }
 
-// Two ways of writing an expression are the same function, and the check accepts both.
+// The check compares expressions as functions. It accepts a claim that is written in another way,
+// and refuses a claim that is another function.
 TEST_F(CertificateCheck, ExpressionsAreComparedAsFunctions) {
   Json plan = PlanOf(kTwoActions);
   Json& claim = FirstClaim(plan, true);
