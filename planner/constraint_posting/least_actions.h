@@ -31,8 +31,9 @@ struct LabelGeometry {
 //
 // A part gets from one position to the next only by a grasp that is reachable in both. So its
 // motions are paths of a graph over positions, its regrasp graph (Tournassoud, Lozano-Perez and
-// Mazer 1987). Other parts cannot shorten these paths. A part that something is mated with stays,
-// so it ends in a position that all its goals allow. The bound is the sum of the shortest paths.
+// Mazer 1987). Other parts cannot shorten these paths. A part into which another part is mated
+// stays where it is, so it ends in a position that all its goals allow. The bound is the sum of the
+// shortest paths.
 std::optional<int> LeastActions(const domain::Problem& problem, const LabelGeometry& geometry);
 
 // Returns the positions that a located goal allows. The start position is among them if the part

@@ -17,7 +17,7 @@ struct Submitted {
   const plan::Plan& plan;
   std::string file;         // names the plan in messages
   bool is_of_file = false;  // it was read from the file, and not planned in this process
-  // Receives the name of each part of the verification as it begins. Empty: nobody looks on.
+  // Receives the name of each part of the verification as it begins; may be empty.
   std::function<void(std::string_view)> progress = {};
 };
 

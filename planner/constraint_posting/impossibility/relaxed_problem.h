@@ -42,8 +42,8 @@ struct HoldOption {
 // The constraints that remain of a problem.
 struct Relaxation {
   std::vector<Constraint> constraints;
-  // This condition counts as satisfied where it fails by less than `excess`, and for the hold
-  // `also`.
+  // Weakens one condition. The condition counts as satisfied if it fails by less than `excess`, and
+  // it counts as satisfied for the hold `also`.
   struct Waiver {
     domain::GraspCondition condition;
     double excess = 0;  // metres or radians
@@ -53,7 +53,7 @@ struct Relaxation {
   std::optional<int> robot = {};  // the only robot that acts, or none if all act
 };
 
-// The facts that can at most come true.
+// The facts that could possibly come true. No other fact can come true.
 struct Attainable {
   std::vector<std::vector<bool>> rests;              // indexed by part, by position label
   std::vector<std::vector<std::vector<bool>>> held;  // indexed by robot, by part, by grasp

@@ -8,8 +8,8 @@
 
 namespace assay::constraint_posting {
 
-// Returns the parts that take part in an action: the part that it moves and, for an assemble, the
-// fixed part too.
+// Returns the part that an action handles. For an assemble, returns the held part and the fixed
+// part.
 std::vector<domain::PartId> HandledParts(const domain::Problem& problem,
                                          const plan::Action& action);
 

@@ -39,7 +39,7 @@ class DecisionDiagrams {
   // Returns true if f is a subset of g. Makes no nodes.
   bool Implies(Diagram f, Diagram g) const;
 
-  // ExactlyOne and AtLeastOne return the assignments in which so many of the literals hold.
+  // Return the assignments in which exactly one, or at least one, of the literals holds.
   Diagram ExactlyOne(std::span<const Assignment> literals);
   Diagram AtLeastOne(std::span<const Assignment> literals);
 

@@ -254,7 +254,8 @@ class Linearizer {
   }
 
   // Adds a limit for each edge at the vertex that could go behind the face. In small motions only
-  // an edge that lies in the face can; in larger ones an edge nearly in it can.
+  // an edge that lies in the face can go behind it. In larger motions an edge that lies nearly in
+  // the face can, too.
   void AddOverlapLimits(const Placed& side, const Vertex& vertex, const Vector3& n,
                         PrimitiveContact& contact) const {
     for (const Vector3& direction : vertex.leaving) {

@@ -60,8 +60,8 @@ Hit FirstHit(const std::vector<PrimitiveContact>& contacts, const std::vector<Co
   return hit;
 }
 
-// Returns whether the contact is come upon at a small angle. Then it is felt late, and the place
-// where it is felt is not certain.
+// Returns whether the motion meets the contact at a small angle. The contact is then felt late, and
+// at an uncertain place.
 bool IsGrazing(const PrimitiveContact& contact, const PoseChange& direction, double radius) {
   const double size = direction.head<3>().norm() + radius * direction.tail<3>().norm();
   return contact.row.head<kPoseDimensions>().dot(direction) > -kGrazing * size;

@@ -8,8 +8,8 @@ namespace assay::motion {
 
 // The effect of errors of the tool's pose on an arm that follows straight lines of the tool.
 struct Sway {
-  // Whether the arm surely follows in the planned configuration, and is never singular. Otherwise
-  // the other members are not bounded, and have no meaning.
+  // True if the arm surely follows in the planned configuration and is never singular. If false,
+  // the other members have no meaning.
   bool is_bounded = false;
   // Greatest difference of each joint from its planned value at the same point of the way, radians.
   kinematics::JointVector turn = kinematics::JointVector::Zero();

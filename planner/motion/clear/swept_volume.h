@@ -20,13 +20,13 @@ struct SweepAccuracy {
   double added_volume = 0.15;
 };
 
-// Returns all that the bodies which move with the arm go through along a path, as convex pieces:
-// none of their points is ever outside. On each step a piece is the hull of the vertices at both
-// ends, grown by how far a point can leave its chord. That is 1/8 of its greatest acceleration if
-// the step takes unit time: the sum over joints k, l of turn_k turn_l reach_max(k,l). (For one
-// joint, with delta = turn reach, it is the sagitta bound delta^2 / (8 reach).) Steps are so short
-// that the growth is at most `sagitta`. Successive pieces of one hull of a body are merged while
-// little volume is added.
+// Returns the volume that the bodies which move with the arm sweep along a path, as convex pieces.
+// The pieces contain every point of the bodies at all times. On each step of the path, a piece is
+// the hull of the vertices at both ends, grown by the greatest distance of a point from its chord.
+// This distance is 1/8 of the point's greatest acceleration if the step takes unit time: the sum
+// over joints k, l of turn_k turn_l reach_max(k,l). (For one joint, with delta = turn reach, it is
+// the sagitta bound delta^2 / (8 reach).) Steps are so short that the growth is at most `sagitta`.
+// Successive pieces of one hull of a body are merged while little volume is added.
 std::vector<SweptPiece> SweptVolume(const CollisionScene& scene, const JointPath& path,
                                     const SweepAccuracy& accuracy);
 

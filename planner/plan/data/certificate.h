@@ -82,8 +82,8 @@ struct Resolution {
   bool operator==(const Resolution&) const = default;
 };
 
-// What is known before and after a step, and what was proved about it. It is empty if the plan was
-// made without regard to uncertainty.
+// The knowledge before and after a step, and the claims that were proved about the step. A
+// certificate is empty if the plan was made without regard to uncertainty.
 struct Certificate {
   // Input error sets: all variables of the preconditions.
   std::vector<ErrorVariable> variables = {};

@@ -50,15 +50,15 @@ bool IsAsPublished(const Plan& plan);
 std::vector<const ConditionKind*> KindsNeeded(const Action& action, const Strategy* strategy);
 
 // Returns the kinds that the step needs and of which there is no precondition, each with its
-// reason. Kinds that may not be lacking must be there, and no unneeded kinds may be there
-// (checked). So the planner refuses a certificate that would leave something unproved without
-// saying so.
+// reason. Checks that every kind that may not lack a precondition has one, and that no unneeded
+// kind has one. The planner therefore never writes a certificate that silently leaves something
+// unproved.
 std::vector<NotNeeded> NotNeededIn(const std::vector<CertifiedPrecondition>& preconditions,
                                    const Action& action, const Strategy* strategy,
                                    bool as_published);
 
-// Returns the flaws of what the step's certificate covers, in words; empty if there are none. The
-// truth of the reasons is not checked.
+// Returns, in words, the kinds that the step's certificate should cover and does not, or covers
+// wrongly; empty if there are none. The truth of the reasons is not checked.
 std::vector<std::string> FlawsOfCoverage(const PlannedStep& step);
 
 }  // namespace assay::plan

@@ -130,13 +130,13 @@ class Closing {
     return offset;
   }
 
-  // Returns how far from the middle of the pads, in the direction in which they close, the point
-  // lies about which they turn the part. The support's friction draws that point towards the centre
-  // of mass. The pads' friction keeps it between them if the centre of mass is far off: the pads
-  // press as hard as the moment of the support's friction asks for. With a the distance of a
-  // contact from the middle of the pads, d that of the centre of mass, and mu the pads'
-  // coefficient, a force R of the support asks for the normal force R d / (2 a) at either pad.
-  // Their friction, twice mu times that, is more than R where d > a / mu.
+  // Returns the distance of the point about which the pads turn the part, from the middle of the
+  // pads and along the direction in which they close. The support's friction draws that point
+  // towards the centre of mass. The pads' friction keeps it between them if the centre of mass is
+  // far off: the pads press as hard as the moment of the support's friction asks for. With a the
+  // distance of a contact from the middle of the pads, d that of the centre of mass, and mu the
+  // pads' coefficient, a force R of the support asks for the normal force R d / (2 a) at either
+  // pad. Their friction, twice mu times that, is more than R where d > a / mu.
   double LeverOfTurn(const UncertainWorld& world, PartId part, const plan::Hold& hold,
                      double turned) const {
     const domain::Problem& problem = world.problem();

@@ -33,8 +33,8 @@ struct ConservatismRatio {
   std::optional<double> broken = {};
 
   std::optional<double> ratio() const;  // broken / guaranteed; missing if guaranteed is 0
-  // Returns whether a trial failed with errors for which all is proved. The certificate is then
-  // false; more has failed than the task.
+  // Returns whether a trial failed with errors for which all is proved. If so, the certificate is
+  // false, which is worse than a failed task.
   bool IsFalse() const { return broken && *broken <= guaranteed; }
 };
 

@@ -19,8 +19,8 @@ void RequireWritable(const std::filesystem::path& file);
 // and so is a file that is standard output or standard error.
 void WriteFile(const std::filesystem::path& file, std::string_view text);
 
-// RequireAmendable and AmendFile do the same for a file that the command has read because it was
-// told to change it.
+// RequireAmendable and AmendFile do the same for a file that the command has read in order to
+// change it.
 void RequireAmendable(const std::filesystem::path& file);
 void AmendFile(const std::filesystem::path& file, std::string_view text);
 

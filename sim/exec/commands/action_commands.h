@@ -43,8 +43,9 @@ Command HomingOf(const domain::Problem& problem, const plan::Plan& plan);
 // Returns the commands of a step with the usual travel.
 StepCommands CommandsFor(const domain::Problem& problem, const WorldModel& world,
                          const plan::PlannedStep& step);
-// Return the commands of single actions. `certificate` holds what is known of the step; empty means
-// nothing. If the fixed part of a mating has a fixture, this clamps it (domain::Part::clamp).
+// Return the commands of single actions. `certificate` holds what is known about the step; it is
+// empty if nothing is known. The commands of an assemble clamp the fixed part if it has a fixture
+// (domain::Part::clamp).
 StepCommands CommandsFor(const domain::Problem& problem, const WorldModel& world,
                          const plan::Pickup& pickup, const plan::Certificate& certificate = {});
 StepCommands CommandsFor(const domain::Problem& problem, const WorldModel& world,

@@ -8,7 +8,7 @@
 
 namespace assay::exec {
 
-// How contacts can hold a part that is pushed and does not move (quasi-statically).
+// The ways in which contacts can hold a part that is pushed and does not move (quasi-statically).
 enum class Holding {
   kNothing,   // the contacts cannot hold the part
   kObstacle,  // a contact stands against the push, even without friction

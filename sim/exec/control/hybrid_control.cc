@@ -115,8 +115,8 @@ plan::Strategy HybridControl::Found() const {
   return found;
 }
 
-// Returns the unwanted contact that forces show. After an ignored error state the arm is not where
-// the plan has it, so that state's contact is returned.
+// Returns the unwanted contact that the forces show. If an error state was ignored before, the arm
+// is no more where the plan expects it, and the unwanted contact of that error state is returned.
 std::optional<RecognizedContact> HybridControl::Recognized(
     const plan::StrategyMotion& motion) const {
   if (!ignored_.empty()) return ignored_.front().recognized;
@@ -392,8 +392,8 @@ HybridControl::Ended HybridControl::Settle(const PressedContacts& contacts) {
   return std::nullopt;
 }
 
-// Kept contacts take away the part of the wanted twist along their normals. Beyond a contact, only
-// the arm's yielding to its force is commanded, so the part stays where it is.
+// Removes from the wanted twist the components along the normals of kept contacts. Along these
+// normals, the arm only yields to the force, so the part stays where it is.
 TipMotion HybridControl::Hybrid(const PressedContacts& contacts, const Vector6& wanted) const {
   if (contacts.empty()) return {.planned = wanted};
   const PressedContacts::Rows& rows = contacts.rows();
@@ -418,8 +418,8 @@ void HybridControl::Believe(const PressedContacts& kept, const Pose& X_FixedTip)
   arm_.Correct(-kept.Opening(kept.rows() * off));
 }
 
-// Corrects the believed pose along the way on which the contact was made: the tip was farther or
-// less far on that way, and turned more or less, than believed.
+// Corrects the believed pose of the tip along the way on which the contact was made. The contact
+// shows how far the tip had really come on this way.
 void HybridControl::BelieveMade(int contact, const Pose& X_FixedTip, const Vector6& along) {
   const auto& made = Planned(contact);
   const Vector6 row = Joined(made.normal, made.at.cross(made.normal));

@@ -26,8 +26,8 @@ struct ErrorState {
   // None if it is none of the states that the plan knows.
   std::optional<RecognizedContact> recognized = {};
   double time = 0;  // when it occurred, simulated seconds
-  // How the part that got stuck is held, by the contacts that the engine has at that time. Control
-  // does not know these.
+  // The way in which a stuck part is held by the contacts that the engine has at that time. Control
+  // does not know these contacts.
   std::optional<Holding> holding = {};
 };
 
