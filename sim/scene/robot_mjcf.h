@@ -12,7 +12,7 @@ namespace assay::scene {
 // Returns the name of the class of the robot's collision shapes. The class defines what they touch.
 std::string CollisionClass(const domain::Robot& robot);
 
-// How a gripper holds parts.
+// Settings for the way in which a gripper holds parts.
 struct GripperRules {
   double grip_force = 0;    // newtons
   double pad_friction = 0;  // coefficient of friction between the pads and whatever they touch

@@ -14,8 +14,8 @@ namespace assay::domain {
 bool CanFollow(const Workcell& workcell, const geometry::Matrix3& R_WorldTool,
                std::span<const geometry::Vector3> corners);
 
-// How far the arm gets along a path of the tool through a list of poses. Between two poses, the
-// tool's origin moves on a straight line, and the tool turns about one axis.
+// The distance that the arm gets along a path of the tool through a list of poses. Between two
+// poses, the tool's origin moves on a straight line, and the tool turns about one axis.
 struct PathReach {
   // Number of poses, from the first on, that the best single configuration reaches.
   std::size_t reached = 0;

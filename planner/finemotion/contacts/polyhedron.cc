@@ -292,8 +292,8 @@ std::vector<int> Union::Containing(const Vector3& p) const {
   return containing;
 }
 
-// Returns whether the solid `cover` hides the part of the other solid's facet that it meets. Of two
-// facets in one plane, the one of the earlier solid hides the other.
+// Returns whether the solid `cover` hides the part of the other solid's facet that it meets. If two
+// facets lie in one plane, the facet of the earlier solid hides the other.
 bool Union::Covers(int cover, int solid, int plane) const {
   if (cover == solid) return false;
   if (HighestAbove(planes_[plane], solids_[cover]) > tolerance_) return true;

@@ -99,7 +99,7 @@ struct SegmentModel {
   std::span<const ParallelEdges> parallel_edges = {};
 };
 
-// How much a check reports of what is unwanted.
+// The unwanted contacts and losses that a check reports.
 enum class Telling {
   kFirst,  // only the first unwanted contact that is found
   kAll,

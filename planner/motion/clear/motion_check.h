@@ -26,8 +26,9 @@ struct MotionRules {
   // errors.
   JointVector sway = JointVector::Zero();
   plan::ToolErrorBox tool = {};
-  // Postures that are prescribed, such as the ends of straight lines. The load of the arm may come
-  // nearly as near to a body as it is to this body in one of these postures.
+  // Postures that are prescribed, such as the ends of straight lines. In these postures, the load
+  // of the arm may be nearer to a body than the clearance. It may then come nearly as near to this
+  // body elsewhere.
   std::vector<JointVector> given = {};
   enum class Bodies {
     kAll,

@@ -8,7 +8,7 @@
 
 namespace assay::network {
 
-// How a search chooses the node to branch on.
+// The rule by which a search chooses the node to branch on.
 enum class NodeOrder {
   // The open node with the fewest labels per weight. It changes as the search learns.
   // (Last-conflict reasoning, which returns to the node whose last choice failed, was tried. It

@@ -10,7 +10,7 @@
 
 namespace assay::check {
 
-// How a trial ended, judged by the true poses in the simulator.
+// The outcome of a trial, judged by the true poses in the simulator.
 enum class TrialOutcome {
   kSucceeded,       // every goal holds
   kUnreachable,     // the arm cannot follow a way that the plan asks for

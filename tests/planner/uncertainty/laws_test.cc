@@ -68,8 +68,9 @@ TEST_P(EachMode, WithoutErrorsSetsAreZeroAndEverythingIsProved) {
   }
 }
 
-// Returns the preconditions whose number does not depend on the errors. Of "hand clear" and
-// "neighbour clear" there are more if larger errors bring more corners near something.
+// Returns the preconditions of the kinds whose number does not depend on the errors. There are more
+// preconditions "hand clear" and "neighbour clear" if larger errors bring more corners near
+// something.
 std::vector<plan::CertifiedPrecondition> OfFixedNumber(
     const std::vector<plan::CertifiedPrecondition>& claims) {
   std::vector<plan::CertifiedPrecondition> fixed;

@@ -383,7 +383,7 @@ TEST(NearestNameTest, FindsSlipsOfTheKeyboard) {
   EXPECT_EQ(NearestName("goal", {}), "");
 }
 
-// Calls every accessor of every value. What they throw must be InputErrors at the place of the
+// Calls every accessor of every value. An accessor may throw only an InputError at the place of the
 // value.
 void Walk(const Value& value) {
   const auto attempt = [&](auto accessor) {

@@ -76,8 +76,7 @@ TEST(NumberMarks, TellWhereNumbersAreASample) {
   EXPECT_EQ(sampled.failure, "");
   EXPECT_TRUE(sampled.are_numbers_sampled);
   EXPECT_FALSE(sampled.were_drawn);
-  // That f is known to be at most 3 is true in all samples, but samples cannot show that it is
-  // known.
+  // In all samples it is known that f is at most 3. But samples cannot prove that this is known.
   EXPECT_THAT(check("add(Kf, f = [0, 1]), add(Kf, g = [1, 2])", "K(done)").failure,
               HasSubstr("which a sample of numbers cannot tell"));
 }
