@@ -67,9 +67,9 @@ struct Attainable {
 // attained in the relaxation cannot be attained in the problem itself. Each robot of the workcell
 // acts. A part blocks others until it can be moved.
 //
-// The relaxation does not follow some parts and takes everything with them to be possible. These
-// are parts that are mated or may have been mated, because they can be carried together and mated
-// with others anywhere, and parts that start in none of their stable poses, because they may fall.
+// The relaxation does not follow some parts, and assumes that everything is possible with them.
+// Some of these parts are mated or may have been mated: they can be carried together and mated with
+// others anywhere. The other ones start in none of their stable poses: they may fall.
 class RelaxedProblem {
  public:
   enum class Grasps {

@@ -36,7 +36,7 @@ struct Part {
   double clamp = 0;
 };
 
-// A part that is in one of several poses at the start, which only a look at it can tell.
+// A part that is in one of several poses at the start. Only a look at the part shows in which one.
 struct OpenPose {
   PartId part;
   std::vector<std::string> names;  // names of the poses, at least two

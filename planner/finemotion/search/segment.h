@@ -46,7 +46,8 @@ struct Command {
   std::optional<ContactKey> until = {};
 };
 
-// A kept contact may be so many metres beyond its limits, beside its features.
+// The distance, in metres, by which a kept contact may be beyond its limits, that is, beside its
+// features.
 inline constexpr double kLost = 2e-5;
 
 // A contact that must not be made, or one that must not be lost because it is kept or waited for.

@@ -115,7 +115,8 @@ class Closing {
   }
 
   // Returns the least and the greatest distance, in metres along an axis of the tool, between the
-  // middle of the pads and the centre of mass of a part that is displaced and turned so far.
+  // middle of the pads and the centre of mass of the part. The part may be displaced by its errors,
+  // and turned by up to `turned` radians.
   Interval OffsetOfMass(const UncertainWorld& world, PartId part, const plan::Hold& hold,
                         const Vector3& axis, double turned) const {
     Interval offset = {std::numeric_limits<double>::infinity(), 0};

@@ -38,8 +38,8 @@ struct Claim {
   Claimed about = Claimed::kAfter;
   std::string name;  // "x of block", "between fingers: contact 1 of block"
   Unit unit = Unit::kNone;
-  // The interval that must hold the observed value: what the certificate says, widened by what is
-  // known of the engine (NoiseFloor). An end may be infinite.
+  // The interval that must hold the observed value: the certificate's interval, widened by the
+  // known errors of the engine (NoiseFloor). An end may be infinite.
   Interval predicted;
   bool proved = true;  // false: a precondition that the planner could not prove
   double observed = 0;

@@ -42,8 +42,8 @@ void AddInMetres(std::string subject, double observed, std::vector<GeometricMean
   if (std::isfinite(observed)) meanings.push_back({std::move(subject), Unit::kMetre, observed});
 }
 
-// Adds a clearance between two bodies. The distance of shapes that overlap is 0, their depth
-// unknown, so that they get a fixed negative value.
+// Adds a clearance between two bodies. If the shapes overlap, their distance is 0 and the depth of
+// the overlap is unknown. They then get a fixed negative value.
 void AddClearance(std::string subject, double distance, std::vector<GeometricMeaning>& meanings) {
   constexpr double kOverlap = 1e-3;  // metres, of unknown depth
   if (!std::isfinite(distance)) return;

@@ -26,9 +26,9 @@ struct GeometricMeaning {
 };
 
 // Returns the meanings of all preconditions called `condition` ("between fingers") in the step's
-// certificate. The list is empty if the execution did not come to where they mean something. The
-// geometry is computed from the parts' boxes and features alone, not from the planner's
-// expressions. The conditions mean:
+// certificate. The list is empty if the execution did not come to the point at which the condition
+// can be measured. The geometry is computed from the parts' boxes and features alone, not from the
+// planner's expressions. The conditions mean:
 //
 //   between fingers  both contacts lie between the pads when they begin to close
 //   finger clear     the inner corners of the open pads lie outside the faces they close on

@@ -20,8 +20,8 @@ struct StepCommands {
   std::vector<Command> advance = {};   // commands until the tool is at its work
   std::vector<Command> act = {};       // commands at the place of work
   std::vector<Command> depart = {};    // commands that move the tool away, if the work succeeded
-  // Back to where the tool was poised, if the work failed. If it is empty, the tool only needs to
-  // back off a little.
+  // Commands that move the tool back to where it was poised, if the work failed. If there are none,
+  // it is enough that the tool backs off a little.
   std::vector<Command> withdraw = {};
 
   // Returns all commands but those of `withdraw`, in the order of execution.

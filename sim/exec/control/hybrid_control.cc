@@ -134,7 +134,8 @@ HybridControl::Ended HybridControl::CheckState(const plan::StrategyMotion& motio
   if (IsAsPlanned(found, motion, felt_.wrench)) return std::nullopt;
   ErrorState wrong =
       Error(MatingOutcome::kWrongContact, "forces that no contacts of the plan explain");
-  // Other contacts may have followed the one that the motion took for the awaited one.
+  // Two wrenches are examined, because other contacts may have been made after the contact that
+  // ended the motion.
   for (const Feeling& felt : {first_felt_, felt_}) {
     if (IsAsPlanned(found, motion, felt.wrench)) continue;
     const auto unwanted = Recognize(found, motion, felt.wrench);
@@ -253,8 +254,8 @@ HybridControl::Ended HybridControl::MoveAlong(const Way& way, const PressedConta
   return Settle(kept);
 }
 
-// Moves until the awaited contact is made. If it has not come in an earlier attempt, errors are
-// greater than they should be, so it may come later in the next one.
+// Moves until the awaited contact is made. If it did not come in an earlier attempt, the errors are
+// greater than they should be. Later attempts therefore go farther.
 HybridControl::Ended HybridControl::MoveUntil(const plan::StrategyMotion& motion, const Way& way) {
   const std::vector<int> after = plan::ContactsAfter(motion);
   PressedContacts kept = Pressed(motion.kept);

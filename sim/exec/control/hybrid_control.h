@@ -23,7 +23,7 @@ struct ErrorState {
   MatingOutcome outcome = MatingOutcome::kDone;
   std::string reason = {};
   int motion = 0;  // index of the motion in which it occurred
-  // None if it is none of the states that the plan knows.
+  // Missing if the plan does not know this error state.
   std::optional<RecognizedContact> recognized = {};
   double time = 0;  // when it occurred, simulated seconds
   // The way in which a stuck part is held by the contacts that the engine has at that time. Control

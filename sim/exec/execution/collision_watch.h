@@ -36,7 +36,8 @@ class CollisionWatch {
   explicit CollisionWatch(const scene::Scene& scene);
 
   // Sets the parts that hands may touch from here on, and the bodies that a part in the hand may
-  // touch. Without a call, they may touch all parts and anything.
+  // touch. Before the first call, hands may touch all parts, and a part in the hand may touch
+  // anything.
   void Handle(std::vector<PartId> parts, HeldTouches held = HeldTouches::kAnything);
 
   // Returns the present collisions that no earlier call has returned. `held` is the part in the
