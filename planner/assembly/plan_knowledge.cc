@@ -48,7 +48,7 @@ std::vector<std::string> ErrorsAfter(const plan::Plan& plan, plan::StepId step) 
   return errors;
 }
 
-// Returns true if no recovery can correct the error, so that only a person can.
+// Returns true if no recovery can correct the error, so only a person can correct it.
 bool IsForOperator(const plan::Plan& plan, plan::StepId step, const std::string& error) {
   return std::ranges::none_of(plan.recoveries, [&](const plan::Recovery& recovery) {
     return recovery.step == step && recovery.error == error &&

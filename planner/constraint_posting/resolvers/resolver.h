@@ -31,11 +31,11 @@ struct Insertion {
   plan::Action action;
 };
 
-// One way to treat unmet goals, as far as one part is concerned. Either it inserts actions, whose
-// own preconditions are proved like those of any other action. Or it gives a way to execute the
-// step for which certain conditions need not hold, because it absorbs the error (fine motion) or
-// resolves it at run time (contingent plans). A strategy's assumptions about the errors are proved
-// instead of these conditions.
+// One way to treat unmet goals, as far as one part is concerned. A remedy of the first kind inserts
+// actions, whose own preconditions are proved like those of any other action. A remedy of the
+// second kind is another way to execute the step. Certain conditions need not hold for it, because
+// it absorbs the error (fine motion) or resolves it at run time (contingent plans). A strategy's
+// assumptions about the errors are proved instead of these conditions.
 struct Remedy {
   domain::PartId part;
   std::vector<Insertion> insertions = {};  // in the order of execution

@@ -42,10 +42,10 @@ struct ContactChain {
 };
 
 // Returns the contact chain of a mating. Unlike in the paper, contacts are linearized 1 mm past
-// each critical point, where the crevice already has a length; the last point's are linearized at
-// the point itself. At the critical point, walls and rim are touched at the same height and give
-// the same row for a tilt, so that a one-dimensional state of the crevice would have three
-// dimensions.
+// each critical point, where the crevice already has a length. For the last critical point,
+// contacts are linearized at the point itself. At the critical point, walls and rim are touched at
+// the same height and give the same row for a tilt, so a one-dimensional state of the crevice would
+// have three dimensions.
 ContactChain ContactChainOf(const MatingGeometry& geometry);
 
 }  // namespace assay::finemotion

@@ -45,7 +45,8 @@ class ProjectionImage {
 
   static constexpr Eigen::Index kStart = 0;
   static constexpr Eigen::Index kMotion = 1;
-  // First column of the errors: those of the start, then those of the motion.
+  // The column of the first error. The errors of the start come first, then the errors of the
+  // motion.
   static constexpr Eigen::Index kErrors = 2;
 
   const double* Column(Eigen::Index i) const { return columns_.data() + i * rows(); }

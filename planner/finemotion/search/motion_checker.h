@@ -27,7 +27,7 @@ struct CertainMotion {
   SegmentCheck check;
   // Kept, made and unwanted contacts, as linearized at the end of the motion.
   std::vector<PrimitiveContact> contacts = {};
-  // Friction in the kept contacts can hold the part, so that the motion is not certain.
+  // Friction in the kept contacts can hold the part, so the motion is not certain.
   bool can_be_held = false;
   int critical_point = 0;  // index of the critical point at which the motion is
 };

@@ -54,7 +54,7 @@ std::vector<Flaw> FlawsOfStrategies(const Plan& plan) {
   return flaws;
 }
 
-// Returns the flaws that make a plan unusable, so that no order of it can be simulated.
+// Returns the flaws that make a plan unusable, so no order of it can be simulated.
 std::vector<Flaw> FlawsOfPlanForm(const domain::Problem& problem, const Plan& plan) {
   std::vector<Flaw> flaws;
   for (std::size_t i = 0; i < plan.steps.size(); ++i) {

@@ -15,7 +15,7 @@ struct Precondition {
   Expression expression;  // metres, radians, or a ratio
   plan::Relation relation = plan::Relation::kLess;
   double limit = 0;
-  // The part that is kept clear of, if the action does not handle it.
+  // The part from which the action keeps clear, if it does not handle that part.
   PartId neighbour = PartId::None();
 };
 

@@ -32,7 +32,7 @@ enum class Claimed {
 };
 std::string_view Name(Claimed claimed);  // "before", "precondition", "after"
 
-// One statement of a certificate, and what was observed of it.
+// One statement of a certificate, and the observation of it.
 struct Claim {
   plan::StepId step;
   Claimed about = Claimed::kAfter;

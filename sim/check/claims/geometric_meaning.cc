@@ -347,8 +347,8 @@ Meanings InMetres(double observed) {
   return meanings;
 }
 
-// A wrist that yields makes room that is not there before the walls push, so that the certified
-// margin cannot be expected of the observed value.
+// A wrist that yields makes room that is not there before the walls push, so the certified margin
+// cannot be expected of the observed value.
 Meanings InsideWalls(double observed, const domain::Problem& problem) {
   Meanings meanings = InMetres(observed);
   for (GeometricMeaning& meaning : meanings) {

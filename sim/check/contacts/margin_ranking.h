@@ -33,8 +33,8 @@ struct MarginRanking {
   // and contacts (Efron 1979) with 1000 draws. Draws without variation are left out. The interval
   // is missing if more draws were left out than one tail of it has, because it would then depend on
   // the remaining draws alone. If k of n trials had anything unwanted in them, a draw misses all k
-  // with probability (1 - k/n)^n, about e^-k. The same holds for contacts, so that at least four of
-  // each are needed.
+  // with probability (1 - k/n)^n, about e^-k. The same holds for contacts, so at least four of each
+  // are needed.
   std::optional<Interval> interval = {};
 };
 

@@ -36,7 +36,7 @@ struct NoisyTrial {
 NoisyTrial RunNoisyTrial(const Experiment& experiment, const noise::Noise& noise,
                          exec::ExecutorOptions options);
 // Executes the plan in a world with this noise and returns the verdict alone. Certificates are not
-// checked, so that nothing is executed again with half the timestep.
+// checked, so nothing is executed again with half the timestep.
 Verdict JudgeNoisyTrial(const Experiment& experiment, const noise::Noise& noise,
                         exec::ExecutorOptions options);
 

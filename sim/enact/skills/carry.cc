@@ -162,7 +162,7 @@ class WaySearch {
   }
 
   // Returns whether the straight lines below posture `q` are free. The checks are those of
-  // motion::PlanTravel, so that putting the part down needs no other posture.
+  // motion::PlanTravel, so putting the part down needs no other posture.
   bool IsFreeBelow(const JointVector& q, const std::vector<Vector3>& corners) {
     const auto lines = motion::FollowLines(workcell_, q, corners, kLookPitch);
     if (!lines) return false;

@@ -200,8 +200,7 @@ TEST(Count, KnowsTheColouringsOfCycles) {
   }
 }
 
-// All nodes have the same label, so that there are two labelings. The count must not recurse
-// deeply.
+// All nodes have the same label, so there are two labelings. The count must not recurse deeply.
 TEST(Count, ReachesTheEndOfLongPaths) {
   const auto same = Relation::Where(2, 2, [](Label a, Label b) { return a == b; });
   Network network;
