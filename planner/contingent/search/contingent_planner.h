@@ -41,10 +41,10 @@ enum class Wanted {
 // one unit of the budget.
 //
 // The outcome kNone is a proof. It says that no tree without repeats surely reaches the goal,
-// whatever states it goes through. It also says that no tree with repeats does so in which, at each
-// repeat, the question of the repeated branch is open again in every world (exhaustive_tree.h). If
-// the search left out a step that might have been possible, it proves nothing, and the outcome is
-// kBudget with a doubt.
+// whatever states it goes through. It says the same about trees with repeats of one kind: at each
+// repeat, the question of the repeated branch must be open again in every world
+// (exhaustive_tree.h). If the search left out a step that might have been possible, it proves
+// nothing, and the outcome is kBudget with a doubt.
 //
 // Throws InputError if init contradicts itself, and if update rules do not come to rest
 // (knowledge_base.h).

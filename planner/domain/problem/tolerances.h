@@ -2,7 +2,7 @@
 
 namespace assay::domain {
 
-// Tolerances of quantities that hold for the whole problem: half widths of intervals about the
+// Tolerances of quantities that hold for the whole problem: the half widths of intervals about the
 // values that the problem states.
 struct Tolerances {
   double clearance = 0;     // metres, on each side of a mated shaft; less than the clearance

@@ -51,8 +51,8 @@ double SeparationOfStates(const ForceSignature& common, const ForceSignature& on
 // (Simunovic 1975). It is conservative, since the pyramids contain the friction cones.
 bool Jams(const ForceSignature& signature, const Wrench& applied, double length);
 
-// Returns whether the contacts can squeeze the part between them whatever is applied, that is,
-// whether some of their forces, not all 0, cancel each other (Nevins and Whitney 1978: contacts in
+// Returns whether the contacts can squeeze the part between them, whatever wrench is applied. They
+// can if some of their forces, not all 0, cancel each other (Nevins and Whitney 1978: contacts in
 // each other's friction cones).
 bool Wedges(const ForceSignature& signature, double length);
 

@@ -109,8 +109,9 @@ enum class Telling {
 // Checks a command against all contacts with the exact test (meeting.h). The hand turns the part
 // about where it believes the tip to be, so errors turn with it. Kept contacts may run off their
 // ends by 20 micrometres and 2 milliradians, to make up for what linear rows leave out. If the
-// result is not certain and nothing is unwanted, then a contact of the command is not there,
-// tolerances part kept contacts, or the contact that ends the motion never surely comes.
+// result is not certain although nothing unwanted happens, there are three possible reasons. A
+// contact of the command does not exist, tolerances separate kept contacts, or the contact that
+// ends the motion does not surely come.
 SegmentCheck Check(const SegmentModel& model, const Belief& belief, const Command& command,
                    Telling telling = Telling::kFirst);
 

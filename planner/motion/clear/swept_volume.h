@@ -37,8 +37,9 @@ std::vector<SweptPiece> SweptVolume(const CollisionScene& scene, const JointPath
 std::optional<BodyPair> InTheWay(const CollisionScene& scene, const std::vector<SweptPiece>& pieces,
                                  double clearance);
 
-// Returns how far a point of the body can be from its chord, at the same share of the way, on a
-// motion straight in joint space that turns the joints by `turn` (radians, >= 0). In metres.
+// Returns the greatest distance, in metres, of a point of the body from its chord at the same share
+// of the way. The motion is straight in joint space, and turns the joints by `turn` (radians, >=
+// 0).
 double SagittaBound(const Body& body, const JointVector& turn);
 
 }  // namespace assay::motion

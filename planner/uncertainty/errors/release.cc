@@ -42,8 +42,8 @@ void Yield(UncertainWorld& world, PartId part, RestingError& error) {
   }
 }
 
-// Returns whether a part that is let go in a seat that leans may slide as far as the walls let it:
-// the seat is steeper than the least friction between the two parts bears.
+// Returns whether a part that is let go in its seat may slide until the walls stop it. It may if
+// the seat leans more than the least friction between the two parts can hold.
 bool SlidesInSeat(const domain::Problem& problem, const domain::Mating& mating,
                   const Vector3& motion) {
   const double friction = std::max(problem.part(mating.held).model->friction(),

@@ -14,9 +14,9 @@ bool ComesUpright(const UncertainWorld& world, const plan::Hold& hold, const Pos
 // radians.
 //
 // The axis of the levelling depends on the pads: they resist turns about each of the tool's axes by
-// a different amount. A hand that leans by a and errs by theta about its approach vector may leave
-// the part turned by theta / cos a, if the pads give way across the approach vector. If they give
-// way about the approach vector, the part may not be turned at all.
+// a different amount. Let the hand lean by a, and err by theta about its approach vector. If the
+// pads give way across the approach vector, the part may be left turned by theta / cos a. If they
+// give way about the approach vector, the part may not be turned at all.
 struct Leaning {
   double tilt = 0;   // how far the part leans
   double twist = 0;  // turn about the vertical that is left once the table has levelled the part

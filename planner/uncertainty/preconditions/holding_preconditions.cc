@@ -45,9 +45,9 @@ Weighing WeighingOf(const Grip& grip, const Vector2& lever, double weight, const
   return {grip.friction.RatioOf(ActingAt(lever, in_plane)), weight * std::abs(up.y())};
 }
 
-// Returns the weighings for all leans of the tool. Each covers one step between the plane of the
-// pads and straight across it, and takes the greatest share of the weight in the plane and the
-// greatest share across it within that step.
+// Returns the weighings for all leans of the tool. Each weighing covers one interval of leans,
+// between the plane of the pads and straight across it. It takes the greatest share of the weight
+// in the plane within this interval, and the greatest share across the plane.
 std::vector<Weighing> AnyWeighing(double any_force, double weight) {
   std::vector<Weighing> weighings;
   for (int i = 0; i < kLeans; ++i) {

@@ -174,8 +174,9 @@ class Meaning {
     return meanings;
   }
 
-  // Measures the hand where it acts, where it was stopped on its way, and with open fingers along
-  // the straight line to its work or from it.
+  // Measures the clearance of the hand at the place where it acts, and at the place where it was
+  // stopped on its way. The open hand is also measured along the straight line to its work or from
+  // it.
   std::vector<GeometricMeaning> HandClear() const {
     std::vector<GeometricMeaning> meanings;
     for (std::size_t p = 0; p < problem_.parts.size(); ++p) {
@@ -211,8 +212,9 @@ class Meaning {
     }
     return nearest;
   }
-  // Returns the least of two distances: of the hand from the part between its pads, and of each
-  // finger from the boxes of that part that stand out of the plane in which its pad is to touch.
+  // Returns the lesser of two distances. The first is the distance of the hand from the part
+  // between its pads. The second is the least distance of a finger from boxes of that part; only
+  // boxes that stand out of the plane in which the finger's pad should touch are measured.
   double BesidePads(const exec::Snapshot& at) const {
     const double opening = std::clamp(at.opening, 0.0, gripper_.max_opening());
     const std::vector<geometry::Box> fingers = gripper_.FingerBoxes(opening);

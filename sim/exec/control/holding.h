@@ -23,7 +23,7 @@ Holding HoldingOf(const std::vector<plan::StrategyContact>& contacts, const geom
                   double friction, double length);
 
 // Returns how the engine's present contacts can hold the part in the execution's hand against the
-// fixed part, if it is pushed at its tip along `way` (unit, in the axes of `fixed`).
+// fixed part. The part is pushed at its tip along `way` (unit, in the axes of `fixed`).
 Holding TrueHolding(Execution& execution, PartId fixed, const Pose& X_HeldTip,
                     const geometry::Vector3& way, double length);
 

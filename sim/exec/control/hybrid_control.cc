@@ -115,8 +115,8 @@ plan::Strategy HybridControl::Found() const {
   return found;
 }
 
-// Returns the unwanted contact that the forces show. If an error state was ignored before, the arm
-// is no more where the plan expects it, and the unwanted contact of that error state is returned.
+// Returns the unwanted contact that the forces show. After an ignored error state, the arm is not
+// where the plan expects it. Then the unwanted contact of this error state is returned.
 std::optional<RecognizedContact> HybridControl::Recognized(
     const plan::StrategyMotion& motion) const {
   if (!ignored_.empty()) return ignored_.front().recognized;
@@ -361,8 +361,8 @@ HybridControl::Ended HybridControl::Stuck(const Vector6& direction, double left)
   return stuck;
 }
 
-// Returns, in ways, how much farther the part may go until the contact is pressed, since the parts
-// may be a little farther apart than errors explain.
+// Returns how much farther the part may go until the contact is pressed, as a multiple of the way.
+// The parts may be a little farther apart than errors explain.
 double HybridControl::Slack(int contact, const Way& way) const {
   const auto& awaited = Planned(contact);
   const Vector6 row = Joined(awaited.normal, awaited.at.cross(awaited.normal));

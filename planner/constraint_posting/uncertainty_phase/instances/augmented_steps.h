@@ -11,8 +11,8 @@
 
 namespace assay::constraint_posting {
 
-// The unproved goals of a step. They are stored as the snapshot after the step, in which the step
-// is executed as it was planned when the goals were found.
+// The unproved goals of a step, stored as the snapshot after the step. The snapshot keeps the
+// execution of the step that was planned when the goals were found.
 struct Unmet {
   uncertainty::MomentId after;
   std::vector<std::string> absorbed;  // conditions that remedies absorbed
