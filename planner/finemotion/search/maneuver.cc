@@ -246,7 +246,7 @@ Maneuvered Maneuvering::Apply(const Situation& situation, const Maneuver& maneuv
     const Pose& X = now->belief.X_StationaryMoving;
     const auto direction = DirectionOf(*now, maneuver);
     if (!direction) return result;
-    // For these maneuvers, DirectionOf computes anew what is left.
+    // For these maneuvers, DirectionOf computes the remaining motion again.
     const bool anew =
         maneuver.kind == Maneuver::Kind::kUpright || maneuver.kind == Maneuver::Kind::kAdvance;
     const double left = direction->amount - (anew ? 0 : done);

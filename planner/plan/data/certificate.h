@@ -64,8 +64,8 @@ struct CertifiedPrecondition {
   bool operator==(const CertifiedPrecondition&) const = default;
 };
 
-// A kind of precondition (condition_kind.h) that steps of this sort need, but of which this step
-// has none.
+// A kind of precondition (condition_kind.h) that steps with this action usually need, but that does
+// not apply to this step.
 struct NotNeeded {
   std::string condition;
   std::string reason;  // text for people and programs: a reason that the kind allows

@@ -32,10 +32,10 @@ std::vector<Leaf> LeavesOf(const contingent::GroundTask& task, const contingent:
                            std::size_t most);
 
 // Draws a hidden world that should lead to the leaf. Returns, in words, the reason if there is
-// none: no kind of a part is as the leaf asks, or what is known of the part contradicts the leaf.
-// The random numbers do not decide whether a world exists. If the leaf lies behind an error that a
-// verification signals, the world has a fault that may cause the error (FaultFor). Only the walk
-// shows whether the fault does cause it.
+// none: no kind of a part is as the leaf asks, or what is known about the part contradicts the
+// leaf. The random numbers do not decide whether a world exists. If the leaf lies behind an error
+// that a verification signals, the world has a fault that may cause the error (FaultFor). Only the
+// walk shows whether the fault does cause it.
 std::variant<HiddenWorld, std::string> FindWorld(const Leaf& leaf,
                                                  const Interpretation& interpretation,
                                                  const domain::Problem& problem,

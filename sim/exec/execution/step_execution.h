@@ -70,7 +70,7 @@ class StepExecution {
   const plan::PlannedStep& planned_;
   plan::StepId step_;
   Execution& execution_;
-  // The part whose place is in doubt, its believed pose before groping, and the axis of the plane
+  // The part whose place is uncertain, its believed pose before groping, and the axis of the plane
   // in which groping moves.
   PartId sought_;
   Pose X_WorldSought_;

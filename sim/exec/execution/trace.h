@@ -33,7 +33,7 @@ struct Snapshot {
   std::vector<std::pair<std::string, std::string>> contacts = {};
 };
 
-// One of a series of moments at equal intervals.
+// One of a series of snapshots at equal intervals.
 struct Sample {
   Snapshot moment;
 };

@@ -536,7 +536,8 @@ const char* const kJsonSamples[] = {
     R"({"a": [1.5E+3, -0.0, "b"], "c": {"d": "e, f", "g": [[], {}, [{}]]}, "h": "i", "j": -7})"};
 
 // JSON texts are read without yaml-cpp, and must give the same values as with it. The oracle is the
-// same text with a YAML comment at its end: it is not JSON, so yaml-cpp reads it.
+// same text with a YAML comment at its end. With the comment, the text is not JSON, so yaml-cpp
+// reads it.
 TEST(JsonTest, IsReadAsYamlIs) {
   RandomStream random(20240522, "JSON mutations");
   int parsed = 0;

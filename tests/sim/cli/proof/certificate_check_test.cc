@@ -238,8 +238,8 @@ TEST_F(CertificateCheck, EachKindThatACertificateLacksIsTold) {
   }
 }
 
-// The pads close on a part that is next to another part. The reason that nothing is near is thus
-// false, although it is valid in other certificates.
+// The pads close on a part that is next to another part. The reason that nothing is near is
+// therefore false, although it is valid in other certificates.
 TEST_F(CertificateCheck, AReasonThatIsNotTrueIsTold) {
   Json plan = PlanOf(kTwoActions);
   const std::string kind = "pushed clear";
