@@ -62,7 +62,7 @@ std::optional<Obstruction> FindObstruction(MotionCheck& check, const JointPath& 
   return std::nullopt;
 }
 
-// A travel with its own straight lines and those of the work after it.
+// A travel with its own straight lines and the straight lines of the work after it.
 struct Way {
   JointPath rise;  // straight up from the posture after the previous step
   JointPath over;  // the travel's path

@@ -37,7 +37,8 @@ bool RemedySearch::MayBeProved(std::vector<std::string> absorbable) const {
   return task_.best->LeastShortfall(steps_.MomentAfter(step_, *task_.best), absorbable).goals == 0;
 }
 
-// Returns the remedies of the resolvers that may absorb errors, or those of the other resolvers.
+// Returns the remedies of the resolvers that may absorb errors, or the remedies of the other
+// resolvers.
 std::vector<RemedySearch::Candidate> RemedySearch::Candidates(Absorbing absorbing) {
   std::vector<plan::Action> actions;
   std::vector<std::optional<plan::Strategy>> strategies;

@@ -113,7 +113,7 @@ ScaledPose Onto(const CSurfaces& surfaces, const Facet& facet, const ScaledPose&
 }
 
 // Finds the facets of one dimension after the other. Rays along the facets of one dimension lead to
-// those of the next.
+// the facets of the next dimension.
 class GraphBuilder {
  public:
   GraphBuilder(const ContactSpace& space, const ContactGraphOptions& options)

@@ -73,7 +73,7 @@ class ImagePoints {
   bool moves() const { return image_.moves(); }
   Eigen::Index start_errors() const { return image_.start_errors_; }
   Eigen::Index errors() const { return image_.errors(); }
-  // Returns the change that error i makes. Errors of the start come first, then those of the
+  // Returns the change that error i makes. Errors of the start come first, then errors of the
   // motion.
   Eigen::Map<const Point> Error(Eigen::Index i) const {
     return PointAt(ProjectionImage::kErrors + i);

@@ -32,8 +32,8 @@ double SlideOfPads(const UncertainWorld& world, const ManipulatorError& draw,
                    const RestingError& released);
 
 // Returns the error of a part on the table once the hand has let it go. X_WorldPart is its believed
-// pose then, and X_ToolGrasp is T'_d. The displacement is that of the part in the hand. The caller
-// replaces the component that the surface under the part determines.
+// pose at that time, and X_ToolGrasp is T'_d. The displacement is the displacement of the part in
+// the hand. The caller replaces the component that the surface under the part determines.
 RestingError Release(UncertainWorld& world, PartId part, const plan::Hold& hold,
                      const Transform& X_ToolGrasp, const ManipulatorError& draw,
                      const Pose& X_WorldPart);

@@ -101,8 +101,8 @@ class ClosingConditions {
   }
 
  private:
-  // Returns the height, in metres, at which a pad surely touches as the part topples: that of the
-  // lowest of its cells. If the hand leans, any cell may touch first.
+  // Returns the height, in metres, at which a pad surely touches as the part topples. It is the
+  // height of the lowest of its cells. If the hand leans, any cell may touch first.
   double HighestOfLowest(double side) const {
     const domain::PartModel& model = *world_.problem().part(part_).model;
     const Vector2& pad = world_.problem().workcell->gripper().pad_half_extents();

@@ -72,7 +72,7 @@ struct VerdictCounts {
 // Returns whether `a` is worse than `b`: first by verdict, then by margin (AsLength).
 bool IsWorse(const Claim& a, const Claim& b);
 
-// The verdict on one step's certificate, which is that of its worst claim.
+// The verdict on one step's certificate. It is the verdict on the certificate's worst claim.
 struct CertificateVerdict {
   plan::StepId step;
   ClaimVerdict verdict = ClaimVerdict::kNotClaimed;

@@ -64,8 +64,8 @@ class WaySearch {
         arm_on_lines_(scene_, {.clearance = motion::kTravelGap, .bodies = Bodies::kArm}),
         robots_on_lines_(scene_, {.clearance = motion::kTravelGap, .bodies = Bodies::kRobots}) {}
 
-  // Returns the path, or why there is none. If several attempts failed, the reason is that of the
-  // first attempt.
+  // Returns the path, or why there is none. If several attempts failed, it returns the reason of
+  // the first attempt.
   std::variant<motion::JointPath, std::string> Find() {
     const JointVector& from = execution_.commanded();
     if (const auto now = motion::MotionCheck(scene_, rules_).FindObstruction(from, from)) {

@@ -148,8 +148,8 @@ class WorldSearch {
     return false;
   }
 
-  // Returns the kinds that a part may have. A mass that is not hidden is that of the model, and a
-  // colour that is not hidden is none of the named ones.
+  // Returns the kinds that a part may have. A mass that is not hidden is the mass of the model, and
+  // a colour that is not hidden is none of the named colours.
   HiddenKinds KindsOf(PartId part) const {
     const auto hidden = interpretation_.hidden.find(part);
     HiddenKinds kinds = hidden == interpretation_.hidden.end() ? HiddenKinds{} : hidden->second;

@@ -22,8 +22,8 @@ namespace assay::exec {
 // The believed pose of the part is not used to tell contacts apart, since in an error state it is
 // what is wrong. A contact that touches and bears nothing gives no information.
 
-// Returns whether the wrench after a motion can be that of the planned contacts. A wrench of less
-// than a newton can be that of any contacts.
+// Returns whether the wrench after a motion can come from the planned contacts. A wrench of less
+// than a newton can come from any contacts.
 bool IsAsPlanned(const plan::Strategy& strategy, const plan::StrategyMotion& motion,
                  const Vector6& wrench);
 

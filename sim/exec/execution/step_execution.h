@@ -19,7 +19,7 @@ class StepExecution {
   // Sets the hand's error for this step and the table's height for the place, and moves the tool to
   // where it is poised before or above its work.
   Progress Approach();
-  // Sets the errors of a poised step to those of the execution's noise.
+  // Sets the errors of a poised step to the errors of the execution's noise.
   Progress TakeUpNoise();
   // Executes everything after the approach. When the hand gropes, the part (in a mating, the fixed
   // part) is believed to lie where it is tried.

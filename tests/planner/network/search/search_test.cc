@@ -304,8 +304,8 @@ TEST(RandomRbNetwork, HasALabelingWhereOneIsForced) {
   EXPECT_LT(drawn, 20);
 }
 
-// The networks are those of the benchmarks. An independent counter confirms refutations and the
-// counts of the smaller networks.
+// The networks are the networks of the benchmarks. An independent counter confirms refutations and
+// the counts of the smaller networks.
 TEST(NetworkFamily, IsDecidedAndCountedAsByBacktracking) {
   int none = 0;
   for (const auto family :
