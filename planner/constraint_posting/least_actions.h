@@ -11,8 +11,8 @@ namespace assay::constraint_posting {
 
 // The geometry of a problem as sets of labels, separately for each part and each mating.
 struct LabelGeometry {
-  // By part: reachable(grasp, position), the positions in which it may start, and whether it can be
-  // taken from there. Mated parts cannot be taken.
+  // Indexed by part: reachable(grasp, position), the positions in which the part may start, and
+  // whether it can be taken from there. Mated parts cannot be taken.
   std::vector<std::shared_ptr<const network::Relation>> reachable;
   std::vector<std::vector<int>> start;
   std::vector<bool> movable;

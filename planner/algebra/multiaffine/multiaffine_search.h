@@ -146,7 +146,7 @@ class MultiaffineSearch {
     double error = 0;  // rounding error of range, slopes and curvatures over any part
   };
   std::vector<Waves> waves_;
-  int waves_count_ = 0;  // those used by this question
+  int waves_count_ = 0;  // number of elements that this question uses
   WaveEvaluation wave_evaluation_;
   QuadraticBound quadratic_bound_;
   std::vector<NearestInterval> wave_box_;

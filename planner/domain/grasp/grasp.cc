@@ -114,8 +114,9 @@ class PadRegion {
     return least;
   }
 
-  // Returns what a pad that sticks out by `overhang` lacks most, across one of the outline's edges.
-  // If the outline has room for the pad, the pad sticks out into a gap.
+  // Returns the room that a pad needs and has across the outline's edge at which most room is
+  // missing. The pad sticks out by `overhang`. If the outline has room for the pad, the pad sticks
+  // out into a gap.
   PadRoom Lacking(const Polygon& pad, double overhang) const {
     PadRoom least;
     for (std::size_t i = 0; i < outline_.size(); ++i) {

@@ -66,7 +66,7 @@ struct Problem {
   std::vector<Part> parts;
   std::vector<OpenPose> open_poses = {};  // the open poses of `parts`, in their order
   std::vector<Mating> matings;
-  std::vector<MatingId> assembled;  // those that are true at the start
+  std::vector<MatingId> assembled;  // matings that hold at the start
   std::vector<Goal> goals;
   PoseError gripper_error;
   std::vector<std::string> sensors;  // sensors of the workcell that may be used: "overhead-camera"

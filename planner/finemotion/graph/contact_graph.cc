@@ -219,8 +219,8 @@ class GraphBuilder {
 
   // --- Neighbours.
 
-  // Explores from free space down to 0-dimensional states, since most of what is found has fewer
-  // dimensions. Returns false if there was nothing new.
+  // Explores from free space down to 0-dimensional states, because most states that are found have
+  // fewer dimensions. Returns false if there was nothing new.
   bool ExploreAll() {
     bool explored = false;
     for (int dimension = kPoseDimensions; dimension >= 0; --dimension) {

@@ -298,7 +298,7 @@ class Checker {
     });
   }
 
-  // Adds what is unwanted and returns whether to go on.
+  // Adds an unwanted contact or loss. Returns whether the check should go on.
   bool Add(const Unwanted& unwanted) {
     check_.unwanted.push_back(unwanted);
     return telling_ == Telling::kAll;

@@ -46,7 +46,7 @@ struct ErrorSet {
 
 enum class Relation { kLess, kGreater };
 
-// An uncertainty-reduction precondition, expression < limit (or >), and what was proved about it.
+// An uncertainty-reduction precondition, expression < limit (or >), with the result of its proof.
 struct CertifiedPrecondition {
   // The kind, such as "between fingers", "pad contact", "landing height", "slide-in".
   std::string condition;

@@ -16,11 +16,10 @@ namespace assay::uncertainty {
 
 using domain::PartId;
 
-// What is known about the pose of everything at one time of a plan instance: the world description
-// of Spar's uncertainty-reduction level. Copies share their variables, and expressions must not
-// outlive the last copy. Two copies that go on in different ways stay independent of each other.
-// Equal declarations in both give the same variable, so no expression may combine what the two
-// know.
+// The knowledge about all poses at one time of a plan instance: the world description of Spar's
+// uncertainty-reduction level. Copies share their variables, and expressions must not outlive the
+// last copy. Two copies that go on in different ways stay independent of each other. Equal
+// declarations in both give the same variable, so no expression may combine what the two know.
 class UncertainWorld {
  public:
   // Creates the world as the problem begins.

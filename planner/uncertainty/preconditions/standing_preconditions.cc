@@ -189,8 +189,8 @@ class StandingConditions {
     });
   }
 
-  // Returns the metres by which the fingers stay above the table, and above or beside what the part
-  // stands on.
+  // Returns the metres by which the fingers stay above the table, and above or beside the part's
+  // support.
   double RoomOfFingers() const {
     const domain::Problem& problem = world_.problem();
     const geometry::CollisionShape hand = problem.workcell->HandShape(hold_.width);

@@ -9,9 +9,9 @@
 
 namespace assay::check {
 
-// The noise floor: what the engine makes of a plan that is executed without any error. Known errors
-// of the engine are subtracted from what is observed under noise. Observations within the engine's
-// unknown errors prove nothing about a prediction.
+// The noise floor: the engine's own errors in an execution of a plan without any other error. Known
+// errors of the engine are subtracted from observations under noise. Observations within the
+// engine's unknown errors prove nothing about a prediction.
 
 // The part of the noise floor that belongs to one claim, in the claim's unit.
 struct ClaimNoiseFloor {

@@ -321,7 +321,7 @@ class Attacker {
     } catch (const nlopt::roundoff_limited&) {
       // The search cannot do better than that.
     } catch (const nlopt::forced_stop&) {
-      // The falsification was stopped, or has found what it was to find.
+      // The falsification was stopped, or has found enough violations.
     }
   }
 

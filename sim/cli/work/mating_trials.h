@@ -34,7 +34,7 @@ struct MatedTrial {
 
 // Settings that all trials of a mating share.
 struct MatingTrialSettings {
-  finemotion::FineMotionErrors errors;  // those that were planned for
+  finemotion::FineMotionErrors errors;  // the errors that were planned for
   double beyond = 1;                    // trials draw errors from a box this many times as wide
   scene::SceneOptions scene = {};
   std::uint64_t seed = 1;

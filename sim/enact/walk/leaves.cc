@@ -223,7 +223,7 @@ class WorldSearch {
   std::vector<HiddenKinds> kinds_;               // the kinds that each part may have
   std::vector<std::vector<std::string>> asked_;  // the conditions that narrowed each part's kinds
   HiddenWorld world_;
-  std::string refuted_;   // of what the leaf asks, the last
+  std::string refuted_;   // the last refuted condition of the leaf
   std::string no_fault_;  // why one that is needed cannot be
 };
 
