@@ -85,8 +85,8 @@ constexpr PublishedFigure kPoPrp[] = {
     {"wumpus07", 1.8, 1.4, 1724},     {"wumpus10", 15.4, 14.7, 4400},
     {"unix4", 2.2, 0.3, 416}};
 
-// Why PO-PRP has no figure, by the beginning of the problem's name. Problems in neither list were
-// not tried.
+// The reasons why PO-PRP has no figure. A reason holds for all problems whose names begin with the
+// text. Problems in neither list were not tried.
 constexpr std::pair<const char*, const char*> kPoPrpHasNone[] = {
     {"doors13", "none in 120 s"}, {"localize", "refused"}, {"clog", "refused"},
     {"colorballs", "refused"},    {"medpks", "refused"},   {"RockSample", "refused"}};

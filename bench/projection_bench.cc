@@ -19,7 +19,7 @@ using workloads::ProjectionModel;
 enum class Cases {
   kStill,    // a start that does not move, as in the peers' instances
   kMoving,   // a motion whose direction has two errors
-  kFewRead,  // a motion, with contact rows that read three tolerances, as those of two faces do
+  kFewRead,  // a motion, with contact rows that depend on three tolerances, as for two faces
 };
 
 constexpr int kCases = 8;       // number of cases for each number of limits

@@ -311,8 +311,9 @@ class Watch {
 
   const Seconds& aside() const { return aside_; }
 
-  // Returns the pace until a thread found no trial to begin. Each other thread was in its last
-  // trial then, and the share of that trial that was done counts. There must be no aside.
+  // Returns the pace up to the time at which a thread first found no trial to begin. At that time
+  // every other thread was in its last trial; the share of this trial that was done counts. There
+  // must be no aside.
   Pace WhileAllWorked(int threads) const {
     const Seconds until = trials_.at(trials_.size() - static_cast<std::size_t>(threads)).ended;
     Pace pace;

@@ -110,7 +110,7 @@ bool Agree(const Instance&, const CountAnswer& peer, const CountAnswer& ours) {
   return peer.count == ours.count;
 }
 
-// Compares assay's answer with that of its other way to decide a network.
+// Compares assay's answer with the answer of assay's other way to decide a network.
 bool IsRight(const Instance& instance, const LabelingAnswer& ours) {
   return Agree(instance, ours, {.outcome = instance.workload.Build().Decide(), .labeling = {}});
 }

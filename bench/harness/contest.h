@@ -28,9 +28,9 @@ inline constexpr std::string_view kOurs = "assay";
 
 inline constexpr const char* kTimeout = "timeout";
 
-// The prefix of a contestant's counter whose name ends with a peer's name. Its value is the factor
-// by which that peer took longer than this contestant, by published figures where both were
-// measured.
+// The prefix of a counter's name; the rest of the name is a peer. The counter's value is the factor
+// by which this peer took longer than the contestant that has the counter. The factor comes from a
+// publication that measured both.
 inline constexpr const char* kTimesOfPublished = "times:";
 
 inline constexpr double kAsAsked = 0;  // the duration that --benchmark_min_time sets

@@ -56,7 +56,7 @@ void Improve(std::vector<PeerTime>& peers, const std::string& peer, const std::s
 }
 
 // Adds peers that are known from published figures alone. A contestant that was measured beside
-// them there has the factors by which they took longer.
+// such a peer in a publication has a counter with the factor by which the peer took longer.
 void ImproveByPublished(std::vector<PeerTime>& peers, const Series& series) {
   const std::string prefix = kTimesOfPublished;
   for (const auto& [counter, multiple] : series.counters) {

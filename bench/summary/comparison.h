@@ -70,11 +70,12 @@ std::vector<Family> ByKind(const Family& family);
 // Returns the geometric mean of the values, which must be positive.
 double GeometricMean(const std::vector<double>& values);
 
-// Returns the ratios of a peer in all instances where it has a time. With an empty `peer`, it
-// returns the ratios of the best peer of each instance.
+// Returns the ratios of a peer's time to assay's time, in all instances where the peer has a time.
+// With an empty `peer`, it returns the ratios of the best peer of each instance.
 std::vector<double> Ratios(const Family& family, const std::string& peer);
 
-// Returns the ratios of the peer to a variant of assay.
+// Returns the ratios of the peer's time to the time of a variant of assay, in all instances where
+// both have a time. An empty `peer` stands for the best peer of each instance.
 std::vector<double> VariantRatios(const Family& family, const std::string& variant,
                                   const std::string& peer);
 

@@ -294,7 +294,7 @@ std::vector<LimitedWork> LimitedWorks(const Measurements& measurements) {
   return works;
 }
 
-// Writes what the times measure. Families have it in their own sections.
+// Writes what the times measure. For families, their own sections say this.
 void TellWhatIsMeasured(std::string& out, const std::vector<LimitedWork>& works,
                         const Measurements& measurements, const std::vector<Family>& families) {
   for (const LimitedWork& work : works) {

@@ -6,9 +6,9 @@
 
 namespace assay::bench {
 
-// Returns the report in Markdown: a headline, the ratios of every instance with their spread over
-// the passes, growth with fitted exponents, times without a peer, what makes comparisons unfair,
-// and where it was measured.
+// Returns the report in Markdown. It has a headline, the ratios of every instance with their spread
+// over the passes, growth with fitted exponents, and times without a peer. It also states the
+// reasons why comparisons are unfair, and the machine.
 std::string Report(const Measurements& measurements);
 
 }  // namespace assay::bench

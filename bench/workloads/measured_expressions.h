@@ -15,7 +15,7 @@ struct MeasuredExpression {
   algebra::BoundProblem problem;           // a problem with one expression
   Interval range;                          // range of the expression, to six digits
   std::vector<algebra::Expression> waves;  // sines and cosines of its angles
-  double boost_us = 0;  // microseconds of one evaluation with Boost.Interval, including the waves
+  double boost_us = 0;  // microseconds of one evaluation with Boost.Interval, `waves` included
   double ibex_ms = 0;   // milliseconds for both ends with IBEX's optimizer
 
   const algebra::Expression& expression() const { return problem.questions[0].expression; }

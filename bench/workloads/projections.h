@@ -28,7 +28,8 @@ enum class StartShape { kBox, kZonotope };
 
 struct ProjectionModel {
   int tolerances = 0;
-  // At most so many are read by the contact's rows, as in contacts of two faces.
+  // The greatest number of tolerances with a coefficient in the contact's rows. A contact of two
+  // faces has few of them.
   int tolerances_read = 1000;
   int limits = 0;
   StartShape start = StartShape::kBox;

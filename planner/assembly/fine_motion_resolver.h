@@ -25,7 +25,7 @@ class FineMotionResolver : public constraint_posting::Resolver {
 
   std::string_view name() const override { return "fine-motion"; }
   std::vector<std::string> absorbs() const override { return AbsorbedConditions(); }
-  // Returns no remedies unless all unmet goals of the step are about shaft and hole.
+  // Returns remedies only if all unmet goals of the step concern a shaft and its hole.
   std::vector<constraint_posting::Remedy> Propose(
       const constraint_posting::UnmetGoals& unmet) override;
 
@@ -44,8 +44,8 @@ class FineMotionResolver : public constraint_posting::Resolver {
   std::map<std::string, finemotion::FineMotionPlan> plans_;
 };
 
-// Returns the box of errors of the tip in the step. `way` describes the path of the tip, either
-// that of a strategy or the default path with which the search for a strategy begins.
+// Returns the box of errors of the tip in the step. `way` describes the path of the tip: the path
+// of a strategy, or the default path with which the search for a strategy begins.
 uncertainty::TipBox TipBoxAt(const constraint_posting::UnmetGoals& unmet,
                              uncertainty::Propagation propagation, const uncertainty::TipWay& way);
 

@@ -48,7 +48,7 @@ std::vector<std::string> ErrorsAfter(const plan::Plan& plan, plan::StepId step) 
   return errors;
 }
 
-// Returns true if no recovery can correct the error, so that only a person can.
+// Returns true if no recovery can correct the error, so only a person can correct it.
 bool IsForOperator(const plan::Plan& plan, plan::StepId step, const std::string& error) {
   return std::ranges::none_of(plan.recoveries, [&](const plan::Recovery& recovery) {
     return recovery.step == step && recovery.error == error &&
@@ -244,10 +244,10 @@ class KnowledgeText {
     return effects;
   }
 
-  // Adds actions that find out whether the step passes its verifications, and if not, which error
-  // is signalled. The errors are asked one after another, and the last one follows by elimination.
-  // A recovery makes all these facts unknown again. A verification measures the step only until the
-  // next step is done. `next` is empty if there is none.
+  // Adds actions that find out whether the step passes its verifications. If it does not, they find
+  // out which error is signalled. The errors are asked one after another, and the last one follows
+  // by elimination. A recovery makes all these facts unknown again. A verification measures the
+  // step only until the next step is done. `next` is empty if there is none.
   void AddVerification(const std::string& step, const std::string& next,
                        const KnowledgeAction& meaning, const std::vector<std::string>& errors) {
     for (const std::string& error : errors) ConstantOf("error", error);
@@ -293,9 +293,9 @@ class KnowledgeText {
     return effects;
   }
 
-  // Returns the facts that must be known before a plan begins: that the world is one of its worlds,
-  // as far as this matters, and the bounds that its certificates assume for the parts that it looks
-  // at first.
+  // Returns the facts that must be known before a plan begins. The open poses that matter must be
+  // those of one of the plan's worlds. The parts that the plan looks at first must have the error
+  // bounds that its certificates assume.
   std::vector<std::string> Requirements(int index) {
     std::vector<std::string> requirements;
     const std::vector<domain::OpenPose> matter = PosesThatMatter(worlds_, plans_[index].worlds);

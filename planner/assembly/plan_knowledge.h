@@ -55,8 +55,8 @@ struct PlanKnowledge {
   std::string problem;  // in the .pks format
   contingent::GroundTask task;
   std::map<std::string, KnowledgeAction> actions;  // indexed by the names of the task's actions
-  // By the task's constants: the names of errors, parts and poses in the workcell and the scenario,
-  // which may be any text.
+  // Indexed by the task's constants: the names that errors, parts and poses have in the workcell
+  // and in the scenario. These names may be any text.
   std::map<std::string, std::string> names;
 };
 

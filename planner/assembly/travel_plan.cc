@@ -62,7 +62,7 @@ std::optional<Obstruction> FindObstruction(MotionCheck& check, const JointPath& 
   return std::nullopt;
 }
 
-// A travel with its own straight lines and those of the work after it.
+// A travel with its own straight lines and the straight lines of the work after it.
 struct Way {
   JointPath rise;  // straight up from the posture after the previous step
   JointPath over;  // the travel's path
@@ -158,8 +158,8 @@ class TravelSearch {
     return way;
   }
 
-  // Returns what is proved of the way. Returns none if something is in the way even without errors
-  // of the arm, or if the travel does not keep the claimed clearance.
+  // Returns what is proved about the way. Returns none if something is in the way even without
+  // errors of the arm, or if the travel does not keep the claimed clearance.
   std::optional<WayCertainty> CertaintyOf(const Way& way, double clearance) {
     const WayCertainty certainty = {way.sway, kTravelClearance};
     if (!IsFree(way.over, OnTheWay(way, clearance))) return std::nullopt;

@@ -5,8 +5,9 @@
 namespace assay {
 
 // A shared library of this program that is opened on first use. It depends on third-party libraries
-// that take longer to open than most verbs take to run. It is found by the RUNPATH of the program,
-// or by that of the shared library if all libraries of this program are linked into one.
+// that take longer to open than most verbs take to run. It is found by the RUNPATH of the program.
+// If all libraries of this program are linked into one shared library, it is found by the RUNPATH
+// of that library.
 struct Module {
   std::string file;             // for example "libassay_opencv.so"
   std::string entry;            // a function without arguments that returns the module's interface

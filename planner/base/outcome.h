@@ -4,7 +4,8 @@
 
 namespace assay {
 
-// How a search ended. The three outcomes are distinguished everywhere, down to the exit codes.
+// The outcomes of a search. The three outcomes are distinguished everywhere, down to the exit
+// codes.
 enum class Outcome {
   kFound,   // found, for example a plan or a labeling
   kNone,    // proved that there is none

@@ -120,9 +120,9 @@ class OrderedSearch {
     return false;
   }
 
-  // Searches below `depth` with a value just set. On failure, `blame` receives the reasons, and the
-  // result says which other values of this depth could help. If only the label took part, other
-  // places with the same label cannot help.
+  // Searches the choices after `depth`, for which a value was just set. On failure, `blame`
+  // receives the reasons, and the result says which other values for `depth` could help. If the
+  // label took part in the failure but not the place, other places with the same label cannot help.
   enum class Below { kFound, kTryOtherPlaces, kTryOtherLabels, kJumpBack };
   Below GoOn(int depth, const World& before, Blame& blame) {
     const int offered = offered_;
@@ -283,8 +283,8 @@ class OrderedSearch {
     return Fail(blame);
   }
 
-  // Two places are too near to each other, and one of them is `here`. Places that are no farther
-  // from the other one are moved to the end of the list.
+  // The place `here` is too near to another place. The places of the list that are no farther from
+  // that other place are moved to the end of the list.
   using PlacementIterator = std::vector<domain::Placement>::iterator;
   void PutNearOnesLast(PlacementIterator here, PlacementIterator end) const {
     const auto distance = [](const domain::Placement& p, const geometry::Vector3& other) {

@@ -16,8 +16,8 @@ struct StepValues {
   // the grasp with which the hand takes or holds the part
   int grasp = -1;
   int position = -1;  // the position label
-  // The resting pose: of the part before a pickup, of the part after a putdown, or of the fixed
-  // part of an assemble.
+  // The pose in which a part rests: the part before a pickup, the part after a putdown, or the
+  // fixed part of an assemble.
   domain::Pose X_WorldPart = domain::Pose::Identity();
 };
 

@@ -87,7 +87,7 @@ class PartDemands {
 
  private:
   struct Demand {
-    // by position: the least number of putdowns that bring the part there
+    // indexed by position: the least number of putdowns that bring the part there
     std::vector<int> putdowns = {};
     // the number of actions until the part is in the hand for its mating
     std::optional<int> taken = {};

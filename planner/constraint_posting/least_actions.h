@@ -11,14 +11,15 @@ namespace assay::constraint_posting {
 
 // The geometry of a problem as sets of labels, separately for each part and each mating.
 struct LabelGeometry {
-  // By part: reachable(grasp, position), the positions in which it may start, and whether it can be
-  // taken from there. Mated parts cannot be taken.
+  // Indexed by part: reachable(grasp, position), the positions in which the part may start, and
+  // whether it can be taken from there. Mated parts cannot be taken.
   std::vector<std::shared_ptr<const network::Relation>> reachable;
   std::vector<std::vector<int>> start;
   std::vector<bool> movable;
-  // By part: the positions in which the goals want it to end; empty if any will do.
+  // Indexed by part: the positions in which the goals want the part to end; empty if any position
+  // will do.
   std::vector<std::vector<int>> located;
-  // By mating: mate_reachable(grasp, position), GraspList and PositionList.
+  // Indexed by mating: mate_reachable(grasp, position), GraspList and PositionList.
   std::vector<std::shared_ptr<const network::Relation>> mate_reachable;
   std::vector<std::vector<int>> grasp_list;
   std::vector<std::vector<int>> position_list;
@@ -30,8 +31,9 @@ struct LabelGeometry {
 //
 // A part gets from one position to the next only by a grasp that is reachable in both. So its
 // motions are paths of a graph over positions, its regrasp graph (Tournassoud, Lozano-Perez and
-// Mazer 1987). Other parts cannot shorten these paths. A part that something is mated with stays,
-// so it ends in a position that all its goals allow. The bound is the sum of the shortest paths.
+// Mazer 1987). Other parts cannot shorten these paths. A part into which another part is mated
+// stays where it is, so it ends in a position that all its goals allow. The bound is the sum of the
+// shortest paths.
 std::optional<int> LeastActions(const domain::Problem& problem, const LabelGeometry& geometry);
 
 // Returns the positions that a located goal allows. The start position is among them if the part

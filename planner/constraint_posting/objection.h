@@ -25,7 +25,7 @@ struct Objection {
   // poses and their grasps take part in the failure.
   std::vector<domain::PartId> parts = {};
   // True if earlier actions on these parts take part in the failure. False if the action fails even
-  // with everything known that could be known.
+  // with the best knowledge that earlier actions could give.
   bool history = false;
   // True if the places of the parts take part in the failure, and not only their stable poses and
   // grasps.

@@ -44,8 +44,8 @@ struct Threat {
 };
 
 // The goal that a part is not where it was at the start, as precondition number `precondition` of
-// the consumer. `why` says what cannot be proved of the consumer otherwise. It is empty if the
-// consumer could not even be executed.
+// the consumer. `why` says what cannot be proved about the consumer as long as the part is there.
+// It is empty if the consumer could not even be executed.
 struct RequiredMove {
   StepId consumer;
   domain::PartId part;
@@ -66,8 +66,8 @@ struct GoalStacks {
 
 // A family of plans: unordered steps, with separate constraints on when and how they are executed
 // (Spar, "Representation of Plans"). It is a value: a search copies it at each choice and drops the
-// copy to backtrack. An operation that returns false may leave the plan half changed, so that it
-// must be dropped.
+// copy to backtrack. An operation that returns false may leave the plan half changed, so it must be
+// dropped.
 class PartialPlan {
  public:
   // Makes the null plan. Its first step is the initial world, and its last step has the goals as
@@ -123,8 +123,9 @@ class PartialPlan {
   bool IsThreat(const Threat& threat) const;
   bool Promote(const Threat& threat);   // posts prior_to(consumer, violator)
   bool Separate(const Threat& threat);  // forbids that the two codesignate
-  // Puts the goal back on its stack. It must then be established after the violator and after those
-  // that threatened it before. So a goal is reopened at most once for each step of the plan.
+  // Puts the goal of the threatened link back on its stack. The goal must then be established after
+  // the violator, and after the violators for which it was reopened before. A goal is therefore
+  // reopened at most once for each step of the plan.
   void Reopen(const Threat& threat);
 
   // ---- Geometric refinements (Spar, "Satisfying Geometric Goals") --------------------------

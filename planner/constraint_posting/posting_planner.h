@@ -36,10 +36,10 @@ struct PlannerOptions {
 // plan comes first. If no instance works, or passes the judge, because of parts in the way that no
 // step has moved, moving them becomes a goal.
 //
-// With a judge, plans of more actions are searched for only as long as parts are in the way, or as
-// long as there is nothing to judge. After that, or when the snapshots are spent, the outcome is
-// kBudget, because an objection of a judge proves nothing. The snapshots are divided among the
-// limits on the number of actions.
+// With a judge, plans of more actions are searched for only while parts are in the way, or while
+// the judge has not objected. After that, or when the snapshots are spent, the outcome is kBudget,
+// because an objection of a judge proves nothing. The snapshots are divided among the limits on the
+// number of actions.
 plan::PlanResult MakePlan(const domain::Problem& problem, const PlannerOptions& options);
 // Plans with the given geometric relations, which several searches of one problem can share.
 plan::PlanResult MakePlan(const domain::Problem& problem, const GeometricRelations& relations,

@@ -133,7 +133,7 @@ class InverseSolver {
             (x * center_.y() - g_.d2 * center_.x()) / radial2};
   }
 
-  // The sign of `e` is that of the solution.
+  // The sign of `e` is the sign of the solution.
   void AddElbow(double x, double e, Position position) {
     const double u = along_ - g_.a2;
     const double forearm2 = u * u + e * e;

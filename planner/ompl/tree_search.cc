@@ -73,8 +73,8 @@ std::shared_ptr<ob::SpaceInformation> SpaceOf(const Problem& problem) {
   information->setStateValidityChecker([](const ob::State*) { return true; });
   information->setMotionValidator(std::make_shared<FreeMotions>(information.get(), problem));
   information->setup();
-  // The sampler is set only now, since OMPL draws a hundred states in its set-up, for a projection
-  // that RRT-Connect does not use. These draws must not come from the project's own stream.
+  // The sampler is set after OMPL's set-up, which draws a hundred states for a projection that
+  // RRT-Connect does not use. These draws must not come from the project's own stream.
   space->setStateSamplerAllocator(
       [&problem](const ob::StateSpace* of) { return std::make_shared<Sampler>(of, problem); });
   return information;
@@ -93,7 +93,7 @@ class RrtConnect : public TreeSearch {
     Write(problem.goal, goal.get());
     definition->setStartAndGoalStates(start, goal);
     og::RRTConnect planner(space);
-    // The other structures draw random pivots.
+    // OMPL's other structures for nearest neighbours draw random pivots.
     planner.setNearestNeighbors<ompl::NearestNeighborsLinear>();
     planner.setRange(problem.longest_motion);
     planner.setProblemDefinition(definition);

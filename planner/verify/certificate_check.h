@@ -24,13 +24,12 @@ bool IsUnproved(const plan::PlannedStep& step);
 //   gap says
 // - a corner outside of the ranges
 // - an error count that is not the number of steps with unproved preconditions
-// - a strategy of whose errors nothing is claimed, or with wider limits than those that it is
-//   certain for
+// - a strategy without claims about the tip errors, or with claims that allow greater errors than
+//   the strategy is certain for
 //
 // A plan without certificates has no flaws.
 //
-// Whether sets and expressions are those that the step needs is checked in
-// certificate_comparison.h.
+// certificate_comparison.h checks that sets and expressions are those that the step needs.
 //
 // `file` is the plan's path. Throws InputError if an expression or a variable of a certificate
 // cannot be read.

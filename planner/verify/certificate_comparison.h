@@ -12,11 +12,11 @@ namespace assay::verify {
 // Returns what differs in a plan's certificates, verifications and recoveries when all is computed
 // anew from the scenario and the plan's actions. Each difference has its place in the step
 // ("certificate.before[0].x[1]"), the file's value and the computed one. Numbers may differ by
-// rounding. Expressions whose texts differ are compared as functions, at random points. What the
-// plan says of the arm's ways is computed anew elsewhere (assembly::FlawsOfTravels). Resolutions
-// state what was done about goals that were not proved before, and are not compared.
+// rounding. Expressions whose texts differ are compared as functions, at random points. The claims
+// about the arm's ways are computed anew elsewhere (assembly::FlawsOfTravels). Resolutions state
+// what was done about goals that were not proved before, and are not compared.
 //
-// The plan must have no other flaws. `file` is the plan's path.
+// The plan must have no flaws of other kinds. `file` is the plan's path.
 std::vector<plan::Flaw> DifferencesFromAnew(const domain::Problem& problem, const plan::Plan& plan,
                                             const std::string& file);
 

@@ -19,7 +19,8 @@ std::vector<plan::Flaw> Contradictions(const Submitted& submitted) {
   return CertificateFlaws(submitted.plan, submitted.file);
 }
 
-// The plan must have no other flaws.
+// Returns where the certificates differ from certificates that are computed anew. The plan must
+// have no flaws of other kinds.
 std::vector<plan::Flaw> Differences(const Submitted& submitted) {
   if (!submitted.is_of_file || !IsCertified(submitted.plan)) return {};
   Tell(submitted, "computing the certificates anew");

@@ -17,18 +17,18 @@ struct Submitted {
   const plan::Plan& plan;
   std::string file;         // names the plan in messages
   bool is_of_file = false;  // it was read from the file, and not planned in this process
-  // Receives the name of each part of the verification as it begins. Empty: nobody looks on.
+  // Receives the name of each part of the verification as it begins; may be empty.
   std::function<void(std::string_view)> progress = {};
 };
 
-// Verifies everything that a plan says: that its actions can be executed in each order of its steps
-// (at most `most_linearizations`), that strategies and travels hold up (assembly::Check), that the
-// certificates do not contradict themselves (certificate_check.h) and, if the plan was read from a
-// file, that they come out the same when they are computed anew (certificate_comparison.h). Throws
-// InputError if an expression of a certificate cannot be read.
+// Verifies all claims of a plan. Its actions must be possible in each order of its steps (at most
+// `most_linearizations` orders are tried), and its strategies and travels must be valid
+// (assembly::Check). Its certificates must not contradict themselves (certificate_check.h). If the
+// plan was read from a file, certificates that are computed anew must be the same
+// (certificate_comparison.h). Throws InputError if an expression of a certificate cannot be read.
 plan::CheckReport Verify(const Submitted& submitted, int most_linearizations);
 
-// Verifies only what a plan says of itself: strategies, certificates, and which conditions the
+// Verifies only the plan's claims about itself: strategies, certificates, and which conditions the
 // certificates cover.
 std::vector<plan::Flaw> FlawsOfClaims(const Submitted& submitted);
 

@@ -17,7 +17,7 @@ using algebra::Expression;
 using plan::CertifiedPrecondition;
 using plan::Relation;
 
-// There are many questions, so that only the cheap bounding methods answer them. A remedy that they
+// Only the cheap bounding methods are used, because there are many questions. A remedy that they
 // find is proved, but a milder one may exist.
 constexpr BoundRequest kCheap = {.highest = algebra::BoundingMethod::kMonotone};
 

@@ -31,7 +31,7 @@ struct Proof {
   double nominal = 0;                   // value in the middle of all ranges
   std::optional<double> at_worst = {};  // value at the worst corner, if one is stated
   std::vector<std::string> terms = {};  // terms of the expression; those that vary most come first
-  std::vector<VariableInProof> variables = {};  // those with a cost, by cost
+  std::vector<VariableInProof> variables = {};  // variables with a cost, by cost
   // The mildest narrowing of one variable that proves the precondition; missing if it is proved.
   std::optional<NarrowedVariable> remedy = {};
 

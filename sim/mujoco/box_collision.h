@@ -11,9 +11,9 @@ namespace assay::mujoco {
 // part away. A contact is kept if it lies in both boxes, to a tenth of a millimetre. This needs
 // contacts without margin.
 //
-// Contacts inside a body: where pieces of one body meet flush, a part that slides over them and
-// sinks in by a micrometre can be stopped by the next piece's end, which is inside of the body.
-// Contacts on faces that lie against another piece are left out.
+// Contacts inside a body: pieces of one body may meet flush. A part that slides over them and sinks
+// in by a micrometre can be stopped by the end of the next piece, although this end is inside the
+// body. Contacts on faces that lie against another piece are left out.
 //
 // Repeated contacts: where pieces of one body meet, each of them has the same contact with another
 // body. Only the first contact at one place with one normal is kept, which saves the solver a fifth

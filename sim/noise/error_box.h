@@ -18,7 +18,7 @@ enum class Effect {
   kPartY,
   kPartYaw,      // turn of a part about the world's z axis through its origin, radians
   kTableHeight,  // height of the table under a part above its nominal height, metres
-  kHandX,        // displacement of the hand from where it was told to go, hand's axes, metres
+  kHandX,        // displacement of the hand from its commanded pose, hand's axes, metres
   kHandY,
   kHandZ,
   kHandYaw,  // turn of the hand about its own z axis, radians

@@ -27,7 +27,7 @@ class Noise {
   // Returns the height error, in metres, where the part is put down or mated in this step. It is
   // missing if none was drawn, and the table then stays as it was.
   std::optional<double> TableHeight(StepId step) const;
-  // Returns T_dM: the hand's true pose in the frame in which it was told to be (Spar, equation 1).
+  // Returns T_dM: the hand's true pose in the frame of its commanded pose (Spar, equation 1).
   Pose HandError(StepId step) const;
   // The true pose relative to the pose that the sensor measures.
   struct SensingError {

@@ -8,8 +8,8 @@
 
 namespace assay::render {
 
-// A point that must be visible when the moving shapes of a Sight have moved by `moved`. World
-// frame, metres.
+// A point that should be visible once the moving shapes of a Sight are displaced by `moved`. Both
+// vectors are in the world frame, in metres.
 struct Glimpse {
   Vector3 point;
   Vector3 moved = Vector3::Zero();

@@ -27,8 +27,8 @@ fs::path AboveOf(const fs::path& file) {
   }
 }
 
-// Returns the models that were installed with this program, or else those of the tree in which it
-// was built.
+// Returns the models that were installed with this program. If there are none, returns the models
+// of the tree in which it was built.
 fs::path OfTheProgram() {
   std::error_code error;
   const fs::path executable = fs::read_symlink("/proc/self/exe", error);

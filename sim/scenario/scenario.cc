@@ -35,7 +35,7 @@ scene::GraspMode ReadGrasp(const Value& value) {
                                                 : scene::GraspMode::kWeld;
 }
 
-// Refuses open poses where a plan is made for one world. They are told apart by looking, so that a
+// Refuses open poses where a plan is made for one world. Only looks distinguish open poses, so a
 // plan for them is a tree.
 void RequireKnownPoses(const Document& document, const domain::Problem& problem,
                        const Overrides& overrides) {

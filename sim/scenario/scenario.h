@@ -10,8 +10,8 @@
 
 namespace assay::scenario {
 
-// The name of a camera that is not in the scene. It follows the hand and the parts that are worked
-// on.
+// The name of the camera that follows the hand and the parts that are worked on. The scene has no
+// camera of this name.
 inline constexpr const char* kWorkCamera = "work";
 
 // A scenario's settings for its simulation, which the planner does not know.

@@ -10,14 +10,14 @@
 
 namespace assay::scene {
 
-// How a closed gripper holds a part.
+// The ways in which a closed gripper holds a part.
 enum class GraspMode {
   kFriction,  // by the friction of the pads
   kWeld,      // by friction and a rigid constraint, for studies without slip
 };
 std::string_view Name(GraspMode mode);
 
-// How the world of a problem is simulated, and how the simulated world differs from the problem.
+// Settings of the simulated world of a problem, and its differences from the problem.
 struct SceneOptions {
   double timestep = 0.0005;  // seconds
   GraspMode grasp = GraspMode::kFriction;

@@ -12,13 +12,13 @@ namespace assay::scene {
 // Returns the name of the class of the robot's collision shapes. The class defines what they touch.
 std::string CollisionClass(const domain::Robot& robot);
 
-// How a gripper holds parts.
+// Settings for the way in which a gripper holds parts.
 struct GripperRules {
   double grip_force = 0;    // newtons
   double pad_friction = 0;  // coefficient of friction between the pads and whatever they touch
   // The number of tiles along each side of a pad. The engine presses only on the corners of each
-  // tile. The corners of a single tile would bear nearly twice the torsion of an even pressure;
-  // those of two by two tiles bear an eighth more than an even pressure.
+  // tile. The corners of a single tile would bear nearly twice the torsion of an even pressure; the
+  // corners of two by two tiles bear an eighth more than an even pressure.
   int pad_tiles = 2;
 };
 // Adds arm and gripper under `worldbody`: links with their inertias and their shapes for collision.

@@ -130,7 +130,7 @@ void AddCameras(const Problem& problem, XmlElement& worldbody) {
   const Vector3 middle =
       parts.center + Vector3(0.05, 0, 0.4 * problem.workcell->rules().safe_height);
   const Vector3 close = Vector3(0.8, -0.75, 0.6).normalized() * 1.8 * reach;
-  // Two robots face each other, so that the camera looks at them from beside the table.
+  // Two robots face each other, so the camera looks at them from beside the table.
   const bool is_alone = problem.workcell->robots().size() == 1;
   const Vector3 overview = is_alone ? Vector3(2.3, -2.3, 1.5) : Vector3(0.5, -3.3, 2.0);
   AddCamera({"overview", Vector3(cell.x(), 0, 0) + overview, cell, 42}, worldbody);

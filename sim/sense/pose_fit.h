@@ -16,7 +16,7 @@ struct PoseFit {
   double residual = 0;  // root mean square of the distances of these edges, pixels
   // Standard deviations of the displacement under the assumption that the errors of the edges are
   // independent and as large as the residual (at least a tenth of a pixel). A deviation is infinite
-  // if the edges do not determine its element. Neighbouring edges have the same error, so that true
+  // if the edges do not determine its element. Neighbouring edges have the same error, so true
   // errors of ten deviations occur.
   Displacement deviation = Displacement::Constant(std::numeric_limits<double>::infinity());
 };

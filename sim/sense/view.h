@@ -15,9 +15,10 @@ using geometry::Vector3;
 class View {
  public:
   // Makes the view of an eye at `eye` (metres, world frame) that turns and zooms until a ball about
-  // `target` fills the picture of `size` by `size` pixels. `radius` is that of the ball, metres.
-  // The ball must not contain the eye (checked). The picture is rolled so that upright edges do not
-  // run along the columns of pixels, where all samples of an edge would have the same error.
+  // `target` fills the picture of `size` by `size` pixels. `radius` is the radius of the ball,
+  // metres. The ball must not contain the eye (checked). The picture is rolled so that upright
+  // edges do not run along the columns of pixels, where all samples of an edge would have the same
+  // error.
   View(const Vector3& eye, const Vector3& target, double radius, int size);
 
   const render::FreeCamera& camera() const { return camera_; }

@@ -36,8 +36,9 @@ inline std::filesystem::path FileOf(const std::string& text, const std::string& 
   return file;
 }
 
-// Returns whether this input is one of the few, one in `many`, that are used beyond their reader.
-// That takes a hundred times as long as reading. The text alone decides, so that a finding repeats.
+// Returns true for one input in `many`. Such an input is used beyond its reader, which takes a
+// hundred times as long as reading. The result depends on the text alone, so that a finding
+// repeats.
 inline bool IsOneIn(int many, const std::string& text) {
   std::uint32_t hash = 2166136261;
   for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 16777619;

@@ -67,8 +67,8 @@ inline double SegmentDistance(const Vector3& a, const Vector3& b, const Vector3&
   return least;
 }
 
-// Returns the distance of boxes that do not overlap. It is that of a corner and a box, or of two
-// edges.
+// Returns the distance of boxes that do not overlap. It is the distance of a corner from a box, or
+// the distance of two edges.
 inline double DisjointDistance(const Box& a, const Box& b) {
   const std::array<Vector3, 8> of_a = a.Corners(), of_b = b.Corners();
   double least = std::numeric_limits<double>::infinity();

@@ -99,9 +99,9 @@ class Ladder {
     return is_defined ? Restricted(problem, monotone.box) : problem;
   }
 
-  // The normal form writes the square of a sine as 1 - cos^2, so that a small error becomes a
-  // difference of large terms. The expression as it is written is mostly, but not always, looser;
-  // both are bounded.
+  // The normal form writes the square of a sine as 1 - cos^2, so a small error becomes a difference
+  // of large terms. The expression as it is written is mostly, but not always, looser; both are
+  // bounded.
   void StepOnCentred(Probe& probe) {
     const double as_it_stands = sign_ > 0 ? GlanceAbove(e_, constraints_.box, -kInfinity).bound
                                           : -GlanceBelow(e_, constraints_.box, kInfinity).bound;

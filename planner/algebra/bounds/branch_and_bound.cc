@@ -138,7 +138,7 @@ class Search {
   }
 
   // Returns the variable that varies the form most: the one with the largest product of derivative
-  // and width. Of several infinite products the one with the widest interval is taken.
+  // and width. If several products are infinite, the variable with the widest interval is taken.
   int SplitVariable(const MonotoneBox& part) const {
     int best = -1;
     std::pair<double, double> largest = {-1, -1};

@@ -146,7 +146,8 @@ Expression InPool(const Expression& e, ExpressionPool* pool) {
   return e.pool() == nullptr ? pool->Constant(e.constant()) : e;
 }
 
-// How sums and products fold their numbers, and which neutral number they leave out.
+// The rules by which sums and products fold their numbers, and the neutral number that they leave
+// out.
 struct Folding {
   Operator op;
   double neutral;

@@ -70,8 +70,8 @@ class Expression {
   // smaller numbers than the expression that they stand in.
   int index() const { return pool_ == nullptr ? -1 : node_; }
 
-  // Returns true if the expression contains a square root or a division, so that it may have no
-  // value at some points.
+  // Returns true if the expression contains a square root or a division, so it may have no value at
+  // some points.
   bool MayBeUndefined() const;
 
   // Two numbers are equal if their values are equal, whether or not they are in a pool.

@@ -79,8 +79,8 @@ Number Constant(const Interval& value) {
   }
 }
 
-// Returns the derivative of min or max with respect to the first operand. That for the second
-// operand is one minus it.
+// Returns the derivative of min or max with respect to the first operand. The derivative with
+// respect to the second operand is one minus this.
 template <class Number>
 Number SlopeByFirst(Operator op, const Number& a, const Number& b) {
   const bool first_is_less = High(a) < Low(b);

@@ -148,7 +148,7 @@ void LinearRelaxation::TieToKept(ColumnId column, const LeastOf& sup_of_rest, in
   }
 }
 
-// Returns the bounds of the product of the factors, and those of its negative.
+// Returns the bounds of the product of the factors, and the bounds of its negative.
 std::pair<LeastOf, LeastOf> LinearRelaxation::SymbolicBounds(const Factors& factors) {
   if (IsVariable(factors)) {
     const LinearForm form = FormOf(ColumnOf(factors));

@@ -32,8 +32,8 @@ struct MultiaffineForm {
   NestedForm point_error, error;
 
   int atom_count() const { return angle_count + static_cast<int>(variables.size()); }
-  // Returns the atom of a displacement, or that of an angle's cosine, which is followed by its
-  // sine. The argument is the place in `variables`.
+  // Returns the atom of a displacement, or the atom of an angle's cosine; the atom of its sine
+  // follows. The argument is the place in `variables`.
   int AtomOf(int variable) const {
     return variable < angle_count ? 2 * variable : variable + angle_count;
   }

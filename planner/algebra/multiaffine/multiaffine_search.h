@@ -138,15 +138,15 @@ class MultiaffineSearch {
   std::vector<int> unused_sectors_;
   std::int64_t age_ = 0;
 
-  // The remaining form as a trigonometric polynomial, where only angles are free. Several parts
-  // share one.
+  // The remaining form as a trigonometric polynomial, for parts in which only angles are free.
+  // Several parts may share one polynomial.
   struct Waves {
     TrigonometricPolynomial sum;
     std::vector<int> angles;
     double error = 0;  // rounding error of range, slopes and curvatures over any part
   };
   std::vector<Waves> waves_;
-  int waves_count_ = 0;  // those used by this question
+  int waves_count_ = 0;  // number of elements that this question uses
   WaveEvaluation wave_evaluation_;
   QuadraticBound quadratic_bound_;
   std::vector<NearestInterval> wave_box_;

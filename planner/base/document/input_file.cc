@@ -62,7 +62,7 @@ std::string NearestInFolder(const fs::path& file) {
   return nearest.empty() ? "" : fmt::format("; did you mean {}?", Quote(nearest));
 }
 
-// Tests what YAML calls printable. This excludes NUL, and thereby binary files and UTF-16.
+// Tests what YAML calls printable. NUL is not printable, so binary files and UTF-16 are excluded.
 bool IsPrintable(char32_t c) {
   return c == U'\t' || c == U'\n' || c == U'\r' || c == 0x85 || (!IsControl(c) && c < 0xfffe) ||
          c >= 0x10000;

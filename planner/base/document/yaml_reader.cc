@@ -190,8 +190,8 @@ void DocumentNode::YamlReader::Refuse(const YAML::Exception& error) const {
       "YAML or JSON");
 }
 
-// With an alias two places share one value, so that no error could name the right place. A tag
-// changes the meaning of a value, and no format of this program defines tags.
+// With an alias two places share one value, so no error could name the right place. A tag changes
+// the meaning of a value, and no format of this program defines tags.
 void DocumentNode::YamlReader::RefuseExtras(const YAML::Mark& mark, const std::string& tag,
                                             YAML::anchor_t anchor) const {
   if (anchor != YAML::NullAnchor) {

@@ -9,10 +9,10 @@
 
 namespace assay::constraint_posting {
 
-// A proof that no plan of any length exists. It consists of the hypotheses, the set of facts that
-// can at most come true (relaxed_problem.h) and that misses a goal, and the reasons. Everything is
-// in the scenario's words, except the attainable set, which exists to be checked
-// (impossibility_check.h).
+// A proof that no plan of any length exists. It consists of the hypotheses, the attainable set and
+// the reasons. The attainable set holds all facts that could possibly come true
+// (relaxed_problem.h), and lacks a goal. It serves to check the proof (impossibility_check.h).
+// Everything else is in the scenario's words.
 struct Impossibility {
   // The hypotheses of "no plan": robots, actions, grasps and places.
   std::vector<std::string> hypotheses = {};
@@ -20,14 +20,14 @@ struct Impossibility {
   // The constraints that cannot hold together under the hypotheses. The list is never empty.
   // Without any one of them, the relaxed problem is possible.
   std::vector<std::string> conflict = {};
-  // The least excess by which single constraints of the conflict fail, and where.
+  // Texts that say by how little single constraints of the conflict fail, and where (near_miss.h).
   std::vector<std::string> near_misses = {};
 };
 
 // The answer for a problem in which no plan was found.
 struct ImpossibilityAnswer {
   std::optional<Impossibility> proof = {};
-  // Without a proof: limits of this planner that a plan may need to exceed, if there are any.
+  // The limits of this planner that a plan may need to exceed, if there is no proof.
   std::vector<std::string> limits = {};
 };
 ImpossibilityAnswer ProveImpossible(const domain::Problem& problem);

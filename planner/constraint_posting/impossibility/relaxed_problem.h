@@ -42,8 +42,8 @@ struct HoldOption {
 // The constraints that remain of a problem.
 struct Relaxation {
   std::vector<Constraint> constraints;
-  // This condition counts as satisfied where it fails by less than `excess`, and for the hold
-  // `also`.
+  // Weakens one condition. The condition counts as satisfied if it fails by less than `excess`, and
+  // it counts as satisfied for the hold `also`.
   struct Waiver {
     domain::GraspCondition condition;
     double excess = 0;  // metres or radians
@@ -53,7 +53,7 @@ struct Relaxation {
   std::optional<int> robot = {};  // the only robot that acts, or none if all act
 };
 
-// The facts that can at most come true.
+// The facts that could possibly come true. No other fact can come true.
 struct Attainable {
   std::vector<std::vector<bool>> rests;              // indexed by part, by position label
   std::vector<std::vector<std::vector<bool>>> held;  // indexed by robot, by part, by grasp
@@ -67,9 +67,9 @@ struct Attainable {
 // attained in the relaxation cannot be attained in the problem itself. Each robot of the workcell
 // acts. A part blocks others until it can be moved.
 //
-// The relaxation does not follow some parts and takes everything with them to be possible. These
-// are parts that are mated or may have been mated, because they can be carried together and mated
-// with others anywhere, and parts that start in none of their stable poses, because they may fall.
+// The relaxation does not follow some parts, and assumes that everything is possible with them.
+// Some of these parts are mated or may have been mated: they can be carried together and mated with
+// others anywhere. The other ones start in none of their stable poses: they may fall.
 class RelaxedProblem {
  public:
   enum class Grasps {

@@ -23,7 +23,7 @@ std::optional<int> LatestGraspable(const domain::Problem& problem,
                                    domain::PartId part);
 
 // Returns the rest of the problem in a state with an empty hand. Its parts and matings at the start
-// are those of the state. The errors are unchanged.
+// are the parts and matings of the state. The errors are unchanged.
 domain::Problem ProblemFrom(domain::Problem problem, const plan::WorldState& state);
 
 // Returns the place of the part before actions[moment], with the label of the action that brought

@@ -20,8 +20,8 @@ struct UnmetGoals {
   std::vector<uncertainty::Unproved> goals;
   // the parts whose errors occur in the goals, in increasing order
   std::vector<domain::PartId> parts = {};
-  // By index in `actions`: the fine motion strategy that executes the action. Empty if no action
-  // has one.
+  // For each action in `actions`: the fine motion strategy that executes it, if there is one. The
+  // vector is empty if no action has a strategy.
   std::vector<std::optional<plan::Strategy>> strategies = {};
 };
 
@@ -31,11 +31,11 @@ struct Insertion {
   plan::Action action;
 };
 
-// One way to treat unmet goals, as far as one part is concerned. Either it inserts actions, whose
-// own preconditions are proved like those of any other action. Or it gives a way to execute the
-// step for which certain conditions need not hold, because it absorbs the error (fine motion) or
-// resolves it at run time (contingent plans). A strategy's assumptions about the errors are proved
-// instead of these conditions.
+// One way to treat unmet goals, as far as one part is concerned. A remedy of the first kind inserts
+// actions, whose own preconditions are proved like those of any other action. A remedy of the
+// second kind is another way to execute the step. Certain conditions need not hold for it, because
+// it absorbs the error (fine motion) or resolves it at run time (contingent plans). A strategy's
+// assumptions about the errors are proved instead of these conditions.
 struct Remedy {
   domain::PartId part;
   std::vector<Insertion> insertions = {};  // in the order of execution

@@ -4,9 +4,9 @@
 
 namespace assay::constraint_posting {
 
-// Looks at parts whose errors make a goal fail, with one or more of the available sensors, at the
-// latest time before the step at which the part lies free (Spar, "Satisfying Uncertainty-Reduction
-// Goals").
+// Proposes looks at parts whose errors make a goal fail, with one or more of the available sensors.
+// A look comes at the latest time before the step at which the part lies free (Spar, "Satisfying
+// Uncertainty-Reduction Goals").
 class SensingResolver : public Resolver {
  public:
   std::string_view name() const override { return "sensing"; }

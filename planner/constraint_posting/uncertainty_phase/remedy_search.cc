@@ -37,7 +37,8 @@ bool RemedySearch::MayBeProved(std::vector<std::string> absorbable) const {
   return task_.best->LeastShortfall(steps_.MomentAfter(step_, *task_.best), absorbable).goals == 0;
 }
 
-// Returns the remedies of the resolvers that may absorb errors, or those of the other resolvers.
+// Returns the remedies of the resolvers that may absorb errors, or the remedies of the other
+// resolvers.
 std::vector<RemedySearch::Candidate> RemedySearch::Candidates(Absorbing absorbing) {
   std::vector<plan::Action> actions;
   std::vector<std::optional<plan::Strategy>> strategies;
@@ -161,9 +162,9 @@ std::string RemedySearch::NameOf(const Candidate& candidate) const {
   return std::string(ResolverOf(candidate.resolver).name());
 }
 
-// Returns the first step that must be proved and is not, or none. The steps that must be proved are
-// the new steps before the mended one, the steps after a new step that were not given up, and the
-// mended step.
+// Returns the first step that must be proved and is not, or none. Three kinds of steps must be
+// proved: the mended step, new steps before it, and steps after a new step unless they were given
+// up.
 std::optional<RemedySearch::UnprovedStep> RemedySearch::FirstUnproved(const Mended& mended) const {
   uncertainty::WorldTree& tree = task_.possible;
   MomentId moment = tree.Beginning();

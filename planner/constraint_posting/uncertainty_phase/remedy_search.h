@@ -20,7 +20,7 @@ namespace assay::constraint_posting {
 // goals of another remedy.
 class RemedySearch {
  public:
-  // Whether the search records the parts that are in the way of remedies.
+  // Says whether the search records the parts that are in the way of remedies.
   enum class Obstacles { kIgnored, kNoted };
 
   // All references must outlive the search.

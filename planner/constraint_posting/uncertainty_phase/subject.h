@@ -8,8 +8,7 @@
 
 namespace assay::constraint_posting {
 
-// Returns the parts that an action moves, or to which it moves a part. For an assemble they are the
-// held part and the fixed part.
+// Returns the part that an action handles; for an assemble, the held part and the fixed part.
 std::vector<domain::PartId> HandledParts(const domain::Problem& problem,
                                          const plan::Action& action);
 

@@ -24,8 +24,8 @@ class CertifiedPlanning {
   plan::PlanResult Run() {
     plan::PlanResult result = AmongTheFirst();
     if (!best_.exists()) return Answer(std::move(result));
-    // A step that fails with all available grasps may be proved with a grasp that is blocked by
-    // parts. So the first search accepts no errors.
+    // If a step fails with all grasps that are available, another grasp may still prove it: a grasp
+    // that parts block in these instances. The first search therefore accepts no errors.
     Search(0, {}, result);
     const std::vector<Subject> anywhere = best_.FailingAnywhere();
     const int least = std::max(best_.certain_errors(), static_cast<int>(anywhere.size()));
@@ -48,8 +48,8 @@ class CertifiedPlanning {
 
   // Searches for a plan in which at most `errors` steps are not proved. Steps that fail are mended
   // by other instances and by goals of the first phase. `anywhere` contains the subjects that fail
-  // in the best plan wherever parts are. Other places are mostly found sooner than remedies that
-  // make them unnecessary.
+  // in the best plan wherever the parts are. It is mostly quicker to find other places for the
+  // parts than to find remedies with which the parts can stay.
   plan::PlanResult WithErrors(int errors, const std::vector<Subject>& anywhere,
                               IfUnproved if_unproved) {
     const int by_place = std::max(0, errors - static_cast<int>(anywhere.size()));

@@ -30,16 +30,16 @@ AugmentedPlanInstance Augment(const domain::Problem& problem, const plan::Plan& 
 // has no errors. If there is none, the result has the fewest errors, then the fewest actions of the
 // first phase, and then the smallest violation. Beyond the paper, the first phase is asked for
 // further plans, not only for further instances of one plan. An instance that surely has errors,
-// whatever the remedies, waits until all instances are known. Then those that could still come
-// first are augmented, the most promising first. Few are augmented that could come first only by
-// their violation.
+// whatever the remedies, waits until all instances are known. Then the waiting instances that could
+// still become the best are augmented, the most promising first. Of the instances that could become
+// the best only by a smaller violation, few are augmented.
 //
-// After that, if an instance with fewer errors than the best is possible, the first phase searches
-// for a plan with no errors, then with one, and so on, and this phase judges each action as it is
-// chosen (objection.h). An unproved precondition leads to another grasp, place or order, or becomes
-// the goal that a part be moved out of the way. The paper's two phases cannot do this ("Satisfying
-// Uncertainty-Reduction Goals", on a part among others). planner.accept and planner.judge must be
-// empty.
+// After that, further searches are made if an instance with fewer errors than the best is possible.
+// The first phase searches for a plan with no errors, then with one error, and so on. During these
+// searches, this phase judges each action as it is chosen (objection.h). An unproved precondition
+// leads to another grasp, place or order, or becomes the goal that a part be moved out of the way.
+// The paper's two phases cannot do this ("Satisfying Uncertainty-Reduction Goals", on a part among
+// others). planner.accept and planner.judge must be empty.
 plan::PlanResult MakeCertifiedPlan(const domain::Problem& problem, const PlannerOptions& planner,
                                    const UncertaintyOptions& options);
 

@@ -87,7 +87,8 @@ void AddVerification(const domain::Problem& problem, plan::StepId step, const pl
   for (const domain::VerificationTemplate& check :
        problem.workcell->uncertainty_operations().verifications) {
     if (check.after != expected->action) continue;
-    // A height is uncertain even without a failure.
+    // Even without a failure, the height at which contact is made is uncertain by `doubt`. The
+    // expected opening has no such uncertainty.
     const bool is_height = check.quantity == MeasuredQuantity::kToolHeight;
     plan.verifications.push_back({.step = step,
                                   .name = check.name,

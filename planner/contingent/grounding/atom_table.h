@@ -12,7 +12,7 @@
 
 namespace assay::contingent {
 
-// Whether an atom is known to be true, known to be false, or unknown.
+// The knowledge about an atom: it is known to be true, known to be false, or unknown.
 enum class Knowledge { kTrue, kFalse, kUnknown };
 
 // The ground atoms, functions and formulas of a task, each stored once, with their knowledge from

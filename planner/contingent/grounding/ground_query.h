@@ -16,7 +16,7 @@ GroundQuery Joined(GroundQuery::Kind kind, std::vector<GroundQuery> operands);
 GroundQuery Known(GroundLiteral literal);
 GroundQuery BoundKnown(const Bound& bound);
 
-// Returns true if the query asks only K of literals and of bounds, so that it has an answer in each
+// Returns true if the query asks only K of literals and of bounds, so it has an answer in each
 // world.
 bool AsksOfTheWorld(const GroundQuery& query);
 bool HasBound(const GroundQuery& query);

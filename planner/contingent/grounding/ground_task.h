@@ -143,7 +143,7 @@ struct GroundAction {
   std::string name;
   // Constants, or function terms for run-time variables.
   std::vector<std::string> arguments;
-  // By argument: the function of a run-time variable, or none for a constant.
+  // Indexed by argument: the function of a run-time variable, or none for a constant.
   std::vector<FunctionId> run_time_values = {};
   GroundQuery precondition;
   std::vector<GroundEffect> effects;

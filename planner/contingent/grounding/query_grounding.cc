@@ -10,7 +10,7 @@ namespace assay::contingent {
 namespace {
 
 // Puts the formula in canonical form: "q & p & p" becomes "p & q", and "!p" becomes "p", because
-// whether p holds is known exactly if whether !p holds is known.
+// the truth of p is known if and only if the truth of !p is known.
 void Canonicalize(Formula& formula) {
   std::vector<GroundLiteral>& literals = formula.literals;
   std::ranges::sort(literals, {},

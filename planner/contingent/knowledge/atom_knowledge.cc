@@ -114,7 +114,8 @@ void AtomKnowledge::SpreadEntanglement(KnowledgeState& state,
   }
 }
 
-// The values of one function are related to each other without a stored relation.
+// The values of one function exclude each other, although no relation is stored. Knowledge that the
+// state does not express about one value therefore concerns all values of the function.
 bool AtomKnowledge::IsOuter(const KnowledgeState& state, AtomId atom) const {
   const FunctionId function = task_.function_of_atom[atom.index()];
   if (function.IsNone()) return layout_.IsOuter(state, atom);

@@ -51,12 +51,12 @@ class AtomKnowledge {
   void Change(KnowledgeState& state, const std::map<AtomId, PossibleChange>& changes,
               const OpenBounds& bounds);
 
-  // Returns true if more may be known of the atom than the state says. Then it is undecided whether
-  // the atom is unknown.
+  // Returns true if more may be known about the atom than the state says. Then it is undecided
+  // whether the atom is unknown.
   bool IsOuter(const KnowledgeState& state, AtomId atom) const;
   // Marks the atoms of the set as dependent on a number from then on.
   void Entangle(KnowledgeState& state, Diagram worlds);
-  // Records that more is known of something that depends on a number. All atoms that depend on
+  // Records that more is known about something that depends on a number. All atoms that depend on
   // numbers become outer, because the new knowledge may say something about any of them.
   void LearnOfNumbers(KnowledgeState& state) const { layout_.SetEntangledOuter(state); }
 
@@ -78,7 +78,7 @@ class AtomKnowledge {
   void SpreadEntanglement(KnowledgeState& state);
   void SpreadEntanglement(KnowledgeState& state, const std::vector<int>& variables) const;
   void Unrelate(KnowledgeState& state, AtomId atom);
-  // Adds a relation to those of the state. Returns false if they cannot hold together.
+  // Adds a relation to the relations of the state. Returns false if they cannot hold together.
   bool RelateAsWell(KnowledgeState& state, Diagram relation);
   // Removes the relations that contain one of the variables, or another value of a function that
   // has a value among them. Returns the conjunction of these relations and of unique names.

@@ -57,8 +57,8 @@ std::optional<KnowledgeState> KnowledgeBase::After(const GroundAction& action,
 
 const GroundEffect* KnowledgeBase::ApplyUpdates(KnowledgeState& state,
                                                 const std::vector<InitialRelation>& lasting) {
-  // A rule that undoes another rule's change within a round is not at rest, although the round ends
-  // as it began.
+  // States are compared after each rule, not after each round. If one rule undoes the change of
+  // another, a round ends in the state in which it began, but the rules are not at rest.
   bool is_at_rest = task_.updates.empty();
   for (std::size_t round = 0; !is_at_rest; ++round) {
     is_at_rest = true;

@@ -15,7 +15,8 @@ class KnowledgeQueries {
       : task_(task), layout_(task), numbers_(task), atoms_(atoms) {}
 
   // Returns true if the query surely holds. A query that something is not known does not surely
-  // hold where more may be known than the state says, as for numbers that depend on others.
+  // hold if more may be known than the state says. This is the case for numbers that depend on
+  // others.
   bool Holds(const GroundQuery& query, const KnowledgeState& state) const;
   // Returns true unless the query surely does not hold.
   bool MayHold(const GroundQuery& query, const KnowledgeState& state) const;

@@ -38,7 +38,8 @@ void NumberKnowledge::Assign(const GroundChange& change, const KnowledgeState& b
   layout_.SetSensed(state, change.function, false);
   Range& range = MutableRangeOf(change.function, state);
   range = SumOf(change.sum, before);
-  // Later knowledge of one number of a sum says something about the other numbers.
+  // If more becomes known about the sum or about one of its numbers, this also tells something
+  // about the other numbers. The ranges do not express this dependence.
   for (const auto& [function, sign] : change.sum.functions) {
     const bool is_alone = function == change.function && change.sum.functions.size() == 1;
     if (is_alone || IsSingle(RangeOf(function, before))) continue;

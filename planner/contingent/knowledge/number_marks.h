@@ -71,9 +71,9 @@ class NumberMarks {
   bool IsNearMark(double value, int slot) const;
 
   std::vector<std::set<double>> marks_;  // indexed by slot
-  // by slot: true if a query asks how precisely the number is known
+  // indexed by slot: true if a query asks how precisely the number is known
   std::vector<bool> is_asked_;
-  // by slot: the interval of numbers that the function may come to have
+  // indexed by slot: the interval of numbers that the function may come to have
   std::vector<Interval> reach_;
   std::vector<Assignment> assignments_;
   bool are_complete_ = true;

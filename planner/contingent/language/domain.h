@@ -58,7 +58,7 @@ struct Term {
 
 enum class Relation { kPredicate, kExtern, kEqual, kLess, kLessOrEqual, kGreater, kGreaterOrEqual };
 
-// An atom or its negation. The arguments are those of the predicate, or the two sides of a
+// An atom or its negation. The arguments are the arguments of the predicate, or the two sides of a
 // comparison.
 struct Literal {
   bool is_positive = true;

@@ -25,8 +25,8 @@ struct ContingentPlan {
   PlanTree tree;  // valid if the outcome is kFound
   Guarantee guarantee = Guarantee::kReachesGoal;
   std::int64_t states = 0;  // the number of knowledge states that were met
-  // With the outcome kBudget: the reason why nothing is proved although the search is complete.
-  // Empty if the budget was spent.
+  // The reason for the outcome kBudget if the search was completed but proves nothing. It is empty
+  // if the budget was spent.
   std::string doubt = {};
 };
 
@@ -41,9 +41,10 @@ enum class Wanted {
 // one unit of the budget.
 //
 // The outcome kNone is a proof. It says that no tree without repeats surely reaches the goal,
-// whatever states it goes through. It says the same of trees with repeats in which the question of
-// a repeated branch is open again in every world (exhaustive_tree.h). If the search left out a step
-// that might have been possible, it proves nothing, and the outcome is kBudget with a doubt.
+// whatever states it goes through. It says the same about trees with repeats of one kind: at each
+// repeat, the question of the repeated branch must be open again in every world
+// (exhaustive_tree.h). If the search left out a step that might have been possible, it proves
+// nothing, and the outcome is kBudget with a doubt.
 //
 // Throws InputError if init contradicts itself, and if update rules do not come to rest
 // (knowledge_base.h).

@@ -199,7 +199,7 @@ class ExhaustiveTreeSearch {
     return knowledge.RelationOf(here, atom) == kAllSets && !conditionally_changed_.contains(atom);
   }
 
-  // Returns the atoms that an effect changes only in some worlds, so that they may become unknown
+  // Returns the atoms that an effect changes only in some worlds, so they may become unknown
   // without a change. The values of functions are included because they depend on each other.
   static std::unordered_set<AtomId> ConditionallyChanged(const GroundTask& task) {
     std::unordered_set<AtomId> atoms;

@@ -51,7 +51,7 @@ class SubPlans {
   std::vector<int> without_atom_;
   // The entry that serves a state, for states where it has been found.
   std::unordered_map<StateId, int> entry_of_state_;
-  // by state: the number of entries that have been tried
+  // indexed by state: the number of entries that have been tried
   std::unordered_map<StateId, int> looked_at_;
   std::unordered_map<StateId, Requirement> goal_requirements_;
 };

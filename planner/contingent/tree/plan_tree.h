@@ -28,8 +28,8 @@ struct PlanNode {
   FunctionId function;
   std::vector<AtomId> values = {};  // for kValue: one value for each child
   std::vector<NodeId> children = {};
-  // By child: true if the child is a node above, so that the nodes between are repeated until
-  // another outcome is sensed. Empty if no child is.
+  // Indexed by child: true if the child is a node above this one. The nodes between the two are
+  // then repeated until another outcome is sensed. The vector is empty if no child is a node above.
   std::vector<bool> repeats = {};
 
   bool Repeats(std::size_t child) const { return !repeats.empty() && repeats[child]; }

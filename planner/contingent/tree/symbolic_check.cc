@@ -275,9 +275,8 @@ class SymbolicCheck {
                                [&](const GroundLiteral& l) { return here.open.contains(l.atom); });
   }
 
-  // Returns true if the query fails on every path. The set joins the worlds of all paths. That a
-  // literal is true in some of them and false in others does not show that it is unknown on each
-  // path.
+  // Returns true if the query fails on every path. The set joins the worlds of all paths. A literal
+  // that is true in some of these worlds and false in others may still be known on each path.
   bool SurelyFails(const GroundQuery& query, const Arrivals& here) {
     const auto fails = [&](const GroundQuery& operand) { return SurelyFails(operand, here); };
     switch (query.kind) {

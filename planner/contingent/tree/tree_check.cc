@@ -28,8 +28,8 @@ constexpr std::size_t kMostBeginnings = 1'000;
 // The greatest number of worlds that are each followed among the others.
 constexpr std::size_t kMostFollowed = 2'000;
 
-// Returns true if some effect depends on what is known or not known, so that the change of one
-// world depends on the other worlds.
+// Returns true if some effect depends on what is known or not known, so the change of one world
+// depends on the other worlds.
 bool HappensByKnowledge(const GroundTask& task) {
   const auto is_by_knowledge = [](const GroundEffect& effect) {
     return !effect.is_of_worlds && !effect.condition.IsTrue();
@@ -401,10 +401,10 @@ class Runner {
 
   // Returns true if a world that is back at the head of a repeat reaches the goal for some outcomes
   // of the open facts. The check follows this world round the loop until it leaves the loop or has
-  // been everywhere. It need not be followed further. Either the world is a case of the worlds that
-  // began the repeat, or the repeat begins again with it, and in both cases those worlds are run to
-  // the end. So each repeat in a sequence is followed by itself. Other worlds are included where it
-  // matters that the world is not known to be this one.
+  // been everywhere. The world need not be followed further: it is a case of the worlds that began
+  // the repeat, or the repeat begins again with it. In both cases these worlds are run to the end.
+  // So each repeat in a sequence of repeats is followed separately. Other worlds are included where
+  // it matters that the world is not known to be this one.
   bool CanEnd(NodeId head, const World& world, const History& history) {
     Attempt attempt{.loop = loops_[head.index()]};
     attempt_ = &attempt;

@@ -223,7 +223,7 @@ class TreeReader {
       }
     }
     const std::vector<std::vector<NodeId>> parents = ParentsOf(tree);
-    // by node: the last beginning whose search reached it
+    // indexed by node: the last beginning whose search reached the node
     std::vector<NodeId> repeated_from(tree.nodes.size());
     for (const auto& [head, of_head] : ends) {
       for (const NodeId end : of_head) {

@@ -39,7 +39,7 @@ class DecisionDiagrams {
   // Returns true if f is a subset of g. Makes no nodes.
   bool Implies(Diagram f, Diagram g) const;
 
-  // ExactlyOne and AtLeastOne return the assignments in which so many of the literals hold.
+  // Return the assignments in which exactly one, or at least one, of the literals holds.
   Diagram ExactlyOne(std::span<const Assignment> literals);
   Diagram AtLeastOne(std::span<const Assignment> literals);
 
@@ -52,7 +52,7 @@ class DecisionDiagrams {
   Diagram Exists(Diagram f, int variable);
   Diagram ForAll(Diagram f, int variable);
 
-  // Returns the literals that hold in all of f, which must not be empty.
+  // Returns the literals that hold in every assignment of the set f. The set must not be empty.
   const std::vector<Assignment>& Essential(Diagram f);
   // Returns the variables that f depends on, sorted.
   const std::vector<int>& Support(Diagram f);

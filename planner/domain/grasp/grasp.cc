@@ -114,8 +114,9 @@ class PadRegion {
     return least;
   }
 
-  // Returns what a pad that sticks out by `overhang` lacks most, across one of the outline's edges.
-  // If the outline has room for the pad, the pad sticks out into a gap.
+  // Returns the room that a pad needs and has across the outline's edge at which most room is
+  // missing. The pad sticks out by `overhang`. If the outline has room for the pad, the pad sticks
+  // out into a gap.
   PadRoom Lacking(const Polygon& pad, double overhang) const {
     PadRoom least;
     for (std::size_t i = 0; i < outline_.size(); ++i) {
@@ -274,8 +275,9 @@ class PairSearch {
 
 }  // namespace
 
-// The pads lie wholly on exposed surface, and mouths of holes are open. So the faces alone decide
-// which features a grasp hides, and each pair and direction is one class.
+// The pads lie wholly on exposed surface, and mouths of holes are open. The features that a grasp
+// hides therefore depend on its two faces alone. So each pair of faces with one approach direction
+// is one class of grasps.
 std::vector<Grasp> ComputeGrasps(const PartModel& part, const kinematics::Gripper& gripper,
                                  const GraspSearch& search) {
   ASSAY_CHECK(search.approach_step > kRounding);

@@ -13,8 +13,8 @@ namespace assay::domain {
 
 using GraspId = Id<struct GraspTag>;
 
-// The room that pads need on the faces that they touch, in the direction where it is scarcest: how
-// far the pads reach, and how far the faces do. In metres; both are 0 where the pads fit.
+// The room that the pads need, and the room that is available on the faces that they touch, in the
+// direction in which room is scarcest. Both are in metres, and both are 0 if the pads fit.
 struct PadRoom {
   double needed = 0;
   double available = 0;
@@ -35,8 +35,8 @@ struct Grasp {
 struct GraspSearch {
   double approach_step = 0;  // radians between approach directions in the plane of the faces
   double widest = 0;         // greatest width to look for, metres
-  // Whether to search for grasps whose pads stick out of the faces (Grasp::room), in classes where
-  // the pads of no grasp lie wholly on the faces. These grasps tell what a missing grasp lacks.
+  // True to search for grasps whose pads stick out of the faces (Grasp::room), in classes without a
+  // grasp whose pads lie wholly on the faces. Such a grasp shows how much room is missing.
   bool with_misfits = false;
 };
 

@@ -40,8 +40,8 @@ class HandClearance {
  public:
   // `X_PartMiddle` is the plane midway between two faces `width` metres apart, with its z along the
   // tool's y. Hand and opened fingers must be free all along the approach, and closed fingers at
-  // its end. Overlaps up to `allowance` metres on each side of a gripper box are allowed. Where the
-  // faces are too wide for the gripper, only the hand is looked at.
+  // its end. Overlaps up to `allowance` metres on each side of a gripper box are allowed. If the
+  // faces are too far apart for the gripper, only the hand must be free.
   HandClearance(const PartModel& part, const kinematics::Gripper& gripper, const Pose& X_PartMiddle,
                 double width, double allowance);
 

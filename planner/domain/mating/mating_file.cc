@@ -42,9 +42,9 @@ FeatureNumber ReadFeature(const Value& value, const Part& part) {
              fmt::format("{}", fmt::join(known, ", ")));
 }
 
-// The ways in which two features can meet. A plan puts together only shafts in holes: nothing is
-// proved of how faces come to lie on each other. Holes may be in line beside a shaft in another
-// hole.
+// The ways in which two features can meet. A mating needs a shaft in a hole, because nothing is
+// proved about faces that come to lie on each other. In addition, it may have holes that are in
+// line.
 enum class Meeting { kShaftInHole, kHolesInLine, kFaceOnFace, kNone };
 
 Meeting MeetingOf(const Feature& a, const Feature& b) {
@@ -317,8 +317,9 @@ std::vector<Pose> PosesWithinPlay(const Problem& problem, const Mating& mating) 
   return poses;
 }
 
-// Checks that the named features are all that there is to prove. While the held part is seated and
-// on the way in, nothing else of the parts meets before the play of the features ends.
+// Checks that certificates about the named features suffice. The parts must meet nowhere else,
+// neither on the way in nor at the seat, wherever the held part is within the play of these
+// features.
 void MatingFile::CheckNothingElseFits(const Value& features, const Mating& mating) const {
   const auto& held = problem_.part(mating.held).model->shape();
   const auto& fixed = problem_.part(mating.fixed).model->shape();

@@ -34,8 +34,8 @@ ShaftFit FitOf(const Part& shaft_part, const Feature& shaft, const Part& hole_pa
           .depth = std::max(0.0, -X_MouthTip.translation().z())};
 }
 
-// Returns how far the shaft may be off for each metre that it may be off across every slot. The
-// farthest it may move is into the corner between the two slots nearest to perpendicular.
+// Returns a bound of the displacement of a shaft that may move by one metre across every slot. It
+// is the distance of the corner between the two slots that are nearest to perpendicular.
 double FarthestIntoCorner(const std::vector<Slot>& slots) {
   double least = 1;
   for (const Slot& a : slots) {

@@ -49,8 +49,8 @@ std::vector<Slot> SlotsOf(const std::vector<SideWall>& walls);
 // Returns the name of a slot: "shaft of peg in hole of block across (0, 1, 0)". The direction is in
 // the frame of the hole's part.
 std::string NameOf(const ShaftFit& fit, const Slot& slot);
-// Returns whether walls face each other in more than one direction, so that nothing can leave
-// between them.
+// Returns whether walls face each other in more than one direction, so nothing can leave between
+// them.
 bool HoldAllAround(const std::vector<Slot>& slots);
 
 // Returns whether some shaft of the mating is in a hole that holds it all around. Certificates of

@@ -44,9 +44,9 @@ bool AreSame(const std::vector<Corners>& boxes, const Pose& move,
 
 double AngleOf(const Vector3& v) { return std::atan2(v.y(), v.x()); }
 
-// Returns turns about the world's z, with shifts, that may bring the part's boxes at one pose to
-// those at the other. They bring the middle to the middle, and the corner that is farthest from the
-// middle to a corner that is equally far.
+// Returns turns about the world's z, with shifts, that may bring the part's boxes from one pose to
+// the other. They bring the middle to the middle, and the corner that is farthest from the middle
+// to a corner that is equally far.
 std::vector<Pose> MovesBetween(const std::vector<Corners>& from, const std::vector<Corners>& to) {
   const Vector3 middle = MiddleOf(from);
   const Vector3 other_middle = MiddleOf(to);

@@ -148,7 +148,8 @@ struct Hollow {
 };
 
 // Returns the face in which a pocket ends, on the side of its solid that looks in a direction.
-// Returns None if the pocket does not reach that side, or if nothing of the side is left.
+// Returns None if the pocket does not reach that side, or if the pockets leave nothing of this
+// side.
 FaceId EndOf(const PartModel& model, const Hollow& hollow, const Vector3& direction) {
   const int towards = SideTowards(hollow.solid, direction);
   if (towards < 0) return FaceId::None();

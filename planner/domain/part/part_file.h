@@ -31,7 +31,7 @@ class PartFile {
  private:
   static geometry::MassProperties ReadMass(const Document& document, double clearance);
 
-  // A convex piece as the file names it: one box, and the pieces that the pockets have left of it.
+  // A solid of the file: a box, and the smaller boxes that remain of it after the pockets are cut.
   struct Solid {
     std::string name;
     Pose X_PartSolid = Pose::Identity();  // turn from the coordinates of the file

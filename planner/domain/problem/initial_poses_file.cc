@@ -188,11 +188,11 @@ void InitialPosesFile::CheckOnTable(const Value& pose, PartId id) const {
             fmt::format("{}", fmt::join(tables, "; or ")));
 }
 
-// The table is convex, so that the ends of the displacements suffice.
+// The table is convex, so the ends of the displacements suffice.
 void InitialPosesFile::CheckOnTableWithErrors(const Value& pose, const Part& part) const {
   const Table& table = TableUnder(*problem_.workcell, part, part.X_WorldPart);
   for (const Interval& error : {part.error.x, part.error.y, part.error.theta}) {
-    if (!std::isfinite(error.high - error.low)) return;  // nothing is known of the pose
+    if (!std::isfinite(error.high - error.low)) return;  // nothing is known about the pose
   }
   for (const double x : {part.error.x.low, part.error.x.high}) {
     for (const double y : {part.error.y.low, part.error.y.high}) {

@@ -36,7 +36,7 @@ struct Part {
   double clamp = 0;
 };
 
-// A part that is in one of several poses at the start, which only a look at it can tell.
+// A part that is in one of several poses at the start. Only a look at the part shows in which one.
 struct OpenPose {
   PartId part;
   std::vector<std::string> names;  // names of the poses, at least two
@@ -66,7 +66,7 @@ struct Problem {
   std::vector<Part> parts;
   std::vector<OpenPose> open_poses = {};  // the open poses of `parts`, in their order
   std::vector<Mating> matings;
-  std::vector<MatingId> assembled;  // those that are true at the start
+  std::vector<MatingId> assembled;  // matings that hold at the start
   std::vector<Goal> goals;
   PoseError gripper_error;
   std::vector<std::string> sensors;  // sensors of the workcell that may be used: "overhead-camera"

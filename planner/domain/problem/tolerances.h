@@ -2,8 +2,8 @@
 
 namespace assay::domain {
 
-// How far quantities that hold for the whole problem may differ from their values in it: half
-// widths of intervals about these values.
+// Tolerances of quantities that hold for the whole problem: the half widths of intervals about the
+// values that the problem states.
 struct Tolerances {
   double clearance = 0;     // metres, on each side of a mated shaft; less than the clearance
   double friction = 0;      // for mating surfaces and parts; less than their friction

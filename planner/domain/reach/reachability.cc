@@ -88,9 +88,9 @@ bool AreDisjoint(const std::vector<FeatureNumber>& a, const std::vector<FeatureN
       a, [&](FeatureNumber number) { return std::ranges::binary_search(b, number); });
 }
 
-// Returns the features that the table hides: according to Spar, those of the stable pose that
-// X_WorldPart corresponds to. Parts are put down in stable poses only, so a part in any other pose
-// is where it was at the start.
+// Returns the features that the table hides. According to Spar, these are the features that are
+// hidden in the stable pose that X_WorldPart corresponds to. Parts are put down in stable poses
+// only, so a part in any other pose is where it was at the start.
 const std::vector<FeatureNumber>& HiddenAt(const Part& part, const Pose& X_WorldPart) {
   const StablePoseId resting = StablePoseAt(part, X_WorldPart);
   return resting.IsNone() ? part.hidden : part.model->stable_poses()[resting.index()].hidden;

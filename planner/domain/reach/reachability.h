@@ -37,9 +37,9 @@ constexpr GraspConditions operator|(GraspCondition a, GraspCondition b) {
 GraspConditions BrokenAt(const Problem& problem, PartId part, GraspId grasp,
                          const Pose& X_WorldPart);
 
-// Returns the conditions that fail for a part that rests in a stable pose anywhere. kReach fails if
-// it fails at every placement of the workcell (Spar assumes that some placement is reachable; this
-// function searches for one).
+// Returns the conditions that fail for a part in a stable pose, wherever it is placed. kReach
+// counts as failed if it fails at every placement of the workcell. Spar assumes that some placement
+// is reachable; this function searches for one.
 GraspConditions BrokenIn(const Problem& problem, PartId part, GraspId grasp, StablePoseId pose);
 
 // Return the conditions of mate_reachable(Grasp, Position, Ta) that fail with the fixed part at

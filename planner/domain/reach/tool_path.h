@@ -7,15 +7,15 @@
 
 namespace assay::domain {
 
-// Returns whether the arm can move the tool, with its orientation kept, along the straight lines
-// from corner to corner within its joint limits, without changing its configuration and without
-// sudden turns of a joint. The corners are origins of the tool in the world frame; there must be at
-// least one. The lines are tested in steps of a few centimetres.
+// Returns whether the arm can move the tool along the straight lines from corner to corner. The
+// tool keeps its orientation. The arm stays within its joint limits, keeps its configuration, and
+// makes no sudden turns of a joint. The corners are origins of the tool in the world frame; there
+// must be at least one. The lines are tested in steps of a few centimetres.
 bool CanFollow(const Workcell& workcell, const geometry::Matrix3& R_WorldTool,
                std::span<const geometry::Vector3> corners);
 
-// How far the arm gets along a path of the tool through a list of poses. Between two poses, the
-// tool's origin moves on a straight line, and the tool turns about one axis.
+// The distance that the arm gets along a path of the tool through a list of poses. Between two
+// poses, the tool's origin moves on a straight line, and the tool turns about one axis.
 struct PathReach {
   // Number of poses, from the first on, that the best single configuration reaches.
   std::size_t reached = 0;

@@ -29,8 +29,8 @@ struct Rule {
   Range range;  // in SI
 };
 
-// The ranges are tight where values beyond them are slips of a unit rather than wishes: approach
-// directions finer than 5 degrees, or contact allowances of more than a few millimetres. Other
+// A range is tight if a value beyond it is probably given in a wrong unit. Examples are approach
+// directions finer than 5 degrees, and contact allowances of more than a few millimetres. Other
 // lengths are bounded tightly for the same reason.
 constexpr std::array<Rule, 12> kRules = {{
     {"tool_lean", &WorkcellRules::tool_lean, Dimension::kAngle, {0, kPi / 2}},

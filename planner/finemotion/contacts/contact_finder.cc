@@ -254,7 +254,8 @@ class Linearizer {
   }
 
   // Adds a limit for each edge at the vertex that could go behind the face. In small motions only
-  // an edge that lies in the face can; in larger ones an edge nearly in it can.
+  // an edge that lies in the face can go behind it. In larger motions an edge that lies nearly in
+  // the face can, too.
   void AddOverlapLimits(const Placed& side, const Vertex& vertex, const Vector3& n,
                         PrimitiveContact& contact) const {
     for (const Vector3& direction : vertex.leaving) {
@@ -361,7 +362,7 @@ class Linearizer {
            half_angle(moving) + half_angle(stationary) + 2 * turn_ + kTurnOnTheWay;
   }
 
-  // Returns the other edge as seen along the edge `bar`.
+  // Returns the ends of the edge `other` in coordinates with the third axis along the edge `bar`.
   EdgeAlongEdge Along(const Placed& with_bar, const PlacedEdge& bar, const Edge& bar_edge,
                       const Placed& with_other, const PlacedEdge& other,
                       const Edge& other_edge) const {

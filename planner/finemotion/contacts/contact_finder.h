@@ -22,7 +22,7 @@ std::vector<PrimitiveContact> PrimitiveContacts(const Polyhedron& moving,
                                                 double turn = 0);
 
 // Finds the primitive contacts of two parts (see PrimitiveContacts) at one pose after another. The
-// constructor works out once whatever depends on the parts alone.
+// constructor computes, once, everything that depends on the parts alone.
 class ContactFinder {
  public:
   ContactFinder(const Polyhedron& moving, const Polyhedron& stationary,

@@ -2,7 +2,7 @@
 
 namespace assay::finemotion {
 
-// How far from a pose contacts are searched for.
+// The range about a pose in which contacts are searched for.
 struct ContactRange {
   double reach = 0;  // metres between features
   double turn = 0;   // radians by which the part may be turned

@@ -72,9 +72,9 @@ bool EdgeAlongErrorMeets(const ImagePoints<K>& image, const Eigen::Matrix<double
   });
 }
 
-// Returns whether an edge of the projection meets the contact. The edges are those of the start,
-// those that lead from the start's vertices to where these move, and those of the region that is
-// reached at the end.
+// Returns whether an edge of the projection meets the contact. There are three kinds of edges: the
+// edges of the start, the edges from the start's vertices to the places that they reach, and the
+// edges of the region that is reached at the end.
 template <int K>
 bool AnyEdgeMeets(const ImagePoints<K>& image) {
   const ErrorRange of_start{0, image.start_errors()};

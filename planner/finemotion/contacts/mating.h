@@ -11,7 +11,7 @@ namespace assay::finemotion {
 Polyhedron OutsideOf(const domain::PartModel& model);
 
 // A mating as fine motion sees it. The tip is a frame in the middle of the held feature that enters
-// first (Mating::features). When mated, its axes are those of the fixed part.
+// first (Mating::features). In the mated pose, its axes are the axes of the fixed part.
 struct MatingGeometry {
   Pose X_HeldTip = Pose::Identity();
   // The moving part about its tip, the fixed part, and the critical points between them. The part
@@ -29,7 +29,7 @@ FineMotionErrors ErrorsOf(const plan::StrategyCertificate& certificate,
                           const MatingGeometry& geometry);
 
 // Returns the plan for hybrid control: the plan's motions, followed by the slide to the seat in the
-// crevice between the walls. `options` are those of the search that found the plan.
+// crevice between the walls. `options` are the options of the search that found the plan.
 plan::Strategy StrategyOf(const MatingGeometry& geometry, const FineMotionPlan& plan,
                           const StrategyOptions& options = {});
 

@@ -19,8 +19,8 @@ void CheckDimensions(const ForwardProjection& projection, const PrimitiveContact
   for (const HalfSpace& limit : contact.limits) ASSAY_CHECK(limit.a.size() == n);
 }
 
-// A contact's rows, without the coordinates that no row reads. Most tolerances displace other
-// faces.
+// The rows of a contact, without the coordinates whose coefficients are 0 in every row. There are
+// many of them, because most tolerances displace faces that the contact does not involve.
 struct ContactRows {
   std::vector<Eigen::Index> coordinates;
   Eigen::MatrixXd columns;  // one column for each of the coordinates

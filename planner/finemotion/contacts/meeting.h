@@ -5,12 +5,11 @@
 
 namespace assay::finemotion {
 
-// Whether motions under uncertainty can meet a primitive contact, and how far they stay away from
-// it.
+// The answer to the question whether motions under uncertainty can meet a primitive contact.
 struct Meeting {
   bool meets = true;
   // The distance between the projection and the contact. It is the Euclidean norm, in metres, of
-  // the gap and the excesses over the limits. It is 0 where the two meet.
+  // the gap and the excesses over the limits. It is 0 if the two meet.
   double margin = 0;
 };
 

@@ -292,8 +292,8 @@ std::vector<int> Union::Containing(const Vector3& p) const {
   return containing;
 }
 
-// Returns whether the solid `cover` hides the part of the other solid's facet that it meets. Of two
-// facets in one plane, the one of the earlier solid hides the other.
+// Returns whether the solid `cover` hides the part of the other solid's facet that it meets. If two
+// facets lie in one plane, the facet of the earlier solid hides the other.
 bool Union::Covers(int cover, int solid, int plane) const {
   if (cover == solid) return false;
   if (HighestAbove(planes_[plane], solids_[cover]) > tolerance_) return true;
@@ -437,8 +437,8 @@ std::vector<Segment> Union::Joined(std::vector<Segment> stretches, PlanePair pla
 
 // Returns whether some plane touches the union near p in p alone. The pieces at p span a cone. Its
 // extreme rays are the convex edges that leave p, so each facet of the cone contains two of them.
-// If any plane touches in p alone, then the plane does whose normal is the sum of the facets'
-// normals.
+// If some plane touches the union in p alone, so does the plane whose normal is the sum of the
+// facets' normals.
 bool Union::IsConvexCorner(const Vector3& p, const std::vector<Vector3>& leaving) const {
   const std::vector<int> here = Containing(p);
   Vector3 outward = Vector3::Zero();

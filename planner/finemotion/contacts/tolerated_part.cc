@@ -51,8 +51,8 @@ class Shifts {
   }
 
   // Returns the shift of the point, line or plane where these faces' planes meet. It is the least
-  // motion that keeps the feature in all of the planes. Where more than three planes meet and are
-  // displaced so that they meet no more, it keeps the feature nearest to all of them.
+  // motion that keeps the feature in all of the planes. If more than three planes meet, their
+  // displacements may separate them. The shift then keeps the feature nearest to all of them.
   Shift Of(const std::vector<int>& faces) const {
     Shift shift = Shift::Zero(3, std::ssize(tolerances_));
     if (tolerances_.empty()) return shift;

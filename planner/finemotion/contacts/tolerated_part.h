@@ -12,8 +12,8 @@ namespace assay::finemotion {
 
 // A part's outer features in its own axes, and how the model's tolerances displace each of them.
 struct ToleratedPart {
-  // How a feature moves for one metre of each tolerance: a vector for each tolerance (Shift, one
-  // column each), or a distance along a direction (ShiftAlong).
+  // The displacement of a feature for one metre of each tolerance: a column for each tolerance
+  // (Shift), or the distance along a given direction (ShiftAlong).
   using Shift = Eigen::Matrix3Xd;
   using ShiftAlong = Eigen::VectorXd;
 

@@ -73,8 +73,8 @@ CSurfaces::Patch CSurfaces::AddLimits(const std::vector<HalfSpace>& limits, doub
 
 // Returns whether every point of the surface that exceeds the limit is behind other surfaces. By
 // Farkas' lemma this holds if, on the surface, the excess is minus a sum of nonnegative multiples
-// of other gaps. One gap suffices where a wall rises. Several are needed where a face lands on more
-// than the feature that the limit belongs to.
+// of other gaps. One gap suffices if a wall rises at the limit. Several gaps are needed if a face
+// lands on other features beside the one that the limit belongs to.
 bool CSurfaces::StopsAtOthers(const Limit& limit, int surface) const {
   using Gap = Eigen::Vector<double, kPoseDimensions + 1>;
   const Gap own = (Gap() << Row(surface), offsets_[surface]).finished().normalized();

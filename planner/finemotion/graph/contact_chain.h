@@ -37,15 +37,15 @@ struct SharedState {
 struct ContactChain {
   // One for each critical point, or one at the seat if there are none.
   std::vector<LocalTopology> points;
-  // For each point and the next; empty where the chain breaks.
+  // The states that each point shares with the next point; empty where the chain breaks.
   std::vector<std::vector<SharedState>> shared;
 };
 
 // Returns the contact chain of a mating. Unlike in the paper, contacts are linearized 1 mm past
-// each critical point, where the crevice already has a length; the last point's are linearized at
-// the point itself. At the critical point, walls and rim are touched at the same height and give
-// the same row for a tilt, so that a one-dimensional state of the crevice would have three
-// dimensions.
+// each critical point, where the crevice already has a length. For the last critical point,
+// contacts are linearized at the point itself. At the critical point, walls and rim are touched at
+// the same height and give the same row for a tilt, so a one-dimensional state of the crevice would
+// have three dimensions.
 ContactChain ContactChainOf(const MatingGeometry& geometry);
 
 }  // namespace assay::finemotion

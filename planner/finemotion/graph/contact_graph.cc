@@ -113,7 +113,7 @@ ScaledPose Onto(const CSurfaces& surfaces, const Facet& facet, const ScaledPose&
 }
 
 // Finds the facets of one dimension after the other. Rays along the facets of one dimension lead to
-// those of the next.
+// the facets of the next dimension.
 class GraphBuilder {
  public:
   GraphBuilder(const ContactSpace& space, const ContactGraphOptions& options)
@@ -219,8 +219,8 @@ class GraphBuilder {
 
   // --- Neighbours.
 
-  // Explores from free space down to 0-dimensional states, since most of what is found has fewer
-  // dimensions. Returns false if there was nothing new.
+  // Explores from free space down to 0-dimensional states, because most states that are found have
+  // fewer dimensions. Returns false if there was nothing new.
   bool ExploreAll() {
     bool explored = false;
     for (int dimension = kPoseDimensions; dimension >= 0; --dimension) {

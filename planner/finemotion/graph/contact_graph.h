@@ -22,10 +22,10 @@ struct ContactSpace {
 };
 
 // A set of primitive contacts that touch together: a facet of contact space. It holds every contact
-// that is touched at its target points. That includes contacts whose gap is 0 wherever the gaps of
-// the others are, if they can be touched there (a face that lies flat touches with all its
-// corners). Contacts on one C-surface (a face in several regions) are represented by the first of
-// them.
+// that is touched at its target points. It includes contacts whose gap is 0 wherever the gaps of
+// the other contacts are 0, if they can be touched there. For example, a face that lies flat
+// touches with all its corners. Contacts on one C-surface (a face in several regions) are
+// represented by the first of them.
 struct ContactState {
   std::vector<int> contacts;  // ascending indices into the space's contacts
   int dimension = kPoseDimensions;
@@ -63,12 +63,12 @@ struct ContactGraphOptions {
 // Builds the contact graph by casting rays. Rays start from random poses in free space and from
 // random points of each primitive contact's cone form where nothing overlaps, and run along
 // tangents. The first contact that a ray meets leads to a neighbouring state, and the place is one
-// of its target points. A ray ends at the limits of what its state touches, at the reach, and where
-// it would get behind a surface past the surface's limits, since linear patches do not match
-// exactly. To find states that random rays miss, and beyond the paper, rays are cast toward every
-// contact, contacts are broken, and places just past the end of a contact are examined. States that
-// differ by several independent contacts are not neighbours. A state can be missed if it is so
-// narrow that no ray comes through it; more target points find more.
+// of its target points. A ray ends at the limits of the contacts of its state, and at the reach. It
+// also ends where it would get behind a surface past the surface's limits, because linear patches
+// do not match exactly. To find states that random rays miss, and beyond the paper, rays are cast
+// toward every contact, contacts are broken, and places just past the end of a contact are
+// examined. States that differ by several independent contacts are not neighbours. A state can be
+// missed if it is so narrow that no ray comes through it; more target points find more.
 ContactGraph MakeContactGraph(const ContactSpace& space, const ContactGraphOptions& options = {});
 
 }  // namespace assay::finemotion

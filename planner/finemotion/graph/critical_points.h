@@ -21,9 +21,10 @@ struct TouchingFaces {
 struct CriticalPoint {
   double travel = 0;  // metres from the trajectory's start
   Pose X_StationaryMoving = Pose::Identity();
-  // The faces that touch on the way to it, ascending; empty at the start.
+  // The faces that touch on the way before this point, ascending; empty at the start.
   std::vector<TouchingFaces> before;
-  // The faces that touch on the way from it; at the end, those that touch there.
+  // The faces that touch on the way after this point. For the end of the trajectory, the faces that
+  // touch there.
   std::vector<TouchingFaces> after;
 };
 

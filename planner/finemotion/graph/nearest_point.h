@@ -8,7 +8,7 @@
 
 namespace assay::finemotion {
 
-// Computes the distance of a convex set from 0. Of the coordinates from kEqual on, only positive
+// Computes the distance of a convex set from 0. In the coordinates from kEqual on, only positive
 // values count. The distance is thus the least norm in the set + { 0 } x { not negative } x ... .
 // The algorithm is Wolfe's (1976), with rays (the axes) beside points. It keeps a few points and
 // rays, called the corral, and knows the point of their hull nearest to 0. The lowest point of the

@@ -45,7 +45,8 @@ class ProjectionImage {
 
   static constexpr Eigen::Index kStart = 0;
   static constexpr Eigen::Index kMotion = 1;
-  // First column of the errors: those of the start, then those of the motion.
+  // The column of the first error. The errors of the start come first, then the errors of the
+  // motion.
   static constexpr Eigen::Index kErrors = 2;
 
   const double* Column(Eigen::Index i) const { return columns_.data() + i * rows(); }
@@ -72,7 +73,7 @@ class ImagePoints {
   bool moves() const { return image_.moves(); }
   Eigen::Index start_errors() const { return image_.start_errors_; }
   Eigen::Index errors() const { return image_.errors(); }
-  // Returns the change that error i makes. Errors of the start come first, then those of the
+  // Returns the change that error i makes. Errors of the start come first, then errors of the
   // motion.
   Eigen::Map<const Point> Error(Eigen::Index i) const {
     return PointAt(ProjectionImage::kErrors + i);

@@ -50,8 +50,8 @@ struct ExactReplay {
   double velocity_error = 0.0;  // as in SegmentModel; its signs are drawn
 };
 
-// A place where a replay deviates from the plan: a contact other than planned is made, the planned
-// one is not made, or a kept one is off its features.
+// A deviation of a replay from the plan. Either a motion makes another contact than the planned
+// one, or it does not make the planned contact, or a kept contact leaves its features.
 struct Deviation {
   PoseChange error = PoseChange::Zero();  // the error of the start
   std::size_t motion = 0;                 // index of the motion that deviates

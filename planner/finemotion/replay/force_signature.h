@@ -13,8 +13,8 @@ namespace assay::finemotion {
 using Wrench = Eigen::Matrix<double, kPoseDimensions, 1>;
 
 // The wrenches that the stationary part can apply to the moving part in a contact state: all
-// nonnegative combinations of the rays (Dakin and Popplestone, section 4, tell states apart by them
-// at the wrist). Without a contact it is the wrench 0 alone.
+// nonnegative combinations of the rays (Dakin and Popplestone, section 4, use them to distinguish
+// states at the wrist). Without a contact it is the wrench 0 alone.
 struct ForceSignature {
   Eigen::Matrix<double, kPoseDimensions, Eigen::Dynamic> rays;  // one column for each ray
 };
@@ -39,11 +39,11 @@ double Separation(const Wrench& wrench, const ForceSignature& signature, double 
 // both are single rays.
 double Separation(const ForceSignature& a, const ForceSignature& b, double length);
 
-// Returns the separation of two contact states that have contacts in common. Which of the common
-// contacts press, and how much, does not tell the states apart, so only the others count. The
-// result is the least distance, in 0 .. 1, between a mean of the unit rays that only one state has
-// and the wrenches of the other state. It is 0 where a new wrench of one state may as well come
-// from the other, and 1 where no wrench is new.
+// Returns the separation of two contact states that have contacts in common. The forces of the
+// common contacts do not distinguish the states, so only the other contacts count. The result is
+// the least distance, in 0 .. 1, between a mean of the unit rays that only one state has and the
+// wrenches of the other state. It is 0 where a new wrench of one state may as well come from the
+// other, and 1 where no wrench is new.
 double SeparationOfStates(const ForceSignature& common, const ForceSignature& only_a,
                           const ForceSignature& only_b, double length);
 
@@ -51,8 +51,8 @@ double SeparationOfStates(const ForceSignature& common, const ForceSignature& on
 // (Simunovic 1975). It is conservative, since the pyramids contain the friction cones.
 bool Jams(const ForceSignature& signature, const Wrench& applied, double length);
 
-// Returns whether the contacts can squeeze the part between them whatever is applied, that is,
-// whether some of their forces, not all 0, cancel each other (Nevins and Whitney 1978: contacts in
+// Returns whether the contacts can squeeze the part between them, whatever wrench is applied. They
+// can if some of their forces, not all 0, cancel each other (Nevins and Whitney 1978: contacts in
 // each other's friction cones).
 bool Wedges(const ForceSignature& signature, double length);
 

@@ -13,14 +13,14 @@ namespace assay::finemotion {
 
 // Half widths of the intervals that hold the unknown errors.
 struct FineMotionErrors {
-  // Of the tip's pose at the start: metres, radians.
+  // The errors of the tip's pose at the start, in metres and radians.
   Eigen::Matrix<double, kPoseDimensions, 1> pose;
   double velocity = domain::MatingErrors().velocity;  // velocity error as in SegmentModel
   Eigen::VectorXd tolerances = {};  // half widths of the passage's tolerances, metres
 };
 
-// Returns the errors with those of poses and tolerances multiplied by `multiple`. Those of
-// velocities stay.
+// Returns the errors with the errors of poses and tolerances multiplied by `multiple`. The velocity
+// error is unchanged.
 FineMotionErrors Enlarged(const FineMotionErrors& errors, double multiple);
 
 struct StrategyOptions {
@@ -40,9 +40,9 @@ struct StrategyOptions {
   int tries = 400;        // number of attempts at moving a start
   double greatest = 1.5;  // starts are moved until this multiple of the errors is absorbed
   int nodes = 200;        // number of nodes that one search may expand for each critical point
-  // Nodes that a thorough search may expand for each critical point. It is made when no other
-  // search finds a strategy, to learn whether there is one. With 0 neither it nor the search for an
-  // obstacle is made.
+  // Nodes that a thorough search may expand for each critical point. The thorough search is made
+  // when no other search finds a strategy, to learn whether there is one. With 0, neither the
+  // thorough search nor the search for an obstacle is made.
   int thorough_nodes = 3000;
   // Errors drawn for exact replays: as many from the whole box, as many from its surface.
   int drawn = 32;
@@ -65,10 +65,10 @@ struct FineMotionPlan {
   int exact_replays = 0;
   // The least coefficient of friction with which its kept contacts could hold a motion.
   double friction_limit = kGreatestFriction;
-  // What stands in the way, if not all of the errors are absorbed. If some part is absorbed, it is
-  // what happens first with a little more than that part, at its multiple of the errors. Otherwise
-  // it is what stands against the sequence that came nearest to the goal, at the least multiple
-  // that was tried.
+  // The contact or loss that stands in the way if not all of the errors are absorbed. If a part of
+  // the errors is absorbed, it is the first one that happens with slightly greater errors; its
+  // scale is the multiple at which it happens. Otherwise it is the one that stopped the sequence
+  // that came nearest to the goal, at the least multiple that was tried.
   std::optional<Unwanted> obstacle = {};
   int expanded = 0;  // number of expanded nodes
   int replayed = 0;  // number of sequences replayed from other starts

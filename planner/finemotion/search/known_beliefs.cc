@@ -9,8 +9,8 @@ namespace {
 constexpr double kSamePlace = 1e-3;  // metres within which positions are alike
 constexpr double kTurn = 0.02;       // radians within which orientations are alike
 constexpr double kWorse = 1.05;      // errors up to this factor greater are no worse
-constexpr double kShift = 1e-5;      // errors of position up to so many metres greater are no worse
-constexpr double kTwist = 2e-4;  // errors of orientation up to so many radians greater are no worse
+constexpr double kShift = 1e-5;      // metres by which greater errors of position are no worse
+constexpr double kTwist = 2e-4;      // radians by which greater errors of orientation are no worse
 
 using HalfWidths = Eigen::Matrix<double, kPoseDimensions, 1>;
 

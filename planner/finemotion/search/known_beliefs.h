@@ -8,12 +8,13 @@
 
 namespace assay::finemotion {
 
-// The believed poses that a search has reached. A believed pose is like a known one if it is at the
-// same critical point and in the same contacts, its pose is within a millimetre and about a degree
-// of the known pose, and its errors are not clearly less about any axis. The search then assumes
-// that whatever it leads to, the known one leads to as well. A pose free of contact may be farther
-// out as well, since it can come back. Poses that are alike are not the same, so this makes a
-// search finite but not complete.
+// The believed poses that a search has reached. A believed pose is like a known one if three
+// conditions hold. Both are at the same critical point and in the same contacts. They differ by at
+// most a millimetre and about a degree. The errors of the new one are not clearly less about any
+// axis. The search then assumes that the known pose leads to everything to which the new pose
+// leads. A pose without contact also counts as like a known pose that is less far out, since the
+// part can come back. Poses that are alike are not equal, so this makes a search finite but not
+// complete.
 class KnownBeliefs {
  public:
   // `mating` is the way in, a unit vector.

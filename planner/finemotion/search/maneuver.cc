@@ -15,7 +15,8 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kAgainst = 0.3;
 constexpr double kRoom = 0.6;          // fraction of the play that errors across it may take
 constexpr double kLeastMotion = 1e-6;  // metres and radians; less is not worth a motion
-// Least length of a unit direction after kept contacts are complied with.
+// The least length that a unit direction may have after it is corrected to comply with the kept
+// contacts. A shorter one means that the contacts block the motion.
 constexpr double kBlocked = 0.2;
 constexpr double kGrazing = 0.3;          // sine of an angle at which a contact is felt too late
 constexpr double kCorrection = 2e-3;      // metres; more is not a correction
@@ -59,8 +60,8 @@ Hit FirstHit(const std::vector<PrimitiveContact>& contacts, const std::vector<Co
   return hit;
 }
 
-// Returns whether the contact is come upon at a small angle. Then it is felt late, and the place
-// where it is felt is not certain.
+// Returns whether the motion meets the contact at a small angle. The contact is then felt late, and
+// at an uncertain place.
 bool IsGrazing(const PrimitiveContact& contact, const PoseChange& direction, double radius) {
   const double size = direction.head<3>().norm() + radius * direction.tail<3>().norm();
   return contact.row.head<kPoseDimensions>().dot(direction) > -kGrazing * size;
@@ -245,7 +246,7 @@ Maneuvered Maneuvering::Apply(const Situation& situation, const Maneuver& maneuv
     const Pose& X = now->belief.X_StationaryMoving;
     const auto direction = DirectionOf(*now, maneuver);
     if (!direction) return result;
-    // For these maneuvers, DirectionOf computes anew what is left.
+    // For these maneuvers, DirectionOf computes the remaining motion again.
     const bool anew =
         maneuver.kind == Maneuver::Kind::kUpright || maneuver.kind == Maneuver::Kind::kAdvance;
     const double left = direction->amount - (anew ? 0 : done);

@@ -83,7 +83,8 @@ class Maneuvering {
   Maneuvering(const Passage& passage, int critical_point, const MotionChecker& checker,
               double reach);
 
-  // Returns the normals, outward from the walls, of what the tip can touch across the way in.
+  // Returns the normals, outward from the walls, of the faces that the tip can touch across the way
+  // in.
   const std::vector<Vector3>& laterals() const { return laterals_; }
 
   Situation At(const Belief& belief) const;

@@ -42,7 +42,7 @@ class Ladder {
     for (const ContactKey& key : touched_) KeepContact(key, nearby);
   }
 
-  // Adds what is unwanted at this enlargement, unless it happens at a lesser one already.
+  // Adds the unwanted contacts and losses of this enlargement, except those of lesser enlargements.
   void Add(double scale, const std::vector<Unwanted>& unwanted, const Nearby& nearby) {
     for (const Unwanted& added : unwanted) {
       if (std::ranges::any_of(unwanted_, [&](const Unwanted& told) {

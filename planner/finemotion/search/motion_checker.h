@@ -11,9 +11,9 @@ namespace assay::finemotion {
 // Factors by which the errors are enlarged (Dakin and Popplestone, section 4; the values are not
 // from the paper).
 inline constexpr double kLadder[] = {1, 1.25, 1.5, 2, 3, 4};
-inline constexpr double kBeyondLadder = 8;  // scale of what happens at no enlargement of kLadder
+inline constexpr double kBeyondLadder = 8;  // the scale if no enlargement of kLadder causes it
 
-// How much is reported of the contacts that errors make or lose.
+// The contacts and losses that a check reports.
 enum class Margins {
   kNone,   // the first contact that is found with the errors as they are
   kLeast,  // all contacts at the least enlargement at which there are any
@@ -27,7 +27,7 @@ struct CertainMotion {
   SegmentCheck check;
   // Kept, made and unwanted contacts, as linearized at the end of the motion.
   std::vector<PrimitiveContact> contacts = {};
-  // Friction in the kept contacts can hold the part, so that the motion is not certain.
+  // Friction in the kept contacts can hold the part, so the motion is not certain.
   bool can_be_held = false;
   int critical_point = 0;  // index of the critical point at which the motion is
 };

@@ -298,14 +298,14 @@ class Checker {
     });
   }
 
-  // Adds what is unwanted and returns whether to go on.
+  // Adds an unwanted contact or loss. Returns whether the check should go on.
   bool Add(const Unwanted& unwanted) {
     check_.unwanted.push_back(unwanted);
     return telling_ == Telling::kAll;
   }
 
-  // Returns whether the contact may be made. A contact that is let go may be, if the motion surely
-  // leaves it.
+  // Returns whether the contact may be made. A contact that the motion lets go may be made if the
+  // motion surely leaves it.
   bool IsWanted(const PrimitiveContact& contact) const {
     const ContactKey key = KeyOf(contact);
     if (command_.until && key == *command_.until) return true;
@@ -337,7 +337,7 @@ class Checker {
     return contact.offset - motion - error + time_ * std::min(0.0, motion - drift) <= -kGrazed;
   }
 
-  // Returns whether the contact can be made before the contact that ends the motion is.
+  // Returns whether the contact can be made before the contact that ends the motion.
   bool Meets(const PrimitiveContact& contact, const RowRange& gap,
              const std::vector<RowRange>& limits) {
     const Eigen::Index rows = std::ssize(limits) + (until_ != nullptr ? 2 : 1);
@@ -529,8 +529,8 @@ class Checker {
   std::vector<const PrimitiveContact*> kept_;
   const PrimitiveContact* until_;
   KeptDirections directions_;
-  // The drifts of one displacement; the start's errors as seen from the end; these together with
-  // the errors anywhere on the way there.
+  // The drifts of one displacement, the start's errors as seen from the end, and the start's errors
+  // together with the errors anywhere on the way to the end.
   Eigen::Matrix<double, kPoseDimensions, kPoseDimensions> drifts_;
   PoseChanges errors_;
   PoseChanges swept_;

@@ -46,7 +46,8 @@ struct Command {
   std::optional<ContactKey> until = {};
 };
 
-// A kept contact may be so many metres beyond its limits, beside its features.
+// The distance, in metres, by which a kept contact may be beyond its limits, that is, beside its
+// features.
 inline constexpr double kLost = 2e-5;
 
 // A contact that must not be made, or one that must not be lost because it is kept or waited for.
@@ -99,7 +100,7 @@ struct SegmentModel {
   std::span<const ParallelEdges> parallel_edges = {};
 };
 
-// How much a check reports of what is unwanted.
+// The unwanted contacts and losses that a check reports.
 enum class Telling {
   kFirst,  // only the first unwanted contact that is found
   kAll,
@@ -108,8 +109,9 @@ enum class Telling {
 // Checks a command against all contacts with the exact test (meeting.h). The hand turns the part
 // about where it believes the tip to be, so errors turn with it. Kept contacts may run off their
 // ends by 20 micrometres and 2 milliradians, to make up for what linear rows leave out. If the
-// result is not certain and nothing is unwanted, then a contact of the command is not there,
-// tolerances part kept contacts, or the contact that ends the motion never surely comes.
+// result is not certain although nothing unwanted happens, there are three possible reasons. A
+// contact of the command does not exist, tolerances separate kept contacts, or the contact that
+// ends the motion does not surely come.
 SegmentCheck Check(const SegmentModel& model, const Belief& belief, const Command& command,
                    Telling telling = Telling::kFirst);
 

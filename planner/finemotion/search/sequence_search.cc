@@ -37,8 +37,8 @@ struct SequenceSearch::Node {
   int number = 0;  // number of the node in the order in which nodes are made
 };
 
-// Orders nodes by the estimated cost of the whole sequence. Of equal ones, those that came farther
-// are first.
+// Orders nodes by the estimated cost of the whole sequence. If the costs are equal, the node that
+// came farther is first.
 bool SequenceSearch::IsLater::operator()(const NodePointer& a, const NodePointer& b) const {
   const double cost_a = a->cost + a->guidance;
   const double cost_b = b->cost + b->guidance;
@@ -163,8 +163,8 @@ std::vector<Maneuver> SequenceSearch::ManeuversFrom(const Node& node) const {
   return maneuvers;
 }
 
-// Returns how alike the forces are of the last planned contact and of the likeliest contact in its
-// place.
+// Compares the forces of the last planned contact with the forces of the contact that is most
+// likely made instead. Returns how alike they are.
 double SequenceSearch::ConfusionOf(const Maneuvered& done) const {
   const CertainMotion& last = done.motions.back();
   if (last.check.unwanted.empty() || !last.command.until) return 0;

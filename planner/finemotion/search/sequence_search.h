@@ -41,8 +41,8 @@ class SequenceSearch {
   bool has_looked_through_all() const { return open_.empty(); }
   int expanded() const { return expanded_; }
   const TestComparison& comparison() const { return comparison_; }
-  // Returns what was unwanted in a refused maneuver, namely in the one from the node nearest to the
-  // goal.
+  // Returns the contact or loss for which a maneuver was refused. If several were refused, it is
+  // the maneuver from the node nearest to the goal.
   const std::optional<Unwanted>& refused() const { return refused_; }
 
  private:

@@ -136,7 +136,7 @@ class StrategySearch {
     comparison_ += trying.replay.comparison();
   }
 
-  // Stores what was refused, as long as nothing is absorbed. The later searches are those for
+  // Stores the refused contact or loss as long as no errors are absorbed. Later searches are for
   // smaller errors, so the latest refusal is kept.
   void TellRefusal(const Trying& trying) {
     if (best_.absorbed > 0 || !trying.sequences.refused()) return;

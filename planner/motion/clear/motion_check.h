@@ -26,8 +26,9 @@ struct MotionRules {
   // errors.
   JointVector sway = JointVector::Zero();
   plan::ToolErrorBox tool = {};
-  // Postures that are given, such as the ends of straight lines. What the arm carries may come
-  // nearly as near to anything as it is in one of these postures.
+  // Postures that are prescribed, such as the ends of straight lines. In these postures, the load
+  // of the arm may be nearer to a body than the clearance. It may then come nearly as near to this
+  // body elsewhere.
   std::vector<JointVector> given = {};
   enum class Bodies {
     kAll,
@@ -54,13 +55,13 @@ struct Obstruction {
 std::string Describe(const CollisionScene& scene, const MotionRules& rules,
                      const Obstruction& obstruction);
 
-// Decides exactly whether straight motions in joint space obey the rules: not only at samples. A
-// pair is free all along a motion if its distance in the middle is more than its bodies can move on
-// either half. All other pairs are tested again on each half (Schwarzer, Saha and Latombe,
-// "Adaptive Dynamic Collision Checking for Single and Multiple Articulated Robots", 2005). A pair
-// that comes so near to the clearance that the halving does not end counts as obstructed. Paths may
-// be refused for as little as kUndecided (kUndecidedOfSway where joints may sway), but are never
-// accepted wrongly.
+// Decides whether straight motions in joint space obey the rules at every point, not only at
+// samples. A pair is free all along a motion if its distance in the middle is more than its bodies
+// can move on either half. All other pairs are tested again on each half (Schwarzer, Saha and
+// Latombe, "Adaptive Dynamic Collision Checking for Single and Multiple Articulated Robots", 2005).
+// A pair that comes so near to the clearance that the halving does not end counts as obstructed. A
+// path may be refused wrongly if it keeps the clearance by less than kUndecided (kUndecidedOfSway
+// if joints may sway). A path is never accepted wrongly.
 //
 // Where joints may sway, a pair is tested in a box of the joints that move its bodies against each
 // other. The box is halved until the pair is decided. The links from the wrist on are tested

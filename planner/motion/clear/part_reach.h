@@ -16,7 +16,7 @@ using domain::GraspId;
 // grasp. A path from its own home leads to where the way begins (FindPath).
 bool CanServe(const domain::Problem& problem, PartId part, GraspId grasp, const Pose& X_WorldPart);
 
-// Returns the first grasp by which CanServe holds; None if there is none. This is the extern
+// Returns the first grasp for which CanServe is true, or None if there is none. This is the extern
 // isReachable(location, robot) of the visual scenario (Gaschler et al. 2013, III-B).
 GraspId ServingGrasp(const domain::Problem& problem, PartId part, const Pose& X_WorldPart);
 

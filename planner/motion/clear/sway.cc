@@ -154,8 +154,9 @@ class Piece {
     return q ? kinematics::NearestByTurns(*q, middle_) : q;
   }
 
-  // Returns the greatest components of the twist, about the wrist's center, that leads the tool
-  // from the middle of the cell to any pose of it. Each column is for one coordinate alone.
+  // Returns bounds of the twist, about the wrist's center, that moves the tool from the middle of
+  // the cell to another of its poses. A column bounds the components of the twist if only one of
+  // the coordinates changes.
   Matrix6 TwistsIn(const Coordinates& half) const {
     Matrix6 twists = Matrix6::Zero();
     twists.block<3, 1>(0, kAlong) = half[kAlong] * line_.cwiseAbs();

@@ -8,8 +8,8 @@ namespace assay::motion {
 
 // The effect of errors of the tool's pose on an arm that follows straight lines of the tool.
 struct Sway {
-  // Whether the arm surely follows in the planned configuration, and is never singular. Otherwise
-  // the other members are not bounded, and have no meaning.
+  // True if the arm surely follows in the planned configuration and is never singular. If false,
+  // the other members have no meaning.
   bool is_bounded = false;
   // Greatest difference of each joint from its planned value at the same point of the way, radians.
   kinematics::JointVector turn = kinematics::JointVector::Zero();
@@ -24,9 +24,9 @@ struct Sway {
 // The possible poses of the tool are covered by cells: a piece of a line, and intervals of the
 // errors. In the middle of a cell the closed form of the inverse kinematics gives the posture q0.
 // As the tool goes from there to another pose of the cell, the joints turn at rates x with J(q) x =
-// b, and |b| is at most half the cell. With A = J(q0)^-1 that is x = A b + (I - A J(q)) x, so that
-// |x| <= |A| |b| + M |x|. M bounds |I - A J(q)|: by the derivatives of J at q0, and beyond them by
-// how far axes and levers may turn.
+// b, and |b| is at most half the cell. With A = J(q0)^-1 that is x = A b + (I - A J(q)) x, so |x|
+// <= |A| |b| + M |x|. M bounds |I - A J(q)|: by the derivatives of J at q0, and beyond them by how
+// far axes and levers may turn.
 //
 // Let r satisfy r >= |A| |b| + M r, with M for joints within r of q0. Then no joint turns farther
 // than r, and J(q) is never singular. This is the argument of Krawczyk's test (Moore, "Methods and

@@ -20,13 +20,13 @@ struct SweepAccuracy {
   double added_volume = 0.15;
 };
 
-// Returns all that the bodies which move with the arm go through along a path, as convex pieces:
-// none of their points is ever outside. On each step a piece is the hull of the vertices at both
-// ends, grown by how far a point can leave its chord. That is 1/8 of its greatest acceleration if
-// the step takes unit time: the sum over joints k, l of turn_k turn_l reach_max(k,l). (For one
-// joint, with delta = turn reach, it is the sagitta bound delta^2 / (8 reach).) Steps are so short
-// that the growth is at most `sagitta`. Successive pieces of one hull of a body are merged while
-// little volume is added.
+// Returns the volume that the bodies which move with the arm sweep along a path, as convex pieces.
+// The pieces contain every point of the bodies at all times. On each step of the path, a piece is
+// the hull of the vertices at both ends, grown by the greatest distance of a point from its chord.
+// This distance is 1/8 of the point's greatest acceleration if the step takes unit time: the sum
+// over joints k, l of turn_k turn_l reach_max(k,l). (For one joint, with delta = turn reach, it is
+// the sagitta bound delta^2 / (8 reach).) Steps are so short that the growth is at most `sagitta`.
+// Successive pieces of one hull of a body are merged while little volume is added.
 std::vector<SweptPiece> SweptVolume(const CollisionScene& scene, const JointPath& path,
                                     const SweepAccuracy& accuracy);
 
@@ -37,8 +37,9 @@ std::vector<SweptPiece> SweptVolume(const CollisionScene& scene, const JointPath
 std::optional<BodyPair> InTheWay(const CollisionScene& scene, const std::vector<SweptPiece>& pieces,
                                  double clearance);
 
-// Returns how far a point of the body can be from its chord, at the same share of the way, on a
-// motion straight in joint space that turns the joints by `turn` (radians, >= 0). In metres.
+// Returns the greatest distance, in metres, of a point of the body from its chord at the same share
+// of the way. The motion is straight in joint space, and turns the joints by `turn` (radians, >=
+// 0).
 double SagittaBound(const Body& body, const JointVector& turn);
 
 }  // namespace assay::motion

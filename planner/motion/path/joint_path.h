@@ -6,7 +6,7 @@
 
 namespace assay::motion {
 
-// A path of postures. The arm goes straight in joint space from each to the next.
+// A path of postures. The arm goes straight in joint space from each posture to the next.
 using JointPath = std::vector<kinematics::JointVector>;
 
 }  // namespace assay::motion

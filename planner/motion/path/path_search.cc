@@ -18,8 +18,8 @@ constexpr std::int64_t kUnlikely = 20;  // divisor of the budget where a path is
 // Greatest length in the trees, metres as measured with JointWeights.
 constexpr double kLongestMotion = 1.5;
 
-// Joints are weighted by how far they can move the flange. Distances in the trees are then roughly
-// metres.
+// The weight of a joint is the greatest distance between its axis and a body that it moves.
+// Distances in the trees are then roughly metres.
 JointVector JointWeights(const CollisionScene& scene) {
   JointVector weights = JointVector::Zero();
   for (const Body& body : scene.bodies()) {

@@ -39,9 +39,9 @@ using PathResult = std::variant<JointPath, PathFailure>;
 // otherwise one found by RRT-Connect (Kuffner and LaValle 2000; OMPL) and shortened. The same
 // request gives the same path.
 //
-// Objects that are to be kept upright are sampled exactly upright. Where the tool's axis is the
+// Objects that are to be kept upright are sampled exactly upright. If the tool's axis is the
 // direction that points up, the upright postures of one configuration of the arm form planes in
-// joint space (q4 is 0 or half a turn, and q2 + q3 +- q5 is constant), so that motions between them
+// joint space: q4 is 0 or half a turn, and q2 + q3 +- q5 is constant. Motions within such a plane
 // stay upright. Upright postures of two configurations are seldom joined: requests between them get
 // a twentieth of the budget.
 PathResult FindPath(const CollisionScene& scene, const PathRequest& request);

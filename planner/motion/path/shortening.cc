@@ -72,7 +72,7 @@ class Shortening {
     return from + point.share * (path_[point.corner + 1] - from);
   }
 
-  // Returns whether the path is free and quicker if it goes straight between the two.
+  // Returns whether the path is free and quicker if it goes straight between the two points.
   bool IsQuicker(const Point& from, const Point& to) {
     const JointVector start = At(from);
     const JointVector end = At(to);

@@ -21,8 +21,8 @@ class LineFollower {
         X_WorldTool_(X_WorldTool),
         greatest_turn_(kGreatestTurn * std::max(1.0, step / kCentimetre)) {}
 
-  // Returns the configuration that the arm is in: of the closed form's solutions, the one equal to
-  // q.
+  // Returns the indicators of the arm's configuration: those of the inverse solution that equals q.
+  // Returns none if no solution equals q.
   std::optional<Indicators> ConfigurationAt(const JointVector& q) const {
     for (const InverseSolution& s : SolutionsAt(X_WorldTool_.translation(), q)) {
       const auto nearest = workcell_.arm().NearestInRange(s.q, q);

@@ -43,7 +43,7 @@ struct Mover {
   Pose X_ToolMover;
 };
 
-// Tests whether what the arm carries stays clear of everything else.
+// Tests whether the load of the arm stays clear of everything else.
 class Clearance {
  public:
   Clearance(const domain::Problem& problem, const Surroundings& surroundings)

@@ -25,14 +25,15 @@ struct TravelRequest {
 // bodies in the way.
 using TravelResult = std::variant<JointPath, std::string>;
 
-// Plans the travel. Of the joint values that bring the tool there (up to eight configurations,
-// joints 4 and 6 with up to two turns each), those nearest in time are tried first. The way is a
-// joint move, or two of them by way of the workcell's home. Hand, fingers and held part must stay
-// kTravelGap away from the table and from the parts; the arm is tested only if the request says so.
+// Plans the travel. Several joint values bring the tool to its pose: up to eight configurations,
+// with up to two turns of joints 4 and 6 each. The joint values that are reached soonest are tried
+// first. The travel is one joint move, or two joint moves by way of the workcell's home. Hand,
+// fingers and held part must stay kTravelGap away from the table and from the parts; the arm is
+// tested only if the request says so.
 //
-// Where the workcell has other robots, the whole arm must stay as far from them, on the lines as
-// well. Where the arm is watched and no simple way is free, a path around everything is searched
-// (FindPath).
+// If the workcell has other robots, the whole arm must stay kTravelGap away from them, on the
+// straight lines too. If the request tests the arm and no simple way is free, a path around
+// everything is searched for (FindPath).
 TravelResult PlanTravel(const domain::Problem& problem, const Surroundings& surroundings,
                         const TravelRequest& request);
 

@@ -38,9 +38,9 @@ int NarrowOneByOne(Block<Lane>* lanes, const Rows<Lane>& rows, Word left, Narrow
 #ifdef ASSAY_HAS_TARGETS
 #define ASSAY_WIDE __attribute__((target("avx512bw,bmi2")))
 
-// These functions work on elements of the first argument's type. Differ tells where a and b differ,
-// and AreDisjoint where they have no bit in common. LessOne subtracts one; a set with one label has
-// no bit in common with the result.
+// These functions work on elements of the first argument's type. Differ marks the elements in which
+// a and b differ, and AreDisjoint the elements in which they have no bit in common. LessOne
+// subtracts one; a set with one label has no bit in common with the result.
 ASSAY_WIDE inline Word Differ(std::uint16_t, __m512i a, __m512i b) {
   return _mm512_cmpneq_epi16_mask(a, b);
 }

@@ -84,9 +84,10 @@ class ArcConsistency {
   std::vector<Word> kept_;  // the labels that survive the current revision
 
   std::vector<int> queue_;
-  // By node: for a node in the queue, the only arc whose revision changed it, or kManyArcs; for any
-  // other node kNotQueued. Labels that were lost on an arc supported nothing on that arc. Therefore
-  // the arc need not be revised in the other direction because of them.
+  // Indexed by node. For a node in the queue: the arc whose revision changed it, or kManyArcs if
+  // there are several; for other nodes: kNotQueued. Labels that a node loses by the revision of an
+  // arc supported nothing on this arc. Their loss is therefore no reason to revise the arc in the
+  // other direction.
   static constexpr int kNotQueued = -2;
   std::vector<int> cause_;
 };

@@ -36,10 +36,10 @@ struct Conflict {
 };
 
 // Finds a minimal conflict among constraints over the nodes of `background`. Together with the
-// network the constraints of the conflict leave no labeling; without any one of them they would
-// leave one. The conflict is empty if the background is inconsistent by itself. Of several minimal
-// conflicts, one with constraints that are early in the list is preferred (QuickXplain: Junker
-// 2004).
+// network, the constraints of the conflict leave no labeling. If any one of them is left out, a
+// labeling remains. The conflict is empty if the background is inconsistent by itself. If there are
+// several minimal conflicts, constraints that are early in the list are preferred (QuickXplain:
+// Junker 2004).
 Conflict MinimalConflict(const Network& background, std::span<const Constraint> constraints,
                          Budget& budget);
 

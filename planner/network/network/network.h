@@ -101,14 +101,14 @@ class Network {
   bool Mend(NodeId node);
   void NarrowToLoop(NodeId node, const Relation& relation);
 
-  // These are mutable because arc consistency only makes known facts explicit. Propagation that is
-  // owed is done when a caller asks for its result.
+  // These are mutable because arc consistency only makes known facts explicit. A propagation that
+  // is still due is done when a caller asks for its result.
   mutable LabelStore labels_;
   mutable ArcConsistency consistency_;
   mutable Counters counters_;
   std::vector<Arc> arcs_;
-  // Changes that are not propagated are in the queue of consistency_. Their propagation is owed
-  // once a check has found a labeling.
+  // Changes that are not propagated are in the queue of consistency_. Their propagation is due
+  // (owed_) once a check has found a labeling.
   mutable bool propagated_ = true;
   bool owed_ = false;
 

@@ -36,7 +36,7 @@ class ForwardChecking {
   struct Decision {
     int node;
     Word before;        // its labels before the decision
-    Word untried;       // those that have not been tried
+    Word untried;       // labels that have not been tried
     std::size_t trail;  // the length of trail_ before the decision
   };
   struct Change {

@@ -8,7 +8,7 @@
 
 namespace assay::network {
 
-// How a search chooses the node to branch on.
+// The rule by which a search chooses the node to branch on.
 enum class NodeOrder {
   // The open node with the fewest labels per weight. It changes as the search learns.
   // (Last-conflict reasoning, which returns to the node whose last choice failed, was tried. It
@@ -20,8 +20,8 @@ enum class NodeOrder {
 
 // The open nodes of a search, which are those with more than one label, and the weights of the arcs
 // between them (dom/wdeg: Boussemart, Hemery, Lecoutre and Sais 2004). A node is closed when it is
-// found to have one label. Nodes are reopened in reverse order, so that weights are updated without
-// being summed anew.
+// found to have one label. Nodes are reopened in the reverse order of closing, so each closing or
+// reopening only updates the sums of weights.
 class OpenNodes {
  public:
   // Nodes outside `scope` count as closed. Only this search may change the label sets and the

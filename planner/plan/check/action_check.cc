@@ -205,7 +205,7 @@ class ActionChecker::Examination {
     if (const std::optional<std::string> why = WhyOutOfReach(cell_, lines)) Report("{}", *why);
   }
 
-  // In these actions the hand does no more than at any grasp.
+  // A pickup, a squeeze and a look need no checks beyond the checks of every grasp.
   void ExamineOwn(const Pickup&) {}
   void ExamineOwn(const Squeeze&) {}
   void ExamineOwn(const Sense&) {}

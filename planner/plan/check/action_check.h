@@ -12,8 +12,8 @@ namespace assay::plan {
 
 // Examines one action at a time in a given state of the world. It checks that the hold is a grasp,
 // that the hand and the part in it are clear of everything, that the arm gets there, and that the
-// part rests or mates. It works on the boxes of parts and gripper, the table, and the arm. Of the
-// parts' features it only uses which faces they are.
+// part rests or mates. It works on the boxes of parts and gripper, the table, and the arm. It uses
+// the parts' features only to know which faces they have.
 //
 // Motions above the retreated or pre-mating pose (at safe height, and straight down to there) are
 // not examined.

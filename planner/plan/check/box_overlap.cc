@@ -33,7 +33,7 @@ double Separation(const Box& a, const Box& b) {
     gap = std::max({gap, GapAlong(a, b, R_A.col(i)), GapAlong(a, b, R_B.col(i))});
     for (int j = 0; j < 3; ++j) {
       const Vector3 cross = R_A.col(i).cross(R_B.col(j));
-      // Parallel edges are skipped: their common normals are those of the faces.
+      // Parallel edges are skipped, because their common normals are normals of faces.
       if (cross.norm() > kParallelEdges) gap = std::max(gap, GapAlong(a, b, cross.normalized()));
     }
   }

@@ -54,7 +54,7 @@ std::vector<Flaw> FlawsOfStrategies(const Plan& plan) {
   return flaws;
 }
 
-// Returns the flaws that make a plan unusable, so that no order of it can be simulated.
+// Returns the flaws that make a plan unusable, so no order of it can be simulated.
 std::vector<Flaw> FlawsOfPlanForm(const domain::Problem& problem, const Plan& plan) {
   std::vector<Flaw> flaws;
   for (std::size_t i = 0; i < plan.steps.size(); ++i) {
@@ -102,8 +102,8 @@ class Simulation {
   std::vector<Flaw> TakeFlaws() { return std::move(flaws_); }
 
  private:
-  // A step and the state before it. The step that last moved each part tells where the part is, how
-  // it is held and into what it is mated.
+  // A step and the state before it. The state is given by the step that last moved each part: this
+  // step determines the part's place, its hold and its mating.
   using Situation = std::vector<StepId>;
 
   static Situation SituationOf(StepId step, const WorldState& state) {

@@ -25,9 +25,9 @@ struct CheckReport {
 // Checks a plan from the scenario alone, with its own model of what the actions do and its own
 // geometry: it shares no code with the planner and trusts no label. It simulates the linearizations
 // of the ordering, up to `most_linearizations`, and always the order of execution. Goals must hold
-// at the end of each. Strategies are checked only for their form (FlawsOfForm), and certificates
-// for what they cover (condition_kind.h). planner/assembly/plan_check.h replays the strategies,
-// too, and planner/uncertainty/preconditions/certify.h computes certificates anew.
+// at the end of each. Only the form of strategies is checked (FlawsOfForm), and only which kinds of
+// preconditions certificates cover (condition_kind.h). planner/assembly/plan_check.h replays the
+// strategies, too, and planner/uncertainty/preconditions/certify.h computes certificates anew.
 CheckReport Check(const domain::Problem& problem, const Plan& plan, int most_linearizations);
 
 // Returns the flaws of the certificates: each must cover what its step needs. If one step has a

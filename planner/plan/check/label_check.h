@@ -8,9 +8,10 @@
 
 namespace assay::plan {
 
-// Returns the labels of the action that do not fit, in words. Labels of grasps and positions are
-// for people, and must not mislead them: a label that the part has must be that of the pose beside
-// it. Labels that the part does not have are the plan's own, and are not checked.
+// Returns, in words, the labels of the action that do not fit. The labels of grasps and positions
+// are for people, and must not mislead them. If the part has a grasp or position with this label,
+// its pose must be the pose in the action. A label that the part does not have is the plan's own,
+// and is not checked.
 std::vector<std::string> MisleadingLabels(const domain::Problem& problem, const Action& action);
 
 }  // namespace assay::plan

@@ -27,8 +27,9 @@ std::array<PadContact, 2> PadContactsOf(const Hold& hold,
 // micrometres out of it.
 int PointsOffSurface(const PadContact& contact, std::span<const Box> part);
 
-// Returns whether the contact and a feature (its faces, or the mouth of a hole) have a point of the
-// pad's grid or a corner of the feature in common, without the rims.
+// Returns whether the contact touches or covers a feature (its faces, or the mouth of a hole). The
+// test uses the points of the pad's grid and the corners of the feature. Points on the rims do not
+// count.
 bool Covers(const PadContact& contact, const domain::PartModel& part,
             const domain::Feature& feature);
 

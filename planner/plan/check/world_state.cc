@@ -143,7 +143,7 @@ class Effects {
     state_.assembled.push_back(assemble.mating);
   }
 
-  // These actions change what is known of a part, but not its planned pose.
+  // These actions change the knowledge about a part, but not its planned pose.
   void operator()(const Sense&) {}
   void operator()(const Squeeze&) {}
 

@@ -46,7 +46,7 @@ struct ErrorSet {
 
 enum class Relation { kLess, kGreater };
 
-// An uncertainty-reduction precondition, expression < limit (or >), and what was proved about it.
+// An uncertainty-reduction precondition, expression < limit (or >), with the result of its proof.
 struct CertifiedPrecondition {
   // The kind, such as "between fingers", "pad contact", "landing height", "slide-in".
   std::string condition;
@@ -64,8 +64,8 @@ struct CertifiedPrecondition {
   bool operator==(const CertifiedPrecondition&) const = default;
 };
 
-// A kind of precondition (condition_kind.h) that steps of this sort need, but of which this step
-// has none.
+// A kind of precondition (condition_kind.h) that steps with this action usually need, but that does
+// not apply to this step.
 struct NotNeeded {
   std::string condition;
   std::string reason;  // text for people and programs: a reason that the kind allows
@@ -82,8 +82,8 @@ struct Resolution {
   bool operator==(const Resolution&) const = default;
 };
 
-// What is known before and after a step, and what was proved about it. It is empty if the plan was
-// made without regard to uncertainty.
+// The knowledge before and after a step, and the claims that were proved about the step. A
+// certificate is empty if the plan was made without regard to uncertainty.
 struct Certificate {
   // Input error sets: all variables of the preconditions.
   std::vector<ErrorVariable> variables = {};
@@ -92,7 +92,8 @@ struct Certificate {
   std::vector<std::string> shared = {};
   std::vector<ErrorSet> before = {};  // input error sets of the parts that the step handles
   std::vector<CertifiedPrecondition> preconditions = {};
-  // Together with the preconditions, these are all kinds that the step needs.
+  // The kinds of precondition that the step usually needs and that do not apply here, with reasons.
+  // Every kind of the step is either here or among the preconditions.
   std::vector<NotNeeded> not_needed = {};
   std::vector<ErrorSet> after = {};  // output error sets of the same parts
   std::vector<Resolution> resolutions = {};

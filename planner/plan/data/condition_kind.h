@@ -45,20 +45,20 @@ inline constexpr std::string_view kNotPublished = "the paper's propagation does 
 // Returns whether any certificate of the plan gives kNotPublished as a reason.
 bool IsAsPublished(const Plan& plan);
 
-// Returns the kinds that a step needs, in the order of the table. `strategy` is null if the step
-// goes straight.
+// Returns the kinds that a step needs, in the order of the table. `strategy` is null if no strategy
+// executes the step.
 std::vector<const ConditionKind*> KindsNeeded(const Action& action, const Strategy* strategy);
 
 // Returns the kinds that the step needs and of which there is no precondition, each with its
-// reason. Kinds that may not be lacking must be there, and no unneeded kinds may be there
-// (checked). So the planner refuses a certificate that would leave something unproved without
-// saying so.
+// reason. Checks that every kind that may not lack a precondition has one, and that no unneeded
+// kind has one. The planner therefore never writes a certificate that silently leaves something
+// unproved.
 std::vector<NotNeeded> NotNeededIn(const std::vector<CertifiedPrecondition>& preconditions,
                                    const Action& action, const Strategy* strategy,
                                    bool as_published);
 
-// Returns the flaws of what the step's certificate covers, in words; empty if there are none. The
-// truth of the reasons is not checked.
+// Returns, in words, the kinds that the step's certificate should cover and does not, or covers
+// wrongly; empty if there are none. The truth of the reasons is not checked.
 std::vector<std::string> FlawsOfCoverage(const PlannedStep& step);
 
 }  // namespace assay::plan

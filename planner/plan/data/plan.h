@@ -165,15 +165,15 @@ struct PlanResult {
   std::vector<std::string> conflict;
   // Independent of the machine: nodes, instances, ...
   std::map<std::string, std::int64_t> counters;
-  // What obstructed the first plan instance, as a sentence, if the arm could execute none. With
-  // kBudget: no path was found, which is no proof that there is none.
+  // If the arm could execute no plan instance: a sentence about the obstruction of the first one.
+  // If the outcome is kBudget, no path was found, which does not prove that there is none.
   std::string obstruction = {};
-  // At kNone: the robots, actions, grasps and places over which "no plan exists" was decided, one
-  // sentence each.
+  // If the outcome is kNone: the robots, actions, grasps and places for which it was proved that no
+  // plan exists, one sentence each.
   std::vector<std::string> hypotheses = {};
-  // At kNone: the least amounts by which constraints of the conflict fail.
+  // If the outcome is kNone: the least amounts by which constraints of the conflict fail.
   std::vector<std::string> near_misses = {};
-  // At kBudget: abilities that a plan may need and the planner does not have.
+  // If the outcome is kBudget: abilities that a plan may need and the planner does not have.
   std::vector<std::string> limits = {};
 };
 

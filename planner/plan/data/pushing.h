@@ -22,8 +22,8 @@ inline bool PadsBearResistance(const domain::Problem& problem) {
   return 2 * friction * rules.grip_force > kResistance;
 }
 
-// How much farther than the farthest possible contact a guarded move goes, in metres: arm and pads
-// give way by this much.
+// The distance, in metres, by which a guarded move goes beyond the farthest possible contact. Arm
+// and pads give way by this distance.
 inline constexpr double kBeyondContact = 2e-4;
 
 }  // namespace assay::plan

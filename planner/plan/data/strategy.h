@@ -56,7 +56,8 @@ struct StrategyMotion {
   std::vector<int> kept;  // contacts that are pressed on all the way; indices
   Pose X_FixedTip;  // end pose without errors; the way is straight, with a rotation about one axis
   std::optional<int> until;  // the contact that ends it; none: the motion as a whole
-  // How much farther the motion may go until that contact is made, in lengths of the motion.
+  // The distance by which the motion may go beyond its end until that contact is made, as a
+  // multiple of the motion's length.
   double beyond = 0;
   bool slides = false;  // in a crevice: all but the motion's direction is force-controlled to zero
   // The unwanted contacts within the tried enlargements, by rising scale.
@@ -99,8 +100,8 @@ std::vector<int> ContactsInError(const StrategyMotion& motion, const UnwantedCon
 // strategy absorbs it.
 bool Absorbs(const std::optional<Strategy>& strategy, std::string_view condition);
 
-// Returns what makes it no valid strategy, in words; empty if it is valid. Valid numbers do not
-// mean that the strategy works (planner/finemotion/replay/strategy_check.h).
+// Returns, in words, the reasons why the strategy is not well formed; empty if it is well formed. A
+// well-formed strategy need not work (planner/finemotion/replay/strategy_check.h).
 std::vector<std::string> FlawsOfForm(const Strategy& strategy);
 
 }  // namespace assay::plan

@@ -42,8 +42,8 @@ void Yield(UncertainWorld& world, PartId part, RestingError& error) {
   }
 }
 
-// Returns whether a part that is let go in a seat that leans may slide as far as the walls let it:
-// the seat is steeper than the least friction between the two parts bears.
+// Returns whether a part that is let go in its seat may slide until the walls stop it. It may if
+// the seat leans more than the least friction between the two parts can hold.
 bool SlidesInSeat(const domain::Problem& problem, const domain::Mating& mating,
                   const Vector3& motion) {
   const double friction = std::max(problem.part(mating.held).model->friction(),
@@ -57,7 +57,8 @@ bool Drags(const domain::Problem& problem, const domain::Mating& mating) {
   const domain::Part& fixed = problem.part(mating.fixed);
   const double own = fixed.model->friction();
   const double between = std::max(own, problem.part(mating.held).model->friction());
-  // The least weight, later the least total load on the table, in newtons.
+  // The least load on the table, in newtons: first the part's least weight, then with the pushes
+  // added.
   double keeping = std::numeric_limits<double>::infinity();
   for (const geometry::MassProperties& mass : PossibleMasses(problem, mating.fixed)) {
     keeping = std::min(keeping, mass.mass * kGravity);

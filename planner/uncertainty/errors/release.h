@@ -14,9 +14,9 @@ bool ComesUpright(const UncertainWorld& world, const plan::Hold& hold, const Pos
 // radians.
 //
 // The axis of the levelling depends on the pads: they resist turns about each of the tool's axes by
-// a different amount. A hand that leans by a and errs by theta about its approach vector may leave
-// the part turned by theta / cos a, if the pads give way across the approach vector. If they give
-// way about the approach vector, the part may not be turned at all.
+// a different amount. Let the hand lean by a, and err by theta about its approach vector. If the
+// pads give way across the approach vector, the part may be left turned by theta / cos a. If they
+// give way about the approach vector, the part may not be turned at all.
 struct Leaning {
   double tilt = 0;   // how far the part leans
   double twist = 0;  // turn about the vertical that is left once the table has levelled the part
@@ -32,8 +32,8 @@ double SlideOfPads(const UncertainWorld& world, const ManipulatorError& draw,
                    const RestingError& released);
 
 // Returns the error of a part on the table once the hand has let it go. X_WorldPart is its believed
-// pose then, and X_ToolGrasp is T'_d. The displacement is that of the part in the hand. The caller
-// replaces the component that the surface under the part determines.
+// pose at that time, and X_ToolGrasp is T'_d. The displacement is the displacement of the part in
+// the hand. The caller replaces the component that the surface under the part determines.
 RestingError Release(UncertainWorld& world, PartId part, const plan::Hold& hold,
                      const Transform& X_ToolGrasp, const ManipulatorError& draw,
                      const Pose& X_WorldPart);

@@ -115,7 +115,8 @@ class Closing {
   }
 
   // Returns the least and the greatest distance, in metres along an axis of the tool, between the
-  // middle of the pads and the centre of mass of a part that is displaced and turned so far.
+  // middle of the pads and the centre of mass of the part. The part may be displaced by its errors,
+  // and turned by up to `turned` radians.
   Interval OffsetOfMass(const UncertainWorld& world, PartId part, const plan::Hold& hold,
                         const Vector3& axis, double turned) const {
     Interval offset = {std::numeric_limits<double>::infinity(), 0};
@@ -130,13 +131,14 @@ class Closing {
     return offset;
   }
 
-  // Returns how far from the middle of the pads, in the direction in which they close, the point
-  // lies about which they turn the part. The support's friction draws that point towards the centre
-  // of mass. The pads' friction keeps it between them if the centre of mass is far off: the pads
-  // press as hard as the moment of the support's friction asks for. With a the distance of a
-  // contact from the middle of the pads, d that of the centre of mass, and mu the pads'
-  // coefficient, a force R of the support asks for the normal force R d / (2 a) at either pad.
-  // Their friction, twice mu times that, is more than R where d > a / mu.
+  // The pads turn the part about a point on the line through their middle in the direction in which
+  // they close. Returns the distance of this point from the middle. The support's friction draws
+  // the point towards the centre of mass. If the centre of mass is far off, the pads' friction
+  // keeps the point between the pads, because they press as hard as the moment of the support's
+  // friction requires. Let a be the distance of a contact from the middle of the pads, d the
+  // distance of the centre of mass from it, and mu the pads' coefficient of friction. A force R of
+  // the support requires the normal force R d / (2 a) at each pad. The friction of both pads, 2 mu
+  // times this force, is more than R if d > a / mu.
   double LeverOfTurn(const UncertainWorld& world, PartId part, const plan::Hold& hold,
                      double turned) const {
     const domain::Problem& problem = world.problem();

@@ -12,9 +12,8 @@ namespace assay::uncertainty {
 // which is at most 1 / (2 r). r is the greatest torque of the support's friction over its greatest
 // force: the mean distance of the pressure from its centre. The factor here is 0.55 instead of 0.5.
 //   - On a face, r is 0.85 of the radius of gyration of the face's area, which is less than the
-//   mean
-//     distance under uniform pressure. It is less by as much as the centre of mass is nearer to the
-//     edge of the support than the middle of the support is.
+//     mean distance under uniform pressure. If the centre of mass is nearer to the edge of the
+//     support than the middle of the support is, r is smaller in the same proportion.
 //   - On edges and corners, r is the distance of the nearest corner from the centre of mass.
 //   - r is at most the radius of gyration of the mass.
 double TurnOfPush(const UncertainWorld& world, PartId part, const Pose& X_WorldPart, double way);

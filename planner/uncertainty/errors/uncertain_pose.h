@@ -11,8 +11,8 @@ using algebra::Transform;
 using geometry::Pose;
 using geometry::Vector3;
 
-// How errors are propagated: as published, or so that no certificate can be false (README.md,
-// Decisions).
+// The way in which errors are propagated: as published, or in such a way that no certificate can be
+// false (README.md, Decisions).
 enum class Propagation { kPaper, kSound };
 
 // The error of the hand's pose against the commanded one, in the commanded hand's frame (Spar,

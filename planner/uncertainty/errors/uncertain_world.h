@@ -16,11 +16,10 @@ namespace assay::uncertainty {
 
 using domain::PartId;
 
-// What is known about the pose of everything at one time of a plan instance: the world description
-// of Spar's uncertainty-reduction level. Copies share their variables, and expressions must not
-// outlive the last copy. Two copies that go on in different ways stay independent of each other.
-// Equal declarations in both give the same variable, so no expression may combine what the two
-// know.
+// The knowledge about all poses at one time of a plan instance: the world description of Spar's
+// uncertainty-reduction level. Copies share their variables, and expressions must not outlive the
+// last copy. Two copies that go on in different ways stay independent of each other. Equal
+// declarations in both give the same variable, so no expression may combine what the two know.
 class UncertainWorld {
  public:
   // Creates the world as the problem begins.
@@ -111,7 +110,8 @@ class UncertainWorld {
     std::map<int, Interval> tight_ranges = {};  // by Expression::index
   };
 
-  // `rest` is the stem of the new variable's name, to which the part's name is added.
+  // Returns the expression as a linear form plus a new variable for the rest, if the expression is
+  // large. `rest` is the stem of the variable's name; the part's name is added to it.
   Expression Condensed(const Expression& e, const char* rest, PartId part);
   RestingError Condensed(const RestingError& error, PartId part);
   Expression DeclareOfPart(const char* what, const Interval& range, PartId part);

@@ -22,7 +22,8 @@ class WorldTree {
             const algebra::BoundRequest& request, std::function<void(UncertainWorld&)> learn = {});
 
   MomentId Beginning() const { return MomentId(0); }
-  // Returns the snapshot after one more action. `strategy` is null if the action goes straight.
+  // Returns the snapshot after one more action. `strategy` is null if no strategy executes the
+  // action.
   MomentId After(MomentId before, const plan::Action& action, const plan::Strategy* strategy);
 
   const UncertainWorld& WorldAt(MomentId moment);

@@ -256,8 +256,9 @@ class StepCertifier {
     return claim;
   }
 
-  // First-order bounds prove most claims, and the bounding methods need not run then. They would
-  // stop at the first method that proves the claim, whose bound is looser.
+  // First-order bounds prove most claims, and the bounding methods need not run for these claims.
+  // The bounding methods would stop at the first method that proves the claim, and its bound would
+  // be looser.
   std::optional<CertifiedPrecondition> ProvedToFirstOrder(const Precondition& precondition) {
     if (request_.highest < algebra::BoundingMethod::kCentred) return std::nullopt;
     const bool less = precondition.relation == Relation::kLess;
@@ -275,9 +276,9 @@ class StepCertifier {
     return ClaimOf(precondition, BoundOf(precondition, world_, request_));
   }
 
-  // Quick bounds answer most questions, with looser bounds. They find what the centred bounding
-  // method finds. If the request allows only weaker methods, they must not prove more than the
-  // certificate will, so they are not used.
+  // Quick bounds decide most claims, although they are looser. They prove what the centred bounding
+  // method proves. If the request allows only weaker methods, quick bounds are not used, because
+  // they could prove a claim that the certificate does not prove.
   std::optional<CertifiedPrecondition> AtAGlance(const Precondition& precondition) const {
     if (request_.highest < algebra::BoundingMethod::kCentred) return std::nullopt;
     const auto& [condition, meaning, expression, relation, limit, neighbour] = precondition;

@@ -24,11 +24,12 @@ double Violation(const std::vector<Unproved>& unproved);
 // limit. It comes from values that the expression takes at single points of the box.
 double LeastViolation(const Unproved& unproved, const UncertainWorld& world);
 
-// Certifies the next action of a plan instance, and takes the world to its state after the action.
+// Certifies the next action of a plan instance, and changes `world` to its state after the action.
 // This applies the add and delete lists of manipulations and of sensing actions at the
-// uncertainty-reduction level. The action's own preconditions are assumed to have held. An action
-// that is executed by a strategy is assumed to have met the preconditions that the strategy relies
-// on, but not those that the strategy absorbs. `strategy` is null if the action goes straight.
+// uncertainty-reduction level. The new state assumes that the action's own preconditions held. If a
+// strategy executes the action, the new state assumes the preconditions that the strategy relies
+// on, but not the preconditions that it absorbs. `strategy` is null if no strategy executes the
+// action.
 CertifiedStep CertifyStep(UncertainWorld& world, const plan::Action& action,
                           const algebra::BoundRequest& request,
                           const plan::Strategy* strategy = nullptr);

@@ -17,7 +17,7 @@ struct PossibleFrame {
   double angle = 0;  // about any axis, radians
 };
 // Returns the greatest displacement, along each axis and in metres, of the origin of one frame
-// against that of the other.
+// against the origin of the other.
 Vector3 DisplacementBetween(const UncertainWorld& world, const PossibleFrame& a,
                             const PossibleFrame& b);
 // Return the frame of a part that rests, in the world. FrameOf has its errors about the planned

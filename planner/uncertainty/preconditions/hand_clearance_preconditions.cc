@@ -179,8 +179,9 @@ class HandConditions {
   Preconditions conditions_;
 };
 
-// Returns by how much a part that is let go may move against the hand, along each axis in metres:
-// pads slide down on it along the motion that brought it, and it falls back on what it stands on.
+// Returns the greatest movement, along each axis in metres, of a part that is let go against the
+// hand. The pads slide down on the part along the motion that brought it, and the part falls back
+// on its support.
 Vector3 MovesAsLetGo(const UncertainWorld& world, const LettingGo& work) {
   Vector3 moves = SlideOfPads(world, work.draw, work.released) * work.motion.cwiseAbs();
   if (!ComesUpright(world, work.hold, work.X_WorldPart)) {
@@ -201,7 +202,7 @@ PossibleFrame ToolTold(const UncertainWorld& world, const Pose& X_WorldTool,
           AngleOf(world, draw)};
 }
 
-// Returns the frame of the hand after its motion to where the part meets what it lands on.
+// Returns the frame of the hand after its motion to the place where the part meets its support.
 PossibleFrame ToolAtEnd(const UncertainWorld& world, const LettingGo& work) {
   const Pose X_WorldTool = work.X_WorldPart * work.hold.X_PartTool;
   const Transform told = AsTransform(X_WorldTool) * work.draw.AsTransform();

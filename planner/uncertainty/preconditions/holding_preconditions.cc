@@ -15,8 +15,8 @@ namespace {
 constexpr int kDirections = 8;  // number of directions in a half circle of accelerations
 constexpr int kLeans = 12;      // number of leans from the plane of the pads to straight across it
 
-// Returns the greatest ratio of a unit force in any direction. It is taken over the corners of a
-// polygon around the unit circle, which suffices since the ratio is a norm.
+// Returns an upper bound of the load ratio over unit forces in all directions. The ratio is a norm,
+// so its values at the corners of a polygon around the unit circle bound it.
 double RatioOfAnyForce(const PadFriction& friction, const Vector2& lever) {
   double greatest = 0;
   for (int i = 0; i < kDirections; ++i) {
@@ -45,9 +45,9 @@ Weighing WeighingOf(const Grip& grip, const Vector2& lever, double weight, const
   return {grip.friction.RatioOf(ActingAt(lever, in_plane)), weight * std::abs(up.y())};
 }
 
-// Returns the weighings for all leans of the tool. Each covers one step between the plane of the
-// pads and straight across it, and takes the greatest share of the weight in the plane and the
-// greatest share across it within that step.
+// Returns the weighings for all leans of the tool. Each weighing covers one interval of leans,
+// between the plane of the pads and straight across it. It takes the greatest share of the weight
+// in the plane within this interval, and the greatest share across the plane.
 std::vector<Weighing> AnyWeighing(double any_force, double weight) {
   std::vector<Weighing> weighings;
   for (int i = 0; i < kLeans; ++i) {

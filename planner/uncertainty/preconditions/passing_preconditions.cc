@@ -24,9 +24,9 @@ double GreatestAlong(const Vector3& direction, const Box& box) {
          (box.X_FrameBox.linear().transpose() * direction).cwiseAbs().dot(box.half_extents);
 }
 
-// Tells the pairs of pieces that `entry` and `slide-in` cover. One is a piece of a shaft that is no
-// wider than the shaft at its tip. The other is a piece of the hole's part that lies behind one of
-// the hole's walls, and no farther out than the hole's mouth.
+// Recognizes the pairs of pieces that the conditions `entry` and `slide-in` cover. One piece
+// belongs to a shaft and is no wider than the shaft at its tip. The other piece belongs to the
+// hole's part, lies behind one of the hole's walls, and is no farther out than the hole's mouth.
 class FitPieces {
  public:
   explicit FitPieces(const ShaftFit& fit)

@@ -15,11 +15,11 @@ struct Precondition {
   Expression expression;  // metres, radians, or a ratio
   plan::Relation relation = plan::Relation::kLess;
   double limit = 0;
-  // The part that is kept clear of, if the action does not handle it.
+  // The part from which the action keeps clear, if it does not handle that part.
   PartId neighbour = PartId::None();
 };
 
-// The ratio of a load to what bears it, where nothing bears it.
+// The ratio of a load to the bearable load if nothing bears the load. It stands for infinity.
 inline constexpr double kNothingBorne = 1e6;
 
 // The preconditions of one action. Equal claims about the same expression are kept once.

@@ -101,8 +101,8 @@ class ClosingConditions {
   }
 
  private:
-  // Returns the height, in metres, at which a pad surely touches as the part topples: that of the
-  // lowest of its cells. If the hand leans, any cell may touch first.
+  // Returns the height, in metres, at which a pad surely touches as the part topples. It is the
+  // height of the lowest of its cells. If the hand leans, any cell may touch first.
   double HighestOfLowest(double side) const {
     const domain::PartModel& model = *world_.problem().part(part_).model;
     const Vector2& pad = world_.problem().workcell->gripper().pad_half_extents();
@@ -189,8 +189,8 @@ class StandingConditions {
     });
   }
 
-  // Returns the metres by which the fingers stay above the table, and above or beside what the part
-  // stands on.
+  // Returns the metres by which the fingers stay above the table, and above or beside the part's
+  // support.
   double RoomOfFingers() const {
     const domain::Problem& problem = world_.problem();
     const geometry::CollisionShape hand = problem.workcell->HandShape(hold_.width);
@@ -209,9 +209,9 @@ class StandingConditions {
     return room - SlideOfPads(world_, draw_, released_);
   }
 
-  // Pads that slide down on the part press on it in the middle of the patch that they touch. Where
-  // that is beyond an edge, they turn the part over, unless its weight holds it, or the pads bear
-  // the force with which the edge pushes back.
+  // Pads that slide down on the part press on it in the middle of the patch that they touch. If
+  // this middle is beyond an edge of the support, they turn the part over. They do not if the
+  // part's weight holds it, or if the pads bear the force with which the edge pushes back.
   double PressRatio() const {
     const OffInHand off = OffInHandOf(world_, world_.held());
     const Grip grip = GripOf(world_.problem(), part_, hold_, off);

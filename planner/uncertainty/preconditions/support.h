@@ -40,13 +40,13 @@ struct Push {
 };
 
 // Returns the ratio of the moment by which the pushes tip a part to the moment by which its weight
-// keeps it. It is that of the worst edge, of this part or of a part that it stands on. Below 1 all
-// of them stay. The part's fixture (domain::Part::clamp) presses it down, too. `off` is the
-// greatest distance, in metres, of the pushes from their planned places.
+// keeps it. It is the greatest ratio over all edges of this part and of the parts that it stands
+// on. Below 1, none of these parts tips. The part's fixture (domain::Part::clamp) helps to press it
+// down. `off` is the greatest distance, in metres, of the pushes from their planned places.
 double TippingRatio(const UncertainWorld& world, PartId part, const std::vector<Push>& pushes,
                     double off);
-// Returns the ratio of the force that pushes the part aside to the friction that keeps it, which is
-// the least within its tolerance.
+// Returns the ratio of the force that pushes the part aside to the friction that keeps it. The
+// friction is the least within its tolerance.
 double SlidingRatio(const domain::Problem& problem, PartId part, const std::vector<Push>& pushes);
 
 }  // namespace assay::uncertainty

@@ -11,7 +11,7 @@ using geometry::Polygon;
 constexpr double kOnFace = 1e-5;    // metres
 constexpr double kSameFace = 1e-6;  // 1 - cosine
 
-// Returns the face that a pad lies on. `side` is the pad's along the tool's y.
+// Returns the face that a pad lies on. `side` is the pad's side along the tool's y.
 const domain::Face* FaceAt(const domain::PartModel& model, const plan::Hold& hold, double side) {
   const Vector3 normal = side * hold.X_PartTool.linear().col(1);
   const double offset = normal.dot(hold.X_PartTool.translation()) + hold.width / 2;

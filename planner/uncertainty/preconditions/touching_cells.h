@@ -19,8 +19,8 @@ OffInHand OffInHandOf(const UncertainWorld& world, const HeldError& held);
 inline constexpr int kCellsPerSide = 6;
 
 // Returns the middles of the cells on which a pad surely touches its face, for any error of the
-// part in the hand. They are in the tool's x and z. `side` is 1 or -1, that of the pad along the
-// tool's y; `pad` is its half extents.
+// part in the hand. They are in the tool's x and z. `side` is 1 or -1 and says on which side along
+// the tool's y the pad is; `pad` is its half extents.
 std::vector<Vector2> TouchingCells(const domain::PartModel& model, const plan::Hold& hold,
                                    double side, const Vector2& pad, const OffInHand& off);
 

@@ -172,8 +172,8 @@ class CertificateCheck {
   }
 
   // A step whose preconditions hold comes to its end. One of its preconditions is that the arm
-  // reaches everything, if the plan was made with assembly::WayConditions. No certificate says what
-  // the engine does when its numbers go bad.
+  // reaches everything, if the plan was made with assembly::WayConditions. No certificate covers an
+  // execution in which the engine's numbers become invalid.
   void CheckStopped() {
     const auto* end = std::get_if<exec::ExecutionEnd>(&trace_.events.back());
     if (end == nullptr) return;

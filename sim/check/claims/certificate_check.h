@@ -14,9 +14,9 @@ namespace assay::check {
 // A proved precondition must hold by its certified margin, less a tenth. A certificate predicts the
 // end of a step on the assumption that the preconditions of this and of all earlier steps hold. A
 // precondition that the planner could not prove may fail. If it fails, or if nothing measures
-// whether it does, nothing is claimed of its step and of later steps. Nothing is claimed after a
-// recovery. What a strategy absorbs is no claim. Two further claims are listed only when they fail:
-// that a step comes to its end, and that arm and hand touch nothing that they must not touch.
+// whether it does, nothing is claimed about its step or about later steps. Nothing is claimed after
+// a recovery. What a strategy absorbs is no claim. Two further claims are listed only when they
+// fail: that a step comes to its end, and that arm and hand touch nothing that they must not touch.
 //
 // `first` is the step in which the trace begins; None means the plan's first step.
 std::vector<Claim> CheckCertificates(const domain::Problem& problem, const plan::Plan& plan,

@@ -32,14 +32,14 @@ enum class Claimed {
 };
 std::string_view Name(Claimed claimed);  // "before", "precondition", "after"
 
-// One statement of a certificate, and what was observed of it.
+// One statement of a certificate, and the observation of it.
 struct Claim {
   plan::StepId step;
   Claimed about = Claimed::kAfter;
   std::string name;  // "x of block", "between fingers: contact 1 of block"
   Unit unit = Unit::kNone;
-  // The interval that must hold the observed value: what the certificate says, widened by what is
-  // known of the engine (NoiseFloor). An end may be infinite.
+  // The interval that must hold the observed value: the certificate's interval, widened by the
+  // known errors of the engine (NoiseFloor). An end may be infinite.
   Interval predicted;
   bool proved = true;  // false: a precondition that the planner could not prove
   double observed = 0;
@@ -72,7 +72,7 @@ struct VerdictCounts {
 // Returns whether `a` is worse than `b`: first by verdict, then by margin (AsLength).
 bool IsWorse(const Claim& a, const Claim& b);
 
-// The verdict on one step's certificate, which is that of its worst claim.
+// The verdict on one step's certificate. It is the verdict on the certificate's worst claim.
 struct CertificateVerdict {
   plan::StepId step;
   ClaimVerdict verdict = ClaimVerdict::kNotClaimed;

@@ -113,7 +113,8 @@ void Narrow(const Fit& fit, const domain::Mating& mating, const Motion& motion, 
   const auto seen = [&](const Pose& X_FixedHeld) {
     return held_is_shaft ? X_FixedHeld : X_FixedHeld.inverse();
   };
-  // The seat is where the motion has covered its length.
+  // The held part counts as seated once it has moved, along its true direction, as far as the
+  // nominal seat is away in this direction.
   const Vector3 way = mating.X_FixedHeld.translation() - motion.X_FixedHeld.translation();
   const Pose seated = MovedOn(motion, way.dot(motion.direction));
   const double depth = std::max(0.0, fit.Depth(seen(seated)));

@@ -19,10 +19,11 @@ struct Motion {
 // The margins by which shafts fit into their holes in a motion, in metres: the least over all pairs
 // of a mating. They are infinite if the mating has no shaft in a hole.
 struct FitMargins {
-  // How far the corners of the tip are inside the walls, in the plane of the mouth.
+  // The distance of the tip's corners from the walls in the plane of the mouth, plus the bevels;
+  // negative if a corner would not enter.
   double entry = 0;
-  // How far the corners of the engaged shaft are inside the walls, without bevels. It is the lesser
-  // of the values at the seat and with the tip in the mouth.
+  // The distance of the engaged shaft's corners from the walls, without bevels; negative outside.
+  // It is the lesser of two values: with the shaft at its seat, and with the tip in the mouth.
   double slide_in = 0;
 };
 FitMargins MarginsOfFits(const domain::Problem& problem, const domain::Mating& mating,

@@ -42,8 +42,8 @@ void AddInMetres(std::string subject, double observed, std::vector<GeometricMean
   if (std::isfinite(observed)) meanings.push_back({std::move(subject), Unit::kMetre, observed});
 }
 
-// Adds a clearance between two bodies. The distance of shapes that overlap is 0, their depth
-// unknown, so that they get a fixed negative value.
+// Adds a clearance between two bodies. If the shapes overlap, their distance is 0 and the depth of
+// the overlap is unknown. They then get a fixed negative value.
 void AddClearance(std::string subject, double distance, std::vector<GeometricMeaning>& meanings) {
   constexpr double kOverlap = 1e-3;  // metres, of unknown depth
   if (!std::isfinite(distance)) return;
@@ -174,8 +174,9 @@ class Meaning {
     return meanings;
   }
 
-  // Measures the hand where it acts, where it was stopped on its way, and with open fingers along
-  // the straight line to its work or from it.
+  // Measures the clearance of the hand at the place where it acts, and at the place where it was
+  // stopped on its way. The open hand is also measured along the straight line to its work or from
+  // it.
   std::vector<GeometricMeaning> HandClear() const {
     std::vector<GeometricMeaning> meanings;
     for (std::size_t p = 0; p < problem_.parts.size(); ++p) {
@@ -211,8 +212,9 @@ class Meaning {
     }
     return nearest;
   }
-  // Returns the least of two distances: of the hand from the part between its pads, and of each
-  // finger from the boxes of that part that stand out of the plane in which its pad is to touch.
+  // Returns the lesser of two distances. The first is the distance of the hand from the part
+  // between its pads. The second is the least distance of a finger from boxes of that part; only
+  // boxes that stand out of the plane in which the finger's pad should touch are measured.
   double BesidePads(const exec::Snapshot& at) const {
     const double opening = std::clamp(at.opening, 0.0, gripper_.max_opening());
     const std::vector<geometry::Box> fingers = gripper_.FingerBoxes(opening);
@@ -347,8 +349,8 @@ Meanings InMetres(double observed) {
   return meanings;
 }
 
-// A wrist that yields makes room that is not there before the walls push, so that the certified
-// margin cannot be expected of the observed value.
+// A wrist that yields makes room that is not there before the walls push, so the certified margin
+// cannot be expected of the observed value.
 Meanings InsideWalls(double observed, const domain::Problem& problem) {
   Meanings meanings = InMetres(observed);
   for (GeometricMeaning& meaning : meanings) {

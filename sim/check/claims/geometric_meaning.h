@@ -15,19 +15,20 @@ struct GeometricMeaning {
   std::string subject;  // plan::CertifiedPrecondition::meaning; empty: all of that name
   Unit unit = Unit::kMetre;
   double observed = 0;  // the margin by which they hold; negative if one does not
-  // Says whether the observed value must be at least the certificate's margin. It need not be for
-  // clearances between bodies. A margin is certified of some of their corners only, and nothing is
-  // asked of corners that no error can bring near, so that bodies may come nearer to each other.
+  // True if the observed value must be at least the certificate's margin. It is false for
+  // clearances between bodies: their margin is certified for some corners only. Nothing is
+  // certified about corners that no error can bring near, so bodies may come nearer to each other
+  // than the margin.
   bool is_at_least_the_margin = true;
-  // Whether the certificate counts on a wrist that yields and on bevelled edges. Simulated arms and
-  // parts have neither: where a shaft would need them, the trial says nothing of the plan.
+  // True if the certificate counts on a wrist that yields and on bevelled edges. Simulated arms and
+  // parts have neither. If a shaft would need them, the trial proves nothing about the plan.
   bool counts_on_yielding = false;
 };
 
 // Returns the meanings of all preconditions called `condition` ("between fingers") in the step's
-// certificate. The list is empty if the execution did not come to where they mean something. The
-// geometry is computed from the parts' boxes and features alone, not from the planner's
-// expressions. The conditions mean:
+// certificate. The list is empty if the execution did not come to the point at which the condition
+// can be measured. The geometry is computed from the parts' boxes and features alone, not from the
+// planner's expressions. The conditions mean:
 //
 //   between fingers  both contacts lie between the pads when they begin to close
 //   finger clear     the inner corners of the open pads lie outside the faces they close on

@@ -75,7 +75,7 @@ void AddComponent(const Claim& coarse, const std::vector<Claim>& fine, StepNoise
   gate.components.push_back({coarse.about, coarse.name, of_set ? coarse.observed : 0, change});
 }
 
-// Without noise the hand should be where it was told to go, so that its error is the arm's lag.
+// Without noise the hand should be at its commanded pose, so its error is the arm's lag.
 void AddLag(const exec::Snapshot& moment, StepNoiseFloor& gate) {
   const geometry::Pose off = moment.tool.believed.inverse() * moment.tool.truth;
   gate.lag = std::max(gate.lag, off.translation().norm());

@@ -9,9 +9,9 @@
 
 namespace assay::check {
 
-// The noise floor: what the engine makes of a plan that is executed without any error. Known errors
-// of the engine are subtracted from what is observed under noise. Observations within the engine's
-// unknown errors prove nothing about a prediction.
+// The noise floor: the engine's own errors in an execution of a plan without any other error. Known
+// errors of the engine are subtracted from observations under noise. Observations within the
+// engine's unknown errors prove nothing about a prediction.
 
 // The part of the noise floor that belongs to one claim, in the claim's unit.
 struct ClaimNoiseFloor {
@@ -26,18 +26,18 @@ struct StepNoiseFloor {
   std::vector<ClaimNoiseFloor> components = {};
   double arm = 1;
   double penetration = 0;  // depth of the deepest contact while the hand is kept still
-  double lag = 0;          // distance of the hand from where it was told to be
+  double lag = 0;          // distance of the hand from its commanded place
   double lag_turn = 0;
 };
 
 struct NoiseFloor {
   std::vector<StepNoiseFloor> steps = {};  // by StepId; empty: nothing is known but rounding
 
-  // Returns the claim with what is known of the engine added to its prediction, and with its gate
-  // set. Penetration and lag widen the prediction at both ends. What the timestep does has a sign,
-  // and vanishes in proportion to the timestep or faster. It is therefore one to two times the
-  // change that half the timestep makes: that change counts as known, and as much again is the
-  // gate.
+  // Returns the claim with its prediction widened by the known errors of the engine, and with its
+  // gate set. Penetration and lag widen the prediction at both ends. The effect of the timestep has
+  // a sign, and it vanishes in proportion to the timestep or faster. The effect is therefore one to
+  // two times the change that half the timestep makes. This change counts as known, and the gate is
+  // as large as this change.
   Claim Passed(Claim claim) const;
   // Returns how wrong a prediction may be at one end without being noticed.
   double Floor(const Claim& claim) const;

@@ -10,7 +10,7 @@ namespace assay::check {
 // The defects of a plan that show before any error is drawn.
 struct Noiseless {
   std::vector<Claim> violated;  // claims that do not hold even without noise
-  // Claims that nobody can test: the noise floor is wider than what the certificate says
+  // Claims that nobody can test: the noise floor is wider than the certified interval
   // (NoiseFloor::Hides).
   std::vector<Claim> hidden;
 

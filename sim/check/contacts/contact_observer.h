@@ -28,12 +28,13 @@ struct ContactLoad {
 };
 
 // Returns the primitive contacts that bear a point's force, with the share of each. `contacts` are
-// those of the true pose X_FixedTip, with their rows linearized there. A contact that touches at
-// the point, with the point's normal, bears all of the force. Where features meet, at a corner or
-// at an edge's end, several contacts are at one place and no engine tells them apart. One that is
-// in `wanted` is then taken, or else the nearest. Where an edge or a face lies on another one, the
-// engine may press anywhere between the contacts at its ends, which share the force by the law of
-// the lever. The result is empty if the point belongs to no contact of the model.
+// the contacts at the true pose X_FixedTip, with their rows linearized there. A contact that
+// touches at the point, with the point's normal, bears all of the force. Where features meet, at a
+// corner or at an edge's end, several contacts are at one place, and no engine can distinguish
+// them. One that is in `wanted` is then taken, or else the nearest. Where an edge or a face lies on
+// another one, the engine may press anywhere between the contacts at its ends, which share the
+// force by the law of the lever. The result is empty if the point belongs to no contact of the
+// model.
 std::vector<ContactLoad> LoadsOf(const ContactPoint& point,
                                  const std::vector<finemotion::PrimitiveContact>& contacts,
                                  const Pose& X_FixedTip, const PlannedContacts::Motion& wanted);
@@ -48,7 +49,7 @@ struct ObservedContacts {
 
 // Observes which contacts a mating makes, from the engine's contact points (see
 // exec::MotionObserver). Stiff parts that slide on each other do not press all the time: the engine
-// lets them rebound by less than a micrometre, so that most samples find no force. A contact is
+// lets them rebound by less than a micrometre, so most samples find no force. A contact is
 // therefore made when it is pressed on, and lasts as long as its gap stays below kApart. The way on
 // in the crevice is not observed. All arguments of the constructor must outlive the observer.
 class ContactObserver {

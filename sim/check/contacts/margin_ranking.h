@@ -30,10 +30,10 @@ struct MarginRanking {
   // It is missing if there is not enough variation, for instance if nothing happened.
   std::optional<double> correlation = {};
   // The interval that holds the correlation with 95 % confidence, by a bootstrap over both trials
-  // and contacts (Efron 1979) with 1000 draws. Draws without variation are left out. It is missing
-  // if more draws would be left out than a tail of the interval has, since it would then describe
-  // the other draws alone. If k of n trials had anything unwanted in them, a draw misses all k with
-  // probability (1 - k/n)^n, about e^-k. The same holds for contacts, so that at least four of each
+  // and contacts (Efron 1979) with 1000 draws. Draws without variation are left out. The interval
+  // is missing if more draws were left out than one tail of it has, because it would then depend on
+  // the remaining draws alone. If k of n trials had anything unwanted in them, a draw misses all k
+  // with probability (1 - k/n)^n, about e^-k. The same holds for contacts, so at least four of each
   // are needed.
   std::optional<Interval> interval = {};
 };

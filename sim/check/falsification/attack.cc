@@ -133,8 +133,9 @@ class Attacker {
     const auto share = [&](double of_all) {
       return static_cast<std::int64_t>(of_all * static_cast<double>(budget));
     };
-    // The number is rounded up, so that a single attempt is a corner. Corners beyond the whole
-    // design show no more of the effects.
+    // The number of corners is rounded up, so that a single attempt is made at a corner. It is at
+    // most the size of the whole design, because further corners show nothing more about the
+    // effects.
     const std::int64_t left = budget - share(kShareOfExtremes) - share(kShareOfEven);
     const std::int64_t design = std::min(
         {left, static_cast<std::int64_t>(std::ceil(kShareOfDesign * static_cast<double>(budget))),
@@ -320,7 +321,7 @@ class Attacker {
     } catch (const nlopt::roundoff_limited&) {
       // The search cannot do better than that.
     } catch (const nlopt::forced_stop&) {
-      // The falsification was stopped, or has found what it was to find.
+      // The falsification was stopped, or has found enough violations.
     }
   }
 

@@ -30,9 +30,9 @@ struct AttackOptions {
 // fill the box evenly; and a local search (NLopt) from the least margins found. The corners of the
 // design are attempted to the step's end. Every other attempt is made for one claim and ends when
 // that claim is decided, which is mostly where the tool is poised. All claims get the same
-// simulated time, so that claims that are decided sooner are attempted more often. The next step
-// starts from the states whose errors are farthest out in each direction. The result is the same
-// for any number of threads.
+// simulated time, so claims that are decided sooner are attempted more often. The next step starts
+// from the states whose errors are farthest out in each direction. The result is the same for any
+// number of threads.
 AttackResult Attack(const Experiment& experiment, const AttackOptions& options);
 
 }  // namespace assay::check

@@ -35,8 +35,8 @@ struct Aim {
 // sooner are attempted more often.
 std::vector<std::int64_t> Allotted(std::int64_t attempts, const std::vector<Aim>& aims);
 
-// A step under falsification: the trials that are poised for it, all its samples in order, and the
-// aims of its attempts.
+// A step under falsification. It holds the trials that are poised for the step, all samples of the
+// step in order, and the aims of the attempts.
 class AttackedStep {
  public:
   AttackedStep(const Experiment& experiment, plan::StepId id, const noise::Noise& noise);

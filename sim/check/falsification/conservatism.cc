@@ -174,13 +174,14 @@ class Comparison {
       return !Proves(variable, multiple);
     };
     const auto fails = [&](double multiple) { return Fails(variable, multiple); };
-    // The share of the trials' precision to which proofs are searched, since a proof costs next to
-    // nothing.
+    // Proofs are searched to this share of the trials' precision, because a proof costs very
+    // little.
     constexpr double kFinely = 0.1;
     const double guaranteed =
         FindThreshold(unproved, 1, options_.greatest, kFinely * options_.precision).holds;
-    // Trials begin where the proof ends, less what the engine may add to the errors: a floor is at
-    // most a tenth of what is certified. Smaller multiples are tried only if that one fails.
+    // The trials begin at the greatest proved multiple less a tenth, because the engine's own
+    // errors (the noise floor) may add up to a tenth of what is certified. Smaller multiples are
+    // tried only if the trials at this one fail.
     constexpr double kInside = 0.9;
     const double first = guaranteed > 0 ? kInside * guaranteed : 1;
     return {.variable = variable,

@@ -23,17 +23,18 @@ struct ConservatismOptions {
   std::function<bool()> stop = {};
 };
 
-// The bounds that the planner guarantees, compared with those that physics forgives. They are
-// for one variable alone ("x of peg", "yaw of the hand") or for all together ("all").
+// The error bounds that the planner guarantees, compared with the error bounds with which trials
+// succeed. They concern one variable alone ("x of peg", "yaw of the hand") or all variables
+// together ("all").
 struct ConservatismRatio {
   std::string variable;
-  double guaranteed = 0;  // the greatest multiple with which all is proved
-  // The smallest multiple with which a trial failed; missing if none failed.
+  double guaranteed = 0;  // the greatest multiple of the errors with which all is proved
+  // The smallest multiple of the errors with which a trial failed; missing if no trial failed.
   std::optional<double> broken = {};
 
   std::optional<double> ratio() const;  // broken / guaranteed; missing if guaranteed is 0
-  // Returns whether a trial failed with errors for which all is proved. The certificate is then
-  // false; more has failed than the task.
+  // Returns whether a trial failed with errors for which all is proved. If so, the certificate is
+  // false, which is worse than a failed task.
   bool IsFalse() const { return broken && *broken <= guaranteed; }
 };
 

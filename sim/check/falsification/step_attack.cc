@@ -117,8 +117,7 @@ StepAttack::StepAttack(const Experiment& experiment, plan::StepId step, const no
   }
 }
 
-// The engine's errors add up on the way, so that the finer trial is executed from the start as
-// well.
+// The engine's errors add up on the way, so the finer trial is executed from the start as well.
 Approach StepAttack::Poise(const AttackedWorld& world, const noise::Noise& noise,
                            const exec::Checkpoint* from) const {
   Approach approach = PoiseIn(world.scene, world, noise, from);

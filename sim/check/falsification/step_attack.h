@@ -76,8 +76,8 @@ class StepAttack {
   // before, or at the start of the plan if `from` is null.
   Approach Poise(const AttackedWorld& world, const noise::Noise& noise,
                  const exec::Checkpoint* from) const;
-  // Attempts the step up to the stage `until`. `values` are those of the free channels. An attempt
-  // that ends before the step does not make all claims, and some of those that it makes may still
+  // Attempts the step up to the stage `until`. `values` are the values of the free channels. An
+  // attempt that ends before the step does not make all claims, and some of its claims may still
   // fail later. If one of its claims is violated and the step is not fully proved, the attempt is
   // made again to the step's end, since an unproved assumption may fail there.
   StepAttempt Attempt(const PoisedTrial& poised, const std::vector<double>& values,

@@ -14,7 +14,7 @@ using geometry::Pose;
 using geometry::Vector3;
 
 constexpr double kPush = 5;  // m/s^2; the force is this times the part's mass
-// In 1/s. The damping is this times the part's mass, so that the part moves at 5 mm/s.
+// The damping divided by the part's mass, in 1/s. With it the part moves at 5 mm/s.
 constexpr double kDamping = 1000;
 constexpr double kStill = 1e-7;  // m/s
 constexpr int kStillSteps = 20;

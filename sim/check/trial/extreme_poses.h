@@ -7,7 +7,7 @@
 
 namespace assay::check {
 
-// The least width of an error component whose two ends can be told apart in a picture.
+// The least width of an error component whose two ends can be distinguished in a picture.
 struct Sight {
   double length = 0.0003;  // metres
   double angle = 0.0035;   // radians, 0.2 degrees

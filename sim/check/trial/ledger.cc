@@ -176,7 +176,7 @@ class Ledger {
   }
 
   // Returns the height of the part's origin on this place without errors. The part is alone in the
-  // world, so that no other part is in its place.
+  // world, so no other part is in its place.
   double RestingHeight(PartId part, const plan::Place& place) const {
     domain::Problem alone = problem_;
     alone.parts = {problem_.part(part)};

@@ -16,9 +16,9 @@ struct Limits {
   // A shaft of 70 mm with a clearance of 0.5 mm cannot tilt by more than 0.8 degrees.
   double axis_angle = 1.5 * std::numbers::pi / 180;
   // The greatest alignment error, as a multiple of the clearance. The clearance lets the shaft move
-  // by up to 1.4 times its value, into a corner of the hole. It lets the shaft turn too, which
-  // moves a hole one and a half times as far from the axis as the shaft's side by 1.5 times the
-  // clearance.
+  // by up to 1.4 times its value, into a corner of the hole. The clearance lets the shaft turn,
+  // too. A hole of the part may be 1.5 times as far from the axis as the shaft's side, and the turn
+  // then moves this hole by 1.5 times the clearance.
   double alignment_clearances = 3;
   // The gripper counts as open if its pads are this much farther apart than they were on the part.
   double released = 0.001;

@@ -71,8 +71,8 @@ NoisyTrial RunNoisyTrial(const Experiment& experiment, const noise::Noise& noise
     if (!check->error.empty()) ++trial.errors_signalled;
   }
   trial.operator_called = trace.end().outcome == exec::ExecutionOutcome::kOperatorCalled;
-  // After every error, except one for which the operator was called, the step was tried again. If
-  // such a step came to its end, its last try mended the error.
+  // After each error the step was tried again, unless the operator was called. If a step with an
+  // error came to its end, its last try mended the error.
   std::vector<plan::StepId> mended;
   for (const exec::RecoveryRecord* recovery : trace.All<exec::RecoveryRecord>()) {
     const auto ended = [&](const exec::StepEnd* end) { return end->step == recovery->step; };

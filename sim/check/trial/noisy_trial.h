@@ -23,7 +23,8 @@ struct Experiment {
 struct NoisyTrial {
   noise::Noise noise;
   exec::Trace trace;
-  // Judges the plan as a whole. Its reason says whether the engine's timestep caused a failure.
+  // The judgement on the whole plan. If a failure comes from the engine's timestep, the verdict's
+  // reason says so.
   Verdict verdict;
   std::vector<Claim> claims;  // of the certificates of all steps that were executed
   int errors_signalled = 0;   // signalled by verifications
@@ -35,7 +36,7 @@ struct NoisyTrial {
 NoisyTrial RunNoisyTrial(const Experiment& experiment, const noise::Noise& noise,
                          exec::ExecutorOptions options);
 // Executes the plan in a world with this noise and returns the verdict alone. Certificates are not
-// checked, so that nothing is executed again with half the timestep.
+// checked, so nothing is executed again with half the timestep.
 Verdict JudgeNoisyTrial(const Experiment& experiment, const noise::Noise& noise,
                         exec::ExecutorOptions options);
 

@@ -15,7 +15,7 @@ using domain::Mating;
 using domain::Part;
 using domain::Problem;
 
-// Holds if the value is at most the limit. A value that is not a number does not hold.
+// Returns a finding that holds if the value is at most the limit. It does not hold for NaN.
 Finding AtMost(Aspect aspect, const std::string& name, double value, double limit,
                const char* unit) {
   return {aspect, name, value, limit, unit, value <= limit};

@@ -11,13 +11,14 @@ namespace assay::check {
 // For each quantity there is the value in the compiled model and the value that results where
 // bodies touch. A value is missing if the scene has nothing to read it from.
 struct ToleranceReadings {
-  // For the first mating with a hole that widens with the clearance, in metres. `wall` is the
-  // distance of a wall from the hole's axis, found by a ray. `play` is how far the held part can be
-  // moved towards that wall until it touches, when it is drawn out of its seat a little.
+  // These two values, in metres, are about the first mating with a hole that widens with the
+  // clearance. `wall` is the distance of a wall from the hole's axis, found by a ray. `play` is the
+  // distance that the held part, drawn out of its seat a little, can be moved towards this wall
+  // until it touches.
   std::optional<double> wall;
   std::optional<double> play;
-  // Sliding friction of the first part where it rests at the start: the friction of its geom, and
-  // the friction of its contact.
+  // Sliding friction of the first part at its place at the start: the friction of its geom, and the
+  // friction of its contact.
   std::optional<double> part_geom;
   std::optional<double> part_contact;
   // Sliding friction of the pads, closed on the part that the plan picks up first: the friction of

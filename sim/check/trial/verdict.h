@@ -10,12 +10,12 @@
 
 namespace assay::check {
 
-// How a trial ended, judged by the true poses in the simulator.
+// The outcome of a trial, judged by the true poses in the simulator.
 enum class TrialOutcome {
   kSucceeded,       // every goal holds
   kUnreachable,     // the arm cannot follow a way that the plan asks for
   kOverload,        // the wrist felt more force than allowed, and the arm stopped
-  kEngineWarning,   // the engine's numbers cannot be trusted, so that the trial proves nothing
+  kEngineWarning,   // the engine's numbers cannot be trusted, so the trial proves nothing
   kNotFound,        // a sensor did not see the part that it was to find
   kOperatorCalled,  // an error was signalled, and no recovery mended it
   kCollided,        // an arm touched something, or a hand touched what it does not handle

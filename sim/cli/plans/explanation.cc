@@ -31,7 +31,7 @@ constexpr std::size_t kLineWidth = 100;
 constexpr std::string_view kIndent = "    ";
 constexpr std::size_t kShownLines = 3;      // of an expression shown in full
 constexpr double kShownShare = 0.001;       // of the largest cost
-constexpr std::size_t kShownVariables = 8;  // those that cost most
+constexpr std::size_t kShownVariables = 8;  // the variables that cost most
 
 // Preconditions that state the same condition for different points and planes. The tightest comes
 // first.
@@ -268,7 +268,7 @@ std::string PreconditionsText(const PlannedStep& step, const std::string& file) 
       "\nUncertainty-reduction preconditions: {}, the tightest first.\n"
       "Expressions are in metres and radians; the terms that vary most come first.\n",
       CertificateText(step));
-  bool is_tightest = true;  // of those that are not absorbed
+  bool is_tightest = true;  // of the claims that are not absorbed
   for (const ClaimKind& kind : kinds) {
     const bool absorbed = plan::Absorbs(step.strategy, kind.condition);
     text += KindText(kind, proofs, absorbed, !absorbed && (kind.unproved() > 0 || is_tightest));

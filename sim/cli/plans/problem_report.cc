@@ -70,8 +70,7 @@ void AddParts(const Problem& problem, Draft& report) {
   report.text += table.Text();
 }
 
-// A part that the goals want moved and that no grasp of the gripper can move, so that no plan
-// exists.
+// A part that the goals want moved and that no grasp of the gripper can move, so no plan exists.
 struct Unmovable {
   PartId part;
   std::string why;

@@ -10,8 +10,8 @@ namespace assay::cli {
 // fails, and the program does not end. Must be called once, before anything else.
 void PrepareStreams();
 
-// Results go to standard output, shown as planner/base/document/quotation.h says. Both throw
-// EnvironmentError if it cannot be written.
+// Results go to standard output, in the form of planner/base/document/quotation.h. Both functions
+// throw EnvironmentError if standard output cannot be written.
 void Print(std::string_view text);
 void FlushOutput();
 

@@ -48,8 +48,8 @@ Json Examine() {
           {"models", ModelsFolder()}};
 }
 
-// Returns what to do about what is missing. Missing models need no remedy: a scenario brings its
-// own.
+// Returns remedies for the missing things. Missing models need no remedy, because a scenario has
+// its own models.
 std::vector<std::string> Remedies(const Json& facts) {
   if (facts["renderer"] != "") return {};
   return {"no OpenGL renderer, so no pictures: apt-get install libosmesa6 (or libegl1)"};

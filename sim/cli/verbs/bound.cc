@@ -60,8 +60,8 @@ struct Answer {
   double seconds = 0;
 };
 
-// Returns whether no point satisfies the constraints, or the expression has a value at none of the
-// points that do. Either bound may be the one that shows it.
+// Returns whether no point satisfies the constraints, or the expression has no value at the points
+// that satisfy them. Either of the two bounds may show this.
 bool IsVacuous(const Answer& answer) {
   return answer.sup.value == -kInfinity || answer.inf.value == kInfinity;
 }

@@ -186,7 +186,8 @@ ExitCode RefuseAssembly(const enact::PlannedWorlds& planned, const ContingentRun
   return ExitCodeOf(planned.assembly.outcome);
 }
 
-// Actions that no grasp serves are reported as well, because they may be the reason.
+// Reports that no plan was found. The actions for which there is no grasp are listed, because they
+// may be the reason.
 ExitCode RefuseKnowledge(const enact::Interpretation& interpretation,
                          const contingent::ContingentPlan& plan, const ContingentRun& run) {
   const bool is_none = plan.outcome == Outcome::kNone;

@@ -11,7 +11,7 @@
 
 namespace assay::cli {
 
-// How a plan tree is executed: the options of `assay run` that have a meaning for it.
+// The options of `assay run` that concern the execution of a plan tree.
 struct ContingentRun {
   std::filesystem::path scenario;  // with the key `knowledge`, or with a key `goal`
   domain::ModelPath models;

@@ -41,7 +41,7 @@ struct AttackRun {
   std::int64_t attempts = 1000;
   int jobs = 1;
   std::uint64_t seed = 0;
-  // Measures how much more noise than is guaranteed it takes to break the plan.
+  // True to measure how many times the guaranteed noise breaks the plan.
   bool conservatism = false;
   bool json = false;
 };

@@ -24,7 +24,8 @@ struct MatedTrial {
   int number = 0;  // from 1
   // The greatest of the trial's errors, as a multiple of the half widths that were planned for.
   double scale = 0;
-  // Number of draws before this one with errors with which no trial can begin.
+  // Number of earlier draws for this trial that were rejected, because no trial can begin with
+  // their errors.
   int redrawn = 0;
   exec::MatingResult result;
   bool seated = false;
@@ -33,7 +34,7 @@ struct MatedTrial {
 
 // Settings that all trials of a mating share.
 struct MatingTrialSettings {
-  finemotion::FineMotionErrors errors;  // those that were planned for
+  finemotion::FineMotionErrors errors;  // the errors that were planned for
   double beyond = 1;                    // trials draw errors from a box this many times as wide
   scene::SceneOptions scene = {};
   std::uint64_t seed = 1;

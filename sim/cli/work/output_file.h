@@ -6,11 +6,11 @@
 
 namespace assay::cli {
 
-// The one place that opens files to write. Everything here throws EnvironmentError, with the path
-// and the system's words, if it cannot be done, and UsageError if it would overwrite a file that
-// this command has read, by whatever path or link (planner/base/document/input_file.h).
+// Only these functions open files to write. They throw EnvironmentError, with the path and the
+// system's words, if a file cannot be written. They throw UsageError if they would overwrite a file
+// that this command has read, by any path or link (planner/base/document/input_file.h).
 
-// Checks that the file can be written, before the work begins whose result it is to hold.
+// Checks that the file can be written. Call it before the work whose result the file will hold.
 void RequireWritable(const std::filesystem::path& file);
 
 // Replaces the file as a whole. The text is written beside the file, brought to the disk, and then
@@ -19,8 +19,8 @@ void RequireWritable(const std::filesystem::path& file);
 // and so is a file that is standard output or standard error.
 void WriteFile(const std::filesystem::path& file, std::string_view text);
 
-// RequireAmendable and AmendFile do the same for a file that the command has read because it was
-// told to change it.
+// RequireAmendable and AmendFile do the same for a file that the command has read in order to
+// change it.
 void RequireAmendable(const std::filesystem::path& file);
 void AmendFile(const std::filesystem::path& file, std::string_view text);
 

@@ -59,10 +59,11 @@ plan::PlanResult PlanWithProgress(const domain::Problem& problem,
 // strategies of fine motion hold up (planner/assembly/plan_check.h).
 inline constexpr int kMostLinearizations = 1000;
 plan::CheckReport CheckPlan(const domain::Problem& problem, const plan::Plan& plan);
-// The same, and whether the certificates' claims hold up (planner/verify) and, of a plan file,
-// are those of the scenario (certificate_comparison.h).
+// Makes the same checks, and verifies the certificates' claims (planner/verify). If the plan comes
+// from a plan file, it also checks that the certificates are those that the scenario gives
+// (certificate_comparison.h).
 plan::CheckReport CheckPlan(const PlannedProblem& planned);
-// Returns the flaws of claims and strategies: what a plan says of itself.
+// Returns the flaws in the plan's claims about itself: its certificates and strategies.
 std::vector<plan::Flaw> CertificateFlaws(const PlannedProblem& planned);
 
 }  // namespace assay::cli

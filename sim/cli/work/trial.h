@@ -42,9 +42,9 @@ struct TrialPlan {
   Film* film = nullptr;  // takes pictures of the first trial, unless null
 };
 
-// Runs the trials on that many threads, the first one on the calling thread. `done` gets each trial
-// as it ends, in any order and from any thread; no result depends on that. An interruption ends the
-// trials early. Throws what a trial or `done` threw.
+// Runs the trials on plan.jobs threads, the first trial on the calling thread. `done` gets each
+// trial as it ends, in any order and from any thread. No result depends on this order. An
+// interruption ends the trials early. Throws what a trial or `done` threw.
 void RunTrials(const Experiment& experiment, const TrialPlan& plan,
                const std::function<void(Trial)>& done);
 

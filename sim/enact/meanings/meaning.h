@@ -46,7 +46,8 @@ class Meaning {
   // Returns the predicate's value according to the readings of the sensors. Returns none if the
   // readings are too few, or if a sensor's error leaves the value open.
   virtual std::optional<bool> Told(const Readings&, const Roles&) const { return std::nullopt; }
-  // Of the scenario's world and the fault, before it is run; none: it depends on other things.
+  // Returns the predicate's value in the scenario's world with its fault, before the execution.
+  // Returns none if the value depends on other things.
   virtual std::optional<bool> IsTrueIn(const HiddenWorld&, const Roles&) const {
     return std::nullopt;
   }

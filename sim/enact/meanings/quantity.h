@@ -41,8 +41,8 @@ std::unique_ptr<const Quantity> ReadQuantity(const Value& map);
 bool Holds(const contingent::Bound& bound, double value);
 // Returns the interval of the numbers for which the bound holds.
 Interval WhereHolds(const contingent::Bound& bound);
-// Returns whether the bound holds according to a reading; none if the reading's error leaves it
-// open.
+// Returns whether the bound holds according to a reading. Returns none if the bound may or may not
+// hold within the reading's error.
 std::optional<bool> Told(const contingent::Bound& bound, const Reading& reading);
 
 }  // namespace assay::enact

@@ -13,7 +13,8 @@ using domain::PartId;
 using domain::RobotId;
 
 // The meaning of the arguments of an action or an atom in the workcell. A symbol that is the name
-// of a part, a table, a place or a robot stands for it. Other symbols have no meaning there.
+// of a part, a table, a place or a robot stands for this thing. Other symbols have no meaning in
+// the workcell.
 struct Roles {
   PartId part = PartId::None();               // the first part among the arguments
   std::vector<PartId> parts = {};             // all parts among the arguments

@@ -64,8 +64,8 @@ class WaySearch {
         arm_on_lines_(scene_, {.clearance = motion::kTravelGap, .bodies = Bodies::kArm}),
         robots_on_lines_(scene_, {.clearance = motion::kTravelGap, .bodies = Bodies::kRobots}) {}
 
-  // Returns the path, or why there is none. If several attempts failed, the reason is that of the
-  // first attempt.
+  // Returns the path, or why there is none. If several attempts failed, it returns the reason of
+  // the first attempt.
   std::variant<motion::JointPath, std::string> Find() {
     const JointVector& from = execution_.commanded();
     if (const auto now = motion::MotionCheck(scene_, rules_).FindObstruction(from, from)) {
@@ -162,7 +162,7 @@ class WaySearch {
   }
 
   // Returns whether the straight lines below posture `q` are free. The checks are those of
-  // motion::PlanTravel, so that putting the part down needs no other posture.
+  // motion::PlanTravel, so putting the part down needs no other posture.
   bool IsFreeBelow(const JointVector& q, const std::vector<Vector3>& corners) {
     const auto lines = motion::FollowLines(workcell_, q, corners, kLookPitch);
     if (!lines) return false;

@@ -18,8 +18,8 @@
 
 namespace assay::enact {
 
-// What a skill works with: the robots, and the readings and sensors of the trial. The execution of
-// the acting robot holds the believed poses, which follow from commands and sensors.
+// The things that a skill works with: the robots, and the readings and sensors of the trial. The
+// execution of the acting robot holds the believed poses, which follow from commands and sensors.
 struct Situation {
   Robots& robots;
   Readings& readings;

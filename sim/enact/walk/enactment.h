@@ -61,7 +61,8 @@ struct EnactedTrial {
   std::vector<exec::CollisionRecord> collisions = {};  // in the order of time
   double duration = 0;                                 // seconds of simulated time
 
-  // Neither reached nor, in a world whose fault leads there, handed over to a person.
+  // Returns whether the trial failed. A trial succeeds if the goal is reached. In a world whose
+  // fault leads to a person, it succeeds if the task is handed over to a person.
   bool IsFailed() const;
 };
 

@@ -148,8 +148,8 @@ class WorldSearch {
     return false;
   }
 
-  // Returns the kinds that a part may have. A mass that is not hidden is that of the model, and a
-  // colour that is not hidden is none of the named ones.
+  // Returns the kinds that a part may have. A mass that is not hidden is the mass of the model, and
+  // a colour that is not hidden is none of the named colours.
   HiddenKinds KindsOf(PartId part) const {
     const auto hidden = interpretation_.hidden.find(part);
     HiddenKinds kinds = hidden == interpretation_.hidden.end() ? HiddenKinds{} : hidden->second;
@@ -223,7 +223,7 @@ class WorldSearch {
   std::vector<HiddenKinds> kinds_;               // the kinds that each part may have
   std::vector<std::vector<std::string>> asked_;  // the conditions that narrowed each part's kinds
   HiddenWorld world_;
-  std::string refuted_;   // of what the leaf asks, the last
+  std::string refuted_;   // the last refuted condition of the leaf
   std::string no_fault_;  // why one that is needed cannot be
 };
 

@@ -31,15 +31,16 @@ struct Leaf {
 std::vector<Leaf> LeavesOf(const contingent::GroundTask& task, const contingent::PlanTree& tree,
                            std::size_t most);
 
-// A hidden world that is to lead to the leaf, drawn from those that do; or, in words, why there is
-// none: no kind of a part, and not what is known of it, is as the leaf asks. Whether there is one
-// does not depend on the random numbers. Errors that a plan's verifications signal come of faults
-// (FaultFor); whether one does come of it, the walk tells.
+// Draws a hidden world that should lead to the leaf. Returns, in words, the reason if there is
+// none: no kind of a part is as the leaf asks, or what is known about the part contradicts the
+// leaf. The random numbers do not decide whether a world exists. If the leaf lies behind an error
+// that a verification signals, the world has a fault that may cause the error (FaultFor). Only the
+// walk shows whether the fault does cause it.
 std::variant<HiddenWorld, std::string> FindWorld(const Leaf& leaf,
                                                  const Interpretation& interpretation,
                                                  const domain::Problem& problem,
                                                  RandomStream& random);
-// Draws a world as FindWorld does; none if there is no world for the leaf.
+// Draws a world as FindWorld does. Returns none if there is no world for the leaf.
 std::optional<HiddenWorld> WorldFor(const Leaf& leaf, const Interpretation& interpretation,
                                     const domain::Problem& problem, RandomStream& random);
 

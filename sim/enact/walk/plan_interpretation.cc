@@ -244,7 +244,7 @@ class Passed : public OfStep {
     if (found == readings.errors.end()) return std::nullopt;
     return found->second.empty();
   }
-  // Without a fault nothing is expected to go wrong.
+  // The action is expected to fail only if the world's fault is in this action.
   std::optional<bool> IsTrueIn(const HiddenWorld& world, const Roles& roles) const override {
     return !world.fault || world.fault->action != roles.symbols.front();
   }

@@ -77,9 +77,9 @@ class TreeWalk {
   // sensing action.
   template <class Ask>
   auto Sensed(const Ask& ask) -> decltype(ask());
-  // Turn what counts as sensed into knowledge, by the readings of the sensors. Return in words what
-  // the sensors left open, which then counts as sensed neither in state_ nor in `sensed`. Nothing
-  // else in `sensed` changes.
+  // Turn the facts that count as sensed into knowledge, by the readings of the sensors. Return, in
+  // words, the facts that the sensors left open. These facts then count as sensed neither in state_
+  // nor in `sensed`. Nothing else in `sensed` changes.
   std::vector<std::string> LearnSensedFormulas(contingent::KnowledgeState& sensed);
   std::vector<std::string> LearnSensedValues(contingent::KnowledgeState& sensed);
   // Takes over the new knowledge. Returns false, and changes nothing, if there is none because the

@@ -20,8 +20,8 @@ struct StepCommands {
   std::vector<Command> advance = {};   // commands until the tool is at its work
   std::vector<Command> act = {};       // commands at the place of work
   std::vector<Command> depart = {};    // commands that move the tool away, if the work succeeded
-  // Back to where the tool was poised, if the work failed. If it is empty, the tool only needs to
-  // back off a little.
+  // Commands that move the tool back to where it was poised, if the work failed. If there are none,
+  // it is enough that the tool backs off a little.
   std::vector<Command> withdraw = {};
 
   // Returns all commands but those of `withdraw`, in the order of execution.
@@ -30,10 +30,11 @@ struct StepCommands {
 
 // Returns the commands of a step of a plan, for the believed poses of the parts. Straight lines
 // down and up are vertical. The last piece to a part and the first piece away from it are along the
-// tool's axis, with the workcell's approach distance as length. Parts that are put down or mated go
-// on until they meet resistance, or until they must have met it (BeyondContact). The arm comes by
-// the plan's travel: the usual way, or a path from where the step before has left the tool
-// (plan::RouteOf). With a path, the arm does not go up to safe height between the two steps.
+// tool's axis, with the workcell's approach distance as length. A part that is put down or mated
+// moves on until it meets resistance, or until it must have met resistance (BeyondContact). The arm
+// comes to the step by the plan's travel. The travel is the usual one, or a path that begins where
+// the previous step left the tool (plan::RouteOf). With a path, the arm does not go up to safe
+// height between the two steps.
 StepCommands CommandsFor(const domain::Problem& problem, const WorldModel& world,
                          const plan::Plan& plan, plan::StepId step);
 // Returns the command after the last step.
@@ -42,8 +43,9 @@ Command HomingOf(const domain::Problem& problem, const plan::Plan& plan);
 // Returns the commands of a step with the usual travel.
 StepCommands CommandsFor(const domain::Problem& problem, const WorldModel& world,
                          const plan::PlannedStep& step);
-// Return the commands of single actions. `certificate` holds what is known of the step; empty means
-// nothing. If the fixed part of a mating has a fixture, this clamps it (domain::Part::clamp).
+// Return the commands of single actions. `certificate` holds what is known about the step; it is
+// empty if nothing is known. The commands of an assemble clamp the fixed part if it has a fixture
+// (domain::Part::clamp).
 StepCommands CommandsFor(const domain::Problem& problem, const WorldModel& world,
                          const plan::Pickup& pickup, const plan::Certificate& certificate = {});
 StepCommands CommandsFor(const domain::Problem& problem, const WorldModel& world,

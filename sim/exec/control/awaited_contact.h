@@ -13,8 +13,8 @@ class AwaitedContact {
   // kept contacts may seem to put on the awaited one.
   AwaitedContact(int kept, double seeming, const ControlLaw& law);
 
-  // Takes the forces of one timestep in newtons: those of the kept contacts, then that of the
-  // awaited one.
+  // Takes the forces of one timestep in newtons: first the forces of the kept contacts, then the
+  // force of the awaited contact.
   void Feel(const Eigen::VectorXd& forces, double timestep);
   // Returns whether the contact bears enough on average, or more than all kept contacts, whose
   // force it takes over.

@@ -41,10 +41,10 @@ struct ControlLaw {
   double slack = 1e-4;     // metres by which a contact may be farther away than errors explain
   int attempts = 3;        // number of attempts at the whole strategy
 
-  // Returns the greatest force at the wrist, in newtons, for any duration. It is that of an impact
-  // at the speed of free motions, plus the pushing force. After the first error state nothing is
-  // faster than a motion to a contact. Before it, only sliding is faster, where the strategy is
-  // certain that nothing else is met.
+  // Returns the greatest force at the wrist, in newtons, for any duration. It is the force of an
+  // impact at the speed of free motions, plus the pushing force. After the first error state, no
+  // motion is faster than a motion to a contact. Before it, only slides are faster, and the
+  // strategy is certain that a slide meets nothing else.
   double GreatestForce() const { return pushing_force + impact * free_speed; }
 };
 

@@ -8,7 +8,7 @@
 
 namespace assay::exec {
 
-// How contacts can hold a part that is pushed and does not move (quasi-statically).
+// The ways in which contacts can hold a part that is pushed and does not move (quasi-statically).
 enum class Holding {
   kNothing,   // the contacts cannot hold the part
   kObstacle,  // a contact stands against the push, even without friction
@@ -23,7 +23,7 @@ Holding HoldingOf(const std::vector<plan::StrategyContact>& contacts, const geom
                   double friction, double length);
 
 // Returns how the engine's present contacts can hold the part in the execution's hand against the
-// fixed part, if it is pushed at its tip along `way` (unit, in the axes of `fixed`).
+// fixed part. The part is pushed at its tip along `way` (unit, in the axes of `fixed`).
 Holding TrueHolding(Execution& execution, PartId fixed, const Pose& X_HeldTip,
                     const geometry::Vector3& way, double length);
 

@@ -115,8 +115,8 @@ plan::Strategy HybridControl::Found() const {
   return found;
 }
 
-// Returns the unwanted contact that forces show. After an ignored error state the arm is not where
-// the plan has it, so that state's contact is returned.
+// Returns the unwanted contact that the forces show. After an ignored error state, the arm is not
+// where the plan expects it. Then the unwanted contact of this error state is returned.
 std::optional<RecognizedContact> HybridControl::Recognized(
     const plan::StrategyMotion& motion) const {
   if (!ignored_.empty()) return ignored_.front().recognized;
@@ -134,7 +134,8 @@ HybridControl::Ended HybridControl::CheckState(const plan::StrategyMotion& motio
   if (IsAsPlanned(found, motion, felt_.wrench)) return std::nullopt;
   ErrorState wrong =
       Error(MatingOutcome::kWrongContact, "forces that no contacts of the plan explain");
-  // Other contacts may have followed the one that the motion took for the awaited one.
+  // Two wrenches are examined, because other contacts may have been made after the contact that
+  // ended the motion.
   for (const Feeling& felt : {first_felt_, felt_}) {
     if (IsAsPlanned(found, motion, felt.wrench)) continue;
     const auto unwanted = Recognize(found, motion, felt.wrench);
@@ -253,8 +254,8 @@ HybridControl::Ended HybridControl::MoveAlong(const Way& way, const PressedConta
   return Settle(kept);
 }
 
-// Moves until the awaited contact is made. If it has not come in an earlier attempt, errors are
-// greater than they should be, so it may come later in the next one.
+// Moves until the awaited contact is made. If it did not come in an earlier attempt, the errors are
+// greater than they should be. Later attempts therefore go farther.
 HybridControl::Ended HybridControl::MoveUntil(const plan::StrategyMotion& motion, const Way& way) {
   const std::vector<int> after = plan::ContactsAfter(motion);
   PressedContacts kept = Pressed(motion.kept);
@@ -360,8 +361,8 @@ HybridControl::Ended HybridControl::Stuck(const Vector6& direction, double left)
   return stuck;
 }
 
-// Returns, in ways, how much farther the part may go until the contact is pressed, since the parts
-// may be a little farther apart than errors explain.
+// Returns how much farther the part may go until the contact is pressed, as a multiple of the way.
+// The parts may be a little farther apart than errors explain.
 double HybridControl::Slack(int contact, const Way& way) const {
   const auto& awaited = Planned(contact);
   const Vector6 row = Joined(awaited.normal, awaited.at.cross(awaited.normal));
@@ -392,8 +393,8 @@ HybridControl::Ended HybridControl::Settle(const PressedContacts& contacts) {
   return std::nullopt;
 }
 
-// Kept contacts take away the part of the wanted twist along their normals. Beyond a contact, only
-// the arm's yielding to its force is commanded, so the part stays where it is.
+// Removes from the wanted twist the components along the normals of kept contacts. Along these
+// normals, the arm only yields to the force, so the part stays where it is.
 TipMotion HybridControl::Hybrid(const PressedContacts& contacts, const Vector6& wanted) const {
   if (contacts.empty()) return {.planned = wanted};
   const PressedContacts::Rows& rows = contacts.rows();
@@ -418,8 +419,8 @@ void HybridControl::Believe(const PressedContacts& kept, const Pose& X_FixedTip)
   arm_.Correct(-kept.Opening(kept.rows() * off));
 }
 
-// Corrects the believed pose along the way on which the contact was made: the tip was farther or
-// less far on that way, and turned more or less, than believed.
+// Corrects the believed pose of the tip along the way on which the contact was made. The contact
+// shows how far the tip had really come on this way.
 void HybridControl::BelieveMade(int contact, const Pose& X_FixedTip, const Vector6& along) {
   const auto& made = Planned(contact);
   const Vector6 row = Joined(made.normal, made.at.cross(made.normal));

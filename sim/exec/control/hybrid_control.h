@@ -23,11 +23,11 @@ struct ErrorState {
   MatingOutcome outcome = MatingOutcome::kDone;
   std::string reason = {};
   int motion = 0;  // index of the motion in which it occurred
-  // None if it is none of the states that the plan knows.
+  // Missing if the plan does not know this error state.
   std::optional<RecognizedContact> recognized = {};
   double time = 0;  // when it occurred, simulated seconds
-  // How the part that got stuck is held, by the contacts that the engine has at that time. Control
-  // does not know these.
+  // The way in which a stuck part is held by the contacts that the engine has at that time. Control
+  // does not know these contacts.
   std::optional<Holding> holding = {};
 };
 
@@ -58,7 +58,7 @@ bool LetsGo(const plan::Strategy& strategy, std::size_t motion);
 // yields with a velocity in proportion to the excess of force. The yielding becomes part of the
 // commanded position and is not undone later.
 //
-// After each motion, control decides whether the wrench is that of the planned contact state
+// After each motion, control decides whether the wrench can come from the planned contact state
 // (recognition.h). If it is not, or if the motion cannot go on, the arm is in an error state: it
 // draws back and starts again. It keeps what contacts have shown about the tip's pose. A recognized
 // unwanted contact shows more, since the plan has the mean of the errors that lead to it. That mean
@@ -98,7 +98,7 @@ class HybridControl {
   plan::Strategy Found() const;
   std::optional<RecognizedContact> Recognized(const plan::StrategyMotion& motion) const;
   RecognizedContact Named(const plan::UnwantedContact& unwanted, double time) const;
-  // Checks that the wrench after the motion is that of the planned contact state.
+  // Checks that the wrench after the motion can come from the planned contact state.
   Ended CheckState(const plan::StrategyMotion& motion);
   // Draws the part out of the hole, and to where the strategy starts.
   Ended DrawBack();

@@ -4,7 +4,7 @@
 
 namespace assay::exec {
 
-// How a mating by a strategy, or one of its motions, ended, as far as the arm can detect it.
+// The end of a mating by a strategy, or of one of its motions, as far as the arm can detect it.
 enum class MatingOutcome {
   kDone,           // every motion was completed
   kJammed,         // the part stopped short of its end, and is free without the push

@@ -53,7 +53,7 @@ class Trial {
     execution_.world().Believe(mating_.fixed, scene.TruePose(data_, mating_.fixed));
   }
 
-  // Places the closed hand, with the part in it, where it believes itself to be at X_WorldTool.
+  // Places the closed hand, with the part in it, so that the hand's believed pose is X_WorldTool.
   Progress Poise(const Pose& X_WorldTool) {
     execution_.SetHandError(HandError(setting_));
     const Pose truly = execution_.Erring(X_WorldTool);

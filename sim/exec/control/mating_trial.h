@@ -9,8 +9,8 @@ struct MatingSetting {
   domain::MatingId mating;
   plan::Hold hold;  // how the hand holds the held part
   Pose X_HeldTip;   // as plan::Strategy::X_HeldTip
-  // How the held part is displaced in the hand, as seen by its mated tip: d in metres, and w in
-  // radians about the tip's origin, both in the fixed part's axes.
+  // The displacement of the held part in the hand, as a displacement of its mated tip: d in metres,
+  // and w in radians about the tip's origin, both in the fixed part's axes.
   Vector3 d = Vector3::Zero();
   Vector3 w = Vector3::Zero();
   // The arm starts in the configuration that is nearest to these joint values, or to its home if

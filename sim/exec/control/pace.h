@@ -14,9 +14,9 @@ struct Pace {
 inline constexpr Pace kFreePace = {.speed = 0.5, .final_speed = 0.5, .final_length = 0};
 // The pace of open fingers beside a part, toward it or away from it.
 inline constexpr Pace kFingersPace = {.speed = 0.2, .final_speed = 0.02, .final_length = 0.005};
-// The speed where a part may meet what it is put on or into, m/s. The arm weighs as much as many
-// parts. What it runs into at 20 mm/s slides on by 0.1 mm, in proportion to the square of the
-// speed; at this speed, by a micrometre.
+// The speed, in m/s, at which a part may meet the part or table that it is put on or into. The arm
+// weighs as much as many parts. A part that the arm hits at 20 mm/s slides on by 0.1 mm. The
+// distance grows with the square of the speed; at this speed it is a micrometre.
 inline constexpr double kContactSpeed = 0.002;
 // Returns the pace of a part that comes down on the table, which it may meet in the last `length`
 // metres.

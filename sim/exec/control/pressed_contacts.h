@@ -24,7 +24,7 @@ class PressedContacts {
   // Returns the least twist that changes the gaps by `gaps`. A turn of one radian counts as a shift
   // of plan::kTurnLever.
   Vector6 Opening(const Eigen::VectorXd& gaps) const;
-  // Returns the force of each contact in newtons, as far as a wrench can tell the contacts apart.
+  // Returns the force of each contact in newtons, as far as a wrench distinguishes the contacts.
   Eigen::VectorXd Forces(const Vector6& wrench) const;
   // Returns the force in newtons that the contacts do not bear, friction included.
   double Unexplained(const Vector6& wrench) const;

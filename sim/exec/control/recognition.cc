@@ -21,7 +21,7 @@ constexpr double kUsualGrowth = 1.5;  // factor of the errors, minus 1
 constexpr double kExplained = 4;  // greatest unlikeliness of a state that explains a wrench
 // Least difference by which one state explains a wrench better than another.
 constexpr double kBetter = 1;
-constexpr double kAlike = 0.1;  // separation below which forces do not tell states apart
+constexpr double kAlike = 0.1;  // separation below which forces do not distinguish states
 
 // Compares the states that are possible after one motion with the measured wrench.
 class Weighing {

@@ -7,9 +7,9 @@
 
 namespace assay::exec {
 
-// Contact states are told apart by their force signatures (Dakin and Popplestone, section 5). The
-// signature of the next state ends a motion, and the plan holds the signatures of the error states.
-// The paper does not say how a wrench is compared with signatures. Here each state has a
+// Contact states are distinguished by their force signatures (Dakin and Popplestone, section 5).
+// The signature of the next state ends a motion, and the plan holds the signatures of the error
+// states. The paper does not say how a wrench is compared with signatures. Here each state has a
 // likelihood, expressed as the sum of squares in its exponent:
 //
 // - The angle by which the wrench is outside the state's cone of wrenches, friction included.
@@ -22,16 +22,16 @@ namespace assay::exec {
 // The believed pose of the part is not used to tell contacts apart, since in an error state it is
 // what is wrong. A contact that touches and bears nothing gives no information.
 
-// Returns whether the wrench after a motion can be that of the planned contacts. A wrench of less
-// than a newton can be that of any contacts.
+// Returns whether the wrench after a motion can come from the planned contacts. A wrench of less
+// than a newton can come from any contacts.
 bool IsAsPlanned(const plan::Strategy& strategy, const plan::StrategyMotion& motion,
                  const Vector6& wrench);
 
 // Returns the likeliest error state of the motion in which the tip bears the wrench, as the
 // unwanted contact that causes it. A contact that was made must explain the wrench while the
-// planned ones do not. A contact that was lost must not be needed to explain it. Returns none if no
-// known error state explains it, among those whose forces can be told from the planned ones. An
-// awaited contact that has not come is not reported.
+// planned ones do not. A contact that was lost must not be needed to explain it. Only error states
+// are considered whose forces differ enough from the planned ones. Returns none if none of them
+// explains the wrench. An awaited contact that has not come is not reported.
 std::optional<plan::UnwantedContact> Recognize(const plan::Strategy& strategy,
                                                const plan::StrategyMotion& motion,
                                                const Vector6& wrench);

@@ -22,7 +22,8 @@ struct Collision {
 // The bodies that a part in the hand may touch besides hands.
 enum class HeldTouches {
   kAnything,  // parts may lie on each other and slide into each other, as in steps of plans
-  // Tables where it is picked up and put down, and bodies that it touched when it was picked up.
+  // the tables on which the part is picked up and put down, and the bodies that it touched when it
+  // was picked up
   kTables,
   kNothing,
 };
@@ -35,7 +36,8 @@ class CollisionWatch {
   explicit CollisionWatch(const scene::Scene& scene);
 
   // Sets the parts that hands may touch from here on, and the bodies that a part in the hand may
-  // touch. Without a call, they may touch all parts and anything.
+  // touch. Before the first call, hands may touch all parts, and a part in the hand may touch
+  // anything.
   void Handle(std::vector<PartId> parts, HeldTouches held = HeldTouches::kAnything);
 
   // Returns the present collisions that no earlier call has returned. `held` is the part in the
@@ -46,8 +48,8 @@ class CollisionWatch {
   bool IsAllowed(const Collision& touch) const;
   bool IsRobot(mujoco::BodyId body) const;
   bool IsHeld(mujoco::BodyId body) const;
-  // Returns the pair in order: a robot's body first, of two robots' bodies the arm's; otherwise the
-  // held part first.
+  // Returns the pair with the robot's body first. If both bodies belong to robots, the arm's body
+  // is first; if neither does, the held part is first.
   Collision InOrder(Collision touch) const;
 
   std::vector<scene::BodyKind> kinds_;  // by BodyId

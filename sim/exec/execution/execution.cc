@@ -199,10 +199,11 @@ void Execution::Restore(const Checkpoint& checkpoint) {
   while (options_.sample_rate > 0 && data_.time() >= samples_ / options_.sample_rate) ++samples_;
 }
 
-// The servo's law is linear in its command. Commanded a state between the arm's own and the wanted
-// one, it behaves as if its gains were lower. Damping is scaled by the root of the stiffness, so
-// the arm is as well damped as before. Accelerations that forces require get no torques: most of
-// these would accelerate the motors, and what the hand touches would give them back as forces.
+// The servo's law is linear in its command. If the command is a state between the arm's own and the
+// wanted one, the servo behaves as if its gains were lower. Damping is scaled by the root of the
+// stiffness, so the arm is as well damped as before. The accelerations by which the arm yields to
+// forces get no feedforward torques. Most of these torques would accelerate the motors, and the
+// touched bodies would return them as forces.
 Progress Execution::StepSoftly(const JointState& next, const JointVector& qdd, double share) {
   SetStepping(Stepping::kContact);
   const JointVector q = scene_.ArmPosition(data_);

@@ -13,9 +13,10 @@ namespace assay::exec {
 // Returns the scene's options with the errors that the noise has for the scene.
 scene::SceneOptions TrueScene(scene::SceneOptions options, const noise::Noise& noise);
 
-// Returns the poses in which the parts rest without errors: places and yaws as the problem has
-// them, heights and tilts as they come to rest in the engine. Otherwise a part that leans would
-// slide by hundredths of a millimetre at first, and its error would not be the drawn one.
+// Returns the poses in which the parts rest without errors. Places and yaws come from the problem;
+// heights and tilts are what the parts settle to in the engine. With the problem's heights and
+// tilts, a part that leans would first slide by hundredths of a millimetre, and its error would
+// differ from the drawn error.
 std::vector<Pose> RestingPoses(const domain::Problem& problem, const scene::Scene& scene);
 
 // Returns a simulation at the start of a trial, with the parts at their true poses and the tables

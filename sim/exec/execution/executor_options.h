@@ -21,7 +21,7 @@ class Observer {
 };
 
 struct ExecutorOptions {
-  double sample_rate = 50;  // moments per simulated second in the trace's series; 0 for no series
+  double sample_rate = 50;  // samples per simulated second in the trace's series; 0 for no series
   double free_timestep = 0.002;  // seconds, while the empty hand touches nothing
   double force_limit = 300;      // newtons at the wrist; above it the arm stops
   noise::Noise noise = {};       // errors of the world, the hand and the sensors

@@ -19,7 +19,7 @@ class StepExecution {
   // Sets the hand's error for this step and the table's height for the place, and moves the tool to
   // where it is poised before or above its work.
   Progress Approach();
-  // Sets the errors of a poised step to those of the execution's noise.
+  // Sets the errors of a poised step to the errors of the execution's noise.
   Progress TakeUpNoise();
   // Executes everything after the approach. When the hand gropes, the part (in a mating, the fixed
   // part) is believed to lie where it is tried.
@@ -70,7 +70,7 @@ class StepExecution {
   const plan::PlannedStep& planned_;
   plan::StepId step_;
   Execution& execution_;
-  // The part whose place is in doubt, its believed pose before groping, and the axis of the plane
+  // The part whose place is uncertain, its believed pose before groping, and the axis of the plane
   // in which groping moves.
   PartId sought_;
   Pose X_WorldSought_;

@@ -33,7 +33,7 @@ struct Snapshot {
   std::vector<std::pair<std::string, std::string>> contacts = {};
 };
 
-// One of a series of moments at equal intervals.
+// One of a series of snapshots at equal intervals.
 struct Sample {
   Snapshot moment;
 };
@@ -83,8 +83,9 @@ struct MotionRecord {
   int motion = 0;   // index of the motion in the strategy
   int attempt = 1;  // number of the attempt at the strategy, from 1
   MatingOutcome outcome = MatingOutcome::kDone;
-  // None if there was no error state, or none that the plan knows. With outcome kDone, an error
-  // state was ignored in the last attempt.
+  // The contact or loss that caused the error state. Missing if there was no error state, or if the
+  // plan does not know the error state. If the outcome is kDone, this error state was ignored in
+  // the last attempt.
   std::optional<RecognizedContact> recognized = {};
 };
 

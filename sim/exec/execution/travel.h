@@ -7,8 +7,8 @@
 
 namespace assay::exec {
 
-// Returns the request to the planner of travels for this command. `rest` holds the commands that
-// follow in its step.
+// Returns the request for a planned travel (motion::PlanTravel) that this command makes. `rest`
+// holds the commands that follow in its step.
 motion::TravelRequest RequestFor(const MoveAtSafeHeight& move, std::span<const Command> rest,
                                  const Execution& execution);
 

@@ -20,7 +20,7 @@ struct MatingSubject {
     std::string png;  // the contents of the file
   };
 
-  // What simulated trials show about the margins of the plan.
+  // The findings of simulated trials about the margins of the plan.
   struct Trials {
     // A contact that must not happen. It is listed if some tested enlargement of the errors leads
     // to it, or if it happened.

@@ -21,7 +21,7 @@ using check::VerdictCounts;
 // the certificate of its step claimed anything count.
 struct Observed {
   double least = 0, lower_quartile = 0, median = 0, upper_quartile = 0, greatest = 0;
-  StandingCounts verdicts = {};  // of every observation, even of those that are not claimed
+  StandingCounts verdicts = {};  // of all observations, claimed or not
 
   // Returns the number of claimed observations, which the five values from `least` to `greatest`
   // summarize.

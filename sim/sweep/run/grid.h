@@ -28,7 +28,7 @@ struct Cell {
   bool operator==(const Cell&) const = default;
 };
 
-// Returns all cells. The axes are nested in the order of the members of Cell, so that seeds change
+// Returns all cells. The axes are nested in the order of the members of Cell, so seeds change
 // fastest.
 std::vector<Cell> Cells(const Sweep& sweep);
 

@@ -45,7 +45,7 @@ std::string Trouble(int code, const char* words, int system_error) {
           "with --resume",
           SystemWords(system_error));
     case SQLITE_CONSTRAINT:
-      // Keys are numbers of trials, so that a conflict means that a trial is stored already.
+      // Keys are numbers of trials, so a conflict means that a trial is stored already.
       return fmt::format(
           "what is to be written is there already ({}); is another program doing the "
           "same sweep?",

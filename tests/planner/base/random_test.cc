@@ -133,8 +133,8 @@ TEST(UniformTest, ScalesToAnyInterval) {
 
 class IndexTest : public testing::TestWithParam<int> {};
 
-// The chi-square statistic is compared with that of the uniform law. The bound is the mean plus
-// five standard deviations of the statistic with count - 1 degrees of freedom.
+// The chi-square statistic is compared with its value for the uniform law. The bound is the mean
+// plus five standard deviations of the statistic with count - 1 degrees of freedom.
 TEST_P(IndexTest, IsUnbiased) {
   const int count = GetParam();
   const int draws = 1000 * count;

@@ -196,7 +196,7 @@ TEST(PostingPlanner, GoalsOfManyPartsAreMetTogether) {
 }
 
 // After a mating the fixed part stays where it is, because the planner does not carry mated parts.
-// Other planners might, so that there is no proof of impossibility.
+// Other planners might carry them, so there is no proof of impossibility.
 TEST(PostingPlanner, MatedPartsAreNotCarriedTogether) {
   const plan::PlanResult result =
       MakePlan(ScenarioFrom(PegAndBlock("{stable: face-down, at: [22, 6], yaw: 30}",

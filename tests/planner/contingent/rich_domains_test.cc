@@ -142,7 +142,8 @@ std::string RandomProblem(RandomStream& random) {
                                    "Kv(n within 0.1)", "Kv(n)"}));
 }
 
-// Returns whether bounds were carried back without end, which is a limit of the checker.
+// Returns whether the checker gave up because it would need too many numbers. This is a limit of
+// the checker, and no flaw of the tree.
 bool IsOfTooManyNumbers(const TreeCheck& check) {
   return check.failure.find("a sample of numbers cannot tell") != std::string::npos;
 }

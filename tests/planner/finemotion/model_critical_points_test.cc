@@ -25,8 +25,8 @@ std::vector<CriticalPoint> CriticalPointsIn(const std::string& scenario) {
                         mating.mating_vector);
 }
 
-// The remaining ways in inches at the critical points, and the numbers of pairs of faces that touch
-// after them.
+// For each critical point: the distance that is left to the seat, in inches, and the number of
+// pairs of faces that touch after the point.
 struct Expected {
   const char* scenario;
   std::vector<double> left;
@@ -50,11 +50,11 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         // The shaft enters, and then the plate lands.
         Expected{"spar-fig15", {2.75, 0}, {4, 5}},
-        // Shaft and key enter together. Three sides of each touch. Of the fourth side of the shaft,
-        // the pieces to the left and right of the key touch.
+        // Shaft and key enter together. Three sides of each touch. The fourth side of the shaft
+        // touches to the left and to the right of the key.
         Expected{"keyed", {2.75, 0}, {8, 9}}, Expected{"mate-keyed", {2.75, 0}, {8, 9}},
-        // The narrow shaft, 1.65 of it, enters its hole in the step. Then the wide shaft enters,
-        // and then the plate lands.
+        // First the narrow shaft enters its hole in the step, which is 1.65 deep. Then the wide
+        // shaft enters its hole, and then the plate lands.
         Expected{"mate-stepped", {1.65, 1.05, 0}, {4, 8, 9}},
         Expected{"mate-octagonal", {2.75, 0}, {8, 9}},
         // The head enters the mouth with both ends and the back. Then it goes under the two lips,

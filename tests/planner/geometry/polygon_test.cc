@@ -187,11 +187,13 @@ TEST(PolygonTest, GapIsSymmetricAndAgreesWithBruteForce) {
   EXPECT_LT(overlapping, 9000);
 }
 
-// A rectangle's is sqrt((a^2 + b^2) / 12). Two squares of side 2, their centres 6 apart: each turns
-// about its own centre, at the distance 3 of the common one (the parallel axis theorem).
+// The radius of gyration of a rectangle is sqrt((a^2 + b^2) / 12). For two squares of side 2, whose
+// centres are 6 apart, the parallel axis theorem adds the square of 3, the distance of each centre
+// from the common one.
 TEST(PolygonTest, RadiusOfGyration) {
   const Polygon rectangle = {{1, 1}, {4, 1}, {4, 5}, {1, 5}};
-  EXPECT_NEAR(RadiusOfGyration(std::vector<Polygon>{rectangle}), std::sqrt((9.0 + 16.0) / 12), 1e-12);
+  EXPECT_NEAR(RadiusOfGyration(std::vector<Polygon>{rectangle}), std::sqrt((9.0 + 16.0) / 12),
+              1e-12);
   const Polygon left = {{0, 0}, {2, 0}, {2, 2}, {0, 2}};
   const Polygon right = Moved(left, 0, {6, 0});
   EXPECT_NEAR(RadiusOfGyration(std::vector<Polygon>{left, right}), std::sqrt(8.0 / 12 + 9), 1e-12);

@@ -339,7 +339,8 @@ TEST(Singular, WristCentreOnAxisTwo) {
   ExpectAllReproduce(arm, solutions, X);
 }
 
-// Holds at singular poses, where two solutions may be one, and out of reach.
+// The solution for given indicators is one of all solutions. This holds at singular poses, where
+// two solutions may be equal, and out of reach, where there are none.
 TEST(Inverse, OneAskedForByItsIndicatorsIsOneOfAll) {
   RandomStream random(8, "one of all");
   constexpr std::array kPlaces = {0.0, 0.5, 1.0};

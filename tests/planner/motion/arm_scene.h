@@ -51,7 +51,7 @@ inline bool IsClear(const CollisionScene& scene, const JointVector& q, double cl
   });
 }
 
-// Returns a posture at rest with the tool above the table, so low that parts matter.
+// Returns a posture at rest with the tool above the table, so low that parts can be in the way.
 inline JointVector RandomPostureAtTheTable(const CollisionScene& scene, double clearance,
                                            RandomStream& random) {
   const domain::Workcell& workcell = scene.workcell();

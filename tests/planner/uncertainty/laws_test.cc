@@ -68,8 +68,9 @@ TEST_P(EachMode, WithoutErrorsSetsAreZeroAndEverythingIsProved) {
   }
 }
 
-// Returns the preconditions whose number does not depend on the errors. Of "hand clear" and
-// "neighbour clear" there are more if larger errors bring more corners near something.
+// Returns the preconditions of the kinds whose number does not depend on the errors. There are more
+// preconditions "hand clear" and "neighbour clear" if larger errors bring more corners near
+// something.
 std::vector<plan::CertifiedPrecondition> OfFixedNumber(
     const std::vector<plan::CertifiedPrecondition>& claims) {
   std::vector<plan::CertifiedPrecondition> fixed;
@@ -227,9 +228,9 @@ TEST(Squeezing, OnceLeavesTheOtherCoordinateAndTwiceLeavesTheHandsError) {
       const domain::Problem problem =
           UprightBlock({.length = kLength, .angle = 0.02, .hand = hand});
       UncertainWorld world(problem, mode);
-      // The error is the displacement of the grasped point by the hand, and that of the origin by
-      // the hand's turn. The second squeeze undoes the turn of the first, with a slip of the same
-      // size along the first pads.
+      // The error is the displacement of the grasped point by the hand, plus the displacement of
+      // the origin by the hand's turn. The second squeeze undoes the turn of the first, with a slip
+      // of the same size along the first pads.
       const double reach = 6 * kInch;
       const double own = 2 * hand + 3 * reach * 10 * hand + 1e-9;
       CertifyStep(world, SqueezeAlong(Vector3::UnitX(), problem), {});

@@ -32,7 +32,7 @@ int Asked(const char* name, int otherwise) {
   return count == nullptr ? otherwise : std::atoi(count);
 }
 
-// What differs between scenes. `tolerance` is a fraction of the pads' friction.
+// The quantities that differ between scenes. `tolerance` is a fraction of the pads' friction.
 struct Draw {
   double density = 1;  // density of the peg over that of the stock peg
   double pad_friction = 0.15;

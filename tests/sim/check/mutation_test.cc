@@ -144,7 +144,7 @@ std::optional<std::int64_t> AttemptThatFinds(const plan::Plan& mutant, const Exp
       .first_violation;
 }
 
-// How much the test tries.
+// The effort of the test.
 struct Effort {
   int corners = 32;             // of whole executions, before those at the likely corners
   std::int64_t attempts = 200;  // for each mutant

@@ -41,7 +41,7 @@ class Channels : public testing::Test {
   }
 };
 
-// A start with one error of the peg, and the effect on the peg's pose.
+// A simulation that starts with one error of the peg, and the change of the peg's pose.
 struct ErroneousStart {
   mujoco::Data data;
   Vector3 displacement;
@@ -181,8 +181,8 @@ TEST_F(HandChannels, OfAnotherStepAreNotFelt) {
   ExpectHandError(Pose::Identity());
 }
 
-// Noise that is applied from the start of a step has the same effect as noise that is taken up when
-// the step is poised.
+// If an execution has noise from its start, the hand has the same error as if a poised step takes
+// up the noise.
 TEST_F(Channels, AnExecutionErrsAsItsNoiseSays) {
   const Noise noise = FourErrors(Effect::kHandX, kPickup, {0.001, -0.002, 0.0015, 0.02});
   mujoco::Data data = StartOf(problem(), scene(), noise);

@@ -56,7 +56,7 @@ bool Augmentation::Add(plan::StepId id, const plan::Action& action, IfUnproved i
   return !steps_.last().fails();
 }
 
-// Returns false if a remedy was inserted, so that all steps must be decided again.
+// Returns false if a remedy was inserted, so all steps must be decided again.
 bool Augmentation::DecideInOrder() {
   MomentId moment = task_->possible.Beginning();
   for (int i = 0; i < steps_.size(); ++i) {

@@ -27,7 +27,7 @@ enum class IfUnproved {
   // remedies bring it nearer to being proved, and verifications prepare for its failure
   kPrepare,
   kObject,  // nothing is inserted; an objection says why it is not proved
-  // as kObject, and no remedies are tried if an unproved goal depends on the places of parts
+  // like kObject, but no remedies are tried if an unproved goal depends on the places of parts
   kObjectAtOnce,
 };
 

@@ -53,7 +53,8 @@ class PlanWriter {
     written.certificate = std::move(certified.certificate);
     written.certificate.resolutions = std::move(resolutions);
     for (const Measure& measure : step.measures) {
-      // A measure for a later step may have proved a step that only verification was left for.
+      // A step that could only be verified may have been proved after all by a measure for a later
+      // step.
       if (measure.resolver == kVerification && !step.fails()) continue;
       written.certificate.resolutions.push_back(InWords(measure));
     }

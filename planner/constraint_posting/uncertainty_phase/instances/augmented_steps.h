@@ -11,8 +11,8 @@
 
 namespace assay::constraint_posting {
 
-// The unproved goals of a step, given by the snapshot after the step as it was to be executed at
-// that time.
+// The unproved goals of a step, stored as the snapshot after the step. The snapshot keeps the
+// execution of the step that was planned when the goals were found.
 struct Unmet {
   uncertainty::MomentId after;
   std::vector<std::string> absorbed;  // conditions that remedies absorbed
@@ -20,7 +20,7 @@ struct Unmet {
   bool operator==(const Unmet&) const = default;
 };
 
-// The resolver of a step whose goals nothing proves: its success is verified.
+// The resolver's name for a step whose goals no remedy proves: the success of the step is verified.
 inline constexpr std::string_view kVerification = "verification";
 
 // A resolution whose reasons are put into words when the plan is written out.

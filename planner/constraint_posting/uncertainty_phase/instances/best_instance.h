@@ -11,8 +11,8 @@
 namespace assay::constraint_posting {
 
 // The best of the augmented plan instances. An instance that surely cannot be proved completely
-// waits until all instances are there. Of the waiting instances, those that could still come first
-// are augmented, the most promising first. Only one of several equally promising instances is
+// waits until all instances are there. Then those waiting instances that could still become the
+// best are augmented, the most promising first. Only one of several equally promising instances is
 // augmented.
 class BestInstance {
  public:

@@ -12,9 +12,9 @@ namespace assay::constraint_posting {
 
 // The worlds of a plan instance with the best possible knowledge. Between any two actions, all
 // quantities that remedies can measure or set are known: x, y and theta of every resting part, by
-// squeezing or sensing, and z if an available sensor measures it. With any remedies, these worlds
-// are among the worlds that remain possible. So a goal that is unproved in them is proved by no
-// remedy that does not absorb it.
+// squeezing or sensing, and z if an available sensor measures it. Whatever remedies are inserted,
+// these worlds are among the worlds that remain possible. If a goal is unproved in these worlds,
+// only a remedy that absorbs the goal can help.
 class BestKnown {
  public:
   // Returns true if these worlds bound all remedies. They do not if the bounds of an error exclude

@@ -24,8 +24,8 @@ struct Allowance {
               const std::vector<Objection>& objections) const;
 };
 
-// Objects to an instance as soon as it has more unproved steps than are allowed. A search often
-// returns to the same beginning of an instance, whatever the partial plan. So each beginning is
+// Objects to an instance as soon as it has more unproved steps than are allowed. Instances often
+// have the same first actions, also in different partial plans. Each sequence of first actions is
 // judged only once.
 class InstanceJudge {
  public:
@@ -51,7 +51,7 @@ class InstanceJudge {
   Allowance allowance_;
   IfUnproved if_unproved_;
   std::deque<Beginning> beginnings_;  // the empty beginning first
-  // by number of actions: the beginnings that lead to the last judged one
+  // indexed by number of actions: the beginnings that lead to the last judged one
   std::vector<std::size_t> way_ = {0};
 };
 

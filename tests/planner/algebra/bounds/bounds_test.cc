@@ -520,7 +520,8 @@ INSTANTIATE_TEST_SUITE_P(EachRung, RandomExpressions, testing::ValuesIn(kBoundin
                            return name;
                          });
 
-// Of every method, on 10,000 expressions together: no value, sampled or climbed to, lies outside.
+// No value of an expression, sampled or found by ascent, lies outside the bounds of any method. The
+// four parts of this test have 10,000 expressions together.
 TEST_P(RandomExpressions, HaveNoValueOutsideTheirBounds) {
   RandomStream random(17, Name(GetParam()));
   for (int i = 0; i < 2500; ++i) {

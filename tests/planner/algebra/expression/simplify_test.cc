@@ -39,7 +39,7 @@ TEST_F(SimplifyTest, SquaredSinesBecomeCosines) {
   ExpectSame("sin(x)^4", "1 - 2*cos(x)^2 + cos(x)^4");
   ExpectSame("sin(x)^3*sin(y)", "sin(x)*sin(y) - sin(x)*sin(y)*cos(x)^2");
   ExpectSame("(sin(x)*sin(y))^2", "(1 - cos(x)^2)*(1 - cos(y)^2)");
-  // This expression is that of the `cancel` files of the benchmark.
+  // This expression is the one in the `cancel` files of the benchmark.
   EXPECT_EQ(Text(Simplify(Read("3.2*cos(x)*cos(x) + 0.7*cos(x)*cos(x)*y + 3.2*sin(x)*sin(x) + "
                                "0.7*sin(x)*sin(x)*y"))),
             "3.2 + 0.7*y");

@@ -383,7 +383,7 @@ TEST(NearestNameTest, FindsSlipsOfTheKeyboard) {
   EXPECT_EQ(NearestName("goal", {}), "");
 }
 
-// Calls every accessor of every value. What they throw must be InputErrors at the place of the
+// Calls every accessor of every value. An accessor may throw only an InputError at the place of the
 // value.
 void Walk(const Value& value) {
   const auto attempt = [&](auto accessor) {
@@ -535,8 +535,9 @@ const char* const kJsonSamples[] = {
     "-1,\n\"- 1\", [ false ,\n true], {\"x\":{\"y\":[1,2,[\"\\t\\\"'\"]]}}, \"~\", \"\"]\n\n",
     R"({"a": [1.5E+3, -0.0, "b"], "c": {"d": "e, f", "g": [[], {}, [{}]]}, "h": "i", "j": -7})"};
 
-// A text that is read without yaml-cpp must give the same values as yaml-cpp. A comment, which is
-// not JSON, makes yaml-cpp read the same text.
+// JSON texts are read without yaml-cpp, and must give the same values as with it. The oracle is the
+// same text with a YAML comment at its end. With the comment, the text is not JSON, so yaml-cpp
+// reads it.
 TEST(JsonTest, IsReadAsYamlIs) {
   RandomStream random(20240522, "JSON mutations");
   int parsed = 0;

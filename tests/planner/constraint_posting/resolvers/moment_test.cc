@@ -60,7 +60,7 @@ class Moments : public ::testing::TestWithParam<const char*> {
   std::vector<plan::Action> actions_ = ActionsOf(FirstInstance(problem_));
   std::vector<plan::WorldState> states_ = StatesOf(problem_, actions_);
 
-  // Returns the last snapshot up to `step` at which the story is as wanted.
+  // Returns the last snapshot up to `step` whose story satisfies `wanted`; none if there is none.
   template <class Wanted>
   std::optional<int> NaiveLatest(int step, const Wanted& wanted) const {
     std::optional<int> latest;

@@ -25,7 +25,8 @@ using ::testing::IsEmpty;
 using ::testing::Not;
 using ::testing::SizeIs;
 
-// An instance of a scenario, and unmet goals of one of its steps that concern all parts.
+// The first plan instance of a scenario. At() makes unmet goals for one of its steps, as if they
+// concerned all parts.
 struct Asked {
   explicit Asked(const std::string& scenario)
       : problem(LoadScenario(scenario)), actions(ActionsOf(FirstInstance(problem))) {}

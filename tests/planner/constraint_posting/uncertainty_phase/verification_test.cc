@@ -77,8 +77,8 @@ TEST_F(Verification, OfAPickupReadsTheOpeningOfTheGripper) {
   EXPECT_EQ(plan.recoveries[1].strategy, RecoveryStrategy::kCallOperator);
 }
 
-// The expected opening must differ clearly from that of an empty gripper and from that with another
-// part.
+// The expected opening must differ clearly from the opening of an empty gripper, and from the
+// opening with another part.
 TEST_F(Verification, TheTwoErrorsOfAPickupAreFarFromTheExpectedOpening) {
   const plan::Verification check = After(First<plan::Pickup>()).verifications.front();
   EXPECT_GT(check.tolerance, 0);

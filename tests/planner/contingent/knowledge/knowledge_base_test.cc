@@ -263,7 +263,7 @@ TEST(Kw, IsOfOneFormulaHoweverItIsWritten) {
   EXPECT_TRUE(mind.Asks("Kw(at(a) = b & at(a) = c)").IsTrue());
 }
 
-// That a conjunction is false does not tell which of its atoms is false.
+// A conjunction that is false does not tell which of its atoms is false.
 TEST(Kw, AConjunctionOfSeveralUnknownsIsLearnedAsAWhole) {
   const std::vector<std::string> questions = {"Kw(p(a))", "Kw(q(a))", "K(p(a) & q(a))", "K(!q(a))",
                                               "Kw(p(a) & q(a))"};

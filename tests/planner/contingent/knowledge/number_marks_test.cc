@@ -76,8 +76,7 @@ TEST(NumberMarks, TellWhereNumbersAreASample) {
   EXPECT_EQ(sampled.failure, "");
   EXPECT_TRUE(sampled.are_numbers_sampled);
   EXPECT_FALSE(sampled.were_drawn);
-  // That f is known to be at most 3 is true in all samples, but samples cannot show that it is
-  // known.
+  // In all samples it is known that f is at most 3. But samples cannot prove that this is known.
   EXPECT_THAT(check("add(Kf, f = [0, 1]), add(Kf, g = [1, 2])", "K(done)").failure,
               HasSubstr("which a sample of numbers cannot tell"));
 }
@@ -129,8 +128,8 @@ TEST(NumberMarks, StandForSumsThatAreRounded) {
   EXPECT_THAT(marks.BetweenSums({2}, {2}, 0), ElementsAre(Number{2}));
 }
 
-// A shift gives one of two numbers the value of either number, or minus that value, plus a value of
-// an interval. All values are in sixteenths, so that sums are exact.
+// An assignment to one of two numbers: number `to` becomes `sign` times number `from`, plus some
+// value between `low` and `high`. All values are in sixteenths, so that sums are exact.
 struct Shift {
   int to = 0;
   int from = 0;
@@ -138,7 +137,8 @@ struct Shift {
   int low = 0;
   int high = 0;
 };
-// Several shifts of two numbers. Then a bound is sensed, and the branches rely on other bounds.
+// Several shifts of two numbers. After the shifts a bound is sensed, and each of the two branches
+// relies on another bound.
 struct Course {
   std::vector<Shift> shifts;
   int asked = 0;

@@ -342,7 +342,7 @@ TEST(NotKnown, IsAskedByUpdateRules) {
   EXPECT_FALSE(CheckTree(task("add(Kf, ok)"), tree).holds);
 }
 
-// What was looked at is still known when the repeat begins again.
+// Facts that were looked at are still known when the repeat begins again.
 TEST(NotKnown, IsAskedAgainByRepeats) {
   const GroundTask task = Bell("add(Kf, !g)", "K(q)");
   PlanTree tree = {
@@ -364,8 +364,8 @@ TEST(NotKnown, IsAskedOfAllWorldsThatGoRound) {
   EXPECT_EQ(CheckTree(task, tree).failure, "");
 }
 
-// The drawn worlds differ in p. Those after a branch may all share something that other worlds do
-// not have.
+// The drawn worlds differ in p. After a branch on p, the drawn worlds that remain may share a fact
+// that is not true in all worlds.
 TEST(NotKnown, IsNotToldByDrawnWorlds) {
   const GroundTask task =
       GroundText("domain draw predicates: p, q, r, g action doubt effects: !K(p) => add(Kf, g)",
@@ -408,8 +408,8 @@ TEST(NotKnown, IsToldBySets) {
   EXPECT_FALSE(CheckBySets(task, tree)->holds);
 }
 
-// Sensing a number reveals what the number decided. If n decides p, or p decides q, no plan finds p
-// unknown. That p is known is not found, either.
+// If a number n decides p, or p decides q, then sensing reveals the decided fact. No plan may claim
+// that the fact is unknown, and the planner does not find that it is known.
 TEST(NotKnown, IsNotSaidOfWhatNumbersTell) {
   const auto outcome = [](const std::string& actions, const std::string& asked) {
     const GroundTask task = GroundText(

@@ -10,7 +10,8 @@
 namespace assay::contingent::variable_order_test {
 namespace {
 
-// Each illness has a symptom, which a stain makes visible. What is seen is a separate atom.
+// Each illness has a symptom, which a stain makes visible. The observation of a symptom is a
+// separate atom.
 constexpr const char* kDomain =
     "domain symptoms types: illness predicates: has(illness), shows(illness), idle "
     "constants: a, b, c, d: illness "

@@ -25,7 +25,7 @@ bool IsStopped(const Problem& problem, const Mating& mating, const Vector3& move
                   problem.part(mating.fixed).model->shape(), Pose::Identity(), 0);
 }
 
-// The oracle uses the boxes of the parts, which know nothing of features and walls.
+// The oracle uses only the boxes of the parts, and no features and walls.
 TEST(ShaftFit, GapsAreHowFarTheSeatedPartCanMove) {
   for (const char* scenario :
        {"spar-fig15", "two-pegs", "keyed", "uncertain-sensing", "uncertain-squeezing",

@@ -245,7 +245,7 @@ TEST_F(PegAndBlock, NothingIsReachableFarAway) {
   }
 }
 
-// The grasps are those of a wider gripper, so that the part is wider than the gripper opens.
+// The grasps were computed for a wider gripper, so the part is wider than the gripper opens.
 TEST_F(PegAndBlock, AGraspThatIsTooWideBreaksTheOpening) {
   Problem problem = problem_;
   std::vector<Grasp> wide = *problem.parts[block_.index()].grasps;
@@ -318,7 +318,7 @@ TEST_F(PegAndBlock, FrictionConeOpensByTheArcTangentOfFriction) {
   }
 }
 
-// The cone is that of the least friction within the tolerance.
+// The cone belongs to the least friction within the tolerance.
 TEST_F(PegAndBlock, FrictionConeIsThatOfTheLeastFriction) {
   Problem problem = problem_;
   problem.tolerances.friction = 0.05;

@@ -263,8 +263,9 @@ struct LatticeFeatures {
   bool operator==(const LatticeFeatures&) const = default;
 };
 
-// Adds the areas of faces. Squares of one plane and side are grouped by common sides, and each is
-// named by the cell behind it.
+// Adds the areas of the faces in one plane. `squares` are the unit squares of the plane whose
+// material is on one side. Each square is given by the cell behind it. Squares with a common side
+// belong to one face.
 void AddFaceAreas(std::set<Cell> squares, int axis, LatticeFeatures& features) {
   while (!squares.empty()) {
     std::vector<Cell> face = {*squares.begin()};

@@ -57,7 +57,8 @@ std::set<TouchingFaces> TouchingBySamples(const Polyhedron& moving, const Polyhe
     for (const std::vector<Vector3>& outline : moving.faces[i].region) {
       for (int a = 0; a < 100; ++a) {
         for (int b = 0; b < 100; ++b) {
-          // The points are in each triangle of the fan, and not at round numbers.
+          // The outline is divided into triangles that share its first corner. The fractions 0.37
+          // and 0.41 keep the points away from round numbers.
           const double u = (a + 0.37) / 100;
           const double v = (b + 0.41) / 100 * (1 - u);
           for (std::size_t k = 1; k + 1 < outline.size(); ++k) {

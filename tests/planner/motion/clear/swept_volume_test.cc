@@ -19,7 +19,8 @@ double DistanceToSegment(const Vector3& p, const Vector3& a, const Vector3& b) {
 }
 
 // Computes the distance of a point outside a polyhedron naively. It is the least distance to a
-// facet: that of its plane if the point is above the facet, else that of an edge.
+// facet. The distance to a facet is the distance to its plane if the point is above the facet, and
+// otherwise the distance to an edge.
 double DistanceOutside(const geometry::ConvexHull& hull, const Vector3& p) {
   double least = std::numeric_limits<double>::infinity();
   bool inside = true;

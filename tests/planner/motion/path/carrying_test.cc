@@ -53,7 +53,7 @@ TEST(Carrying, SparesThePartMoreThanItsAcceleration) {
   }
 }
 
-// Joint 1 alone turns the hand about the vertical, so that only its rate matters.
+// Joint 1 alone turns the hand about the vertical, so only its rate matters.
 TEST(Carrying, GentleMovesKeepTheirPace) {
   JointVector turn = JointVector::Zero();
   turn[0] = 1e-3;

@@ -73,7 +73,7 @@ TEST_P(RandomQueries, ArePathsThatAreFree) {
 
 INSTANTIATE_TEST_SUITE_P(EmptyHandAndPeg, RandomQueries, ::testing::Bool());
 
-// The brick stands between two low places of the tool, so that the straight way goes through it.
+// The brick stands between two low places of the tool, so the straight way goes through it.
 TEST(PathSearch, GoesAroundTheBrickUpright) {
   const CollisionScene scene(Clutter(), PartsAtTheStart(0));
   const Vector3 brick = Clutter().part(PartId(2)).X_WorldPart.translation();

@@ -107,8 +107,8 @@ TEST(Network, DecidesEveryPostAndStaysAsBeforeWhenItRefuses) {
   EXPECT_GT(refused, 500);
 }
 
-// Constraint posting corrects the witness in one node. Nothing is propagated until labels are asked
-// for.
+// A posted constraint that the witness violates is met by another label for one node, so nothing is
+// propagated. The propagation happens when labels are asked for.
 TEST(Network, PropagatesWhatItOwesWhenLabelsAreAskedFor) {
   Network network;
   const NodeId a = network.AddNode(LabelSet::All(3)), b = network.AddNode(LabelSet::All(3));

@@ -51,7 +51,7 @@ TEST(ForwardChecking, GoesStraightToALabelingWhereAllAgree) {
   EXPECT_EQ(counters.revisions, 2 * 49) << "each arc from both ends";
 }
 
-// Three different nodes share two labels, so that no label of the first node has a labeling.
+// Three different nodes share two labels, so no label of the first node has a labeling.
 class ThreeDifferentOfTwo : public testing::Test {
  protected:
   ThreeDifferentOfTwo() {

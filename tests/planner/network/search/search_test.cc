@@ -200,8 +200,7 @@ TEST(Count, KnowsTheColouringsOfCycles) {
   }
 }
 
-// All nodes have the same label, so that there are two labelings. The count must not recurse
-// deeply.
+// All nodes have the same label, so there are two labelings. The count must not recurse deeply.
 TEST(Count, ReachesTheEndOfLongPaths) {
   const auto same = Relation::Where(2, 2, [](Label a, Label b) { return a == b; });
   Network network;
@@ -305,8 +304,8 @@ TEST(RandomRbNetwork, HasALabelingWhereOneIsForced) {
   EXPECT_LT(drawn, 20);
 }
 
-// The networks are those of the benchmarks. An independent counter confirms refutations and the
-// counts of the smaller networks.
+// The networks are the networks of the benchmarks. An independent counter confirms refutations and
+// the counts of the smaller networks.
 TEST(NetworkFamily, IsDecidedAndCountedAsByBacktracking) {
   int none = 0;
   for (const auto family :

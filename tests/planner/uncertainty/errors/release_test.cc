@@ -105,8 +105,9 @@ TEST(LeaningOf, BoundsWhatPadsOfAnyStiffnessLeave) {
   }
 }
 
-// Returns the greatest displacement across a seat that leans by `lean`, of a part that a hand
-// without errors lets go there, between parts whose friction is surely at least `friction`.
+// Returns the greatest displacement of a part across its seat, which leans by `lean`. A hand
+// without errors lets the part go in the seat. The friction between the two parts is surely at
+// least `friction`.
 double DisplacedInSeat(double lean, double friction) {
   domain::Problem problem = LoadScenario("spar-example");
   const domain::Mating& mating = problem.matings.front();

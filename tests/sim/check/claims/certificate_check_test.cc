@@ -150,7 +150,7 @@ TEST_F(CertificateCheckTest, NothingIsClaimedOnceAnUnprovedPreconditionFails) {
   EXPECT_EQ(Named(held, Claimed::kAfter, "y of peg").verdict, ClaimVerdict::kViolated);
 }
 
-// Whether the pads hold a part is not measured. An unproved `holding` may therefore have failed.
+// Nothing measures whether the pads hold a part. An unproved `holding` may therefore have failed.
 TEST_F(CertificateCheckTest, NothingIsClaimedAfterWhatIsNeitherProvedNorMeasured) {
   auto& preconditions = plan_.steps[kPickup.index()].certificate.preconditions;
   preconditions.push_back(Precondition("holding", -1));

@@ -19,8 +19,8 @@ namespace {
 using noise::Effect;
 using noise::Noise;
 
-// Tolerances of what the engine resolves. The arm follows its command to half a micrometre, or to
-// two micrometres with a part in the hand. Parts rest within a fifth of a micrometre.
+// Tolerances for the accuracy of the engine. The arm follows its command to half a micrometre, or
+// to two micrometres with a part in the hand. Parts rest within a fifth of a micrometre.
 constexpr double kLength = 3e-6;                           // metres
 constexpr double kAngle = 0.001 * std::numbers::pi / 180;  // radians
 constexpr double kFriction = 1e-12;

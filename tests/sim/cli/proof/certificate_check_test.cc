@@ -238,8 +238,8 @@ TEST_F(CertificateCheck, EachKindThatACertificateLacksIsTold) {
   }
 }
 
-// The pads close on a part that is next to another part. The reason that nothing is near is thus
-// false, although it is valid in other certificates.
+// The pads close on a part that is next to another part. The reason that nothing is near is
+// therefore false, although it is valid in other certificates.
 TEST_F(CertificateCheck, AReasonThatIsNotTrueIsTold) {
   Json plan = PlanOf(kTwoActions);
   const std::string kind = "pushed clear";
@@ -302,7 +302,8 @@ TEST_F(CertificateCheck, ListsThatLoseAnEntry) {
   }
 }
 
-// Two ways of writing an expression are the same function, and the check accepts both.
+// The check compares expressions as functions. It accepts a claim that is written in another way,
+// and refuses a claim that is another function.
 TEST_F(CertificateCheck, ExpressionsAreComparedAsFunctions) {
   Json plan = PlanOf(kTwoActions);
   Json& claim = FirstClaim(plan, true);

@@ -29,7 +29,8 @@ TEST(Contingent, ThePapersTree) {
   EXPECT_THAT(ended.out, HasSubstr(", as 4 cases\n"));
 }
 
-// Whether it rains is unknown as well, but neither goal nor sensing action depends on it.
+// It is also unknown whether it rains, but neither the goal nor a sensing action depends on the
+// rain.
 TEST(Contingent, CasesAreToldApartByWhatMatters) {
   const Folder folder;
   const std::string domain =

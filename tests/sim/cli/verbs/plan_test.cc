@@ -15,7 +15,7 @@ using ::testing::StartsWith;
 
 constexpr const char* kSchema = "planner/plan/file/plan.schema.json";
 
-// The planner inserts the steps in the opposite order.
+// The planner inserts the assemble first and the pickup second, but the pickup is executed first.
 TEST(Plan, TableIsInTheOrderOfExecution) {
   const Ended ended = Assay({"plan", kTwoActions});
   EXPECT_EQ(ended.code, 0) << ended.err;

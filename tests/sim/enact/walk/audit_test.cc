@@ -55,7 +55,7 @@ TEST_F(AuditOfTwoCans, WhatTheWorldDoesByItselfIsTold) {
   EXPECT_TRUE(audit_.IsGoalTrue(truth_));
 }
 
-// Whether a can is spillable is not known at first, so nothing is claimed about it.
+// At first it is not known whether a can is spillable, so nothing is claimed about this.
 TEST_F(AuditOfTwoCans, WhatIsNotKnownIsNotClaimed) {
   for (const bool value : {false, true}) {
     const contingent::KnowledgeState initial = state_;

@@ -83,8 +83,8 @@ TEST(Interpretation, WrongFilesAreRefusedWithPlaceAndRemedy) {
   }
 }
 
-// Whether a part is over a table is a question about two things, unless the meaning names the
-// table. What spills must be a question about a part alone.
+// A predicate "part is over table" has two arguments, unless its meaning names the table. A
+// predicate that says which parts spill must have a part as its only argument.
 TEST(Interpretation, WhatSpillsIsAskedOfAPartAlone) {
   const auto error_of = [](const std::string& meaning) {
     const std::string domain = ScratchFile("placed.pks");

@@ -406,8 +406,8 @@ TEST_F(MatingTrial, WedgesOnlyWithFriction) {
   EXPECT_EQ(mate(0.02), MatingOutcome::kDone);
 }
 
-// The whole end of the tip is 2 mm above the block's front and is not turned, so that only the
-// depth decides.
+// The whole end of the tip is 2 mm above the block's front and is not turned. Therefore only the
+// depth decides whether a trial can begin.
 TEST_F(MatingTrial, WithPartsThatOverlapItCannotStart) {
   const Pose X_HeldTip = Setting(kNone, kNone).X_HeldTip;
   SquareStrategy plan(X_HeldTip);
