@@ -79,7 +79,8 @@ TEST(PlanTree, OptionsOfOneWorldAreRefusedWhereThePlanIsATree) {
 }
 
 TEST(PlanTree, VerbsAboutOneWorldRefuseOpenPoses) {
-  const Ended ended = Assay({"render", kFallenPeg});
+  const Folder folder;
+  const Ended ended = Assay({"render", kFallenPeg, "-o", folder / "out"});
   EXPECT_EQ(ended.code, 3);
   EXPECT_THAT(ended.err,
               AllOf(HasSubstr("fallen-peg.yaml:18:"), HasSubstr("the pose of 'peg' is open")));
