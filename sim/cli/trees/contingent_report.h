@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 
@@ -9,6 +10,10 @@
 #include "planner/contingent/tree/tree_check_result.h"
 
 namespace assay::cli {
+
+// The number of knowledge states that contingent planning may examine, if nothing else is asked
+// for.
+inline constexpr std::int64_t kKnowledgeStates = 10'000'000;
 
 // The result of contingent planning, and how it was obtained.
 struct ContingentAnswer {

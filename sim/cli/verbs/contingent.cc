@@ -33,7 +33,7 @@ struct Options {
   bool unfold = false;
   bool check = false;
   std::int64_t worlds = contingent::TreeCheckOptions{}.worlds;
-  std::int64_t budget = 10'000'000;
+  std::int64_t budget = kKnowledgeStates;
 };
 
 // Loads a plan tree from a file that holds the tree alone, or from the output of --json.

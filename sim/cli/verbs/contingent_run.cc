@@ -20,6 +20,7 @@
 #include "sim/cli/program/progress.h"
 #include "sim/cli/program/stopwatch.h"
 #include "sim/cli/program/usage_error.h"
+#include "sim/cli/trees/contingent_report.h"
 #include "sim/cli/trees/goal_conflict_text.h"
 #include "sim/cli/trees/plan_tree_report.h"
 #include "sim/cli/trials/enactment_report.h"
@@ -35,8 +36,6 @@ namespace {
 using enact::EnactedTrial;
 using enact::KnowledgeScenario;
 using Json = nlohmann::ordered_json;
-
-constexpr std::int64_t kBudget = 10'000'000;  // knowledge states that the planner may examine
 
 // A scenario's plan tree and its trials.
 class Enacting {
@@ -192,9 +191,9 @@ ExitCode RefuseKnowledge(const enact::Interpretation& interpretation,
                          const contingent::ContingentPlan& plan, const ContingentRun& run) {
   const bool is_none = plan.outcome == Outcome::kNone;
   Json json = {{"outcome", is_none ? "none" : "budget"}, {"not_served", interpretation.unserved}};
-  std::string text = NotFoundText(plan, kBudget);
+  std::string text = NotFoundText(plan, kKnowledgeStates);
   if (is_none) {
-    Budget budget(kBudget);
+    Budget budget(kKnowledgeStates);
     const auto conflict = contingent::FindGoalConflict(interpretation.task, budget);
     json["conflict"] = ToJson(interpretation.task, conflict);
     text = Text(interpretation.task, conflict);
@@ -219,7 +218,7 @@ contingent::ContingentPlan PlanOf(const enact::Interpretation& interpretation) {
     plan.tree = interpretation.planned->assembly.tree;
     return plan;
   }
-  Budget budget(kBudget);
+  Budget budget(kKnowledgeStates);
   return MakePlan(interpretation.task, contingent::Wanted::kFirst, budget);
 }
 

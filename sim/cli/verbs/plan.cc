@@ -164,17 +164,17 @@ ExitCode ExecuteTree(const std::vector<domain::Problem>& worlds, const Options& 
 
 // Plans a tree for a goal of knowledge.
 ExitCode ExecuteKnowledge(const Document& document, const Options& options) {
-  constexpr std::int64_t kBudget = 10'000'000;  // knowledge states that the planner may examine
   RequireTreeOptions(options);
   const Stopwatch stopwatch;
   const domain::ModelPath models = scenario::FindModels(options.input, options.models);
   enact::KnowledgeScenario scenario = enact::Read(document, models);
   ContingentAnswer answer = [&] {
     const Progress progress("planning " + options.input.string());
-    return PlanFor(std::move(scenario.interpretation.task), contingent::Wanted::kFirst, kBudget);
+    return PlanFor(std::move(scenario.interpretation.task), contingent::Wanted::kFirst,
+                   kKnowledgeStates);
   }();
   answer.seconds = stopwatch.Seconds();
-  Print(options.json ? JsonText(answer) : Text(answer, false, kBudget));
+  Print(options.json ? JsonText(answer) : Text(answer, false, kKnowledgeStates));
   return ExitCodeOf(answer.plan.outcome);
 }
 
@@ -273,7 +273,7 @@ Execution Declare(CLI::App& command) {
 
 const Verb kPlan = {
     .name = "plan",
-    .summary = "makes a plan for a scenario, with certificates",
+    .summary = "makes a plan for a scenario, with certificates, or a plan tree",
     .example =
         "assay plan scenarios/spar-fig13.yaml -o plan.json\n"
         "  assay plan plan.json --explain action_3",
