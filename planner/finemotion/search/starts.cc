@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace assay::finemotion {
 
@@ -50,26 +51,43 @@ Start Starts::Near(const Start& start, double size) {
 }
 
 Belief Starts::BeliefAt(const Start& start, double multiple) const {
-  PoseChange z;
-  z << start.beside, start.turn;
-  Belief belief = BeliefIn(Displaced(passage_.X_StationaryEntry, z), errors_, multiple);
-  double deepest = 0;
-  const double wrong = errors_.tolerances.sum();  // greatest error of the parts, metres
-  for (const OuterVertex& vertex : passage_.moving.vertices) {
-    const Vector3 at = belief.X_StationaryMoving * vertex.p;
-    const double reach = errors_.pose.head<3>().norm() +
-                         errors_.pose.tail<3>().norm() * std::min(vertex.p.norm(), options_.reach);
-    const double depth = (at - passage_.X_StationaryEntry.translation()).dot(passage_.mating);
-    deepest = std::max(deepest, depth + reach + wrong);
-  }
-  belief.X_StationaryMoving.translation() -= (deepest + kAbove) * passage_.mating;
+  const Pose X_StationaryEntered = Entered(start);
+  Belief belief = BeliefIn(X_StationaryEntered, errors_, multiple);
+  belief.X_StationaryMoving.translation() -= Height(X_StationaryEntered) * passage_.mating;
   return belief;
 }
 
-Vector3 Starts::LowestCorner(const Vector3& turn) const {
+bool Starts::IsFree(const Start& start, double multiple) const {
+  constexpr double kAnyLever = std::numeric_limits<double>::infinity();
+  const Pose X_StationaryEntered = Entered(start);
+  return Deepest(X_StationaryEntered, multiple, kAnyLever) <= Height(X_StationaryEntered);
+}
+
+Pose Starts::Entered(const Start& start) const {
   PoseChange z;
-  z << Vector3::Zero(), turn;
-  const Pose X = Displaced(passage_.X_StationaryEntry, z);
+  z << start.beside, start.turn;
+  return Displaced(passage_.X_StationaryEntry, z);
+}
+
+double Starts::Deepest(const Pose& X_StationaryMoving, double multiple, double lever) const {
+  double deepest = 0;
+  for (const OuterVertex& vertex : passage_.moving.vertices) {
+    const Vector3 at = X_StationaryMoving * vertex.p;
+    const double depth = (at - passage_.X_StationaryEntry.translation()).dot(passage_.mating);
+    const double nearer = errors_.pose.head<3>().norm() +
+                          errors_.pose.tail<3>().norm() * std::min(vertex.p.norm(), lever) +
+                          errors_.tolerances.sum();
+    deepest = std::max(deepest, depth + multiple * nearer);
+  }
+  return deepest;
+}
+
+double Starts::Height(const Pose& X_StationaryEntered) const {
+  return Deepest(X_StationaryEntered, 1, options_.reach) + kAbove;
+}
+
+Vector3 Starts::LowestCorner(const Vector3& turn) const {
+  const Pose X = Entered({.turn = turn});
   Vector3 lowest = Vector3::Zero();
   for (const OuterVertex& vertex : passage_.moving.vertices) {
     const Vector3 at = X.linear() * vertex.p;

@@ -15,6 +15,14 @@ namespace assay::check {
 namespace {
 
 constexpr double kLeftToTheEngine = 0.1;  // of a margin
+// Metres by which the engine lets a part that rests creep within a step.
+constexpr double kCreep = 2e-5;
+
+// Returns how far a part came from one pose to the other, in metres, with AsLength for its turn.
+double Displacement(const geometry::Pose& from, const geometry::Pose& to) {
+  return (to.translation() - from.translation()).norm() +
+         AsLength(geometry::AngleBetween(from.linear(), to.linear()), Unit::kRadian);
+}
 
 class CertificateCheck {
  public:
@@ -62,6 +70,7 @@ class CertificateCheck {
     CheckPreconditions(step, events);
     if (events.recovered) assumed_ = false;
     CheckClear();
+    CheckBystanders(certificate, events);
     if (events.end != nullptr) {
       CheckSets(Claimed::kAfter, certificate.after, *events.end);
     } else {
@@ -81,6 +90,28 @@ class CertificateCheck {
 
   void CheckClear() {
     if (std::ranges::count(collided_, step_) > 0) AddFailed("keeps clear of everything else");
+  }
+
+  // The error set of a part that the step does not handle stays as it is. So a part that is
+  // believed to stay, and is thus not in the hand, must stay.
+  void CheckBystanders(const plan::Certificate& certificate, const StepEvents& events) {
+    const exec::Snapshot* const last = events.end != nullptr ? events.end : events.stopped;
+    if (certificate.before.empty() || events.poised == nullptr || last == nullptr) return;
+    for (std::size_t i = 0; i < last->parts.size(); ++i) {
+      const domain::PartId part(i);
+      const exec::TrueAndBelieved& from = events.poised->parts[i];
+      const exec::TrueAndBelieved& to = last->parts[i];
+      if (std::ranges::count(certificate.before, part, &plan::ErrorSet::part) > 0) continue;
+      if (from.believed.matrix() != to.believed.matrix()) continue;
+      const Claim claim =
+          gate_.Passed({.step = step_,
+                        .about = Claimed::kAfter,
+                        .name = "leaves " + problem_.part(part).name + " where it is",
+                        .unit = Unit::kMetre,
+                        .predicted = {0, kCreep},
+                        .observed = Displacement(from.truth, to.truth)});
+      if (claim.observed > claim.predicted.high) AddPassed(claim);
+    }
   }
 
   void CheckSets(Claimed about, const std::vector<plan::ErrorSet>& sets,
@@ -198,8 +229,10 @@ class CertificateCheck {
                               &plan::CertifiedPrecondition::condition) > 0;
   }
 
-  void Add(Claim claim) {
-    claim = Judged(gate_.Passed(std::move(claim)));
+  void Add(Claim claim) { AddPassed(gate_.Passed(std::move(claim))); }
+
+  void AddPassed(Claim claim) {
+    claim = Judged(std::move(claim));
     if (!assumed_ || !claim.proved) claim.verdict = ClaimVerdict::kNotClaimed;
     claims_.push_back(std::move(claim));
   }

@@ -15,8 +15,9 @@ namespace assay::check {
 // end of a step on the assumption that the preconditions of this and of all earlier steps hold. A
 // precondition that the planner could not prove may fail. If it fails, or if nothing measures
 // whether it does, nothing is claimed about its step or about later steps. Nothing is claimed after
-// a recovery. What a strategy absorbs is no claim. Two further claims are listed only when they
-// fail: that a step comes to its end, and that arm and hand touch nothing that they must not touch.
+// a recovery. What a strategy absorbs is no claim. Three further claims are listed only when they
+// fail: that a step comes to its end, that arm and hand touch nothing that they must not touch, and
+// that the step moves no part that it does not handle.
 //
 // `first` is the step in which the trace begins; None means the plan's first step.
 std::vector<Claim> CheckCertificates(const domain::Problem& problem, const plan::Plan& plan,

@@ -88,7 +88,7 @@ class CommandLine {
  private:
   void AddVerb(const Verb& verb) {
     CLI::App* const command = app_.add_subcommand(verb.name, verb.summary);
-    command->footer(fmt::format("Example:\n  {}", verb.example));
+    command->footer(fmt::format("Example:\n  {}\n\nManual: {}", verb.example, verb.page));
     Execution execution = verb.declare(*command);
     CheckValues(*command);
     command->final_callback([this, execution] { execution_ = execution; });

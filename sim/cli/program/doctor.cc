@@ -89,6 +89,7 @@ Execution Declare(CLI::App& command) {
 const Verb kDoctor = {
     .name = "doctor",
     .summary = "tells what this machine has, and what to install",
+    .page = "sim/running.md",
     .example = "assay doctor",
     .declare = doctor_verb::Declare,
 };

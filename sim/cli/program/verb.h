@@ -19,6 +19,7 @@ using Execution = std::function<ExitCode()>;
 struct Verb {
   const char* name;
   const char* summary;                      // one line
+  const char* page;                         // page of the manual, by its path in the repository
   const char* example;                      // command lines for the help
   Execution (*declare)(CLI::App& command);  // adds the verb's arguments to the command
 };

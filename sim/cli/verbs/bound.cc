@@ -308,6 +308,7 @@ Execution Declare(CLI::App& command) {
 const Verb kBound = {
     .name = "bound",
     .summary = "bounds expressions over intervals and inequalities",
+    .page = "planner/bounds-and-labels.md",
     .example =
         "assay bound clearance.yaml --gap 1e-9\n"
         "  where clearance.yaml is\n"

@@ -397,6 +397,7 @@ Execution Declare(CLI::App& command) {
 const Verb kCalibrate = {
     .name = "calibrate",
     .summary = "measures the camera's errors at random placements against its promise",
+    .page = "sim/running.md",
     .example =
         "assay calibrate scenarios/spar-fig15.yaml --trials 1000 --seed 1\n"
         "  assay calibrate scenarios/spar-fig15.yaml scenarios/keyed.yaml --trials 1000 --write",

@@ -146,6 +146,7 @@ Execution Declare(CLI::App& command) {
 const Verb kCheck = {
     .name = "check",
     .summary = "checks scenario, sweep, part, workcell and plan files, and tells what they come to",
+    .page = "scenarios/scenario-files.md",
     .example = "assay check scenarios/spar-fig13.yaml models/parts/block/part.yaml",
     .declare = check_verb::Declare,
 };

@@ -123,6 +123,7 @@ Execution Declare(CLI::App& command) {
 const Verb kContingent = {
     .name = "contingent",
     .summary = "plans with what will be known only during execution (PKS, contingent PDDL)",
+    .page = "planner/contingent-planning.md",
     .example =
         "assay contingent scenarios/know/force-sensing.pks scenarios/know/two-cans.pks --check\n"
         "  The format is described in scenarios/know/README.md.",

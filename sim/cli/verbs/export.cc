@@ -182,6 +182,7 @@ Execution Declare(CLI::App& command) {
 const Verb kExport = {
     .name = "export",
     .summary = "writes a scenario's scene, graphs and commands of its plan, or a domain as PDDL",
+    .page = "sim/running.md",
     .example =
         "assay export scenarios/spar-fig13.yaml --mjcf -o fig13.xml\n"
         "assay export scenarios/know/force-sensing.pks --pddl scenarios/know/two-cans.pks -o cans\n"

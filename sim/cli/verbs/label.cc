@@ -110,6 +110,7 @@ Execution Declare(CLI::App& command) {
 const Verb kLabel = {
     .name = "label",
     .summary = "labels a binary constraint network",
+    .page = "planner/bounds-and-labels.md",
     .example =
         "assay label network.json --count\n"
         "  where network.json is\n"

@@ -194,6 +194,7 @@ const Verb kList = {
     .name = "list",
     .summary =
         "lists scenarios, parts, workcells, actions, and skills and meanings for key knowledge",
+    .page = "scenarios/README.md",
     .example = "assay list scenarios",
     .declare = list_verb::Declare,
 };

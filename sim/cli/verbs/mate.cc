@@ -359,6 +359,7 @@ Execution Declare(CLI::App& command) {
 const Verb kMate = {
     .name = "mate",
     .summary = "plans the fine motion of one mating, and tries it in physics",
+    .page = "planner/fine-motion.md",
     .example = "assay mate scenarios/mate-square.yaml --trials 20",
     .declare = mate_verb::Declare,
 };

@@ -274,6 +274,7 @@ Execution Declare(CLI::App& command) {
 const Verb kPlan = {
     .name = "plan",
     .summary = "makes a plan for a scenario, with certificates, or a plan tree",
+    .page = "planner/planning.md",
     .example =
         "assay plan scenarios/spar-fig13.yaml -o plan.json\n"
         "  assay plan plan.json --explain action_3",

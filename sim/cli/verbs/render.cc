@@ -79,6 +79,7 @@ const Verb kRender = {
     .name = "render",
     .summary =
         "takes pictures of the start, of every step's end, and of grasps and matings on the way",
+    .page = "renders/README.md",
     .example = "assay render scenarios/spar-fig13.yaml -o out/fig13 --camera close --size 640x480",
     .declare = render_verb::Declare,
 };

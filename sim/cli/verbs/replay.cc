@@ -235,6 +235,7 @@ Execution Declare(CLI::App& command) {
 const Verb kReplay = {
     .name = "replay",
     .summary = "runs one trial of a sweep again, and tells whether it comes out the same",
+    .page = "sim/sweeps.md",
     .example = "assay replay fig15.sqlite 17 --renders -o out/trial-17",
     .declare = replay_verb::Declare,
 };

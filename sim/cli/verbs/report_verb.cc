@@ -121,6 +121,7 @@ Execution Declare(CLI::App& command) {
 const Verb kReport = {
     .name = "report",
     .summary = "makes one HTML page of the database of a sweep, and tables",
+    .page = "sim/sweeps.md",
     .example = "assay report fig15.sqlite -o fig15.html --csv fig15-tables --pictures",
     .declare = report_verb::Declare,
 };

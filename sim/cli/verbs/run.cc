@@ -442,6 +442,7 @@ Execution Declare(CLI::App& command) {
 const Verb kRun = {
     .name = "run",
     .summary = "executes a plan or a plan tree in physics and judges what came of it",
+    .page = "sim/running.md",
     .example =
         "assay run scenarios/spar-fig13.yaml --renders -o out/fig13\n"
         "  assay run scenarios/two-cans.yaml --worlds all",

@@ -348,6 +348,7 @@ Execution Declare(CLI::App& command) {
 const Verb kSweep = {
     .name = "sweep",
     .summary = "runs the trials of a grid in parallel, into a database",
+    .page = "sim/sweeps.md",
     .example =
         "assay sweep scenarios/sweeps/spar-fig15.yaml --db fig15.sqlite\n"
         "  assay sweep scenarios/sweeps/spar-fig15.yaml --db fig15.sqlite --resume\n"

@@ -209,6 +209,23 @@ TEST_F(CertificateCheckTest, ACollisionIsAClaimOfTheStepInWhichItHappens) {
   EXPECT_TRUE(clear.IsViolated());
 }
 
+// The pickup handles the peg alone, so the block must stay where it is.
+TEST_F(CertificateCheckTest, APartThatTheStepDoesNotHandleStaysWhereItIs) {
+  const std::size_t block = exec::PartNamed(problem_, "block").index();
+  const auto shoved = [&](double metres, double radians) {
+    exec::Snapshot end = moment_;
+    end.parts[block].truth.translation().x() += metres;
+    end.parts[block].truth.linear() *= geometry::RotationZ(radians).linear();
+    return Check(moment_, end);
+  };
+  EXPECT_EQ(Worst(shoved(1e-5, 0)), ClaimVerdict::kContained);
+  for (const auto& claims : {shoved(1.3e-4, 0), shoved(0, 2e-3)}) {
+    EXPECT_TRUE(Named(claims, Claimed::kAfter, "leaves block where it is").IsViolated());
+  }
+  plan_.steps[kPickup.index()].certificate.before.push_back({.part = PartId(block)});
+  EXPECT_EQ(Worst(shoved(0, 2e-3)), ClaimVerdict::kContained);
+}
+
 // Each finger has its own bounds. A bound that is proved for one finger is checked even if the
 // other finger's bound is not proved. The unproved bound cannot be violated.
 TEST_F(CertificateCheckTest, WhatIsProvedIsTestedEvenIfAnotherOfItsNameIsNot) {

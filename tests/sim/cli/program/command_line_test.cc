@@ -1,6 +1,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <regex>
+
 #include "tests/sim/cli/program.h"
 
 namespace assay::cli::command_line_test {
@@ -25,11 +28,16 @@ TEST(Help, ListsVerbsAndExitCodes) {
   }
 }
 
-TEST(Help, OfEveryVerbHasAnExampleOfTheVerb) {
+TEST(Help, OfEveryVerbHasAnExampleOfTheVerbAndNamesItsPage) {
+  const std::regex manual("\nManual: (\\S+\\.md)\n");
   for (const std::string& verb : kVerbs) {
     const Ended ended = Assay({verb, "--help"});
     EXPECT_EQ(ended.code, 0) << verb;
     EXPECT_THAT(ended.out, HasSubstr("Example:\n  assay " + verb)) << verb;
+    std::smatch page;
+    ASSERT_TRUE(std::regex_search(ended.out, page, manual)) << ended.out;
+    EXPECT_TRUE(std::filesystem::exists(std::filesystem::path(ASSAY_SOURCE_DIR) / page[1].str()))
+        << page[1];
   }
 }
 
