@@ -23,7 +23,6 @@ ReplayedSequence SequenceReplay::Replay(const Sequence& sequence, double multipl
                                         Margins margins) {
   ++replayed_;
   ReplayedSequence replay;
-  if (!starts_.IsFree(sequence.start, multiple)) return replay;
   const auto holds = [&](const SegmentCheck& check) {
     if (!check.certain) replay.unwanted = FirstOf(check);
     return check.certain;

@@ -51,16 +51,13 @@ Start Starts::Near(const Start& start, double size) {
 }
 
 Belief Starts::BeliefAt(const Start& start, double multiple) const {
-  const Pose X_StationaryEntered = Entered(start);
-  Belief belief = BeliefIn(X_StationaryEntered, errors_, multiple);
-  belief.X_StationaryMoving.translation() -= Height(X_StationaryEntered) * passage_.mating;
-  return belief;
-}
-
-bool Starts::IsFree(const Start& start, double multiple) const {
   constexpr double kAnyLever = std::numeric_limits<double>::infinity();
   const Pose X_StationaryEntered = Entered(start);
-  return Deepest(X_StationaryEntered, multiple, kAnyLever) <= Height(X_StationaryEntered);
+  const double height = std::max(Deepest(X_StationaryEntered, 1, options_.reach) + kAbove,
+                                 Deepest(X_StationaryEntered, multiple, kAnyLever));
+  Belief belief = BeliefIn(X_StationaryEntered, errors_, multiple);
+  belief.X_StationaryMoving.translation() -= height * passage_.mating;
+  return belief;
 }
 
 Pose Starts::Entered(const Start& start) const {
@@ -80,10 +77,6 @@ double Starts::Deepest(const Pose& X_StationaryMoving, double multiple, double l
     deepest = std::max(deepest, depth + multiple * nearer);
   }
   return deepest;
-}
-
-double Starts::Height(const Pose& X_StationaryEntered) const {
-  return Deepest(X_StationaryEntered, 1, options_.reach) + kAbove;
 }
 
 Vector3 Starts::LowestCorner(const Vector3& turn) const {

@@ -27,11 +27,9 @@ class Starts {
   // Returns another start. Its distance from `start` is drawn, in proportion to `size`.
   Start Near(const Start& start, double size);
 
-  // Returns the believed pose at a start, above the entry. The belief's errors are multiplied by
-  // `multiple`, and the height covers the errors themselves.
+  // Returns the believed pose at a start, with `multiple` times the errors. The start is so far up
+  // that the part is free for all of them.
   Belief BeliefAt(const Start& start, double multiple) const;
-  // Returns whether the part is surely free at the start with `multiple` times the errors.
-  bool IsFree(const Start& start, double multiple) const;
 
  private:
   Vector3 LowestCorner(const Vector3& turn) const;
@@ -39,8 +37,6 @@ class Starts {
   // Returns how far the part can be beyond the entry at this pose, in metres along the way in, with
   // `multiple` times the errors. Turns count with levers of at most `lever` metres.
   double Deepest(const Pose& X_StationaryMoving, double multiple, double lever) const;
-  // Returns the height of a start above the pose Entered(start), in metres.
-  double Height(const Pose& X_StationaryEntered) const;
 
   const Passage& passage_;
   const FineMotionErrors& errors_;

@@ -19,7 +19,7 @@ constexpr double kLeftToTheEngine = 0.1;  // of a margin
 constexpr double kCreep = 2e-5;
 
 // Returns how far a part came from one pose to the other, in metres, with AsLength for its turn.
-double Displacement(const geometry::Pose& from, const geometry::Pose& to) {
+double ShiftBetween(const geometry::Pose& from, const geometry::Pose& to) {
   return (to.translation() - from.translation()).norm() +
          AsLength(geometry::AngleBetween(from.linear(), to.linear()), Unit::kRadian);
 }
@@ -109,7 +109,7 @@ class CertificateCheck {
                         .name = "leaves " + problem_.part(part).name + " where it is",
                         .unit = Unit::kMetre,
                         .predicted = {0, kCreep},
-                        .observed = Displacement(from.truth, to.truth)});
+                        .observed = ShiftBetween(from.truth, to.truth)});
       if (claim.observed > claim.predicted.high) AddPassed(claim);
     }
   }

@@ -39,6 +39,10 @@ class CertificateCheckTest : public testing::Test {
     moment_.opening = problem_.workcell->gripper().max_opening();
     moment_.tool = {pickup_.from.X_WorldPart * pickup_.hold.X_PartTool,
                     pickup_.from.X_WorldPart * pickup_.hold.X_PartTool};
+    for (std::size_t i = 0; i < moment_.parts.size(); ++i) {
+      const Pose& X_WorldPart = problem_.part(PartId(i)).X_WorldPart;
+      moment_.parts[i] = {X_WorldPart, X_WorldPart};
+    }
     moment_.parts[peg_.index()] = {pickup_.from.X_WorldPart, pickup_.from.X_WorldPart};
   }
 
@@ -222,7 +226,8 @@ TEST_F(CertificateCheckTest, APartThatTheStepDoesNotHandleStaysWhereItIs) {
   for (const auto& claims : {shoved(1.3e-4, 0), shoved(0, 2e-3)}) {
     EXPECT_TRUE(Named(claims, Claimed::kAfter, "leaves block where it is").IsViolated());
   }
-  plan_.steps[kPickup.index()].certificate.before.push_back({.part = PartId(block)});
+  plan_.steps[kPickup.index()].certificate.before.push_back(
+      {.part = PartId(block), .x = {}, .y = {}, .z = {}, .theta = {}});
   EXPECT_EQ(Worst(shoved(0, 2e-3)), ClaimVerdict::kContained);
 }
 
