@@ -387,7 +387,7 @@ void AnnounceFamilies() {
        .unfair = "Gecode clones a space with what was accepted and searches it anew; CaDiCaL "
                  "and Z3 keep what they learned. Their clauses count, as assay's arcs do. Plans of "
                  "30 to 60 parts in 5 steps, of whose poses 8 to 10 % interfere, are left out: "
-                 "where the first refusals are hard, CaDiCaL is up to 14 times as quick as assay. " +
+                 "where the first refusals are hard, CaDiCaL is up to 14 times as fast as assay. " +
                  general,
        .against = "gecode",
        .at_least = 50,
