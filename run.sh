@@ -11,7 +11,7 @@ program=$root/build/release/bin/assay
 first_build="the first build takes 3 to 7 minutes on two cores"
 
 usage() { sed -n '2,/^[^#]/s/^# \?//p' "$root/run.sh"; }
-verbs() { sed -n 's/^ *\.name = "\(.*\)",$/\1/p' "$root"/sim/cli/*.cc; }
+verbs() { sed -n 's/^ *\.name = "\(.*\)",$/\1/p' "$root"/sim/cli/*/*.cc; }
 
 # What needs no program that is up to date is answered at once.
 answer_at_once() {

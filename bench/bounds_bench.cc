@@ -206,7 +206,7 @@ void AddOneEvaluation(const std::vector<std::pair<std::string, Questions>>& expr
                                "evaluation of its expanded form by Boost.Interval, with its "
                                "default policy, as it was measured with IBEX",
                    .unfair = "as bounds; a processor's rounding that is set once for a whole "
-                             "evaluation is quicker than ours, see there",
+                             "evaluation is quicker than assay, see there",
                    .never_below = 1});
   for (const auto& [name, questions] : expressions) {
     bench::AddContestant(family, name, "assay",
@@ -224,13 +224,13 @@ void AddMeasured() {
       "bounds",
       {.measured =
            "SUP and INF to a gap of 1e-6, certified, rounding errors included, of an expression "
-           "that is ready: ours in normal form, Boost.Interval's expanded, evaluated once; as "
+           "that is ready: assay's in normal form, Boost.Interval's expanded, evaluated once; as "
            "measured: with the sines and cosines of all angles, as where IBEX was measured",
        .unfair =
            "Boost.Interval's one evaluation bounds 1.0 to 3.3 times as widely, and serves any "
            "expression; set_once sets the processor's rounding for an evaluation as a whole, which "
            "the library's default policy, the one that was measured with IBEX, does for every "
-           "operation. What brings ours to normal form does not count where an expression is asked "
+           "operation. Bringing assay's to normal form does not count where an expression is asked "
            "again and again; it does in from_scratch. IBEX's optimizer reaches the same gap and "
            "serves any problem; it was measured on another machine, next to Boost.Interval, and is "
            "scaled by that, which can be done for these 17 files alone: it was asked no other",

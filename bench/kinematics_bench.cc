@@ -116,11 +116,11 @@ void AddInverse(const char* family, void (*ours)(benchmark::State&), double at_l
                 const std::string& unfair_besides) {
   bench::Announce(
       family,
-      {.measured = "4,096 random reachable poses: ours all eight solutions of each, "
+      {.measured = "4,096 random reachable poses: assay all eight solutions of each, "
                    "KDL's Levenberg-Marquardt solver one",
        .unfair =
            std::string("KDL serves any chain and iterates, and finds a solution for a share of "
-                       "the poses only (kdl: found); ours knows the arm's closed form. "
+                       "the poses only (kdl: found); assay knows the arm's closed form. "
                        "KDL is built at the processor's baseline, as Debian has it") +
            unfair_besides,
        .against = "kdl",
@@ -136,7 +136,7 @@ void AddInverse(const char* family, void (*ours)(benchmark::State&), double at_l
 const bool kAdded = [] {
   AddInverse("inverse-kinematics", OneByOne, 150, "");
   AddInverse("inverse-kinematics-in-batches", InBatches, 800,
-             ". Our poses are in batches before the clock runs, and solutions stay in them");
+             ". Assay's poses are in batches before the clock runs, and solutions stay in them");
   return true;
 }();
 

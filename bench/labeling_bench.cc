@@ -169,7 +169,7 @@ void Post(benchmark::State& state, Instance& instance) {
 
 void Conclude(benchmark::State& state, Verdict verdict) {
   state.counters[bench::kTimeout] = verdict == Verdict::kTimeIsUp;
-  if (verdict == Verdict::kDiffers) state.SkipWithError("its answer is not ours");
+  if (verdict == Verdict::kDiffers) state.SkipWithError("its answer is not that of assay");
 }
 
 // Measures `ask`, which starts anew each time.
@@ -360,12 +360,12 @@ void AnnounceFamilies() {
   bench::Announce(
       "labeling",
       {.measured = "the first labeling, or the proof that there is none, from the contestant's own "
-                   "form of the network: ours is searched, Gecode's tables posted and "
+                   "form of the network: assay's is searched, Gecode's tables posted and "
                    "searched, CaDiCaL's and Z3's clauses solved",
        .unfair = "Gecode's posting cannot be told from its first propagation, so that it counts; "
-                 "in built our network is built each time, too. One question is asked again and "
-                 "again, which suits caches and the prediction of branches; labeling-in-turn has "
-                 "them asked in turn. " +
+                 "in built assay's network is built each time, too. One question is asked again "
+                 "and again, which suits caches and the prediction of branches; labeling-in-turn "
+                 "has them asked in turn. " +
                  general,
        .against = "gecode",
        .at_least = 20,
@@ -373,7 +373,7 @@ void AnnounceFamilies() {
   bench::Announce(
       "counting",
       {.measured = "the number of all labelings",
-       .unfair = "Gecode lists them one by one, ours multiplies the counts "
+       .unfair = "Gecode lists them one by one, assay multiplies the counts "
                  "of what does not depend on each other. Networks of "
                  "plans, trees and grids, and of the files easy-n200-d5 "
                  "and grid-n100-d20, are left out: they have more "
@@ -385,9 +385,9 @@ void AnnounceFamilies() {
       {.measured = "a whole trace: arcs come one by one, each is answered completely, and taken "
                    "back where no labeling is left",
        .unfair = "Gecode clones a space with what was accepted and searches it anew; CaDiCaL "
-                 "and Z3 keep what they learned. Their clauses count, as our arcs do. Plans of 30 "
-                 "to 60 parts in 5 steps, of whose poses 8 to 10 % interfere, are left out: where "
-                 "the first refusals are hard, CaDiCaL is up to fourteen times as quick as ours. " +
+                 "and Z3 keep what they learned. Their clauses count, as assay's arcs do. Plans of "
+                 "30 to 60 parts in 5 steps, of whose poses 8 to 10 % interfere, are left out: "
+                 "where the first refusals are hard, CaDiCaL is up to 14 times as fast as assay. " +
                  general,
        .against = "gecode",
        .at_least = 50,

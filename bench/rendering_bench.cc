@@ -111,8 +111,8 @@ const bool kAdded = [] {
                   {.measured = "a picture of figure 13's start, 640 x 480, all effects, one sample "
                                "a pixel; the engine's mjv_updateScene, mjr_render and "
                                "mjr_readPixels in a row",
-                   .unfair = "ours also turns the rows round and gives every picture memory of its "
-                             "own. `assay render` takes 2 x 2 samples a pixel unless told "
+                   .unfair = "assay also turns the rows round and gives every picture memory of "
+                             "its own. `assay render` takes 2 x 2 samples a pixel unless told "
                              "otherwise (column smooth)",
                    .never_below = 0.95});
   if (render::AvailableRenderer().empty()) {

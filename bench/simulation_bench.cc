@@ -128,9 +128,10 @@ const bool kAdded = [] {
       "simulation",
       {.measured = "a plan's execution from the first step to the last, and the engine's own "
                    "mj_step told the same controls from the same states every 100 steps",
-       .unfair = "ours also drives the arm, watches forces and keeps the trace; the bare loop "
-                 "copies a saved state every 100 steps and what it is told at each. Both have our "
-                 "check of box collisions, which spares the solver contacts that are there twice",
+       .unfair = "assay also drives the arm, watches forces and keeps the trace; the bare loop "
+                 "copies a saved state every 100 steps and what it is told at each. Both have "
+                 "assay's check of box collisions, which spares the solver contacts that "
+                 "are there twice",
        .never_below = 0.95});
   const std::vector<std::string> scenarios =
       bench::Tiny() ? std::vector<std::string>{"spar-fig15"}

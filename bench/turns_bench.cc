@@ -163,7 +163,9 @@ class Contest {
                       const Answer& ours) {
     const bool time_is_up = peer.outcome == Outcome::kBudget;
     state.counters[bench::kTimeout] = time_is_up;
-    if (!time_is_up && !Agree(instance, peer, ours)) state.SkipWithError("its answer is not ours");
+    if (!time_is_up && !Agree(instance, peer, ours)) {
+      state.SkipWithError("its answer is not that of assay");
+    }
   }
 
   const std::vector<Answered<Answer>>& Of(Contestant& contestant) {

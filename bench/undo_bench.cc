@@ -114,7 +114,7 @@ void GecodeTriesLastArc(benchmark::State& state, int parts, GecodeLabeling::Orde
   for (auto _ : state) outcome = ask();
   state.counters[bench::kTimeout] = outcome == Outcome::kBudget;
   if (outcome != Outcome::kBudget && outcome != plan.Build().Decide()) {
-    state.SkipWithError("its answer is not ours");
+    state.SkipWithError("its answer is not that of assay");
   }
 }
 #endif
@@ -135,9 +135,9 @@ void AddTrying(int parts) {
 const bool kAdded = [] {
   bench::Announce(
       "trying-an-arc",
-      {.measured = "one more arc in a network that holds the rest of a plan: ours saved, posted, "
-                   "answered, undone; Gecode's space cloned, posted, searched, dropped",
-       .unfair = "ours knows from the last time a labeling that satisfies the arc, as a planner's "
+      {.measured = "one more arc in a network that holds the rest of a plan: assay's saved, "
+                   "posted, answered, undone; Gecode's space cloned, posted, searched, dropped",
+       .unfair = "assay knows from the last time a labeling that satisfies the arc, as a planner's "
                  "network mostly does; Gecode keeps none, and its clone copies what stays as well",
        .against = "gecode"});
 #ifndef ASSAY_PEER_GECODE_LABELING

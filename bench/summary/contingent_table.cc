@@ -14,11 +14,11 @@ constexpr const char* kBeginning = "Contingent/";
 
 constexpr const char* kAbout = R"(# Contingent planning beside PO-PRP
 
-Made by `ASSAY_CONTINGENT=FOLDER bench/run.sh --only contingent`; FOLDER has a folder for each problem, with `d.pddl` and `p.pddl`. The problems are those of the CLG set (Albore, Palacios, Geffner, and the sources that they name), which are others' and not in this repository, but for `kvp-*` and `med-*`, which are ours.
+`ASSAY_CONTINGENT=FOLDER bench/run.sh --only contingent` writes this page. FOLDER has a folder for each problem, with `d.pddl` and `p.pddl`. The problems `kvp-*` and `med-*` belong to `assay`. All other problems are those of the CLG set (Albore, Palacios, Geffner, and the sources that they name), and are not in this repository.
 
-Ours: processor time of reading, grounding and planning, median of the passes; a plan is a tree whose sub-plans are shared, with nodes that act or sense (actions) and nodes that branch. Afterwards each tree is run by a checker that shares no inference with the planner, in all worlds that the initial knowledge allows.
+The time of `assay` is the processor time of reading, grounding and planning, the median of the passes. A plan is a tree with shared sub-plans. Its nodes are actions, which act or sense, and branches. Afterwards a checker runs each tree in all worlds that the initial knowledge allows. The checker shares no inference with the planner.
 
-PO-PRP (Muise, Belle, McIlraith: *Computing Contingent Plans via Fully Observable Non-Deterministic Planning*, 2014), the strongest planner that could be built, was not run here: these are measured figures of another machine of this kind (two cores, shared). Its time is from end to end; its policy is of state-action pairs. Refused: it does not take the problem. An empty cell: no figure is known.
+PO-PRP (Muise, Belle, McIlraith: *Computing Contingent Plans via Fully Observable Non-Deterministic Planning*, 2014) is the strongest planner that could be built. It was not run here: its figures were measured on another machine of this kind (two cores, shared). Its time is from end to end. Its policy consists of state-action pairs. `refused` means that PO-PRP does not accept the problem. An empty cell means that no figure is known.
 
 )";
 
@@ -57,8 +57,8 @@ void AddRatio(const Series& series, const std::string& counter, std::vector<doub
 
 std::string ContingentTable(const Measurements& measurements) {
   std::string out = kAbout;
-  out += Heading({"problem", "our nodes", "of them actions", "our time", "PO-PRP's pairs",
-                  "its time", "of it search", "accepted"});
+  out += Heading({"problem", "nodes of assay", "actions of assay", "time of assay", "PO-PRP: pairs",
+                  "PO-PRP: time", "PO-PRP: search time", "accepted"});
   std::vector<double> whole, search;
   for (const Series& series : measurements.series) {
     if (!series.name.starts_with(kBeginning)) continue;
@@ -68,9 +68,8 @@ std::string ContingentTable(const Measurements& measurements) {
   }
   if (!whole.empty()) {
     out += fmt::format(
-        "\nOf the {} problems for which its figures are known, PO-PRP's time is {} times ours, "
-        "that "
-        "of its search alone {} times (geometric means).\n",
+        "\nFor the {} problems with known figures of PO-PRP, PO-PRP's time is {} times the time of "
+        "`assay`, and its search time alone is {} times (geometric means).\n",
         whole.size(), Multiple(GeometricMean(whole)), Multiple(GeometricMean(search)));
   }
   return out + "\n" + Where(measurements);

@@ -35,7 +35,7 @@ void DrawRatios(std::string& out, const std::vector<Family>& families) {
   }
   out += fmt::format(
       "set terminal svg size 900,{} dynamic background 'white'\nset output 'ratios.svg'\n"
-      "set logscale x\nset xlabel 'time of the best peer over ours'\nset ytics noenhanced ({})\n"
+      "set logscale x\nset xlabel 'time of the best peer over assay'\nset ytics noenhanced ({})\n"
       "set yrange [0.5:{}.5]\nset arrow from 1, graph 0 to 1, graph 1 nohead dashtype 2\n"
       "plot $ratios using 1:2 with points pointtype 6 notitle\nreset\n",
       140 + 40 * families.size(), fmt::join(labels, ", "), families.size());

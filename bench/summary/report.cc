@@ -99,7 +99,7 @@ std::vector<Cells> HeadlineOf(const Family& family) {
 void VariantRow(std::string& out, const Family& family, const std::string& variant) {
   const std::vector<double> ratios = VariantRatios(family, variant, family.against);
   if (ratios.empty()) return;
-  out += Row({fmt::format("{}, ours {}", Link(family), variant),
+  out += Row({fmt::format("{}, assay {}", Link(family), variant),
               family.against.empty() ? "best of each" : family.against,
               fmt::format("{}", ratios.size()), Multiple(GeometricMean(ratios)),
               Multiple(std::ranges::min(ratios)), Multiple(std::ranges::max(ratios)), "", ""});
@@ -107,8 +107,8 @@ void VariantRow(std::string& out, const Family& family, const std::string& varia
 
 void Headline(std::string& out, const std::vector<Family>& families) {
   out +=
-      "## Ratios\n\nA peer's time over ours, single thread: geometric mean over the instances, "
-      "then least and greatest. Above 1 we are quicker.\n\n";
+      "## Ratios\n\nA peer's time over that of assay, single thread: geometric mean over the "
+      "instances, then least and greatest. Above 1 assay is quicker.\n\n";
   out += Heading({"work", "peer", "instances", "ratio", "least", "greatest", "wanted", ""});
   for (const Family& family : families) {
     for (const Cells& cells : HeadlineOf(family)) out += Row(cells);
@@ -184,10 +184,10 @@ void Instances(std::string& out, const Family& family) {
   const std::vector<std::string> variants = Variants(family);
   const std::vector<std::string> peers = Peers(family);
   const std::vector<std::string> counters = CounterNames(family);
-  std::vector<std::string> heading = {"instance", "ours"};
+  std::vector<std::string> heading = {"instance", "assay"};
   heading.insert(heading.end(), variants.begin(), variants.end());
   heading.insert(heading.end(), peers.begin(), peers.end());
-  heading.push_back("best peer / ours");
+  heading.push_back("best peer / assay");
   heading.insert(heading.end(), counters.begin(), counters.end());
   for (const std::string& peer : peers) {
     for (const std::string& name : CounterNames(family, peer))
@@ -371,9 +371,9 @@ std::string Report(const Measurements& measurements) {
   std::string out =
       "# Benchmarks\n\nMade by `bench/run.sh`. Medians of processor time over passes in which all "
       "contestants take turns, single thread; where a section says so, of the wall clock, and "
-      "contestants one after another. A contestant's answer is held against ours before "
-      "its time counts. Who had not answered when its time was up counts as if it had answered "
-      "then, marked \">\".\n\n";
+      "contestants one after another. A contestant's answer is compared with that of assay before "
+      "its time counts. A contestant that had not answered when its time was up counts as if it "
+      "had answered then, marked \">\".\n\n";
   WrongSection(out, measurements);
   if (!families.empty()) Headline(out, families);
   KindSection(out, families);

@@ -114,7 +114,7 @@ class PartialPlan {
   std::vector<domain::ActionTemplate> Establishers(const OperationalGoal& goal);
   // Adds an action, and puts its preconditions on the goal stacks.
   StepId AddStep(domain::ActionTemplate action);
-  // CanEstablish returns true if the step adds the goal's condition. Establish makes it the
+  // CanEstablish returns true if the step adds the goal's condition. Establish makes the step the
   // producer.
   bool CanEstablish(StepId producer, const OperationalGoal& goal) const;
   bool Establish(StepId producer, const OperationalGoal& goal);

@@ -16,8 +16,8 @@ class PartialPlan;
 struct PlannerOptions {
   std::int64_t partial_plans = 200'000;     // budget of the first phase, in partial plans
   std::int64_t instance_choices = 100'000;  // budget for making instances, in values tried
-  // Called for each action of the instances as they are made. An instance with an action to which
-  // it objects is not a plan. An empty judge never objects.
+  // Called for each action while an instance is made. If the judge objects to an action, the
+  // instance is not a plan. An empty judge never objects.
   Judge judge = {};
   std::int64_t moments = 12'000;  // budget of the judge, in computed snapshots
   // Called for each plan instance in turn. The first accepted one is the plan. Without a function,

@@ -12,7 +12,7 @@ namespace {
 // A bound of the rounding error of a few operations on doubles, relative to their operands.
 constexpr double kRounding = 1e-15;
 
-// Returns an upper bound of a sum of non-negative numbers, however it was rounded.
+// Returns an upper bound of the exact sum of non-negative numbers. `sum` is their rounded sum.
 double AtLeast(double sum) { return sum * (1 + 1e-12); }
 
 Interval ValueAt(const Expression& e, std::span<const double> point) {

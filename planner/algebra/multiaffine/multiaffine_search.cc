@@ -477,9 +477,9 @@ void MultiaffineSearch::ChooseSplit(Part& part) const {
   }
 }
 
-// Returns whether the form has its greatest value at an end of the variable's interval. This is so
-// for a displacement, in which the form is affine. It is also so for an angle if the form is convex
-// in the angle for all values of the other variables.
+// Returns whether the form has its greatest value at an end of the variable's interval. Every
+// displacement has this property, because the form is affine in it. An angle has it if the form is
+// convex in the angle for all values of the other variables.
 bool MultiaffineSearch::HasOnlyItsEnds(int variable) const {
   return !IsAngle(variable) || least_curvature_[variable] >= SlopeError(variable);
 }

@@ -30,7 +30,7 @@ class RemedySearch {
   // The steps with remedies.
   struct Mended {
     AugmentedSteps steps;
-    int step = 0;  // the index of the mended step
+    int step = 0;  // the index of the step whose goals the remedies prove
   };
 
   // Returns the steps with remedies that prove all goals of the step. Strategies take long to find,

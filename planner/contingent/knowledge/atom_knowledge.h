@@ -78,7 +78,7 @@ class AtomKnowledge {
   void SpreadEntanglement(KnowledgeState& state);
   void SpreadEntanglement(KnowledgeState& state, const std::vector<int>& variables) const;
   void Unrelate(KnowledgeState& state, AtomId atom);
-  // Adds a relation to the relations of the state. Returns false if they cannot hold together.
+  // Adds a relation to the state. Returns false if all relations cannot hold together.
   bool RelateAsWell(KnowledgeState& state, Diagram relation);
   // Removes the relations that contain one of the variables, or another value of a function that
   // has a value among them. Returns the conjunction of these relations and of unique names.

@@ -32,7 +32,7 @@ std::string ReadOptionalText(const Value& root, std::string_view key) {
   return text ? text->Text() : "";
 }
 
-// Scales without producing -0, so that an error that is scaled to nothing equals no error.
+// Scales an interval without producing -0, so that an error times 0 equals no error.
 Interval Scaled(const Interval& interval, double scale) {
   return {scale * interval.low + 0.0, scale * interval.high + 0.0};
 }

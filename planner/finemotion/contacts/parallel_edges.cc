@@ -12,7 +12,7 @@ namespace assay::finemotion {
 
 namespace {
 
-constexpr double kMostDisplacements = 32;  // displacements, more than a motion takes
+constexpr double kMostDisplacements = 32;  // in displacements; no motion is longer
 // The shortest stretch of a motion that is examined, in displacements.
 constexpr double kShortest = 0.0625;
 constexpr double kNoLength = 1e-12;  // metres; shorter lengths are 0

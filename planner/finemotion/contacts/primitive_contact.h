@@ -46,9 +46,9 @@ struct PrimitiveContact {
   int stationary = 0;
   SmallVector row;    // gap = offset + row . z
   double offset = 0;  // the gap at the critical point, metres
-  // The contact lies inside all of these half-spaces. There are at most 4, the paper's number: the
-  // nearest ends of a feature are kept. There are more only where a face or an edge is narrower
-  // than the reach of the search.
+  // The contact lies inside all of these half-spaces. Only the nearest ends of a feature are kept,
+  // so there are mostly at most 4, as in the paper. There are more only if a face or an edge is
+  // narrower than the reach of the search.
   std::vector<HalfSpace> limits;
   Vector3 normal = Vector3::Zero();  // unit vector from the stationary part into free space
   Vector3 at = Vector3::Zero();  // the contact point relative to the moving part's origin, metres

@@ -101,7 +101,7 @@ Facet FacetOf(const CSurfaces& surfaces, const SurfaceSet& set) {
   return facet;
 }
 
-// Returns x moved so that the facet's gaps, which rounding has left, become 0.
+// Returns x, moved so that the facet's gaps become 0. Rounding has left these gaps.
 ScaledPose Onto(const CSurfaces& surfaces, const Facet& facet, const ScaledPose& x) {
   ScaledPose onto = x;
   for (Index i = 0; i < facet.independent.size(); ++i) {

@@ -220,8 +220,8 @@ class StrategyReplay {
           1e3 * distance);
   }
 
-  // Compares the scale of an unwanted contact. For a face in several regions the file has the least
-  // scale, which is the first.
+  // Compares the scale of an unwanted contact. If a face has several regions, the file has the
+  // least of their scales, which comes first.
   void CompareScale(std::size_t index, const Unwanted& unwanted) {
     const std::vector<plan::UnwantedContact>& told = strategy_.motions[index].unwanted;
     const auto claimed = std::ranges::find_if(

@@ -16,7 +16,7 @@ inline constexpr double kBeyondLadder = 8;  // the scale if no enlargement of kL
 // The contacts and losses that a check reports.
 enum class Margins {
   kNone,   // the first contact that is found with the errors as they are
-  kLeast,  // all contacts at the least enlargement at which there are any
+  kLeast,  // all contacts at the least enlargement of the errors with a contact
   kAll,    // all contacts at all enlargements, by rising scale, with their geometry
 };
 

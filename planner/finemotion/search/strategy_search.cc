@@ -187,7 +187,7 @@ class StrategySearch {
         for (Unwanted& unwanted : motion.check.unwanted) unwanted.scale *= multiple / asked;
       }
     }
-    // A contact comes later with greater errors.
+    // With greater errors a contact may come later, so the motions last longer.
     const auto most = trying.replay.Replay(sequence, absorbed, Margins::kNone);
     for (std::size_t i = 0; i < std::min(most.motions.size(), plan.motions.size()); ++i) {
       double& longest = plan.motions[i].check.longest;

@@ -5,9 +5,9 @@
 
 namespace assay::uncertainty {
 
-// Returns the error box of a tool pose that goes with the part `guide`: the hand goes where that
-// part is believed to be by then, with the hand's own error. Without a guide (None), the hand goes
-// to the planned pose, with its own error.
+// Returns the error box of a tool pose. With a part `guide`, the tool pose follows the part: the
+// hand goes to where the part is believed to be at that time, with the hand's own error. Without a
+// guide (None), the hand goes to the planned pose, with its own error.
 plan::ToolErrorBox ToolErrorBoxAt(const UncertainWorld& world, PartId guide,
                                   const Pose& X_WorldTool);
 

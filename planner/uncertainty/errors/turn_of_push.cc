@@ -28,7 +28,7 @@ geometry::Polygon SupportOf(const std::vector<Standing>& standings) {
 }
 
 // Returns the regions in which the part touches what it stands on: the patches of the face that
-// looks down. A part without one stands on edges and corners.
+// looks down. A part without such a face stands on edges and corners.
 std::vector<geometry::Polygon> RegionsOf(const domain::PartModel& model, const Pose& X_WorldPart) {
   const Vector3 down = X_WorldPart.linear().transpose() * -Vector3::UnitZ();
   double offset = -std::numeric_limits<double>::infinity();

@@ -18,7 +18,7 @@ namespace {
 
 using geometry::Box;
 
-constexpr double kFlush = 1e-6;  // metres by which a body in a plane may stand out of it
+constexpr double kFlush = 1e-6;  // metres; bodies count as flush up to this distance
 
 // Returns the box, along the frame's axes, that surrounds all these boxes.
 Box Around(std::initializer_list<Box> boxes) {

@@ -59,7 +59,8 @@ std::vector<Weighing> AnyWeighing(double any_force, double weight) {
 }
 
 // Returns the ratio of the load to what the grip bears with `force` newtons on each pad. `up` is
-// the vertical as the tool sees it, to within `sway` radians; null where the hand may turn freely.
+// the vertical in the tool's frame, with an error of up to `sway` radians. It is null if the hand
+// may turn freely.
 double LoadRatio(const Grip& grip, double force, const Carried& carried, const Vector3* up,
                  double sway) {
   const Vector2 lever = Vector2(carried.center.x(), carried.center.z()) - grip.friction.center();

@@ -18,10 +18,10 @@ scene::SceneOptions Finer(scene::SceneOptions options);
 // If the engine's error is of first order in the timestep, half the timestep halves it. The limit
 // for a timestep of 0 then differs from the finer value by as much as the finer value differs from
 // the coarse one (Richardson extrapolation). This gives the engine's share in this very case, which
-// is subtracted. The finer execution need not claim its observed value: a value outside the
-// prediction counts all the same. If the finer execution does not observe the claim at all, the
-// claim is inconclusive, unless the finer execution violates another claim. It does not observe a
-// claim if it does not come to that point, or if the observed event does not happen.
+// is subtracted. The observed value of the finer execution counts even if that execution does not
+// claim it. If the finer execution does not observe the claim at all, the claim is inconclusive,
+// unless the finer execution violates another claim. An execution does not observe a claim if it
+// ends before that point, or if the event that is to be observed does not happen.
 std::vector<Claim> Confirmed(std::vector<Claim> claims,
                              const std::function<std::vector<Claim>()>& finer);
 

@@ -45,8 +45,8 @@ class WithHalfTheTimestep {
   std::optional<exec::Trace> trace_;
 };
 
-// Adds to the reason of a failed verdict that the engine is to blame, if the trial succeeds with
-// half the timestep.
+// Adds to the reason of a failed verdict that the engine caused the failure, if the trial succeeds
+// with half the timestep.
 Verdict Attributed(const Experiment& experiment, Verdict verdict, WithHalfTheTimestep& finer) {
   if (verdict.outcome == TrialOutcome::kSucceeded) return verdict;
   if (Judge(experiment.problem, finer.trace(), {}).outcome == TrialOutcome::kSucceeded) {
@@ -72,7 +72,7 @@ NoisyTrial RunNoisyTrial(const Experiment& experiment, const noise::Noise& noise
   }
   trial.operator_called = trace.end().outcome == exec::ExecutionOutcome::kOperatorCalled;
   // After each error the step was tried again, unless the operator was called. If a step with an
-  // error came to its end, its last try mended the error.
+  // error came to its end, its last try was without an error.
   std::vector<plan::StepId> mended;
   for (const exec::RecoveryRecord* recovery : trace.All<exec::RecoveryRecord>()) {
     const auto ended = [&](const exec::StepEnd* end) { return end->step == recovery->step; };

@@ -369,8 +369,8 @@ double HybridControl::Slack(int contact, const Way& way) const {
   return law_.slack / std::max(law_.slack, -row.dot(way.twist));
 }
 
-// Stops quickly. A part that comes to rest slowly turns about what it has hit, and other contacts
-// are lost.
+// Stops quickly. If the part stopped slowly, it would turn about the contact that it has made, and
+// would lose other contacts.
 HybridControl::Ended HybridControl::Brake(TipMotion motion) {
   const Vector6 change = arm_.timestep() / law_.braking * motion.planned;
   for (double time = 0; time < law_.braking; time += arm_.timestep()) {

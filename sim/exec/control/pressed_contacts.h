@@ -34,8 +34,8 @@ class PressedContacts {
 
  private:
   void SetRows();
-  // Returns the wrench without friction, which is taken to act at the mean place where the contacts
-  // press.
+  // Returns the wrench without the friction. The friction is assumed to act at the mean place of
+  // the contacts, weighted by their forces.
   Vector6 WithoutFriction(const Vector6& wrench) const;
   Eigen::VectorXd LeastSquares(const Vector6& wrench) const;
 

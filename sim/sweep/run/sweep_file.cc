@@ -35,7 +35,7 @@ void ReadAxis(const Value& list, std::vector<T>& axis, const Read& read) {
   if (axis.empty()) list.Fail("the list is empty", "one value or more");
 }
 
-// Reads an axis. It keeps its values if the key is missing.
+// Reads an axis of the grid. The axis keeps its values if the key is missing.
 template <class T, class Read>
 void ReadAxis(const Value& root, const char* key, std::vector<T>& axis, const Read& read) {
   if (const std::optional<Value> list = root.Find(key)) ReadAxis(*list, axis, read);

@@ -191,7 +191,8 @@ TEST(ContingentTable, SetsPublishedFiguresBesideOurs) {
   EXPECT_THAT(table, HasSubstr("| clog5 | 66 |  | 10 ms |  | refused |  | in 200 worlds |"));
   EXPECT_THAT(table, HasSubstr("| **refused**: the goal fails |"));
   EXPECT_THAT(table,
-              HasSubstr("PO-PRP's time is 1725 times ours, that of its search alone 1700 times"));
+              HasSubstr("PO-PRP's time is 1725 times the time of `assay`, and its search time "
+                        "alone is 1700 times"));
   EXPECT_THAT(table, testing::Not(HasSubstr("cans")));
 }
 

@@ -26,7 +26,7 @@ struct Standing {
 enum class IfUnproved {
   // remedies bring it nearer to being proved, and verifications prepare for its failure
   kPrepare,
-  kObject,  // nothing is inserted; an objection says why it is not proved
+  kObject,  // nothing is inserted; an objection says why the step is not proved
   // like kObject, but no remedies are tried if an unproved goal depends on the places of parts
   kObjectAtOnce,
 };

@@ -51,7 +51,7 @@ class InstanceJudge {
   Allowance allowance_;
   IfUnproved if_unproved_;
   std::deque<Beginning> beginnings_;  // the empty beginning first
-  // indexed by number of actions: the beginnings that lead to the last judged one
+  // indexed by number of actions: the beginnings from the empty one to the last judged one
   std::vector<std::size_t> way_ = {0};
 };
 
