@@ -62,7 +62,6 @@ class CommandLine {
     app_.set_version_flag("--version", "assay " ASSAY_VERSION);
     app_.require_subcommand(1);
     app_.get_formatter()->label("SUBCOMMAND", "VERB");
-    app_.get_formatter()->label("Subcommands", "Verbs");
     app_.footer(
         fmt::format("assay VERB --help tells more, with an example.\n\n{}"
                     "\nExample:\n  assay run scenarios/spar-fig13.yaml --renders -o out",
@@ -88,6 +87,7 @@ class CommandLine {
  private:
   void AddVerb(const Verb& verb) {
     CLI::App* const command = app_.add_subcommand(verb.name, verb.summary);
+    command->group("Verbs");
     command->footer(fmt::format("Example:\n  {}\n\nManual: {}", verb.example, verb.page));
     Execution execution = verb.declare(*command);
     CheckValues(*command);
