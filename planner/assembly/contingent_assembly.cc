@@ -125,7 +125,7 @@ class WorldPlanner {
     }
     assembly_.outcome = Outcome::kBudget;
     assembly_.unplanned.limits.push_back(
-        "of all plans for a world one is looked at, and its steps tell nothing of the world");
+        "only one plan is considered for each world, and its steps do not distinguish the worlds");
     for (const domain::OpenPose& open : worlds_.front().open_poses) AddLimits(open);
   }
 
@@ -138,9 +138,9 @@ class WorldPlanner {
       is_told |= !alike;
       if (!alike) continue;
       assembly_.unplanned.limits.push_back(
-          fmt::format("{} cannot tell {} {} from {}: they look alike, as far as their errors and "
-                      "its promise go",
-                      sensor, part, alike->first, alike->second));
+          fmt::format("sensor {} cannot distinguish pose {} of part {} from pose {} within the "
+                      "part's error and the sensor's promise",
+                      sensor, alike->first, part, alike->second));
     }
     if (!is_told) {
       assembly_.unplanned.limits.push_back(fmt::format("no sensor tells which pose {} has", part));

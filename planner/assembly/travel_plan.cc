@@ -38,7 +38,7 @@ constexpr double kLineStep = 0.02;
 constexpr double kFurthestClearance = 0.1;
 constexpr double kAccuracy = 5e-4;  // the accuracy of the claimed clearance, in metres
 constexpr double kSameOrientation = 1e-9;
-constexpr char kNotStraight[] = "the arm does not go straight on from there";
+constexpr char kNotStraight[] = "the arm cannot follow the next straight line from this pose";
 constexpr double kSamePosture = 1e-6;  // tolerance for equal postures, radians
 constexpr double kSameClaim = 1e-6;    // tolerance for equal claims, metres or radians
 
@@ -122,7 +122,8 @@ class TravelSearch {
 
   // Searches for a path around the obstacles. Returns the reason in words if there is none.
   std::variant<Found, std::string> Search(const TravelEffort& effort) {
-    in_the_way_ = "no configuration of the arm comes there and goes on straight";
+    in_the_way_ =
+        "no configuration of the arm reaches this pose and can follow the next straight line";
     int tried = 0;
     for (const JointVector& end : motion::PosturesAt(workcell_, route_.poised, from_)) {
       std::optional<Way> way = WayBy({{from_, end}, clearance_, false});
@@ -367,10 +368,12 @@ void CheckClaims(const WayCertainty& certainty, Whither whither, const plan::Pla
     const auto own =
         std::ranges::find(anew, claim.condition, &plan::CertifiedPrecondition::condition);
     if (own == anew.end() || claim.bound > own->bound + kSameClaim) {
-      flaws.push_back(fmt::format("{} is said to be above {:.6g}, which does not come out anew",
-                                  claim.condition, claim.bound));
+      flaws.push_back(fmt::format(
+          "the file says that {} is above {:.6g}, but the new computation does not confirm this",
+          claim.condition, claim.bound));
     } else if (!IsSaidOf(claim, *own)) {
-      flaws.push_back(fmt::format("{} is said otherwise than it comes out anew", claim.condition));
+      flaws.push_back(
+          fmt::format("{} in the file differs from the new computation", claim.condition));
     }
   }
 }
@@ -383,7 +386,8 @@ std::vector<std::string> FlawsOfTravel(const plan::Travel& travel, const PlanWal
   std::vector<std::string> flaws;
   if (!posture) {
     posture = motion::PostureLike(walk.workcell(), walk.left(), travel.path.front());
-    if (!posture) return {"the arm is not left so that the path can start"};
+    if (!posture)
+      return {"the step before does not leave the arm in a posture in which the path can start"};
   }
   TravelSearch search(walk, id, *std::exchange(posture, std::nullopt));
   const std::optional<Way> way = search.WayBy(travel);

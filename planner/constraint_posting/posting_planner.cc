@@ -53,7 +53,8 @@ class PostingPlanner {
     } else if (instances_ == 0 && !judge_) {
       TellWhy(ProveImpossible(problem_), result);
       if (!least && result.outcome != Outcome::kNone && result.limits.empty()) {
-        result.limits.push_back("no way is known to the planner, and none is proved not to exist");
+        result.limits.push_back(
+            "the planner found no way to the goal, and no proof that there is none");
       }
     }
     result.counters = {{"partial_plans", partial_plans_.spent()},

@@ -61,7 +61,8 @@ Interval ReadInterval(const Value& value) {
   }
   const Interval interval = {ReadEnd(ends[0]).low, ReadEnd(ends[1]).high};
   if (interval.low > interval.high) {
-    value.Fail(fmt::format("the interval goes down, from {} to {}", ends[0].Text(), ends[1].Text()),
+    value.Fail(fmt::format("the lower end {} is greater than the upper end {}", ends[0].Text(),
+                           ends[1].Text()),
                "[low, high] with low <= high");
   }
   if (interval.low == kInfinity || interval.high == -kInfinity) {

@@ -82,7 +82,7 @@ double Value::Number() const {
 
 int Value::Integer(int low, int high) const {
   const std::string allowed = low > high
-                                  ? "nothing: there is none that a number could name"
+                                  ? "no number: there is nothing to choose from"
                                   : fmt::format("an integer from {} to {}, not quoted", low, high);
   const bool plain = IsScalar() && node_->style == DocumentNode::Style::kPlain;
   if (!plain || !IsInteger(node_->text)) Fail(node_->Describe() + " is not an integer", allowed);

@@ -71,7 +71,7 @@ std::string ExcessText(GraspCondition condition, const Limited& measured) {
                          Degrees(measured.value), Degrees(measured.excess()),
                          Degrees(measured.limit));
     case GraspCondition::kTableClear:
-      return fmt::format("hand or fingers would be {} deep in the table, which forgives {}",
+      return fmt::format("hand or fingers would reach {} into the table; at most {} is allowed",
                          Millimetres(measured.value), Millimetres(measured.limit));
     case GraspCondition::kFacesFree:
     case GraspCondition::kReach:

@@ -60,14 +60,15 @@ void AddLimitsOf(const Problem& problem, PartId part, std::vector<std::string>& 
   const std::string& name = problem.part(part).name;
   const PartRoles roles = RolesOf(problem, part);
   if (!roles.at_start.empty() && !roles.goals.empty()) {
-    limits.push_back(fmt::format(
-        "{} at the start, and {}: parts that are mated are not taken, and not carried together",
-        fmt::join(roles.at_start, ", "), fmt::join(roles.goals, ", ")));
-  } else if (roles.goals.size() > 1) {
     limits.push_back(
-        fmt::format("{}: parts that are mated are not taken, not carried together{}",
-                    fmt::join(roles.goals, ", "),
-                    roles.is_only_fixed ? "" : ", and nothing is mated with a part on a part"));
+        fmt::format("{} at the start, and {}: this planner neither takes a mated part alone nor "
+                    "carries mated parts together",
+                    fmt::join(roles.at_start, ", "), fmt::join(roles.goals, ", ")));
+  } else if (roles.goals.size() > 1) {
+    limits.push_back(fmt::format(
+        "{}: this planner neither takes a mated part alone nor carries mated parts together{}",
+        fmt::join(roles.goals, ", "),
+        roles.is_only_fixed ? "" : ", and mates nothing with a part that is on another part"));
   }
   if (roles.at_start.empty() && problem.part(part).resting.IsNone()) {
     limits.push_back(fmt::format(
@@ -83,10 +84,9 @@ std::vector<std::string> LimitsOf(const Problem& problem, const RelaxedProblem& 
   std::vector<std::string> limits;
   const domain::RobotId acting = problem.workcell->acting();
   if (!relaxed.IsPossibleWith({.constraints = relaxed.Constraints(), .robot = acting.index()})) {
-    limits.push_back(
-        fmt::format("robot {} does not get everywhere that it would have to, and plans are made "
-                    "for it alone",
-                    problem.workcell->robot().name));
+    limits.push_back(fmt::format(
+        "robot {} does not reach all places that the plan needs, and a plan uses only one robot",
+        problem.workcell->robot().name));
   }
   for (std::size_t p = 0; p < problem.parts.size(); ++p) AddLimitsOf(problem, PartId(p), limits);
   return limits;

@@ -25,8 +25,8 @@ Interval ReadInterval(const Value& value, const Unit& unit, const Range& range) 
   }
   const Interval interval = {ReadWithin(ends[0], unit, range), ReadWithin(ends[1], unit, range)};
   if (interval.low > interval.high) {
-    value.Fail(fmt::format("the interval goes down, from {} to {}", Beside(ends[0].Text(), unit),
-                           Beside(ends[1].Text(), unit)),
+    value.Fail(fmt::format("the lower end {} is greater than the upper end {}",
+                           Beside(ends[0].Text(), unit), Beside(ends[1].Text(), unit)),
                "[low, high]");
   }
   return interval;

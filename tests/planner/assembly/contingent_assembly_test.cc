@@ -124,9 +124,11 @@ TEST(ContingentAssembly, PosesThatLookAlikeAreNotToldApart) {
   EXPECT_EQ(alike.outcome, Outcome::kBudget);
   EXPECT_THAT(
       alike.unplanned.limits,
-      testing::ElementsAre(testing::StartsWith("of all plans for a world one is looked at"),
-                           testing::StartsWith("overhead-camera cannot tell peg here from there"),
-                           "no sensor tells which pose peg has"));
+      testing::ElementsAre(
+          testing::StartsWith("only one plan is considered for each world"),
+          testing::StartsWith(
+              "sensor overhead-camera cannot distinguish pose here of part peg from pose there"),
+          "no sensor tells which pose peg has"));
   ExpectHoldsInAllWorlds(assembly_with("20.5"));
 }
 

@@ -204,7 +204,7 @@ TEST(PostingPlanner, MatedPartsAreNotCarriedTogether) {
                                         "  - located: {part: block, stable: [face-down]}\n")),
                {});
   EXPECT_EQ(result.outcome, Outcome::kBudget);
-  EXPECT_THAT(result.limits, ElementsAre(HasSubstr("not carried together")));
+  EXPECT_THAT(result.limits, ElementsAre(HasSubstr("nor carries mated parts together")));
 }
 
 TEST(PostingPlanner, MatedPartsStayMated) {

@@ -112,7 +112,7 @@ TEST(UncertaintyOperationsFile, EachSlipIsNamedAtItsPlace) {
        "3:24: the sensor 'side-camera' measures nothing"},
       {"z: 0.5", "w: 0.5", "unknown key 'w'"},
       {"z: 0.5", "z: -0.5", "3:28: the half-width -0.5 mm is negative; allowed: 0 mm or more"},
-      {"x: [-1, 2]", "x: [2, -1]", "the interval goes down, from 2 mm to -1 mm"},
+      {"x: [-1, 2]", "x: [2, -1]", "the lower end 2 mm is greater than the upper end -1 mm"},
       {"theta: 0.2", "theta: 200", "200 deg is out of range; allowed: -180 deg to 180 deg"},
       {"theta: 0.2", "theta: .nan", "number"},
       {"  overhead-camera:", "  side-camera:", "side-camera"},
