@@ -263,7 +263,9 @@ class PddlReader {
     literal.place = e.place;
     literal.predicate = Word(e.items[0], "a predicate");
     if (IsKeyword(literal.predicate)) {
-      Fail(e, fmt::format("'{}' is not in the fragment that is read here", literal.predicate),
+      Fail(e,
+           fmt::format("'{}' is a part of PDDL that this reader does not support",
+                       literal.predicate),
            allowed);
     }
     if (literal.predicate == "=") literal.relation = Relation::kEqual;

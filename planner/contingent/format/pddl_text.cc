@@ -152,8 +152,10 @@ class PddlWriter {
         changes += fmt::format(" {}", LiteralText(change.literal));
       if (change.kind == GroundChange::Kind::kForget) {
         if (tells_false_[change.literal.atom.index()]) {
-          Fail(fmt::format("del(Kf, {}), of which it matters whether it is false or unknown",
-                           TextOf(task_, {change.literal.atom, true})));
+          Fail(
+              fmt::format("del(Kf, {}): PDDL cannot tell false from unknown, and the problem "
+                          "depends on the difference",
+                          TextOf(task_, {change.literal.atom, true})));
         }
         changes += fmt::format(" {}", LiteralText({change.literal.atom, false}));
       }

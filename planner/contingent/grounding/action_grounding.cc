@@ -64,8 +64,8 @@ void ActionGrounding::RequireFew(const Action& action, const std::vector<EarlyTe
   BindFrom(action, tests, bindings, [&] {
     if (++count <= kMostActions) return;
     terms_.Fail(action.place,
-                fmt::format("action '{}' has {:.15g} instances, too many of which what is known at "
-                            "first does not rule out",
+                fmt::format("action '{}' has {:.15g} instances; too many remain after the initial "
+                            "knowledge rules some out",
                             action.name, ways),
                 fmt::format("{} ground actions in all", kMostActions));
   });

@@ -143,7 +143,8 @@ void TermGrounding::CountInstances(const std::vector<TypedName>& variables) {
 void TermGrounding::CountBinding(Place place) {
   if (++bindings_ > kMostBindings) {
     Fail(place, "too many ways to bind the parameters of this action and those before it",
-         fmt::format("{} that what is known at first rules out, or does not", kMostBindings));
+         fmt::format("at most {} bindings, whether the initial knowledge rules them out or not",
+                     kMostBindings));
   }
 }
 

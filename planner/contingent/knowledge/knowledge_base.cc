@@ -81,12 +81,11 @@ const GroundEffect* KnowledgeBase::ApplyUpdates(KnowledgeState& state,
 }
 
 void KnowledgeBase::FailRestless(const GroundEffect& update, std::size_t rounds) const {
-  throw InputError(
-      {task_.domain_file, update.place.line, update.place.column},
-      fmt::format("update rules do not come to rest: this one changes what is known after {} "
-                  "rounds of all of them",
-                  rounds),
-      "rules that do not undo what others do");
+  throw InputError({task_.domain_file, update.place.line, update.place.column},
+                   fmt::format("the update rules still change knowledge after {} rounds, and this "
+                               "rule is one of those that do",
+                               rounds),
+                   "rules that do not undo what others do");
 }
 
 std::optional<KnowledgeState> KnowledgeBase::Settled(KnowledgeState state) {

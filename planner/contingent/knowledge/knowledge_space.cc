@@ -23,7 +23,7 @@ KnowledgeSpace::KnowledgeSpace(const GroundTask& task, Budget& budget)
 
 const std::string& KnowledgeSpace::doubt() {
   if (doubt_.empty() && knowledge_.has_doubted()) {
-    doubt_ = "of some actions it cannot be told whether their effects happen";
+    doubt_ = "for some actions it is undecided whether their effects happen";
   }
   return doubt_;
 }
@@ -31,7 +31,9 @@ const std::string& KnowledgeSpace::doubt() {
 bool KnowledgeSpace::Surely(const GroundQuery& query, const KnowledgeState& state) {
   if (knowledge_.Holds(query, state)) return true;
   if (knowledge_.MayHold(query, state)) {
-    doubt_ = "numbers that depend on each other, or on facts, may tell more than the planner keeps";
+    doubt_ =
+        "the planner does not store relations between numbers, or between numbers and facts, and a "
+        "query may depend on them";
   }
   return false;
 }
@@ -84,8 +86,8 @@ std::vector<Step> KnowledgeSpace::FindSteps(StateId id) {
   if (!formula.IsNone()) {
     if (asks_for_ignorance_) {
       doubt_ =
-          "what a sensor has told is always asked at once, though something asks for what is "
-          "not known";
+          "the planner branches on each sensor result at once, but a query requires that something "
+          "is unknown";
     }
     return {{.kind = PlanNode::Kind::kWhether, .formula = formula}};
   }

@@ -118,7 +118,8 @@ class Checker {
     for (Literal& literal : literals) {
       CheckAsked(literal, scope);
       if (literal.relation == Relation::kExtern) {
-        Fail(literal.place, "what an extern tells is always known", "a literal about the world");
+        Fail(literal.place, "an extern is always known, so Kw does not apply to it",
+             "a literal about the world");
       }
       if (IsNumeric(literal) && literals.size() > 1) {
         Fail(literal.place, "a comparison of numbers in a conjunction", "a comparison alone");
@@ -262,8 +263,7 @@ class Checker {
            fmt::format("a term of {}", fmt::join(symbols_.FunctionNames(), ", ")));
     }
     if (has_error && type != kNumberType) {
-      Fail(term.place, "no number that could be known within an error",
-           "a function of type number");
+      Fail(term.place, "'within' needs a numeric function", "a function of type number");
     }
   }
 

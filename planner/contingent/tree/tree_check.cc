@@ -100,10 +100,11 @@ class Runner {
       return fmt::format("more than {} worlds on one way", most_worlds_);
     }
     if (progression_.IsRestless()) {
-      return fmt::format("update rules do not come to rest in {} rounds", MostRoundsOf(task_));
+      return fmt::format("the update rules still change knowledge after {} rounds",
+                         MostRoundsOf(task_));
     }
     if (!progression_.CouldNotTell()) return "";
-    return fmt::format("an effect asks that something is not known, which {} cannot tell",
+    return fmt::format("an effect requires that something is unknown; {} cannot decide this",
                        check_.were_drawn ? "worlds that are drawn" : "a sample of numbers");
   }
 

@@ -107,7 +107,7 @@ class TreeReader {
       node.children = {Number(json.At("true")), Number(json.At("false"))};
     } else if (const auto goal = json.Find("goal")) {
       json.AllowOnly({"goal"});
-      if (!goal->Flag()) goal->Fail("a goal that is none", "true");
+      if (!goal->Flag()) goal->Fail("'goal' is false", "true");
     } else {
       json.AllowOnly({"act", "branch", "goal"});
       json.Fail("a node without act, branch or goal", "one of them");
@@ -241,8 +241,10 @@ class TreeReader {
   }
 
   [[noreturn]] static void FailNotAbove(NodeId head, const Value& place) {
-    place.Fail(fmt::format("a repeat of node {}, which is not above on every way", head.index()),
-               "repeats of nodes above");
+    place.Fail(
+        fmt::format("a repeat of node {}, which is not an ancestor on every way to this node",
+                    head.index()),
+        "repeats of nodes that every way from the root to this node passes");
   }
 
   const GroundTask& task_;

@@ -143,14 +143,17 @@ TEST(Pddl, ErrorsInActions) {
     });
   };
   EXPECT_EQ(message("(:action a :effect (p))"), "no error");
-  EXPECT_EQ(message("(:action a :effect (forall (?x - t) (q ?x)))"),
-            "domain.pddl:2:20: 'forall' is not in the fragment that is read here; allowed: "
-            "literals, and, when");
-  EXPECT_THAT(message("(:action a :effect (when (p) (or (p) (q ?x))))"),
-              StartsWith("domain.pddl:2:30: 'or' is not in the fragment that is read here"));
-  EXPECT_THAT(message("(:action a :precondition (exists (?x - t) (q ?x)) :effect (p))"),
-              StartsWith("domain.pddl:2:26: 'exists' is not in the fragment that is read here; "
-                         "allowed: literals, and, or and not"));
+  EXPECT_EQ(
+      message("(:action a :effect (forall (?x - t) (q ?x)))"),
+      "domain.pddl:2:20: 'forall' is a part of PDDL that this reader does not support; allowed: "
+      "literals, and, when");
+  EXPECT_THAT(
+      message("(:action a :effect (when (p) (or (p) (q ?x))))"),
+      StartsWith("domain.pddl:2:30: 'or' is a part of PDDL that this reader does not support"));
+  EXPECT_THAT(
+      message("(:action a :precondition (exists (?x - t) (q ?x)) :effect (p))"),
+      StartsWith("domain.pddl:2:26: 'exists' is a part of PDDL that this reader does not support; "
+                 "allowed: literals, and, or and not"));
   EXPECT_THAT(message("(:action a :parameters (?x - t ?x - t) :effect (q ?x))"),
               StartsWith("domain.pddl:2:32: '?x' is declared twice"));
   EXPECT_THAT(message("(:action a :effect (p)) (:action a :effect (not (p)))"),
@@ -226,8 +229,8 @@ TEST(PddlText, WhatPddlDoesNotHaveIsNamed) {
 // try.
 TEST(PddlText, WhatWouldMeanSomethingElseIsRefused) {
   EXPECT_THAT(MessageOf([] { ToPddl(GroundScenario("slippery-grasp", "hold-the-cup"), "p"); }),
-              HasSubstr("slippery-grasp.pks:7:8: PDDL has no del(Kf, holding(cup)), of which it "
-                        "matters whether it is false or unknown"));
+              HasSubstr("slippery-grasp.pks:7:8: PDDL has no del(Kf, holding(cup)): PDDL cannot "
+                        "tell false from unknown, and the problem depends on the difference"));
   const auto message = [](const std::string& action, const std::string& goal) {
     return MessageOf([&] {
       ToPddl(GroundText("domain d predicates: p, q\naction a effects: " + action,

@@ -633,9 +633,10 @@ TEST(UpdateRules, CountUntilTheyRest) {
   EXPECT_EQ(CheckTree(counting, tree).failure, "");
   EXPECT_EQ(SizeOf(PlanFor(counting, Wanted::kLeastDepth).tree).depth, 2);
   const GroundTask restless = task("K(f >= 0)");
-  EXPECT_THAT(CheckTree(restless, tree).failure, HasSubstr("update rules do not come to rest"));
+  EXPECT_THAT(CheckTree(restless, tree).failure,
+              HasSubstr("the update rules still change knowledge after"));
   EXPECT_THAT(MessageOf([&] { PlanFor(restless, Wanted::kLeastDepth); }),
-              HasSubstr("update rules do not come to rest"));
+              HasSubstr("the update rules still change knowledge after"));
 }
 
 // If there are more worlds than may be run, as many as allowed are drawn.

@@ -40,7 +40,7 @@ TEST(TreeFile, RepeatsGoBackToNodesAbove) {
                      {"root", 0},
                      {"nodes", {{{"act", look}, {"then", 1}}, branch, {{"goal", true}}}}};
   EXPECT_THAT(MessageOf([&] { Read(tree, task); }),
-              HasSubstr("a repeat of node 2, which is not above on every way"));
+              HasSubstr("a repeat of node 2, which is not an ancestor on every way"));
 }
 
 class HandWritten : public testing::Test {
@@ -83,7 +83,8 @@ TEST_F(HandWritten, ANodeIsOfOneKind) {
   Json both = Branch("a & b");
   both["then"] = 2;
   EXPECT_THAT(Message(Tree(both)), HasSubstr("unknown key 'then'"));
-  EXPECT_THAT(Message(Tree(Branch("a & b"), {{"goal", false}})), HasSubstr("a goal that is none"));
+  EXPECT_THAT(Message(Tree(Branch("a & b"), {{"goal", false}})),
+              HasSubstr("'goal' is false; allowed: true"));
   EXPECT_THAT(Message(Tree(Branch("a & b"), {{"goal", true}, {"then", 0}})),
               HasSubstr("unknown key 'then'"));
   EXPECT_THAT(Message(Tree(Branch("a & b"), {{"gaol", true}})),
