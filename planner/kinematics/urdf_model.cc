@@ -145,7 +145,7 @@ class Converter {
     // The principal moments of a body are positive, and none exceeds the sum of the other two.
     const double most = kMostMass * kMostLength * kMostLength;
     if (!(inertial.inertia.cwiseAbs().maxCoeff() <= most) || !inertial.inertia.allFinite()) {
-      Fail(fmt::format("link '{}' has an inertia beyond measure", link),
+      Fail(fmt::format("link '{}' has an inertia that is too large", link),
            fmt::format("at most {} kg m^2", most));
     }
     const Eigen::SelfAdjointEigenSolver<Matrix3> solver(inertial.inertia, Eigen::EigenvaluesOnly);

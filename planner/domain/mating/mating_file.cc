@@ -62,7 +62,7 @@ std::string FeaturesFor(const Feature& feature, const Part& part) {
   for (const Feature& other : part.model->features()) {
     if (MeetingOf(feature, other) != Meeting::kNone) names.push_back(NameOf(other));
   }
-  return names.empty() ? "another feature: this one meets none of that part"
+  return names.empty() ? "another feature: this feature fits no feature of the other part"
                        : fmt::format("{}", fmt::join(names, ", "));
 }
 
@@ -332,7 +332,7 @@ void MatingFile::CheckNothingElseFits(const Value& features, const Mating& matin
                     kBesideWall)) {
         continue;
       }
-      features.Fail("something else of the parts meets within the play that these features leave",
+      features.Fail("within the play of these features, other surfaces of the parts touch",
                     "all shafts and holes that meet in the mating");
     }
   }
@@ -344,7 +344,7 @@ void RequireShaftInHole(const Value& value, const Problem& problem, MatingId id)
   const Mating& mating = problem.mating(id);
   if (HasShaftInHole(problem, mating)) return;
   value.At("features")
-      .Fail(fmt::format("nothing is proved of how {} is mated with {} here",
+      .Fail(fmt::format("the planner cannot prove this kind of mating of {} with {}",
                         problem.part(mating.held).name, problem.part(mating.fixed).name),
             "at least one shaft in a hole whose walls hold it all around");
 }

@@ -428,13 +428,13 @@ void PartFile::CheckHangsTogether(const Value& solids) const {
   }
   const Value place = solids.At(solid->name);
   if (FirstApart(solid->pieces) >= 0) {
-    place.Fail(fmt::format("the pockets cut solid '{}' into pieces that nothing holds together",
-                           solid->name),
-               "one part that hangs together");
+    place.Fail(fmt::format("the pockets cut solid '{}' into unconnected pieces", solid->name),
+               "a solid in one piece");
   }
-  place.Fail(fmt::format("solid '{}' hangs together with no chain of solids from '{}'", solid->name,
-                         solids_.front().name),
-             "solids that overlap, or touch in a face");
+  place.Fail(
+      fmt::format("solid '{}' is not connected to solid '{}', directly or through other solids",
+                  solid->name, solids_.front().name),
+      "solids that overlap, or touch in a face");
 }
 
 void PartFile::BuildShape(PartModel& model, double density) const {

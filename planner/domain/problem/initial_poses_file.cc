@@ -182,7 +182,7 @@ void InitialPosesFile::CheckOnTable(const Value& pose, PartId id) const {
   };
   std::vector<std::string> tables;
   for (const Table& table : problem_.workcell->tables()) tables.push_back(extent(table.top));
-  pose.Fail(fmt::format("part '{}' covers {}, which is not all on {}", part.name,
+  pose.Fail(fmt::format("part '{}' extends over {}, which is not entirely on {}", part.name,
                         extent(Footprint(part, part.X_WorldPart)),
                         tables.size() == 1 ? "the table" : "one table"),
             fmt::format("{}", fmt::join(tables, "; or ")));
@@ -204,7 +204,7 @@ void InitialPosesFile::CheckOnTableWithErrors(const Value& pose, const Part& par
         pose.Fail(fmt::format("part '{}' may stand beyond the edge of the table: {} along x and {} "
                               "along y from here, which its error allows",
                               part.name, InFileUnit(x), InFileUnit(y)),
-                  "a place on the table, whatever errs");
+                  "a place where the part is on the table for all its errors");
       }
     }
   }

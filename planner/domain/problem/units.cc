@@ -30,7 +30,7 @@ Vector3 ReadAxis(const Value& value) {
   const std::vector<double> axis = value.Numbers(3);
   for (const double entry : axis) {
     if (std::abs(entry) <= 1 + kAxisTolerance) continue;
-    value.Fail(fmt::format("{} cannot be in a unit axis", entry), "numbers from -1 to 1");
+    value.Fail(fmt::format("{} is no component of a unit vector", entry), "numbers from -1 to 1");
   }
   return {axis[0], axis[1], axis[2]};
 }

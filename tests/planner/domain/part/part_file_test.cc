@@ -181,8 +181,8 @@ TEST(PartFileTest, SolidsHangTogether) {
   EXPECT_EQ(with_lug("[[20, 10, 10], [40, 30, 50]]"), "no error") << "in a volume";
   EXPECT_EQ(with_lug("[[59.9, 10, 20], [90, 30, 50]]"), "no error") << "in a strip of a face";
   EXPECT_THAT(with_lug("[[20, 10, 20.01], [40, 30, 50]]"),
-              HasSubstr("part.yaml:9:8: solid 'lug' hangs together with no chain of solids from "
-                        "'body'"));
+              HasSubstr("part.yaml:9:8: solid 'lug' is not connected to solid 'body', directly or "
+                        "through other solids"));
   EXPECT_THAT(with_lug("[[274, 10, 20], [294, 30, 50]]"), HasSubstr("solid 'lug'"));
   EXPECT_THAT(with_lug("[[60, 10, 20], [90, 30, 50]]"), HasSubstr("solid 'lug'")) << "in an edge";
   EXPECT_THAT(with_lug("[[60, 40, 20], [90, 60, 50]]"), HasSubstr("solid 'lug'")) << "in a corner";

@@ -259,7 +259,7 @@ TEST_F(WrongWorkcell, IsRefused) {
               HasSubstr("1 m is out of range; allowed: 0 m to 0.01 m"));
   EXPECT_THAT(MessageWith("yaws: 12", "yaws: 0"), HasSubstr("from 1 to 72"));
   EXPECT_THAT(MessageWith("[0, 0, 1], [-0.15, 0, 0.70]", "[0, 0, 2], [-0.15, 0, 0.70]"),
-              HasSubstr("cannot be in a unit axis"));
+              HasSubstr("is no component of a unit vector"));
 }
 
 }  // namespace
