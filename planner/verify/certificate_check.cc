@@ -219,7 +219,8 @@ std::vector<plan::Flaw> CertificateFlaws(const plan::Plan& plan, const std::stri
   for (const plan::StepId id : plan.ExecutionOrder()) {
     CheckClaims(id, plan.step(id), file, flaws);
     if (LacksTipErrors(plan.step(id))) {
-      flaws.push_back({id, "nothing is said of the errors that its strategy takes for granted"});
+      flaws.push_back(
+          {id, "the certificate lacks limits for the errors that its strategy assumes"});
     }
     if (ExceedsTipErrors(plan.step(id))) {
       flaws.push_back(

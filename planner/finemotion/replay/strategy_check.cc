@@ -71,7 +71,7 @@ class StrategyReplay {
         Add("{}: {}", Motion(i),
             is_last ? "the last one must slide in" : "only the last one slides in");
       if (motion.slides && (!motion.kept.empty() || motion.until))
-        Add("{}: it slides in, and speaks of contacts", Motion(i));
+        Add("{}: the last slide must not name contacts", Motion(i));
     }
   }
 
@@ -126,7 +126,8 @@ class StrategyReplay {
                          options.drawn, options.seed);
     if (const auto& deviation = replays.deviation) {
       const PoseChange& error = deviation->error;
-      Add("{}: in exact geometry it goes otherwise with errors of ({:.4g}) mm and ({:.4g}) rad",
+      Add("{}: in exact geometry the motion does not go as planned for errors of ({:.4g}) mm and "
+          "({:.4g}) rad",
           Motion(deviation->motion), fmt::join(Vector3(1e3 * error.head<3>()), ", "),
           fmt::join(Vector3(error.tail<3>()), ", "));
     }
@@ -168,7 +169,8 @@ class StrategyReplay {
     for (const int contact : plan::ContactsAfter(strategy_.motions[index])) {
       const ContactKey key = KeyAt(contact);
       if (checker_.Of({&key, 1}, strategy_.motions[index].X_FixedTip).empty())
-        return Add("{}: {} is not there where it leads", Motion(index), Name(key));
+        return Add("{}: contact {} does not exist at the end of the motion", Motion(index),
+                   Name(key));
     }
     if (command.until)
       return Add("{}: {} may never be made{}", Motion(index), Name(*command.until), Errors());
@@ -180,7 +182,8 @@ class StrategyReplay {
   void CompareLength(std::size_t index, const CertainMotion& replayed) {
     const plan::StrategyMotion& motion = strategy_.motions[index];
     if (!motion.until || motion.beyond >= replayed.check.longest - 1 - kFarther) return;
-    Add("{}: it goes on for {:.4g} of its length at most, and {} may come after {:.4g}{}",
+    Add("{}: the motion goes on beyond its end for at most {:.4g} of its length, but contact {} "
+        "may come only after {:.4g} of its length{}",
         Motion(index), motion.beyond, Name(KeyAt(*motion.until)), replayed.check.longest - 1,
         Errors());
   }
@@ -228,7 +231,7 @@ class StrategyReplay {
         told, [&](const auto& one) { return KeyAt(one.contact) == unwanted.contact; });
     const char* const happens = unwanted.is_loss ? "lost" : "made";
     if (claimed == told.end())
-      return Add("{}: nothing is said of {}, which may be {} with {} times the errors",
+      return Add("{}: the file does not name contact {}, which may be {} with {} times the errors",
                  Motion(index), Name(unwanted.contact), happens, unwanted.scale);
     if (claimed->scale > unwanted.scale)
       Add("{}: {} is said to be {} with {} times the errors, and may be with {}", Motion(index),

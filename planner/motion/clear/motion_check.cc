@@ -32,7 +32,7 @@ std::string Describe(const CollisionScene& scene, const MotionRules& rules,
     case Obstruction::Kind::kLimits:
       return "a joint is out of its range";
     case Obstruction::Kind::kTilt:
-      return fmt::format("what is to be kept upright leans more than {:.1f} deg",
+      return fmt::format("the part that must stay upright leans more than {:.1f} deg",
                          rules.upright->tilt * 180 / M_PI);
     case Obstruction::Kind::kPair:
       return fmt::format("{} are nearer than {:.1f} mm", scene.Describe(obstruction.pair),

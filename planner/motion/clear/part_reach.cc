@@ -84,7 +84,8 @@ std::string WhyNotServed(const domain::Problem& problem, PartId part, const Pose
     add(std::ranges::count_if(broken, breaks), Describe(problem, condition));
   }
   add(std::ranges::count(broken, 0), "nothing is in the way of arm and hand");
-  return fmt::format("not true of its {} grasps: {}", broken.size(), fmt::join(reasons, "; "));
+  return fmt::format("none of its {} grasps works; conditions that are not met: {}", broken.size(),
+                     fmt::join(reasons, "; "));
 }
 
 GraspId ServingGrasp(const domain::Problem& problem, PartId part, const Pose& X_WorldPart) {

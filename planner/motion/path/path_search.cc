@@ -159,11 +159,11 @@ PathFailure Failure(PathFailure::Reason reason, const MotionCheck& check,
     case PathFailure::Reason::kConfiguration:
       return {reason, obstruction,
               fmt::format("the goal is in another configuration of the arm, into which no upright "
-                          "path was found, looking at {} postures; most often, {}",
+                          "path was found after {} postures; the most frequent obstacle: {}",
                           check.postures(), what)};
     case PathFailure::Reason::kBudget:
       return {reason, obstruction,
-              fmt::format("no path was found, looking at {} postures; most often, {}",
+              fmt::format("no path was found after {} postures; the most frequent obstacle: {}",
                           check.postures(), what)};
   }
   ASSAY_CHECK(false, "no such reason");

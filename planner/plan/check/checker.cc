@@ -59,7 +59,7 @@ std::vector<Flaw> FlawsOfPlanForm(const domain::Problem& problem, const Plan& pl
   std::vector<Flaw> flaws;
   for (std::size_t i = 0; i < plan.steps.size(); ++i) {
     if (std::visit(SpeaksOf{problem}, plan.steps[i].action)) continue;
-    flaws.push_back({StepId(i), "the step is about a part or mating that the problem has not"});
+    flaws.push_back({StepId(i), "the step names a part or mating that the problem does not have"});
   }
   const Order order = plan.ExecutionOrder();
   for (std::size_t i = 0; i < order.size(); ++i) {

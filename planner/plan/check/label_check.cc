@@ -23,7 +23,7 @@ bool RestsAlike(const Pose& a, const Pose& b) {
 void CheckHold(const domain::Part& part, const Hold& hold, std::vector<std::string>& wrong) {
   const auto grasp = std::ranges::find(*part.grasps, hold.grasp, &domain::Grasp::label);
   if (grasp == part.grasps->end() || IsSame(grasp->X_PartTool, hold.X_PartTool)) return;
-  wrong.push_back(fmt::format("the hold is labelled {} and is another one", hold.grasp));
+  wrong.push_back(fmt::format("the grasp has the label {}, but is another grasp", hold.grasp));
 }
 
 void CheckPlace(const domain::Part& part, const Place& place, std::vector<std::string>& wrong) {
@@ -33,7 +33,7 @@ void CheckPlace(const domain::Part& part, const Place& place, std::vector<std::s
                     : pose == poses.end()       ? !place.position.starts_with(part.model->initial())
                                                 : RestsAlike(pose->X_TablePart, place.X_WorldPart);
   if (!fits) {
-    wrong.push_back(fmt::format("the place of {} is labelled {} and is another one", part.name,
+    wrong.push_back(fmt::format("the place of {} has the label {}, but is another place", part.name,
                                 place.position));
   }
 }

@@ -97,10 +97,11 @@ class Coverage {
       if (!is_there) Add("the certificate covers no '{}', which such a step needs", kind.name);
       return;
     }
-    if (is_there) Add("'{}' is claimed, and said not to be needed", kind.name);
+    if (is_there)
+      Add("the certificate both claims '{0}' and says that '{0}' is not needed", kind.name);
     const bool is_of_paper = !kind.is_published && reason->reason == kNotPublished;
     if (is_of_paper || (!kind.may_lack.empty() && reason->reason == kind.may_lack)) return;
-    Add("that {} is no reason to be without '{}'", reason->reason, kind.name);
+    Add("\"{}\" is not a valid reason to leave out '{}'", reason->reason, kind.name);
   }
 
   void CheckIsNeeded(const std::string& condition) {

@@ -52,7 +52,7 @@ class FormCheck {
       require(IsContact(*motion.until), fmt::format("no contact {}", *motion.until));
     require(!motion.until || std::ranges::count(motion.kept, *motion.until) == 0,
             "it waits for a contact that it keeps");
-    require(IsAtLeast(0, motion.beyond), "it goes on for less than nothing");
+    require(IsAtLeast(0, motion.beyond), "`beyond` is negative");
     for (const UnwantedContact& unwanted : motion.unwanted) {
       const int contact = unwanted.contact;
       require(IsContact(contact), fmt::format("no contact {}", contact));

@@ -340,7 +340,7 @@ std::map<std::string, std::int64_t> ReadCounters(const Value& counters) {
   for (const auto& [name, value] : counters.Entries()) {
     const double count = value.Number();
     if (std::abs(count) > kLargestCount || count != std::floor(count)) {
-      value.Fail("a counter that is no count", "an integer up to 2^53");
+      value.Fail("a counter that is no whole number, or too large", "an integer up to 2^53");
     }
     counts[name.Text()] = static_cast<std::int64_t>(count);
   }

@@ -77,8 +77,9 @@ Recovery ReadRecovery(const Value& value, const std::vector<std::string>& step_n
   recovery.pitch = ReadLength(pitch);
   // As in workcell files, a search has at least one place, and an end.
   if (recovery.pitch < kLeastPitch || recovery.pitch > recovery.radius) {
-    pitch.Fail(fmt::format("{} m is no pitch of this search", recovery.pitch),
-               fmt::format("{} m to the radius, {} m", kLeastPitch, recovery.radius));
+    pitch.Fail(
+        fmt::format("the pitch {} m does not suit the radius of this search", recovery.pitch),
+        fmt::format("{} m to the radius, {} m", kLeastPitch, recovery.radius));
   }
   return recovery;
 }

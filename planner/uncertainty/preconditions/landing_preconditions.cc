@@ -89,7 +89,7 @@ class LandingConditions {
   void RequireHeight(const Expression& table) {
     const double travel = world_.problem().workcell->rules().guarded_travel;
     for (const Vector3& vertex : SupportVertices(model_, X_WorldPart_)) {
-      conditions_.Within("landing height", "the part meets the table on the guarded way",
+      conditions_.Within("landing height", "the part meets the table within the guarded travel",
                          (landing_ * AsVector(vertex))[2] - table, travel);
     }
   }

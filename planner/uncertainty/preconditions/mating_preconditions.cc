@@ -186,7 +186,7 @@ class MatingConditions {
   }
 
   void RequireSeat() {
-    conditions_.Within("seat", "the motion meets its end on the guarded way", end_.farther,
+    conditions_.Within("seat", "the part reaches its seat within the guarded travel", end_.farther,
                        world_.problem().workcell->rules().guarded_travel);
   }
 

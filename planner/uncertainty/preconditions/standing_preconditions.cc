@@ -381,7 +381,8 @@ std::vector<Precondition> StandingPreconditions(const UncertainWorld& world, Par
   const Vector3 up = VerticalInTool(X_WorldPart * hold.X_PartTool);
   const double tilt = std::max(play, LeaningOf(world, up, draw).tilt);
   Preconditions conditions;
-  conditions.Less("standing", "let go, the part stands", standing.FallRatio(tilt), 1);
+  conditions.Less("standing", "the part stands after the hand lets it go", standing.FallRatio(tilt),
+                  1);
   conditions.Less("pressed", "pads that press the part down do not tip it", standing.PressRatio(),
                   1);
   conditions.Greater("fingertip", "the fingers stay above what the part is set on",

@@ -34,7 +34,7 @@ struct GeometricMeaning {
 //   finger clear     the inner corners of the open pads lie outside the faces they close on
 //   fingertip        the fingers end above the table
 //   pad contact      the closed pads hold the grasped point, with the workcell's margin
-//   landing height   the part meets the table on the guarded way
+//   landing height   the part meets the table within the guarded travel
 //   footprint        the part stands on the table
 //   neighbour clear  the part does not touch other parts
 //   hand clear       hand and fingers touch no part, except the faces that the pads close on
@@ -49,7 +49,7 @@ struct GeometricMeaning {
 //                    the shift that the strategy absorbs
 //   tip turn         at the strategy's start, the tip is turned as it is believed to be, except
 //                    for the turn that the strategy absorbs
-//   seat             the motion meets its end on the guarded way
+//   seat             the part reaches its seat within the guarded travel
 std::vector<GeometricMeaning> MeaningsOf(const std::string& condition,
                                          const domain::Problem& problem,
                                          const plan::PlannedStep& step, const StepEvents& events);

@@ -37,8 +37,8 @@ struct Interpretation {
   std::vector<sense::NamedColor> colors;  // colours that the camera can distinguish
   HiddenParts hidden;
   // The parts that the extern `reachable` found to be served by no grasp, and why: "bottle
-  // (tableRight, left): not true of its 12 grasps: the tool leans at most 60 deg from straight down
-  // for 12".
+  // (tableRight, left): none of its 12 grasps works; conditions that are not met: the tool leans at
+  // most 60 deg from straight down for 12".
   std::vector<std::string> unserved;
   std::optional<Spill> spill;
   // The worlds of an assembly plan (plan_interpretation.h); null for other problems.

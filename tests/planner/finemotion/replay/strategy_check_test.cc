@@ -188,7 +188,7 @@ TEST_F(Tampered, StatesAreOthers) {
 
 TEST_F(Tampered, UnwantedContactsAreNotTold) {
   EXPECT_THAT(AfterMotion(warned_, [](StrategyMotion& m) { m.unwanted.erase(m.unwanted.begin()); }),
-              Contains(StartsWith(Named(warned_) + "nothing is said of ")));
+              Contains(StartsWith(Named(warned_) + "the file does not name contact ")));
   EXPECT_THAT(AfterMotion(warned_, [](StrategyMotion& m) { m.unwanted[0].scale += 1; }),
               Contains(HasSubstr("times the errors, and may be with ")));
   EXPECT_THAT(AfterMotion(warned_, [](StrategyMotion& m) { m.unwanted[0].gap += 1e-3; }),

@@ -140,7 +140,7 @@ TEST_F(FourStepPlan, FindsStepsAndPartsThatDoNotExist) {
   TakeBlock().part = PartId(2);
   const std::vector<Flaw> flaws = Flaws();
   EXPECT_THAT(flaws, FlawAt(-1, "a step that the plan has not"));
-  EXPECT_THAT(flaws, FlawAt(0, "a part or mating that the problem has not"));
+  EXPECT_THAT(flaws, FlawAt(0, "a part or mating that the problem does not have"));
 }
 
 // Tests of preconditions and goals.
@@ -253,10 +253,10 @@ TEST_F(CarefulPlan, FindsALookAtAPartThatIsMatedIntoAnother) {
 
 TEST_F(CarefulPlan, FindsALookAtAPartThatTheProblemHasNot) {
   Look().part = PartId(2);
-  EXPECT_THAT(Flaws(), FlawAt(4, "a part or mating that the problem has not"));
+  EXPECT_THAT(Flaws(), FlawAt(4, "a part or mating that the problem does not have"));
   Look().part = kBlock;
   Press().part = PartId(-1);
-  EXPECT_THAT(Flaws(), FlawAt(5, "a part or mating that the problem has not"));
+  EXPECT_THAT(Flaws(), FlawAt(5, "a part or mating that the problem does not have"));
 }
 
 TEST_F(CarefulPlan, FindsASqueezeWithAPartInTheHand) {
@@ -290,8 +290,8 @@ TEST_F(CarefulPlan, FindsLabelsOfAnotherGraspOrPose) {
   if (problem_.part(kBlock).resting == domain::StablePoseId(0)) {
     Look().at.position = problem_.part(kBlock).model->stable_poses()[1].label;
   }
-  EXPECT_THAT(Flaws(), FlawAt(5, "the hold is labelled"));
-  EXPECT_THAT(Flaws(), FlawAt(4, "the place of block is labelled"));
+  EXPECT_THAT(Flaws(), FlawAt(5, "the grasp has the label"));
+  EXPECT_THAT(Flaws(), FlawAt(4, "the place of block has the label"));
 }
 
 // Tests of grasps.
