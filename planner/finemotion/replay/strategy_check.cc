@@ -71,7 +71,7 @@ class StrategyReplay {
         Add("{}: {}", Motion(i),
             is_last ? "the last one must slide in" : "only the last one slides in");
       if (motion.slides && (!motion.kept.empty() || motion.until))
-        Add("{}: the last slide must not name contacts", Motion(i));
+        Add("{}: a motion that slides in must not name contacts", Motion(i));
     }
   }
 
@@ -183,7 +183,7 @@ class StrategyReplay {
     const plan::StrategyMotion& motion = strategy_.motions[index];
     if (!motion.until || motion.beyond >= replayed.check.longest - 1 - kFarther) return;
     Add("{}: the motion goes on beyond its end for at most {:.4g} of its length, but contact {} "
-        "may come only after {:.4g} of its length{}",
+        "may come only {:.4g} of its length beyond the end{}",
         Motion(index), motion.beyond, Name(KeyAt(*motion.until)), replayed.check.longest - 1,
         Errors());
   }

@@ -12,7 +12,7 @@ namespace assay::check {
 namespace {
 
 constexpr char kFailureOfTheEngine[] =
-    "; the failure is the engine's, since with half the timestep the trial succeeds";
+    "; the engine's timestep caused the failure: with half the timestep the trial succeeds";
 
 exec::Trace Traced(const Experiment& experiment, const scene::SceneOptions& nominal,
                    const exec::ExecutorOptions& options) {

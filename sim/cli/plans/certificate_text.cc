@@ -62,7 +62,7 @@ std::string UnaskedText(const plan::Plan& plan) {
   for (const plan::ConditionKind& kind : plan::ConditionKinds()) {
     if (!kind.is_published) unasked.push_back(kind.name);
   }
-  return fmt::format(" It does not ask for: {}.", fmt::join(unasked, ", "));
+  return fmt::format(" This propagation does not require: {}.", fmt::join(unasked, ", "));
 }
 
 // Returns the size of the errors that the strategy absorbs, and what would fail first.
@@ -85,8 +85,8 @@ std::string StrategyText(const plan::Strategy& strategy) {
     }
   }
   if (first == nullptr) return text + "\n";
-  return text + fmt::format("; first of what is unwanted: {} of {}, at {:g} times\n",
-                            first->is_loss ? "the loss" : "the contact",
+  return text + fmt::format("; first unwanted {} {}, at {:g} times the errors\n",
+                            first->is_loss ? "loss of the contact" : "contact:",
                             strategy.contacts[static_cast<std::size_t>(first->contact)].name,
                             first->scale);
 }
@@ -128,7 +128,7 @@ std::string UncertaintyText(const plan::Plan& plan) {
                         AnyStrategy(plan) ? " or absorbed" : "",
                         plan::NotCovered(plan).empty() ? "" : kButForWhatIsNotCovered,
                         UnaskedText(plan))
-          : fmt::format("Not all preconditions of {} are proved: {} and {} stand by.",
+          : fmt::format("Not all preconditions of {} are proved: the plan has {} and {} for them.",
                         Counted(plan.errors, "step", "steps"),
                         Counted(plan.verifications.size(), "verification", "verifications"),
                         Counted(plan.recoveries.size(), "recovery", "recoveries"));

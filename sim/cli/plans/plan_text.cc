@@ -110,7 +110,7 @@ std::string Text(const Problem& problem, const plan::PlanResult& result) {
              Listed(result.hypotheses.empty() ? ". These cannot hold together"
                                               : "These cannot hold together",
                     result.conflict) +
-             Listed("What is missed by least", result.near_misses);
+             Listed("The nearest misses", result.near_misses);
     case Outcome::kBudget:
       if (!result.obstruction.empty()) {
         return fmt::format("The arm can execute no plan that was found: {}.\n", result.obstruction);

@@ -173,10 +173,9 @@ ExitCode RunCommandLine(const std::vector<std::string>& arguments) {
   } catch (const std::bad_alloc&) {
     PrintError("out of memory");
   } catch (const std::exception& error) {
-    PrintError(fmt::format("an error that nothing was prepared for, which is a fault of assay: {}",
-                           error.what()));
+    PrintError(fmt::format("internal error of assay: {}", error.what()));
   } catch (...) {
-    PrintError("an error that nothing was prepared for, which is a fault of assay");
+    PrintError("internal error of assay");
   }
   return ExitCode::kEnvironment;
 }

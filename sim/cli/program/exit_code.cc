@@ -17,12 +17,12 @@ constexpr std::array kMeanings = {
     Meaning{ExitCode::kWrongCommandLine, "wrong command line"},
     Meaning{ExitCode::kWrongInput, "wrong input file"},
     Meaning{ExitCode::kEnvironment, "the environment lacks something (renderer, room on the disk)"},
-    Meaning{
-        ExitCode::kNoPlan,
-        "proved that there is no plan, with the robots, actions, grasps and places that are told "
-        "(label: no labeling; mate: looked through all)"},
+    Meaning{ExitCode::kNoPlan,
+            "proved that there is no plan with the listed robots, actions, grasps and places "
+            "(label: no labeling; mate: all sequences tried)"},
     Meaning{ExitCode::kBudgetSpent,
-            "no answer: the budget was spent, or a limit of the planner, which is told, was met"},
+            "no answer: the budget was spent, or a limit of the planner, which the output names, "
+            "was met"},
     Meaning{ExitCode::kFailed, "a prediction or check was violated, or a trial failed"},
     Meaning{ExitCode::kInterrupted,
             "interrupted (Ctrl-C); what was done until then is printed and written"},

@@ -75,8 +75,8 @@ std::string VerdictTally::Text(const std::vector<std::string>& actions) const {
   }
   return table.Text() +
          fmt::format(
-             "\nof {} claims {} contained, {} inconclusive, {} violated, {} not claimed; a "
-             "step comes out as its worst\n",
+             "\nof {} claims {} contained, {} inconclusive, {} violated, {} not claimed; the "
+             "verdict on a step is that of its worst claim\n",
              claims_.Total(), claims_.contained, claims_.inconclusive, claims_.violated,
              claims_.not_claimed);
 }
@@ -171,8 +171,8 @@ std::string Text(const plan::Plan& plan, const check::Noiseless& noiseless,
   for (const Claim& claim : noiseless.hidden) {
     const Unit unit = UnitOf(claim.unit);
     text += fmt::format(
-        "step {}: {}: what the engine makes of it without noise, {:.3f} {}, is wider than what the "
-        "certificate says, or than the clearance: the plan cannot be tested\n",
+        "step {}: {}: the noise floor, {:.3f} {}, is wider than the certified set or the "
+        "clearance: the plan cannot be tested\n",
         plan.step(claim.step).executed, Text(claim), gate.Floor(claim) / unit.factor, unit.name);
   }
   return text;

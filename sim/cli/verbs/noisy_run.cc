@@ -204,7 +204,7 @@ class NoisyTrials {
   }
 
   std::string Report() const {
-    std::string text = "what the engine cannot tell from nothing\n";
+    std::string text = "noise floors of the claims\n";
     text += Text(plan_, experiment_.gate) + "\n";
     if (!noiseless_.Holds()) return text + Text(plan_, noiseless_, experiment_.gate);
     text += Tally().Text(Actions()) + "\n";

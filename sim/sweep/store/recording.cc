@@ -155,10 +155,10 @@ std::string WrongWithoutNoise(const plan::Plan& plan, const check::Noiseless& no
     lines.push_back("violated without any noise: " + Told(plan, claim));
   }
   for (const check::Claim& claim : noiseless.hidden) {
-    lines.push_back(fmt::format(
-        "{}: what the engine makes of it without noise, {:.6g} {}, is wider than what the "
-        "certificate says, or than the clearance: the plan cannot be tested",
-        Told(plan, claim), gate.Floor(claim), check::Name(claim.unit)));
+    lines.push_back(
+        fmt::format("{}: the noise floor, {:.6g} {}, is wider than the certified set or the "
+                    "clearance: the plan cannot be tested",
+                    Told(plan, claim), gate.Floor(claim), check::Name(claim.unit)));
   }
   return fmt::format("{}", fmt::join(lines, "\n"));
 }

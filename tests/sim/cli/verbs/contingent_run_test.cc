@@ -69,7 +69,7 @@ TEST(ContingentRun, AnAssembly) {
 TEST(ContingentRun, WrongScenarios) {
   const Ended none = Assay({"run", kTree / "scenarios/impossible.yaml", "--tree"});
   EXPECT_EQ(none.code, 10) << none.err;
-  EXPECT_THAT(none.out, HasSubstr("What is missed by least:\n  - the tool would lean 45 deg"));
+  EXPECT_THAT(none.out, HasSubstr("The nearest misses:\n  - the tool would lean 45 deg"));
   const Folder folder;
   const std::string text = TextOf(kTwoCans);
   const std::string cut = folder.Write("cut.yaml", text.substr(0, text.find("    ungrasp: {")));

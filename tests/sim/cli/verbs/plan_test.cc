@@ -106,8 +106,8 @@ TEST(Plan, TellsWhatStandsByForAnError) {
   EXPECT_THAT(ended.out, HasSubstr("check gripper-opening: gripper-opening 76.2 +- 1 mm; if less: "
                                    "error1, groping-search within 10 mm; if more: error2, "
                                    "call-operator\n"));
-  EXPECT_THAT(ended.out, HasSubstr("Not all preconditions of 2 steps are proved: 2 verifications "
-                                   "and 4 recoveries stand by.\n"));
+  EXPECT_THAT(ended.out, HasSubstr("Not all preconditions of 2 steps are proved: the plan has "
+                                   "2 verifications and 4 recoveries for them.\n"));
 }
 
 TEST(Plan, CertificatesFollowTheSchema) {
