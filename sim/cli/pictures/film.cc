@@ -97,7 +97,7 @@ void AddPictureOptions(CLI::App& command, PictureOptions& options, const std::st
       ->capture_default_str();
   command
       .add_option("--samples", options.samples,
-                  "drawn along each side of a pixel: 1 is quick, with jagged edges")
+                  "samples along each side of a pixel: 1 is quick, with jagged edges")
       ->check(CLI::Range(1, render::kMostSamples))
       ->capture_default_str();
   command.add_flag("--no-ghosts", options.hides_ghosts,

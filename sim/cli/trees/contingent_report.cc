@@ -62,7 +62,7 @@ std::string CheckText(const TreeCheck& check) {
   return fmt::format(
       "check: holds in {} of the worlds that the initial knowledge allows, as {} {}{}{}\n",
       check.AreAllWorlds() ? "all" : "a sample", check.worlds, check.worlds == 1 ? "case" : "cases",
-      check.are_numbers_sampled ? ", of their numbers a sample" : "",
+      check.are_numbers_sampled ? ", with a sample of the numbers" : "",
       check.unreached.empty() ? "" : fmt::format(", {} nodes unreached", check.unreached.size()));
 }
 

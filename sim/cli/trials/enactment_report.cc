@@ -98,7 +98,7 @@ std::string LeafTable(const EnactmentStudy& study) {
   }
   if (missed <= kMostMissed) return table.Text();
   return table.Text() +
-         fmt::format("and {} leaves more that were not come to\n", missed - kMostMissed);
+         fmt::format("and {} more leaves that were not reached\n", missed - kMostMissed);
 }
 
 const std::string& WordsOf(const std::string& action, const EnactmentStudy& study) {
@@ -203,14 +203,14 @@ std::string TextOf(const EnactmentStudy& study) {
   const auto unreached = std::ranges::count_if(
       study.leaves, [&](const Leaf& leaf) { return TallyOf(leaf, study).trials == 0; });
   text +=
-      fmt::format("{} of {} leaves were come to",
+      fmt::format("{} of {} leaves were reached",
                   study.leaves.size() - static_cast<std::size_t>(unreached), study.leaves.size());
   text += study.can_spill
               ? fmt::format("; the greatest tilt of what can spill was {:.3f} degrees\n",
                             all.greatest_tilt / kDegree)
               : "\n";
   if (study.sensing_errors > 0) {
-    text += fmt::format("what was sensed was made wrong in {} trials, and the audit told in {}\n",
+    text += fmt::format("sensor results were falsified in {} trials; the audit found it in {}\n",
                         CountFlipped(study, false), CountFlipped(study, true));
   }
   return text;

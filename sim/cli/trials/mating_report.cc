@@ -86,11 +86,11 @@ std::string WhyNone(const FineMotionPlan& plan, const finemotion::StrategyOption
       plan.obstacle ? "; in the way: " + UnwantedText(*plan.obstacle) : "";
   const std::string looked =
       plan.outcome == Outcome::kNone
-          ? fmt::format("looked through all sequences of the planner's maneuvers from {} starts",
+          ? fmt::format("all sequences of the planner's maneuvers from {} starts were tried",
                         search.starts)
           : fmt::format(
-                "not all sequences were looked through with {} nodes for each critical point; "
-                "--nodes raises that",
+                "{} nodes for each critical point were not enough to try all sequences; --nodes "
+                "raises this limit",
                 search.thorough_nodes);
   return fmt::format("{}\n{}\n", in_the_way, looked);
 }
@@ -229,8 +229,8 @@ std::string RecognitionText(const check::RecognitionTally& tally) {
   std::string text;
   if (const auto& states = tally.states; states.errors > 0) {
     text += fmt::format(
-        "error states: {} by contacts, {} recognized as one of the plan's, {} rightly; "
-        "{} in trials without an unwanted contact\n",
+        "error states: {} by the engine's contacts; {} recognized as an error state of the plan, "
+        "{} of them rightly; {} in trials without an unwanted contact\n",
         states.errors, states.named, states.right, tally.needless);
   }
   if (const auto& trials = tally.unwanted; trials.errors > 0) {
@@ -467,8 +467,9 @@ std::string TextOf(const MatingStudy& study) {
   if (const int redrawn = TallyOf(study.strategy).redrawn; redrawn > 0)
     text += fmt::format("errors with which no trial can begin: {}, drawn anew\n", redrawn);
   if (tally.unmapped > 0) {
-    text += fmt::format("of no contact of the model: {} of {} points; first {}\n", tally.unmapped,
-                        tally.points, tally.first_unmapped);
+    text += fmt::format(
+        "contact points of the engine that belong to no contact of the model: {} of {}; first {}\n",
+        tally.unmapped, tally.points, tally.first_unmapped);
   }
   text += RecognitionText(RecognitionOf(study));
   return text + RankingText(study.ranking) + MatedTrialsText("straight", study.straight);

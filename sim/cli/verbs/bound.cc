@@ -185,7 +185,8 @@ std::string SharesText(const std::string& what, const std::vector<algebra::Share
     if (texts.size() == kShownShares) break;
     texts.push_back(fmt::format("{} {:.3g}", problem.pool->name(share.variable), share.cost));
   }
-  return fmt::format("  {} would gain most from knowing: {}\n", what, fmt::join(texts, ", "));
+  return fmt::format("  {} would improve most if these variables were known: {}\n", what,
+                     fmt::join(texts, ", "));
 }
 
 // The cheap bounding methods compute how each bound would change with a variable at its midpoint.

@@ -145,7 +145,8 @@ Execution Declare(CLI::App& command) {
 
 const Verb kCheck = {
     .name = "check",
-    .summary = "checks scenario, sweep, part, workcell and plan files, and tells what they come to",
+    .summary =
+        "checks scenario, sweep, part, workcell and plan files, and reports what follows from them",
     .page = "scenarios/scenario-files.md",
     .example = "assay check scenarios/spar-fig13.yaml models/parts/block/part.yaml",
     .declare = check_verb::Declare,

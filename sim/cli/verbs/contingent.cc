@@ -108,11 +108,13 @@ Execution Declare(CLI::App& command) {
       ->check(CLI::Range(1, 100'000'000))
       ->capture_default_str();
   command.add_option("--tree", options->tree, "check this tree, of --json, instead of planning");
-  command.add_flag("--unfold", options->unfold, "tell shared sub-plans in each branch");
+  command.add_flag("--unfold", options->unfold, "print shared sub-plans in each branch");
   CLI::Option* const json = command.add_flag("--json", options->json, "print the result as JSON");
   command.add_flag("--dot", options->dot, "print the tree for Graphviz")->excludes(json);
   command.add_option("-o,--output", options->output, "write to this file instead of printing");
-  command.add_option("--budget", options->budget, "how often to look at a knowledge state")
+  command
+      .add_option("--budget", options->budget,
+                  "limit of knowledge states, counted with repetitions")
       ->check(CLI::Range(1, std::numeric_limits<int>::max()))
       ->capture_default_str();
   return [options] { return Execute(*options); };

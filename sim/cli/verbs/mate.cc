@@ -220,8 +220,8 @@ std::string FreeText(const Planning& of) {
   const domain::Part& fixed = problem.part(problem.mating(of.task.assemble.mating).fixed);
   if (fixed.clamp > 0) return "";
   return fmt::format(
-      "nothing but its weight keeps {0} where it is, and what pushes against it may move it: a "
-      "fixture is declared by the key clamp of {0} in the scenario, in newtons\n",
+      "only its weight holds {0}, so pushes may move it; declare a fixture with the key `clamp` of "
+      "{0} in the scenario, in newtons\n",
       fixed.name);
 }
 
@@ -287,16 +287,17 @@ ExitCode Execute(const Options& options) {
 void AddUncertainty(CLI::App& command, Options& options) {
   command
       .add_option("--displacement", options.displacement_mm,
-                  "of the part in the hand at first: so many mm at most, in x, y and z, instead "
-                  "of the scenario's mating_errors")
+                  "largest displacement of the held part, mm, in x, y and z, instead of the "
+                  "scenario's mating_errors")
       ->check(Within(domain::kMatingDisplacements, kLengthUnit));
   command
-      .add_option("--rotation", options.rotation_deg, "so many degrees at most, about x, y and z")
+      .add_option("--rotation", options.rotation_deg,
+                  "largest rotation of the held part, degrees, about x, y and z")
       ->check(Within(domain::kMatingRotations, kAngleUnit));
   command
-      .add_option("--velocity", options.velocity,
-                  "directions of motion err by such a share of the motion at most, 0.002 being "
-                  "0.2 %")
+      .add_option(
+          "--velocity", options.velocity,
+          "largest error of the direction of motion, as a share of the motion: 0.002 is 0.2 %")
       ->check(Within(domain::kMatingVelocities, kRatioUnit));
   command
       .add_option("--clearance", options.clearance_mm, "mm on each side, instead of the scenario's")
@@ -314,8 +315,8 @@ void AddUncertainty(CLI::App& command, Options& options) {
       ->capture_default_str();
   command
       .add_option("--nodes", options.nodes,
-                  "where no strategy is found: so many nodes at most for each critical point, to "
-                  "look through all sequences of contacts; if that is not enough, exit code 11")
+                  "limit of nodes for each critical point when no strategy was found and all "
+                  "sequences of contacts are tried; if that is not enough, exit code 11")
       ->check(CLI::Range(1, kMostNodes))
       ->capture_default_str();
 }

@@ -106,7 +106,7 @@ Execution Declare(CLI::App& command) {
   command.add_option("--csv", options->tables, "folder for the tables, one CSV file each");
   command
       .add_option("--cells", options->cells_in_full,
-                  "how many cells have their certificates told step by step, at most")
+                  "largest number of cells whose certificates are shown step by step")
       ->check(CLI::Range(0, 1000))
       ->capture_default_str();
   command.add_flag("--pictures", options->pictures,

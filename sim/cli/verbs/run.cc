@@ -327,7 +327,7 @@ ExitCode Execute(const Options& options) {
   if (!IsPlanFile(document) && (options.tree || enact::NeedsATree(document))) {
     return ExecuteTree(options);
   }
-  RefuseOptions(options.of_trees, "is for plan trees, which --tree makes of any scenario");
+  RefuseOptions(options.of_trees, "is for plan trees; --tree makes one from any scenario");
   PlannedProblem planned = Planned(document, options);
   const plan::PlanResult& result = planned.result;
   Json plan_file = plan::ToJson(result, planned.problem, planned.scenario);

@@ -48,8 +48,7 @@ void Locate(const PlannedProblem& planned, std::vector<plan::Flaw>& flaws) {
 void RequireGoal(const Document& document, const domain::Problem& problem) {
   if (!problem.goals.empty()) return;
   throw InputError(
-      {.file = document.file()},
-      "the goal is one of knowledge, for which there are no plans without branches",
+      {.file = document.file()}, "the goal is about knowledge, so its plan is a tree",
       "a scenario with a key `goal`; or assay plan and assay run, which know plan trees");
 }
 

@@ -68,7 +68,7 @@ TEST_F(BoundVerb, TableForPeople) {
   EXPECT_EQ(ended.code, 0) << ended.err;
   EXPECT_THAT(ended.out, StartsWith("expression"));
   EXPECT_THAT(ended.out, HasSubstr("3.27933"));
-  EXPECT_THAT(ended.out, HasSubstr("would gain most from knowing: dx"));
+  EXPECT_THAT(ended.out, HasSubstr("would improve most if these variables were known: dx"));
 }
 
 TEST_F(BoundVerb, SameBytesButForSeconds) {

@@ -31,7 +31,7 @@ TEST(ContingentRun, AFalseClaimFailsATrialWithTheGoalReached) {
   EXPECT_THAT(ended.out,
               AllOf(HasSubstr("trial 1: false-claim: after step 2 isSpillable(can1) is claimed"),
                     HasSubstr("; the goal is true"), HasSubstr("--sensing-errors 1 --trial 1"),
-                    HasSubstr("made wrong in 1 trials, and the audit told in 1")));
+                    HasSubstr("falsified in 1 trials; the audit found it in 1")));
 }
 
 // The models' folder was given, so the command that repeats the trial must give it as well.

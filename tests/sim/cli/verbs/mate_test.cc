@@ -35,7 +35,7 @@ TEST(Mate, WithoutAStrategyThereIsNoPlan) {
   const Ended ended = Assay({"mate", kSquare, "--displacement", "20", "--rotation", "10"});
   EXPECT_EQ(ended.code, 10) << ended.err;
   EXPECT_THAT(ended.out, HasSubstr("; in the way: "));
-  EXPECT_THAT(ended.out, HasSubstr("looked through all sequences"));
+  EXPECT_THAT(ended.out, HasSubstr("all sequences of the planner's maneuvers from"));
 }
 
 // The obstacle happens beyond the scale that is certain. With greater errors it happens at a
