@@ -43,7 +43,7 @@ void RequireKnownPoses(const Document& document, const domain::Problem& problem,
     const std::string& name = problem.part(open.part).name;
     if (overrides.poses.contains(name)) continue;
     document.root().At("parts").At(name).At("pose").Fail(
-        fmt::format("the pose of '{}' is open, and this is about one world", name),
+        fmt::format("the pose of '{}' is open, but this command needs exactly one world", name),
         "a pose; or assay plan and assay run, which make and execute a tree for all worlds");
   }
 }

@@ -48,8 +48,8 @@ class FaultMaker {
   bool IsAbove(const plan::Verification& check) const { return check.below != fault_.error; }
 
   std::string Wanted(const plan::Verification& check) const {
-    return fmt::format("what {} tells is {} by more than {:.1f} mm", fault_.error,
-                       IsAbove(check) ? "above" : "below", 1e3 * check.tolerance);
+    return fmt::format("error {} is signalled if the measurement is too {} by more than {:.1f} mm",
+                       fault_.error, IsAbove(check) ? "great" : "small", 1e3 * check.tolerance);
   }
 
   std::variant<Fault, std::string> OfOpening(const plan::Action& action,
@@ -61,12 +61,12 @@ class FaultMaker {
       return fault_;
     }
     if (pickup == nullptr) {
-      return fmt::format("{}, and nothing opens pads that have closed", Wanted(check));
+      return fmt::format("{}, but nothing opens pads that have closed", Wanted(check));
     }
     const double opening = TurnOntoCorners(*pickup);
     const double greatest = problem_.workcell->gripper().max_opening();
     if (opening > pickup->hold.width + check.tolerance && opening < greatest) return fault_;
-    return fmt::format("{}, and {} that is turned opens the pads to {:.1f} mm, of {:.1f} mm",
+    return fmt::format("{}, but {} that is turned opens the pads to {:.1f} mm, of {:.1f} mm",
                        Wanted(check), problem_.part(fault_.part).name, 1e3 * opening,
                        1e3 * greatest);
   }
@@ -116,7 +116,7 @@ class FaultMaker {
     }
     const double guarded = problem_.workcell->rules().guarded_travel;
     if (check.tolerance >= guarded) {
-      return fmt::format("{}, and a guarded move ends within {:.1f} mm", Wanted(check),
+      return fmt::format("{}, but a guarded move ends within {:.1f} mm", Wanted(check),
                          1e3 * guarded);
     }
     if (!is_assembly) {
@@ -128,7 +128,7 @@ class FaultMaker {
     const double doubt = check.tolerance - ToleranceWithoutDoubt(check);
     if (check.tolerance + doubt >= guarded) {
       return fmt::format(
-          "{}, and a guarded move ends within {:.1f} mm of a height that may be off "
+          "{}, but a guarded move ends within {:.1f} mm of a height that may be off "
           "by {:.1f} mm",
           Wanted(check), 1e3 * guarded, 1e3 * doubt);
     }

@@ -76,7 +76,8 @@ class KnowledgeFile {
   // Returns whether the robot of the arguments can reach every part at the middle of the place, in
   // the stable pose that the part has at the start.
   bool CanBeReached(const Roles& roles, const std::string& arguments) {
-    if (roles.place == nullptr) throw std::invalid_argument("it needs a place");
+    if (roles.place == nullptr)
+      throw std::invalid_argument("this extern needs a place among its arguments");
     const domain::Problem problem =
         roles.robot.IsNone() ? problem_ : domain::WorkedBy(problem_, roles.robot);
     for (std::size_t i = 0; i < problem.parts.size(); ++i) {

@@ -181,8 +181,8 @@ class WorldSearch {
 
   std::string Refutation(PartId part) const {
     const bool is_hidden = interpretation_.hidden.contains(part);
-    return fmt::format("nothing that {} {} makes {}", problem_.part(part).name,
-                       is_hidden ? "may hide" : "is known to be",
+    return fmt::format("the {} properties of {} exclude {}",
+                       is_hidden ? "possible hidden" : "known", problem_.part(part).name,
                        fmt::join(asked_[part.index()], " & "));
   }
 

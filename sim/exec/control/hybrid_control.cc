@@ -159,7 +159,7 @@ HybridControl::Ended HybridControl::DrawBack() {
   while (out.dot(arm_.MeasuredTip().translation() - start) < kAbove) {
     if (Ended error = Step({.yielding = up + YieldingAcross(up)})) return error;
     if (arm_.wrench().head<3>().dot(-out) > law_.obstructing_force)
-      return Error(MatingOutcome::kWedged, "it cannot be drawn back");
+      return Error(MatingOutcome::kWedged, "the arm cannot draw the part back");
   }
   arm_.TakeStock();
   X_FixedStart.translation() = start + kAbove * out;

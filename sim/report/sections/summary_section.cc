@@ -90,7 +90,7 @@ Element Tiles(const Findings& findings, const Tally& tally) {
           SuccessWords(tally));
   AddTile(
       tiles, "Certificates violated in trials", Counted(tally.violated()),
-      fmt::format("of {} held against what truly happened; {}, {}, {}",
+      fmt::format("of {} compared with the true poses; {}, {}, {}",
                   CountText(tally.certificates.Total()), Told(tally, Standing::kWithinResolution),
                   Told(tally, Standing::kInconclusive), Told(tally, Standing::kNotClaimed)));
   if (tally.attacked > 0) {
@@ -148,8 +148,8 @@ Element MarkKey() {
   key.Set("class", "key").Set("aria-label", "What the marks mean");
   AddKey(key, Standing::kContained, "observed where it was predicted");
   AddKey(key, Standing::kWithinResolution,
-         "outside, by less than the engine can tell from nothing (the noise floor); no sign of a "
-         "wrong prediction");
+         "outside by less than the noise floor, the error that the engine itself makes; no sign of "
+         "a wrong prediction");
   AddKey(key, Standing::kInconclusive,
          "outside by more than that, and not confirmed with half the timestep");
   AddKey(key, Standing::kViolated, "outside by more than that, and confirmed");

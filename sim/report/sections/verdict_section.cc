@@ -84,12 +84,13 @@ Element Verdicts(const Subject& subject) {
     section.Add("p", "No certificate has been held against a trial yet.");
     return section;
   }
-  section.Add("p",
-              "A step's certificate comes out as its worst claim: one that predicts less than the "
-              "engine resolves puts it within the engine’s resolution, however well the others do; "
-              "that is no sign of a wrong prediction. The margin is the distance to the nearer end "
-              "of what was predicted, negative outside; the gate is what the engine cannot tell "
-              "from nothing.");
+  section.Add(
+      "p",
+      "The verdict on a step's certificate is that of its worst claim: if one claim is within "
+      "the engine’s resolution, so is the certificate, however well the other claims do; "
+      "that is no sign of a wrong prediction. The margin is the distance to the nearer end "
+      "of what was predicted, negative outside; the gate is the noise floor, the error that "
+      "the engine itself makes.");
   for (const CellFindings* cell : subject.in_full) section.Add(CellTable(subject, *cell));
   if (subject.left_out() > 0) {
     section

@@ -47,7 +47,7 @@ std::string Trouble(int code, const char* words, int system_error) {
     case SQLITE_CONSTRAINT:
       // Keys are numbers of trials, so a conflict means that a trial is stored already.
       return fmt::format(
-          "what is to be written is there already ({}); is another program doing the "
+          "the database already contains this trial or plan ({}); is another program doing the "
           "same sweep?",
           words);
     default:

@@ -336,7 +336,7 @@ void Store::RequireTables() const {
     made.Bind(statement);
     const bool is_there = made.Next() && made.Integer(0) == 1;
     if (is_there) continue;
-    Refuse(fmt::format("it does not have what this makes: {}",
+    Refuse(fmt::format("a table or index is missing or differs; expected: {}",
                        statement.substr(0, statement.find('('))),
            "the tables as assay sweep makes them");
   }

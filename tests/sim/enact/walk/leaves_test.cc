@@ -83,12 +83,12 @@ std::vector<std::string> WhyNoWorldLeadsThere(const KnowledgeScenario& scenario)
 TEST(Leaves, WhatIsNotHiddenIsKnown) {
   KnowledgeScenario cans = TwoCans();
   cans.interpretation.hidden.erase(PartId(1));
-  const char* const kLight = "nothing that can2 is known to be makes !isSpillable(can2)";
+  const char* const kLight = "the known properties of can2 exclude !isSpillable(can2)";
   EXPECT_THAT(WhyNoWorldLeadsThere(cans), ElementsAre("", kLight, "", kLight));
   KnowledgeScenario bottle = Load(kRoot / "scenarios/bottles.yaml", kRoot / "models");
   bottle.interpretation.hidden.clear();
   EXPECT_THAT(WhyNoWorldLeadsThere(bottle),
-              ElementsAre("nothing that bottle is known to be makes isEmptyBottle(bottle)", ""));
+              ElementsAre("the known properties of bottle exclude isEmptyBottle(bottle)", ""));
 }
 
 contingent::GroundLiteral LiteralOf(const KnowledgeScenario& scenario, const std::string& atom) {
@@ -148,7 +148,8 @@ TEST(Leaves, ThatNoWorldLeadsTo) {
   EXPECT_THAT(are_reachable, ElementsAre(false, false, true, true));
   const Leaf first = LeavesOf(scenario.interpretation.task, TreeOf(scenario), 100).front();
   const auto why = FindWorld(first, scenario.interpretation, scenario.scenario.problem, random);
-  EXPECT_EQ(std::get<std::string>(why), "nothing that can1 may hide makes isSpillable(can1)");
+  EXPECT_EQ(std::get<std::string>(why),
+            "the possible hidden properties of can1 exclude isSpillable(can1)");
 }
 
 }  // namespace
