@@ -192,8 +192,8 @@ class TravelSearch {
       return fmt::format("no way to {} that was tried is free: {}", where, arm_->in_the_way());
     }
     if (has_no_destination) {
-      return fmt::format("no configuration of the arm reaches {} and goes on straight from there",
-                         where);
+      return fmt::format(
+          "no configuration of the arm reaches {} and can follow the next straight line", where);
     }
     return fmt::format("every way to {} comes within {:.0f} mm of the table or a part", where,
                        1e3 * kTravelGap);

@@ -48,7 +48,7 @@ class FaultMaker {
   bool IsAbove(const plan::Verification& check) const { return check.below != fault_.error; }
 
   std::string Wanted(const plan::Verification& check) const {
-    return fmt::format("error {} is signalled if the measurement is too {} by more than {:.1f} mm",
+    return fmt::format("{} is signalled if the measurement is too {} by more than {:.1f} mm",
                        fault_.error, IsAbove(check) ? "great" : "small", 1e3 * check.tolerance);
   }
 

@@ -96,7 +96,7 @@ TEST(TravelPlan, WhatIsClaimedOfWaysIsComputedAnew) {
     if (claim.condition == "reach") claim.bound = claim.margin = 2 * claim.bound;
   }
   EXPECT_THAT(FlawsOfTravels(problem, bragging),
-              Contains(Field(&plan::Flaw::what, HasSubstr("reach is said to be above"))));
+              Contains(Field(&plan::Flaw::what, HasSubstr("the file says that reach is above"))));
   plan::Plan turned = plan;
   turned.steps[0].travel->path.front()[5] += 2 * M_PI;
   EXPECT_THAT(FlawsOfTravels(problem, turned),

@@ -134,7 +134,7 @@ INSTANTIATE_TEST_SUITE_P(
                   "of extent 1e+300 m; allowed: positive extents, 1e-06 m to 100 m"},
         WrongFile{"minute_shape", "radius=\"0.3\"", "radius=\"1e-300\"", "positive extents"},
         WrongFile{"vast_mass", "mass value=\"2\"", "mass value=\"1e300\"", "at most 100000 kg"},
-        WrongFile{"vast_inertia", "iyy=\"4\"", "iyy=\"1e300\"", "beyond measure"},
+        WrongFile{"vast_inertia", "iyy=\"4\"", "iyy=\"1e300\"", "an inertia that is too large"},
         WrongFile{"vast_range", "upper=\"2\"", "upper=\"101\"", "from -100 m to 100 m"},
         WrongFile{"vast_speed", "velocity=\"3\"", "velocity=\"1e9\"",
                   "at most 1000 m/s and 1000000 N"},

@@ -199,7 +199,7 @@ TEST(PartFileTest, SolidsHangTogetherByOthers) {
 
 TEST(PartFileTest, PocketsLeaveSolidsInOnePiece) {
   EXPECT_THAT(ErrorOf(With("[[45, 10, 5], [60, 30, 15]]", "[[10, -1, -1], [15, 41, 21]]")),
-              HasSubstr("the pockets cut solid 'body' into pieces that nothing holds together"));
+              HasSubstr("the pockets cut solid 'body' into unconnected pieces"));
 }
 
 // The result does not depend on how the whole part is turned.

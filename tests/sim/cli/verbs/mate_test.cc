@@ -123,7 +123,7 @@ TEST(Mate, AStrategyLeadsThroughAllCriticalPoints) {
 TEST(Mate, AFixturesAbsenceIsTold) {
   const Ended ended = Assay({"mate", kTree / "scenarios/keyed.yaml", "--trials", "1"});
   EXPECT_EQ(ended.code, 12) << ended.err;
-  EXPECT_THAT(ended.out, HasSubstr("a fixture is declared by the key clamp of block"));
+  EXPECT_THAT(ended.out, HasSubstr("declare a fixture with the key `clamp` of block"));
 }
 
 // The block stands on one end, and the plan lays it down before the mating.
