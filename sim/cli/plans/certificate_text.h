@@ -13,7 +13,7 @@ namespace assay::cli {
 std::string CertificateText(const plan::PlannedStep& step);
 
 // Returns which steps were inserted for which step and why, what could not be proved, and which
-// recoveries stand by for it. Empty if the plan was made without regard to uncertainty.
+// recoveries the plan has for it. Empty if the plan was made without regard to uncertainty.
 std::string UncertaintyText(const plan::Plan& plan);
 // Returns what may fail although every precondition is proved (plan::NotCovered), with a line for
 // each.
