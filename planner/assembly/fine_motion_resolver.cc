@@ -10,6 +10,7 @@
 #include "planner/constraint_posting/resolvers/moment.h"
 #include "planner/constraint_posting/resolvers/sensing_resolver.h"
 #include "planner/finemotion/search/likely_errors.h"
+#include "planner/plan/data/condition_table.h"
 
 namespace assay::assembly {
 namespace {
@@ -37,9 +38,9 @@ constexpr double kGreatestShift = 0.006;
 constexpr double kGreatestTurn = 0.2;  // radians; contacts are linear only up to this turn
 
 // Returns true for absorbed conditions and for the conditions that replace them.
-bool IsAnswered(const std::string& condition) {
-  return std::ranges::count(AbsorbedConditions(), condition) > 0 || condition == "tip shift" ||
-         condition == "tip turn";
+bool IsAnswered(plan::Condition condition) {
+  return condition->absorbed_by == plan::AbsorbedBy::kFineMotion ||
+         condition->needed_by == plan::NeededBy::kStrategy;
 }
 
 bool IsWithin(const TipBox& box, const TipBox& limits) {
@@ -112,11 +113,6 @@ std::vector<std::vector<Insertion>> LooksAtPartsOf(const UnmetGoals& unmet,
 
 }  // namespace
 
-const std::vector<std::string>& AbsorbedConditions() {
-  static const std::vector<std::string> conditions = {"entry", "slide-in", "tilt", "seat"};
-  return conditions;
-}
-
 TipBox TipBoxAt(const UnmetGoals& unmet, uncertainty::Propagation propagation, const TipWay& way) {
   UncertainWorld world(unmet.problem, propagation);
   for (int i = 0; i < unmet.step; ++i) {
@@ -149,7 +145,7 @@ std::vector<Remedy> FineMotionResolver::Propose(const UnmetGoals& unmet) {
     if (!strategy) continue;
     return {{.part = mating.held,
              .insertions = std::move(insertions),
-             .absorbs = AbsorbedConditions(),
+             .absorbs = plan::AbsorbedByFineMotion(),
              .strategy = std::move(strategy)}};
   }
   return {};
@@ -171,7 +167,7 @@ std::optional<plan::Strategy> FineMotionResolver::StrategyFor(const UnmetGoals& 
     if (box.d.norm() >= kGreatestShift || box.w.norm() >= kGreatestTurn) return std::nullopt;
     box = {box.d.cwiseMax(kLeastShift), box.w.cwiseMax(kLeastTurn)};
     const plan::StrategyCertificate certificate = {
-        .absorbs = AbsorbedConditions(),
+        .absorbs = plan::AbsorbedByFineMotion(),
         .d = box.d,
         .w = box.w,
         .velocity = unmet.problem.mating_errors.velocity};

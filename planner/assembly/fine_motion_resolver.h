@@ -8,12 +8,10 @@
 
 #include "planner/constraint_posting/resolvers/resolver.h"
 #include "planner/finemotion/contacts/mating.h"
+#include "planner/plan/data/condition_table.h"
 #include "planner/uncertainty/errors/tip_error.h"
 
 namespace assay::assembly {
-
-// Returns the conditions of an assemble that strategies absorb.
-const std::vector<std::string>& AbsorbedConditions();
 
 // Proposes fine motion for an assemble action whose shaft may miss its hole. A strategy is a
 // sequence of contacts that is certain in spite of the possible errors (Dakin and Popplestone). The
@@ -24,7 +22,7 @@ class FineMotionResolver : public constraint_posting::Resolver {
   explicit FineMotionResolver(uncertainty::Propagation propagation) : propagation_(propagation) {}
 
   std::string_view name() const override { return "fine-motion"; }
-  std::vector<std::string> absorbs() const override { return AbsorbedConditions(); }
+  std::vector<plan::Condition> absorbs() const override { return plan::AbsorbedByFineMotion(); }
   // Returns remedies only if all unmet goals of the step concern a shaft and its hole.
   std::vector<constraint_posting::Remedy> Propose(
       const constraint_posting::UnmetGoals& unmet) override;

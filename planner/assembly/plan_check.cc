@@ -8,7 +8,6 @@
 #include <utility>
 #include <variant>
 
-#include "planner/assembly/fine_motion_resolver.h"
 #include "planner/assembly/travel_plan.h"
 #include "planner/finemotion/replay/strategy_check.h"
 
@@ -20,9 +19,9 @@ std::vector<std::string> FlawsOfStrategy(const domain::Problem& problem,
                                          const plan::Strategy& strategy) {
   std::vector<std::string> flaws =
       finemotion::FlawsOfStrategy(finemotion::GeometryOf(problem, mating), strategy);
-  for (const std::string& condition : strategy.certificate.absorbs) {
-    if (std::ranges::count(AbsorbedConditions(), condition) > 0) continue;
-    flaws.push_back(fmt::format("no strategy absorbs '{}'", condition));
+  for (const plan::Condition condition : strategy.certificate.absorbs) {
+    if (condition->absorbed_by == plan::AbsorbedBy::kFineMotion) continue;
+    flaws.push_back(fmt::format("no strategy absorbs '{}'", condition.name()));
   }
   const double velocity = problem.mating_errors.velocity;
   if (strategy.certificate.velocity < velocity) {

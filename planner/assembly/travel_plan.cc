@@ -15,7 +15,7 @@
 #include "planner/motion/path/path_search.h"
 #include "planner/motion/path/straight_line.h"
 #include "planner/motion/path/travel.h"
-#include "planner/plan/data/condition_kind.h"
+#include "planner/plan/data/coverage.h"
 
 namespace assay::assembly {
 namespace {
@@ -370,10 +370,10 @@ void CheckClaims(const WayCertainty& certainty, Whither whither, const plan::Pla
     if (own == anew.end() || claim.bound > own->bound + kSameClaim) {
       flaws.push_back(fmt::format(
           "the file says that {} is above {:.6g}, but the new computation does not confirm this",
-          claim.condition, claim.bound));
+          claim.condition.name(), claim.bound));
     } else if (!IsSaidOf(claim, *own)) {
       flaws.push_back(
-          fmt::format("{} in the file differs from the new computation", claim.condition));
+          fmt::format("{} in the file differs from the new computation", claim.condition.name()));
     }
   }
 }

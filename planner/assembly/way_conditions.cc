@@ -6,14 +6,16 @@
 
 #include "planner/algebra/bounds/bounds.h"
 #include "planner/algebra/expression/text.h"
+#include "planner/plan/data/condition_table.h"
 
 namespace assay::assembly {
 namespace {
 
 // Returns the claim that a number, which already bounds the effect of the errors, is greater than
 // 0.
-plan::CertifiedPrecondition IsPositive(std::string condition, std::string meaning, double least) {
-  return {.condition = std::move(condition),
+plan::CertifiedPrecondition IsPositive(plan::Condition condition, std::string meaning,
+                                       double least) {
+  return {.condition = condition,
           .meaning = std::move(meaning),
           .expression = algebra::Text(algebra::Expression(least)),
           .relation = plan::Relation::kGreater,
@@ -24,8 +26,6 @@ plan::CertifiedPrecondition IsPositive(std::string condition, std::string meanin
           .method = std::string(algebra::Name(algebra::BoundingMethod::kLinear))};
 }
 
-constexpr char kReach[] = "reach";
-constexpr char kWayClear[] = "way clear";
 constexpr char kOnTheWayHome[] = " on the way home";
 
 }  // namespace
@@ -36,17 +36,19 @@ std::vector<plan::CertifiedPrecondition> WayConditions(const WayCertainty& certa
   std::vector<plan::CertifiedPrecondition> conditions;
   if (!certainty.Reaches()) return conditions;
   conditions.push_back(
-      IsPositive(kReach, "joints stay within their ranges and the arm in its configuration" + on,
+      IsPositive(plan::condition::kReach,
+                 "joints stay within their ranges and the arm in its configuration" + on,
                  certainty.sway.room));
   if (certainty.kept > 0) {
-    conditions.push_back(IsPositive(
-        kWayClear, "the arm and what it carries stay clear of everything" + on, certainty.kept));
+    conditions.push_back(IsPositive(plan::condition::kWayClear,
+                                    "the arm and what it carries stay clear of everything" + on,
+                                    certainty.kept));
   }
   return conditions;
 }
 
-bool IsWayCondition(std::string_view condition) {
-  return condition == kReach || condition == kWayClear;
+bool IsWayCondition(plan::Condition condition) {
+  return condition->needed_by == plan::NeededBy::kWay;
 }
 
 void RemoveWayConditions(plan::Certificate& certificate) {

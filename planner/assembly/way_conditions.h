@@ -1,6 +1,5 @@
 #pragma once
 
-#include <string_view>
 #include <vector>
 
 #include "planner/motion/clear/sway.h"
@@ -20,15 +19,11 @@ struct WayCertainty {
 
 enum class Whither { kWork, kHome };
 
-// Returns the proved preconditions of a step about the arm (sound mode). If one is missing,
-// plan::NotCovered reports it.
-//   reach      the arm reaches every pose that errors may require, in the planned configuration
-//              and within its joints' ranges (motion::SwayAlong)
-//   way clear  arm, hand and held part are clear of everything on the way, and the arm is clear on
-//              the straight lines of the work, wherever parts and joints are within their errors
+// Returns the proved preconditions of a step about the arm (sound mode): kReach and kWayClear of
+// plan::condition. If one is missing, plan::NotCovered reports it.
 std::vector<plan::CertifiedPrecondition> WayConditions(const WayCertainty& certainty,
                                                        Whither whither);
-bool IsWayCondition(std::string_view condition);
+bool IsWayCondition(plan::Condition condition);
 // Removes from a certificate all claims about ways, and the statements that such claims are
 // missing.
 void RemoveWayConditions(plan::Certificate& certificate);

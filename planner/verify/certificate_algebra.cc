@@ -29,7 +29,7 @@ bool HoldsNumber(const Interval& range) {
 CertificateAlgebra::CertificateAlgebra(const plan::PlannedStep& step, const std::string& file)
     : place_(fmt::format("{}: certificate of {}", file, step.name)),
       pool_(std::make_unique<algebra::ExpressionPool>()) {
-  for (const auto& [name, range] : step.certificate.variables) {
+  for (const auto& [name, range, dimension] : step.certificate.variables) {
     if (!IsName(name) || pool_->Find(name)) {
       throw InputError({.file = place_}, fmt::format("'{}' is no new variable", name),
                        "names of letters, digits and _, each once");
@@ -39,6 +39,7 @@ CertificateAlgebra::CertificateAlgebra(const plan::PlannedStep& step, const std:
                        "[low, high] with a number between them");
     }
     pool_->Declare(name, range);
+    dimensions_.push_back(dimension);
   }
   box_ = algebra::DeclaredBox(*pool_);
   shared_ = algebra::ParseShared(step.certificate.shared, *pool_, {place_, 1, 1});

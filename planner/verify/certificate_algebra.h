@@ -22,11 +22,15 @@ class CertificateAlgebra {
 
   const algebra::ExpressionPool& pool() const { return *pool_; }
   const algebra::ConstraintSet& box() const { return box_; }  // ranges of the variables
+  domain::Dimension DimensionOf(algebra::VariableId variable) const {
+    return dimensions_[static_cast<std::size_t>(variable.index())];
+  }
 
  private:
   std::string place_;
   std::unique_ptr<algebra::ExpressionPool> pool_;
   algebra::ConstraintSet box_;
+  std::vector<domain::Dimension> dimensions_;  // by VariableId
   std::vector<algebra::Expression> shared_;
 };
 

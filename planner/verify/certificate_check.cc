@@ -10,6 +10,7 @@
 
 #include "planner/algebra/bounds/bounds.h"
 #include "planner/algebra/methods/glance.h"
+#include "planner/plan/data/condition_table.h"
 #include "planner/uncertainty/errors/tip_error.h"
 #include "planner/verify/certificate_algebra.h"
 
@@ -153,15 +154,15 @@ class ClaimCheck {
 // strategy must therefore have claims about the tip errors.
 bool LacksTipErrors(const plan::PlannedStep& step) {
   if (!step.strategy || step.certificate == plan::Certificate{}) return false;
-  const auto is_claimed = [&](const char* condition) {
+  const auto is_claimed = [&](plan::Condition condition) {
     return std::ranges::count(step.certificate.preconditions, condition,
                               &CertifiedPrecondition::condition) > 0;
   };
-  return !is_claimed("tip shift") || !is_claimed("tip turn");
+  return !is_claimed(plan::condition::kTipShift) || !is_claimed(plan::condition::kTipTurn);
 }
 
 // Each axis in turn has two claims, one for each sign.
-bool IsProvedWithin(const plan::PlannedStep& step, const char* condition,
+bool IsProvedWithin(const plan::PlannedStep& step, plan::Condition condition,
                     const geometry::Vector3& most) {
   int claims = 0;
   return std::ranges::all_of(step.certificate.preconditions, [&](const auto& claim) {
@@ -175,8 +176,8 @@ bool IsProvedWithin(const plan::PlannedStep& step, const char* condition,
 bool ExceedsTipErrors(const plan::PlannedStep& step) {
   if (!step.strategy) return false;
   const plan::StrategyCertificate& certificate = step.strategy->certificate;
-  return !IsProvedWithin(step, "tip shift", certificate.d) ||
-         !IsProvedWithin(step, "tip turn", uncertainty::SinesWithin(certificate.w));
+  return !IsProvedWithin(step, plan::condition::kTipShift, certificate.d) ||
+         !IsProvedWithin(step, plan::condition::kTipTurn, uncertainty::SinesWithin(certificate.w));
 }
 
 void CheckClaims(plan::StepId id, const plan::PlannedStep& step, const std::string& file,
@@ -186,7 +187,7 @@ void CheckClaims(plan::StepId id, const plan::PlannedStep& step, const std::stri
   for (std::size_t i = 0; i < claims.size(); ++i) {
     for (const std::string& flaw : ClaimCheck(claims[i], algebra).Flaws()) {
       flaws.push_back(
-          {id, fmt::format("precondition {}, {}: {}", i + 1, claims[i].condition, flaw)});
+          {id, fmt::format("precondition {}, {}: {}", i + 1, claims[i].condition.name(), flaw)});
     }
   }
 }

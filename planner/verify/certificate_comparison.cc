@@ -10,7 +10,7 @@
 #include "planner/base/random.h"
 #include "planner/constraint_posting/uncertainty_phase/verification.h"
 #include "planner/domain/mating/shaft_fit.h"
-#include "planner/plan/data/condition_kind.h"
+#include "planner/plan/data/coverage.h"
 #include "planner/plan/file/certificate_file.h"
 #include "planner/plan/file/recovery_file.h"
 #include "planner/uncertainty/preconditions/certify.h"

@@ -87,6 +87,7 @@ Proof CertificateProofs::Of(const CertifiedPrecondition& claim) const {
     for (const algebra::Share& share :
          less ? SharesOfSup(e, box, kCheap) : SharesOfInf(e, box, kCheap)) {
       proof.variables.push_back({.name = pool.name(share.variable),
+                                 .dimension = algebra_.DimensionOf(share.variable),
                                  .range = box.box[share.variable.index()],
                                  .worst = worst[share.variable.index()],
                                  .cost = share.cost});
@@ -96,8 +97,10 @@ Proof CertificateProofs::Of(const CertifiedPrecondition& claim) const {
   const auto tightenings = less ? TighteningsToBringSupBelow(claim.limit, e, box, kCheap)
                                 : TighteningsToBringInfAbove(claim.limit, e, box, kCheap);
   if (!tightenings.empty()) {
-    const Interval& range = box.box[tightenings.front().variable.index()];
-    proof.remedy = {.name = pool.name(tightenings.front().variable),
+    const algebra::VariableId variable = tightenings.front().variable;
+    const Interval& range = box.box[variable.index()];
+    proof.remedy = {.name = pool.name(variable),
+                    .dimension = algebra_.DimensionOf(variable),
                     .range = range,
                     .enough = Shrunk(range, tightenings.front().factor)};
   }

@@ -12,6 +12,7 @@ namespace assay::verify {
 // One variable in the proof of a precondition.
 struct VariableInProof {
   std::string name;
+  domain::Dimension dimension;
   Interval range;
   std::optional<double> worst;  // value at the worst corner
   double cost = 0;              // improvement of the bound if the value were known
@@ -20,6 +21,7 @@ struct VariableInProof {
 // A variable's range, before and after it is narrowed enough for a proof.
 struct NarrowedVariable {
   std::string name;
+  domain::Dimension dimension;
   Interval range;
   Interval enough;
 };

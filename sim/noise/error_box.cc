@@ -1,5 +1,7 @@
 #include "sim/noise/error_box.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
 
 #include "planner/base/check.h"
@@ -8,6 +10,11 @@ namespace assay::noise {
 namespace {
 
 constexpr Interval kNothing = {0, 0};
+constexpr char kClearance[] = "clearance";
+constexpr char kFriction[] = "friction";
+constexpr char kPadFriction[] = "pad_friction";
+constexpr char kHand[] = "hand";
+constexpr char kSensed[] = "sensed";
 
 class BoxBuilder {
  public:
@@ -18,15 +25,15 @@ class BoxBuilder {
   void AddStart() {
     for (std::size_t p = 0; p < problem_.parts.size(); ++p) {
       const domain::PoseError& error = problem_.parts[p].error;
-      AddPart("dx", Effect::kPartX, p, error.x);
-      AddPart("dy", Effect::kPartY, p, error.y);
-      AddPart("dz", Effect::kTableHeight, p, error.z);
-      AddPart("theta", Effect::kPartYaw, p, error.theta);
+      AddPart(plan::error::kX, Effect::kPartX, p, error.x);
+      AddPart(plan::error::kY, Effect::kPartY, p, error.y);
+      AddPart(plan::error::kZ, Effect::kTableHeight, p, error.z);
+      AddPart(plan::error::kTheta, Effect::kPartYaw, p, error.theta);
     }
     const domain::Tolerances& tolerances = problem_.tolerances;
-    AddWhole("clearance", Effect::kClearance, tolerances.clearance);
-    AddWhole("friction", Effect::kFriction, tolerances.friction);
-    AddWhole("pad_friction", Effect::kPadFriction, tolerances.pad_friction);
+    AddWhole(kClearance, Effect::kClearance, tolerances.clearance);
+    AddWhole(kFriction, Effect::kFriction, tolerances.friction);
+    AddWhole(kPadFriction, Effect::kPadFriction, tolerances.pad_friction);
   }
 
   void AddStep(const plan::PlannedStep& step, StepId id) {
@@ -41,16 +48,17 @@ class BoxBuilder {
   void operator()(const plan::Putdown& putdown) {
     AddHand();
     const domain::Part& part = problem_.part(putdown.part);
-    AddAtStep("dz_" + part.name, Effect::kTableHeight, putdown.part, part.error.z);
+    AddAtStep(plan::error::kZ, part.name, Effect::kTableHeight, putdown.part, part.error.z);
   }
   void operator()(const plan::Sense& sense) {
     const domain::SensorModel* sensor =
         problem_.workcell->uncertainty_operations().FindSensor(sense.sensor);
     ASSAY_CHECK(sensor != nullptr, "the workcell has no sensor '{}'", sense.sensor);
-    AddAtStep("dx_sensed", Effect::kSensedX, sense.part, Measured(sensor->x));
-    AddAtStep("dy_sensed", Effect::kSensedY, sense.part, Measured(sensor->y));
-    AddAtStep("dz_sensed", Effect::kSensedZ, sense.part, Measured(sensor->z));
-    AddAtStep("theta_sensed", Effect::kSensedYaw, sense.part, Measured(sensor->theta));
+    AddAtStep(plan::error::kX, kSensed, Effect::kSensedX, sense.part, Measured(sensor->x));
+    AddAtStep(plan::error::kY, kSensed, Effect::kSensedY, sense.part, Measured(sensor->y));
+    AddAtStep(plan::error::kZ, kSensed, Effect::kSensedZ, sense.part, Measured(sensor->z));
+    AddAtStep(plan::error::kTheta, kSensed, Effect::kSensedYaw, sense.part,
+              Measured(sensor->theta));
   }
 
  private:
@@ -63,8 +71,9 @@ class BoxBuilder {
     if (channel.range == kNothing) return;
     box_.push_back(std::move(channel));
   }
-  void AddPart(const char* what, Effect effect, std::size_t part, const Interval& range) {
-    Add({.name = std::string(what) + "_" + problem_.parts[part].name,
+  void AddPart(const plan::ErrorKind& kind, Effect effect, std::size_t part,
+               const Interval& range) {
+    Add({.name = fmt::format("{}_{}", kind.stem, problem_.parts[part].name),
          .effect = effect,
          .part = PartId(part),
          .range = range});
@@ -72,8 +81,9 @@ class BoxBuilder {
   void AddWhole(const char* name, Effect effect, double half_width) {
     Add({.name = name, .effect = effect, .range = {-half_width, half_width}});
   }
-  void AddAtStep(const std::string& what, Effect effect, PartId part, const Interval& range) {
-    Add({.name = what + "@" + step_->name,
+  void AddAtStep(const plan::ErrorKind& kind, const std::string& of, Effect effect, PartId part,
+                 const Interval& range) {
+    Add({.name = fmt::format("{}_{}@{}", kind.stem, of, step_->name),
          .effect = effect,
          .part = part,
          .step = id_,
@@ -81,10 +91,10 @@ class BoxBuilder {
   }
   void AddHand() {
     const domain::PoseError& error = problem_.gripper_error;
-    AddAtStep("dx_hand", Effect::kHandX, PartId::None(), error.x);
-    AddAtStep("dy_hand", Effect::kHandY, PartId::None(), error.y);
-    AddAtStep("dz_hand", Effect::kHandZ, PartId::None(), error.z);
-    AddAtStep("theta_hand", Effect::kHandYaw, PartId::None(), error.theta);
+    AddAtStep(plan::error::kX, kHand, Effect::kHandX, PartId::None(), error.x);
+    AddAtStep(plan::error::kY, kHand, Effect::kHandY, PartId::None(), error.y);
+    AddAtStep(plan::error::kZ, kHand, Effect::kHandZ, PartId::None(), error.z);
+    AddAtStep(plan::error::kTheta, kHand, Effect::kHandYaw, PartId::None(), error.theta);
   }
 
   const domain::Problem& problem_;
@@ -94,6 +104,36 @@ class BoxBuilder {
 };
 
 }  // namespace
+
+domain::Dimension DimensionOf(Effect effect) {
+  switch (effect) {
+    case Effect::kPartX:
+    case Effect::kPartY:
+    case Effect::kTableHeight:
+    case Effect::kHandX:
+    case Effect::kHandY:
+    case Effect::kHandZ:
+    case Effect::kSensedX:
+    case Effect::kSensedY:
+    case Effect::kSensedZ:
+    case Effect::kClearance:
+      return domain::Dimension::kLength;
+    case Effect::kPartYaw:
+    case Effect::kHandYaw:
+    case Effect::kSensedYaw:
+      return domain::Dimension::kAngle;
+    case Effect::kFriction:
+    case Effect::kPadFriction:
+      return domain::Dimension::kRatio;
+  }
+  ASSAY_CHECK(false, "an effect that the switch does not know");
+  return domain::Dimension::kRatio;
+}
+
+domain::Dimension DimensionOfChannel(std::string_view name) {
+  if (const plan::ErrorKind* kind = plan::ErrorKindOf(name)) return kind->dimension;
+  return DimensionOf(name == kClearance ? Effect::kClearance : Effect::kFriction);
+}
 
 std::vector<Channel> ErrorBox(const domain::Problem& problem, const plan::Plan& plan) {
   BoxBuilder builder(problem);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "planner/domain/problem/problem.h"
@@ -31,9 +32,12 @@ enum class Effect {
   kPadFriction,  // the pads' friction minus the workcell's value
 };
 
+domain::Dimension DimensionOf(Effect effect);
+
 // One bounded variable that the planner assumes.
 struct Channel {
-  std::string name;  // "dx_block", "dz_hand@action_3"
+  std::string
+      name;  // "dx_block", "dz_hand@action_3": a plan::ErrorKind with its place, or a tolerance
   Effect effect = Effect::kPartX;
   PartId part = PartId::None();  // None: the hand, or the whole workcell
   // The step whose hand, sensor or table it concerns; None if it exists from the start.
@@ -42,6 +46,9 @@ struct Channel {
 
   bool operator==(const Channel&) const = default;
 };
+
+// Returns the dimension of the channel with this name.
+domain::Dimension DimensionOfChannel(std::string_view name);
 
 // Returns every variable that the planner assumes when it certifies the plan, with the bounds that
 // the planner takes from the problem:

@@ -12,7 +12,9 @@ namespace assay::oracle {
 // empty, and gets the certificate's variables.
 inline std::vector<algebra::Expression> CertifiedExpressions(const plan::Certificate& certificate,
                                                              algebra::ExpressionPool& pool) {
-  for (const auto& [name, range] : certificate.variables) pool.Declare(name, range);
+  for (const plan::ErrorVariable& variable : certificate.variables) {
+    pool.Declare(variable.name, variable.range);
+  }
   const std::vector<algebra::Expression> shared =
       algebra::ParseShared(certificate.shared, pool, {});
   std::vector<algebra::Expression> expressions;

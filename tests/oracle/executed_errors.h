@@ -264,7 +264,7 @@ class ExecutedWorld {
   bool Promised(const std::string& condition) const {
     bool any = false;
     for (const auto& claim : certificate_->preconditions) {
-      if (claim.condition != condition) continue;
+      if (claim.condition.name() != condition) continue;
       if (!claim.holds()) return false;
       any = true;
     }
@@ -414,7 +414,7 @@ class ExecutedWorld {
   bool Keeps(const std::string& condition, double separation, const std::string& what) {
     if (separation > -kRounding) return true;
     const auto denied = [&](const plan::CertifiedPrecondition& claim) {
-      return claim.condition == condition && !claim.holds();
+      return claim.condition.name() == condition && !claim.holds();
     };
     if (std::ranges::none_of(certificate_->preconditions, denied)) {
       Contradict(fmt::format("{}: {} by {}", condition, what, -separation));

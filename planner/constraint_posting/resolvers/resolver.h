@@ -38,9 +38,8 @@ struct Insertion {
 // assumptions about the errors are proved instead of these conditions.
 struct Remedy {
   domain::PartId part;
-  std::vector<Insertion> insertions = {};  // in the order of execution
-  // conditions of the step that it absorbs (Precondition::condition)
-  std::vector<std::string> absorbs = {};
+  std::vector<Insertion> insertions = {};       // in the order of execution
+  std::vector<plan::Condition> absorbs = {};    // conditions of the step that it absorbs
   std::optional<plan::Strategy> strategy = {};  // the strategy that then executes the step
 };
 
@@ -55,7 +54,7 @@ class Resolver {
   virtual bool disturbs() const { return true; }
   // Returns the conditions that its remedies may absorb. If other conditions of a step fail even
   // with all knowledge that remedies could give, no remedy can prove the step.
-  virtual std::vector<std::string> absorbs() const { return {}; }
+  virtual std::vector<plan::Condition> absorbs() const { return {}; }
   // Returns remedies that are worth trying, alone or together with remedies for other parts, best
   // first. The operational and geometric preconditions of their inserted actions hold. Their
   // uncertainty-reduction preconditions need not hold.

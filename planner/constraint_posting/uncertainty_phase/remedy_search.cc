@@ -30,9 +30,9 @@ std::optional<RemedySearch::Mended> RemedySearch::Proving() {
 
 // Returns false if a goal that no remedy absorbs fails even with the best knowledge. Trying
 // remedies one by one is useless then.
-bool RemedySearch::MayBeProved(std::vector<std::string> absorbable) const {
+bool RemedySearch::MayBeProved(std::vector<plan::Condition> absorbable) const {
   if (!task_.best) return true;
-  const std::vector<std::string>& absorbed = steps_[step_].absorbed;
+  const std::vector<plan::Condition>& absorbed = steps_[step_].absorbed;
   absorbable.insert(absorbable.end(), absorbed.begin(), absorbed.end());
   return task_.best->LeastShortfall(steps_.MomentAfter(step_, *task_.best), absorbable).goals == 0;
 }

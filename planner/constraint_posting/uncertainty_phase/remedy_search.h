@@ -52,7 +52,7 @@ class RemedySearch {
   };
   enum class Absorbing { kNo, kYes };
 
-  bool MayBeProved(std::vector<std::string> absorbable) const;
+  bool MayBeProved(std::vector<plan::Condition> absorbable) const;
   std::vector<Candidate> Candidates(Absorbing absorbing);
   std::optional<Mended> ProvingRemedies(Absorbing absorbing);
   void NoteWhatFellShort(AugmentedStep& mended);

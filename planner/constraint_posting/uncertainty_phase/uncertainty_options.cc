@@ -8,8 +8,8 @@
 
 namespace assay::constraint_posting {
 
-std::vector<std::string> UncertaintyOptions::Absorbable() const {
-  std::vector<std::string> conditions;
+std::vector<plan::Condition> UncertaintyOptions::Absorbable() const {
+  std::vector<plan::Condition> conditions;
   for (const auto& resolver : resolvers) {
     std::ranges::move(resolver->absorbs(), std::back_inserter(conditions));
   }

@@ -32,7 +32,7 @@ struct UncertaintyOptions {
   std::function<bool(const plan::Plan&)> can_be_executed = {};
 
   // Returns the conditions that some remedy may absorb.
-  std::vector<std::string> Absorbable() const;
+  std::vector<plan::Condition> Absorbable() const;
 };
 
 // Returns the options with the default resolvers if they have none.

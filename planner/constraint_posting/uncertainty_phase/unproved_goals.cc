@@ -3,15 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <numbers>
 
-#include "planner/plan/data/condition_kind.h"
+#include "planner/domain/problem/units.h"
 
 namespace assay::constraint_posting {
 
 using uncertainty::Unproved;
 
-std::vector<Unproved> WithoutConditions(const std::vector<std::string>& absorbed,
+std::vector<Unproved> WithoutConditions(const std::vector<plan::Condition>& absorbed,
                                         std::vector<Unproved> unproved) {
   std::erase_if(unproved, [&](const Unproved& unmet) {
     return std::ranges::count(absorbed, unmet.claim.condition) > 0;
@@ -20,7 +19,8 @@ std::vector<Unproved> WithoutConditions(const std::vector<std::string>& absorbed
 }
 
 bool DependsOnPlace(const Unproved& goal) {
-  return !goal.neighbour.IsNone() || goal.claim.condition == "footprint";
+  return !goal.neighbour.IsNone() ||
+         goal.claim.condition->absorbed_by == plan::AbsorbedBy::kOtherPlace;
 }
 
 std::vector<algebra::Expression> ExpressionsOf(const std::vector<Unproved>& goals) {
@@ -31,16 +31,11 @@ std::vector<algebra::Expression> ExpressionsOf(const std::vector<Unproved>& goal
 
 std::string WhyUnproved(const plan::CertifiedPrecondition& claim) {
   const bool less = claim.relation == plan::Relation::kLess;
-  const plan::Quantity quantity = plan::QuantityOf(claim.condition);
-  const bool is_angle = quantity == plan::Quantity::kAngle;
-  const bool is_ratio = quantity == plan::Quantity::kRatio;
-  const double scale = is_ratio ? 1 : is_angle ? 180 / std::numbers::pi : 1000;
-  return fmt::format("not proved that {}: {} {:.4g}, must be {} {:.4g}{}", claim.meaning,
-                     less ? "SUP" : "INF", scale * claim.bound, less ? "<" : ">",
-                     scale * claim.limit,
-                     is_ratio   ? ""
-                     : is_angle ? " deg"
-                                : " mm");
+  const domain::Unit unit = domain::ShownUnitOf(claim.condition->dimension);
+  const std::string limit = fmt::format("{:.4g}", claim.limit / unit.factor);
+  return fmt::format("not proved that {}: {} {:.4g}, must be {} {}", claim.meaning,
+                     less ? "SUP" : "INF", claim.bound / unit.factor, less ? "<" : ">",
+                     domain::Beside(limit, unit));
 }
 
 }  // namespace assay::constraint_posting

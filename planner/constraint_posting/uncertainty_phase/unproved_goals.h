@@ -8,7 +8,7 @@
 namespace assay::constraint_posting {
 
 // Returns the goals without those whose conditions are absorbed.
-std::vector<uncertainty::Unproved> WithoutConditions(const std::vector<std::string>& absorbed,
+std::vector<uncertainty::Unproved> WithoutConditions(const std::vector<plan::Condition>& absorbed,
                                                      std::vector<uncertainty::Unproved> unproved);
 
 // Returns true if the goal may be proved elsewhere on the table with the same grasp and the same

@@ -53,6 +53,15 @@ void RequireOrthonormal(const Value& value, const Matrix3& R) {
 
 }  // namespace
 
+std::optional<Dimension> DimensionIn(std::string_view si_unit) {
+  for (const Dimension dimension :
+       {Dimension::kRatio, Dimension::kLength, Dimension::kAngle, Dimension::kSpeed,
+        Dimension::kAngularSpeed, Dimension::kForce}) {
+    if (SiUnitOf(dimension).name == si_unit) return dimension;
+  }
+  return std::nullopt;
+}
+
 std::string Beside(std::string_view number, const Unit& unit) {
   return unit.name.empty() ? std::string(number) : fmt::format("{} {}", number, unit.name);
 }

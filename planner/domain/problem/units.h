@@ -2,6 +2,7 @@
 
 #include <limits>
 #include <numbers>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -9,6 +10,10 @@
 #include "planner/geometry/pose.h"
 
 namespace assay::domain {
+
+// What a number measures. Numbers in the program are in SI units: metres, radians, seconds,
+// newtons.
+enum class Dimension { kRatio, kLength, kAngle, kSpeed, kAngularSpeed, kForce };
 
 // A unit of length, angle, force, or another quantity.
 struct Unit {
@@ -26,6 +31,45 @@ inline constexpr Unit kNewtons = {"N"};
 inline constexpr Unit kKilograms = {"kg"};
 inline constexpr Unit kKilogramsPerCubicMetre = {"kg/m^3"};
 inline constexpr Unit kSeconds = {"s"};
+
+// Returns the SI unit of a dimension. Files name a dimension by the name of this unit.
+constexpr Unit SiUnitOf(Dimension dimension) {
+  switch (dimension) {
+    case Dimension::kRatio:
+      return kRatio;
+    case Dimension::kLength:
+      return kMetres;
+    case Dimension::kAngle:
+      return kRadians;
+    case Dimension::kSpeed:
+      return {"m/s"};
+    case Dimension::kAngularSpeed:
+      return {"rad/s"};
+    case Dimension::kForce:
+      return kNewtons;
+  }
+  return kRatio;
+}
+// Returns the dimension whose SI unit has this name, or nothing if there is none.
+std::optional<Dimension> DimensionIn(std::string_view si_unit);
+
+// Returns the unit in which people read numbers of a dimension.
+constexpr Unit ShownUnitOf(Dimension dimension) {
+  switch (dimension) {
+    case Dimension::kLength:
+      return kMillimetres;
+    case Dimension::kAngle:
+      return kDegrees;
+    case Dimension::kSpeed:
+      return {"mm/s", kMillimetres.factor};
+    case Dimension::kAngularSpeed:
+      return {"deg/s", kDegrees.factor};
+    case Dimension::kRatio:
+    case Dimension::kForce:
+      break;
+  }
+  return SiUnitOf(dimension);
+}
 
 // Returns a number in units as the file has it: "12.5 mm".
 std::string Beside(std::string_view number, const Unit& unit);

@@ -20,8 +20,6 @@ using geometry::Vector2;
 constexpr double kPi = std::numbers::pi;
 constexpr int kMostPlacesAcross = 100;  // greatest number along x or y
 
-enum class Dimension { kLength, kAngle, kForce, kRatio };
-
 struct Rule {
   const char* key;
   double WorkcellRules::*member;
@@ -47,18 +45,9 @@ constexpr std::array<Rule, 12> kRules = {{
     {"lateral_compliance", &WorkcellRules::lateral_compliance, Dimension::kLength, {0, 0.05}},
 }};
 
-Unit UnitOf(Dimension dimension, const Units& units) {
-  switch (dimension) {
-    case Dimension::kLength:
-      return units.length;
-    case Dimension::kAngle:
-      return units.angle;
-    case Dimension::kForce:
-      return kNewtons;
-    case Dimension::kRatio:
-      return kRatio;
-  }
-  return kRatio;
+Unit UnitIn(const Units& units, Dimension dimension) {
+  if (dimension == Dimension::kLength) return units.length;
+  return dimension == Dimension::kAngle ? units.angle : SiUnitOf(dimension);
 }
 
 const std::vector<std::string>& RuleNames() {
@@ -111,7 +100,7 @@ WorkcellRules ReadRules(const Value& map, const Units& units, const kinematics::
     Range range = rule.range;
     if (rule.member == &WorkcellRules::grip_force)
       range.high = std::min(range.high, gripper.max_force());
-    rules.*rule.member = ReadWithin(value, UnitOf(rule.dimension, units), range);
+    rules.*rule.member = ReadWithin(value, UnitIn(units, rule.dimension), range);
   }
   return rules;
 }

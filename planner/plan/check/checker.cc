@@ -12,7 +12,7 @@
 #include "planner/plan/check/label_check.h"
 #include "planner/plan/check/linearization.h"
 #include "planner/plan/check/world_state.h"
-#include "planner/plan/data/condition_kind.h"
+#include "planner/plan/data/coverage.h"
 
 namespace assay::plan {
 namespace {

@@ -26,7 +26,7 @@ struct CheckReport {
 // geometry: it shares no code with the planner and trusts no label. It simulates the linearizations
 // of the ordering, up to `most_linearizations`, and always the order of execution. Goals must hold
 // at the end of each. Only the form of strategies is checked (FlawsOfForm), and only which kinds of
-// preconditions certificates cover (condition_kind.h). planner/assembly/plan_check.h replays the
+// preconditions certificates cover (coverage.h). planner/assembly/plan_check.h replays the
 // strategies, too, and planner/uncertainty/preconditions/certify.h computes certificates anew.
 CheckReport Check(const domain::Problem& problem, const Plan& plan, int most_linearizations);
 

@@ -1,11 +1,15 @@
 #pragma once
 
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "planner/base/id.h"
 #include "planner/base/interval.h"
 #include "planner/domain/mating/mating.h"
+#include "planner/plan/data/condition.h"
+#include "planner/plan/data/error_kind.h"
 
 namespace assay::plan {
 
@@ -15,6 +19,7 @@ using StepId = Id<struct StepTag>;  // index in Plan::steps, which are in the or
 struct ErrorVariable {
   std::string name;
   Interval range;
+  domain::Dimension dimension = domain::Dimension::kLength;  // of its kind (error_kind.h)
 
   bool operator==(const ErrorVariable&) const = default;
 };
@@ -44,30 +49,39 @@ struct ErrorSet {
   bool operator==(const ErrorSet&) const = default;
 };
 
+// One number of an error set.
+struct ErrorComponent {
+  std::string_view name;  // in files and in output
+  domain::Dimension dimension;
+  Interval ErrorSet::*range;
+  bool only_in_hand = false;
+};
+// Returns the components of error sets, in the order of files and output.
+std::span<const ErrorComponent> ErrorComponents();
+
 enum class Relation { kLess, kGreater };
 
 // An uncertainty-reduction precondition, expression < limit (or >), with the result of its proof.
 struct CertifiedPrecondition {
-  // The kind, such as "between fingers", "pad contact", "landing height", "slide-in".
-  std::string condition;
-  std::string meaning;     // text for people: "contact 2 lies on the inner side of finger 1"
-  std::string expression;  // over the certificate's variables and its shared expressions
+  Condition condition;
+  std::string meaning = {};     // text for people: "contact 2 lies on the inner side of finger 1"
+  std::string expression = {};  // over the certificate's variables and its shared expressions
   Relation relation = Relation::kLess;
   double limit = 0;
-  double bound = 0;    // SUP of the expression for <, INF for >; guaranteed, rounded outward
-  double margin = 0;   // distance from the bound to the limit; positive: it is proved
-  double gap = 0;      // greatest difference of the bound from the true value
-  std::string method;  // name of the bounding method that gave the bound
+  double bound = 0;         // SUP of the expression for <, INF for >; guaranteed, rounded outward
+  double margin = 0;        // distance from the bound to the limit; positive: it is proved
+  double gap = 0;           // greatest difference of the bound from the true value
+  std::string method = {};  // name of the bounding method that gave the bound
   std::vector<ErrorValue> worst = {};  // worst corner found, of the expression's variables
 
   bool holds() const { return margin > 0; }
   bool operator==(const CertifiedPrecondition&) const = default;
 };
 
-// A kind of precondition (condition_kind.h) that steps with this action usually need, but that does
-// not apply to this step.
+// A kind of precondition (condition_table.h) that steps with this action usually need, but that
+// does not apply to this step.
 struct NotNeeded {
-  std::string condition;
+  Condition condition;
   std::string reason;  // text for people and programs: a reason that the kind allows
 
   bool operator==(const NotNeeded&) const = default;
@@ -102,8 +116,8 @@ struct Certificate {
 };
 
 // Returns the greatest distance, in metres, between the expected and the actual contact of a
-// guarded move. The preconditions "landing height" and "seat" say that it stays within the
-// workcell's guarded travel. If nothing is certified, the whole guarded travel is returned.
+// guarded move. The preconditions kLandingHeight and kSeat say that it stays within the workcell's
+// guarded travel. If nothing is certified, the whole guarded travel is returned.
 double DoubtOfContact(const Certificate& certificate, double guarded_travel);
 
 }  // namespace assay::plan

@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <string_view>
 #include <utility>
+
+#include "planner/plan/data/condition_table.h"
 
 namespace assay::plan {
 namespace {
@@ -48,7 +48,7 @@ struct NotCoveredOf {
 
 // Returns the steps that do not claim the condition. The last step must claim it twice, the second
 // time for the way home.
-std::vector<int> StepsWithout(std::string_view condition, const Plan& plan) {
+std::vector<int> StepsWithout(Condition condition, const Plan& plan) {
   std::vector<int> steps;
   for (const StepId id : plan.ExecutionOrder()) {
     const PlannedStep& step = plan.step(id);
@@ -62,16 +62,12 @@ std::vector<int> StepsWithout(std::string_view condition, const Plan& plan) {
 
 // Returns the arm's ways for which a condition could not be proved, or was not examined.
 std::vector<std::string> WaysNotCovered(const Plan& plan) {
-  constexpr std::array<std::pair<const char*, const char*>, 2> kWays = {{
-      {"reach",
-       "errors that lead the arm to the end of a joint's range, or into another configuration"},
-      {"way clear", "errors that lead the arm into something on its way"},
-  }};
   std::vector<std::string> names;
-  for (const auto& [condition, name] : kWays) {
-    const std::vector<int> steps = StepsWithout(condition, plan);
+  for (const ConditionKind* kind : KnownConditions()) {
+    if (kind->left_open.empty()) continue;
+    const std::vector<int> steps = StepsWithout(*kind, plan);
     if (steps.empty()) continue;
-    names.push_back(fmt::format("{}: {} {}", name, steps.size() == 1 ? "step" : "steps",
+    names.push_back(fmt::format("{}: {} {}", kind->left_open, steps.size() == 1 ? "step" : "steps",
                                 fmt::join(steps, ", ")));
   }
   return names;

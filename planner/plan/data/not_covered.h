@@ -8,8 +8,8 @@
 
 namespace assay::plan {
 
-// The meaning of "entry" and "slide-in", after the names of the shaft and the hole, where the wrist
-// yields and bevelled edges lead the shaft in.
+// The meaning of preconditions kEntry and kSlideIn, after the names of the shaft and the hole,
+// where the wrist yields and bevelled edges lead the shaft in.
 inline constexpr std::string_view kFitsBetween = "fits between the walls";
 
 // Returns what may make the plan fail though every precondition is proved: the contacts and motions

@@ -123,7 +123,7 @@ std::vector<int> ContactsInError(const StrategyMotion& motion, const UnwantedCon
   return contacts;
 }
 
-bool Absorbs(const std::optional<Strategy>& strategy, std::string_view condition) {
+bool Absorbs(const std::optional<Strategy>& strategy, Condition condition) {
   return strategy && strategy->certificate.absorbed >= 1 &&
          std::ranges::count(strategy->certificate.absorbs, condition) > 0;
 }

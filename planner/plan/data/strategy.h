@@ -2,10 +2,10 @@
 
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "planner/geometry/pose.h"
+#include "planner/plan/data/condition.h"
 
 namespace assay::plan {
 
@@ -67,10 +67,10 @@ struct StrategyMotion {
 // The guarantee of a strategy: all its motions happen as planned while the tip is at its believed
 // pose up to these errors. Everything is in the fixed part's axes.
 struct StrategyCertificate {
-  std::vector<std::string> absorbs = {};  // conditions of the step that need not hold
-  Vector3 d = Vector3::Zero();            // half widths of the tip's displacement, metres
-  Vector3 w = Vector3::Zero();  // half widths of the rotation vector's components, radians
-  double velocity = 0;          // error of directions of motion, as a share of the motion
+  std::vector<Condition> absorbs = {};  // conditions of the step that need not hold
+  Vector3 d = Vector3::Zero();          // half widths of the tip's displacement, metres
+  Vector3 w = Vector3::Zero();          // half widths of the rotation vector's components, radians
+  double velocity = 0;                  // error of directions of motion, as a share of the motion
   // Least friction at which a part could be held fast in a motion before the last, however hard it
   // is pushed.
   double friction = 0;
@@ -96,9 +96,8 @@ std::vector<StrategyContact> ContactsAt(const Strategy& strategy, const std::vec
 std::vector<int> ContactsAfter(const StrategyMotion& motion);
 std::vector<int> ContactsInError(const StrategyMotion& motion, const UnwantedContact& unwanted);
 
-// Returns whether the step's condition (CertifiedPrecondition::condition) need not hold, since its
-// strategy absorbs it.
-bool Absorbs(const std::optional<Strategy>& strategy, std::string_view condition);
+// Returns whether the condition of a step need not hold, since the step's strategy absorbs it.
+bool Absorbs(const std::optional<Strategy>& strategy, Condition condition);
 
 // Returns, in words, the reasons why the strategy is not well formed; empty if it is well formed. A
 // well-formed strategy need not work (planner/finemotion/replay/strategy_check.h).

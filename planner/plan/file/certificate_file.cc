@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "planner/base/check.h"
-#include "planner/plan/data/condition_kind.h"
+#include "planner/plan/data/condition_table.h"
 
 namespace assay::plan {
 namespace {
@@ -66,7 +66,13 @@ Json VariableToJson(const ErrorVariable& variable) {
 
 ErrorVariable ReadVariable(const Value& value) {
   value.AllowOnly({"name", "range"});
-  return {value.At("name").Text(), ReadInterval(value.At("range"))};
+  const Value name = value.At("name");
+  const ErrorKind* kind = ErrorKindOf(name.Text());
+  if (kind == nullptr) {
+    name.Fail(fmt::format("'{}' names no error of a part or of the hand", name.Text()),
+              "names like dx_block and theta_hand");
+  }
+  return {name.Text(), ReadInterval(value.At("range")), kind->dimension};
 }
 
 // Writes a point: the value of each variable by its name.
@@ -83,7 +89,7 @@ std::vector<ErrorValue> ReadPoint(const Value& map) {
 }
 
 Json PreconditionToJson(const CertifiedPrecondition& precondition) {
-  return {{"condition", precondition.condition},
+  return {{"condition", precondition.condition.name()},
           {"meaning", precondition.meaning},
           {"expression", precondition.expression},
           {"relation", kRelations[static_cast<std::size_t>(precondition.relation)]},
@@ -95,12 +101,15 @@ Json PreconditionToJson(const CertifiedPrecondition& precondition) {
           {"worst", PointToJson(precondition.worst)}};
 }
 
-CertifiedPrecondition ReadPrecondition(const Value& value) {
+// Reads the name of one of the kinds.
+Condition ReadCondition(const Value& name, ConditionKinds kinds) {
+  return *kinds[static_cast<std::size_t>(name.OneOf(NamesOfConditions(kinds)))];
+}
+
+CertifiedPrecondition ReadPrecondition(const Value& value, ConditionKinds kinds) {
   value.AllowOnly({"condition", "meaning", "expression", "relation", "limit", "bound", "margin",
                    "gap", "rung", "worst"});
-  std::vector<std::string> kinds;
-  for (const ConditionKind& kind : ConditionKinds()) kinds.emplace_back(kind.name);
-  return {.condition = kinds[value.At("condition").OneOf(kinds)],
+  return {.condition = ReadCondition(value.At("condition"), kinds),
           .meaning = value.At("meaning").Text(),
           .expression = value.At("expression").Text(),
           .relation = static_cast<Relation>(value.At("relation").OneOf(kRelations)),
@@ -117,49 +126,51 @@ CertifiedPrecondition ReadPrecondition(const Value& value) {
 Json CoverageToJson(const Certificate& certificate) {
   Json covers = Json::object();
   for (const CertifiedPrecondition& claim : certificate.preconditions) {
-    covers[claim.condition] = covers.value(claim.condition, 0) + 1;
+    Json& count = covers[claim.condition.name()];
+    count = count.is_null() ? 1 : count.get<int>() + 1;
   }
-  for (const auto& [condition, reason] : certificate.not_needed) covers[condition] = reason;
+  for (const auto& [condition, reason] : certificate.not_needed) covers[condition.name()] = reason;
   return covers;
 }
 
 // Checks that the number written for each kind is the number of its preconditions.
-std::vector<NotNeeded> ReadCoverage(const Value& covers,
+std::vector<NotNeeded> ReadCoverage(const Value& covers, ConditionKinds kinds,
                                     const std::vector<CertifiedPrecondition>& preconditions) {
   std::vector<NotNeeded> not_needed;
-  for (const auto& [kind, value] : covers.Entries()) {
-    const std::string name = kind.Text();
-    const auto count = std::ranges::count(preconditions, name, &CertifiedPrecondition::condition);
+  for (const auto& [name, value] : covers.Entries()) {
+    const Condition condition = ReadCondition(name, kinds);
+    const auto count =
+        std::ranges::count(preconditions, condition, &CertifiedPrecondition::condition);
     if (count == 0) {
-      not_needed.push_back({name, value.Text()});
+      not_needed.push_back({condition, value.Text()});
     } else if (value.Text() != std::to_string(count)) {
-      value.Fail(fmt::format("'{}' of '{}'", value.Text(), name),
+      value.Fail(fmt::format("'{}' of '{}'", value.Text(), name.Text()),
                  fmt::format("{}, as many as there are", count));
     }
   }
-  for (const CertifiedPrecondition& claim : preconditions) covers.At(claim.condition);
+  for (const CertifiedPrecondition& claim : preconditions) covers.At(claim.condition.name());
   return not_needed;
 }
 
 Json ErrorSetToJson(const ErrorSet& errors, const domain::Problem& problem) {
-  return {{"part", problem.part(errors.part).name}, {"in_hand", errors.in_hand},
-          {"x", IntervalToJson(errors.x)},          {"y", IntervalToJson(errors.y)},
-          {"z", IntervalToJson(errors.z)},          {"theta", IntervalToJson(errors.theta)},
-          {"tip", IntervalToJson(errors.tip)},      {"twist", IntervalToJson(errors.twist)}};
+  Json json = {{"part", problem.part(errors.part).name}, {"in_hand", errors.in_hand}};
+  for (const ErrorComponent& component : ErrorComponents()) {
+    json[component.name] = IntervalToJson(errors.*component.range);
+  }
+  return json;
 }
 
 ErrorSet ReadErrorSet(const Value& value, const domain::Problem& problem) {
   value.AllowOnly({"part", "in_hand", "x", "y", "z", "theta", "tip", "twist"});
   std::vector<std::string> names;
   for (const domain::Part& part : problem.parts) names.push_back(part.name);
-  return {.part = domain::PartId(value.At("part").OneOf(names)),
-          .in_hand = value.At("in_hand").Flag(),
-          .x = ReadInterval(value.At("x")),
-          .y = ReadInterval(value.At("y")),
-          .z = ReadInterval(value.At("z")),
-          .theta = ReadInterval(value.At("theta")),
-          .tip = ReadInterval(value.At("tip")),
-          .twist = ReadInterval(value.At("twist"))};
+  ErrorSet errors;
+  errors.part = domain::PartId(value.At("part").OneOf(names));
+  errors.in_hand = value.At("in_hand").Flag();
+  for (const ErrorComponent& component : ErrorComponents()) {
+    errors.*component.range = ReadInterval(value.At(component.name));
+  }
+  return errors;
 }
 
 Json ResolutionToJson(const Resolution& resolution, const std::vector<std::string>& step_names) {
@@ -193,9 +204,10 @@ Json ToJson(const Certificate& certificate, const domain::Problem& problem,
 }
 
 Certificate ReadCertificate(const Value& value, const domain::Problem& problem,
-                            const std::vector<std::string>& step_names) {
+                            const std::vector<std::string>& step_names, ConditionKinds kinds) {
   value.AllowOnly(
       {"variables", "shared", "before", "covers", "preconditions", "after", "resolutions"});
+  const auto precondition = [&](const Value& p) { return ReadPrecondition(p, kinds); };
   const auto set = [&](const Value& errors) { return ReadErrorSet(errors, problem); };
   const auto resolution = [&](const Value& r) { return ReadResolution(r, step_names); };
   const auto text = [](const Value& t) { return t.Text(); };
@@ -203,10 +215,10 @@ Certificate ReadCertificate(const Value& value, const domain::Problem& problem,
       .variables = ReadList<ErrorVariable>(value.At("variables"), ReadVariable),
       .shared = ReadList<std::string>(value.At("shared"), text),
       .before = ReadList<ErrorSet>(value.At("before"), set),
-      .preconditions = ReadList<CertifiedPrecondition>(value.At("preconditions"), ReadPrecondition),
+      .preconditions = ReadList<CertifiedPrecondition>(value.At("preconditions"), precondition),
       .after = ReadList<ErrorSet>(value.At("after"), set),
       .resolutions = ReadList<Resolution>(value.At("resolutions"), resolution)};
-  certificate.not_needed = ReadCoverage(value.At("covers"), certificate.preconditions);
+  certificate.not_needed = ReadCoverage(value.At("covers"), kinds, certificate.preconditions);
   return certificate;
 }
 

@@ -7,6 +7,7 @@
 #include "planner/base/document/document.h"
 #include "planner/domain/problem/problem.h"
 #include "planner/plan/data/certificate.h"
+#include "planner/plan/data/condition_table.h"
 
 namespace assay::plan {
 
@@ -15,9 +16,10 @@ namespace assay::plan {
 nlohmann::ordered_json ToJson(const Certificate& certificate, const domain::Problem& problem,
                               const std::vector<std::string>& step_names);
 
-// Reads a certificate. Throws InputError with the place of the error: unknown parts and steps, or
-// reversed ranges.
+// Reads a certificate whose preconditions are of the given kinds. Throws InputError with the place
+// of the error: unknown parts, steps, conditions and errors, or reversed ranges.
 Certificate ReadCertificate(const Value& value, const domain::Problem& problem,
-                            const std::vector<std::string>& step_names);
+                            const std::vector<std::string>& step_names,
+                            ConditionKinds kinds = KnownConditions());
 
 }  // namespace assay::plan

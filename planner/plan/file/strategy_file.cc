@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "planner/domain/problem/units.h"
+#include "planner/plan/data/condition_table.h"
 #include "planner/plan/file/pose_file.h"
 
 namespace assay::plan {
@@ -45,9 +46,14 @@ Json MotionToJson(const StrategyMotion& motion) {
 }
 
 Json CertificateToJson(const StrategyCertificate& certificate) {
-  return {{"absorbs", certificate.absorbs},   {"d", VectorToJson(certificate.d)},
-          {"w", VectorToJson(certificate.w)}, {"velocity", certificate.velocity},
-          {"friction", certificate.friction}, {"absorbed", certificate.absorbed}};
+  Json absorbs = Json::array();
+  for (const Condition condition : certificate.absorbs) absorbs.push_back(condition.name());
+  return {{"absorbs", absorbs},
+          {"d", VectorToJson(certificate.d)},
+          {"w", VectorToJson(certificate.w)},
+          {"velocity", certificate.velocity},
+          {"friction", certificate.friction},
+          {"absorbed", certificate.absorbed}};
 }
 
 double ReadAtLeastZero(const Value& value, const domain::Unit& unit = domain::kRatio) {
@@ -112,8 +118,10 @@ StrategyMotion ReadMotion(const Value& value, std::size_t contacts) {
 StrategyCertificate ReadStrategyCertificate(const Value& value) {
   value.AllowOnly({"absorbs", "d", "w", "velocity", "friction", "absorbed"});
   StrategyCertificate certificate;
-  for (const Value& condition : value.At("absorbs").Items()) {
-    certificate.absorbs.push_back(condition.Text());
+  const ConditionKinds kinds = KnownConditions();
+  for (const Value& name : value.At("absorbs").Items()) {
+    const int kind = name.OneOf(NamesOfConditions(kinds));
+    certificate.absorbs.emplace_back(*kinds[static_cast<std::size_t>(kind)]);
   }
   certificate.d = ReadHalfWidths(value.At("d"), domain::kMetres);
   certificate.w = ReadHalfWidths(value.At("w"), domain::kRadians);

@@ -1,7 +1,5 @@
 #include "planner/uncertainty/errors/release.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -25,20 +23,19 @@ Expression SameOrOppositeSense(const Vector3& up, const Expression& theta) {
 
 // Adds the errors that arise when the table sets a leaning part upright.
 void SetUpright(UncertainWorld& world, PartId part, const Leaning& leaning, RestingError& error) {
-  const std::string name = world.SymbolName(part);
-  const auto declare = [&](const char* what, double magnitude) {
-    return world.Declare(fmt::format("{}_{}", what, name), {-magnitude, magnitude}, part);
+  const auto declare = [&](const plan::ErrorKind& kind, double magnitude) {
+    return world.Declare(kind, {-magnitude, magnitude}, part);
   };
-  error.theta = declare("theta", leaning.twist);
+  error.theta = declare(plan::error::kTheta, leaning.twist);
   const double settled = world.problem().part(part).model->shape().radius() * leaning.levelling;
-  for (Expression& along : error.displacement) along = along + declare("settle", settled);
+  for (Expression& along : error.displacement)
+    along = along + declare(plan::error::kSettle, settled);
 }
 
 void Yield(UncertainWorld& world, PartId part, RestingError& error) {
   const double compliance = world.problem().workcell->rules().lateral_compliance;
-  const std::string name = fmt::format("yield_{}", world.SymbolName(part));
   for (Expression& along : error.displacement) {
-    along = along + world.Declare(name, {-compliance, compliance}, part);
+    along = along + world.Declare(plan::error::kYield, {-compliance, compliance}, part);
   }
 }
 
@@ -153,15 +150,15 @@ RestingError LedToSeat(UncertainWorld& world, domain::MatingId id) {
   const RestingError& fixed = world.resting(mating.fixed);
   const SymbolicVector origin = AsVector(mating.X_FixedHeld.translation());
   const domain::SeatPlay play = domain::PlayInSeat(problem, mating, problem.tolerances.clearance);
-  const std::string name = world.SymbolName(mating.held);
-  const auto declare = [&](const char* what, double magnitude) {
-    return world.Declare(fmt::format("{}_{}", what, name), {-magnitude, magnitude}, mating.held);
+  const auto declare = [&](const plan::ErrorKind& kind, double magnitude) {
+    return world.Declare(kind, {-magnitude, magnitude}, mating.held);
   };
   RestingError error;
   error.displacement = algebra::Simplify(PossiblePose(X_WorldFixed, fixed) * origin -
                                          AsTransform(X_WorldFixed) * origin);
-  for (Expression& along : error.displacement) along = along + declare("play", play.shift);
-  error.theta = fixed.theta + declare("turn", play.turn);
+  for (Expression& along : error.displacement)
+    along = along + declare(plan::error::kPlay, play.shift);
+  error.theta = fixed.theta + declare(plan::error::kTurn, play.turn);
   return error;
 }
 
@@ -187,12 +184,11 @@ void DragFixed(UncertainWorld& world, domain::MatingId id, const plan::Hold& hol
   const auto [way, turn] = DragOfFixed(world, id, hold, draw);
   if (way == 0) return;
   RestingError error = world.resting(mating.fixed);
-  const std::string name = world.SymbolName(mating.fixed);
   for (const int axis : {0, 1}) {
     error.displacement[axis] =
-        error.displacement[axis] + world.Declare("drag_" + name, {-way, way}, mating.fixed);
+        error.displacement[axis] + world.Declare(plan::error::kDrag, {-way, way}, mating.fixed);
   }
-  error.theta = error.theta + world.Declare("theta_drag_" + name, {-turn, turn}, mating.fixed);
+  error.theta = error.theta + world.Declare(plan::error::kThetaDrag, {-turn, turn}, mating.fixed);
   const BeliefShift shift = world.shift(mating.fixed);
   world.SetResting(mating.fixed, Pose(world.X_WorldPart(mating.fixed)), error, shift);
 }

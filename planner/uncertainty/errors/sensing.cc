@@ -1,7 +1,5 @@
 #include "planner/uncertainty/errors/sensing.h"
 
-#include <fmt/format.h>
-
 #include <array>
 
 #include "planner/algebra/expression/simplify.h"
@@ -16,11 +14,10 @@ using algebra::operator-;
 
 // Replaces `error` by a new variable if the promise is narrower. The believed pose shifts by the
 // difference, because the part stays where it is.
-void Measure(UncertainWorld& world, PartId part, const char* what, const Interval& promise,
-             Expression& error, Expression& shift) {
+void Measure(UncertainWorld& world, PartId part, const plan::ErrorKind& kind,
+             const Interval& promise, Expression& error, Expression& shift) {
   if (!TakesOver(world.TightRangeOf(error), promise)) return;
-  const Expression measured =
-      world.Declare(fmt::format("{}_{}", what, world.SymbolName(part)), promise, part);
+  const Expression measured = world.Declare(kind, promise, part);
   shift = algebra::Simplify(shift + error - measured);
   error = measured;
 }
@@ -37,13 +34,14 @@ void ApplySensing(UncertainWorld& world, PartId part, const std::string& sensor)
   ASSAY_CHECK(model != nullptr, "the workcell has no sensor '{}'", sensor);
   RestingError error = world.resting_in_world(part);
   BeliefShift shift = world.shift(part);
-  constexpr std::array<const char*, 3> kNames = {"dx", "dy", "dz"};
+  constexpr std::array<const plan::ErrorKind*, 3> kAlong = {&plan::error::kX, &plan::error::kY,
+                                                            &plan::error::kZ};
   const std::array<Interval, 3> promises = {model->x, model->y, model->z};
   for (const int axis : {0, 1, 2}) {
-    Measure(world, part, kNames[axis], promises[axis], error.displacement[axis],
+    Measure(world, part, *kAlong[axis], promises[axis], error.displacement[axis],
             shift.displacement[axis]);
   }
-  Measure(world, part, "theta", model->theta, error.theta, shift.turn);
+  Measure(world, part, plan::error::kTheta, model->theta, error.theta, shift.turn);
   if (world.propagation() == Propagation::kPaper) shift = {};
   world.SetBelief(part, shift, error);
 }

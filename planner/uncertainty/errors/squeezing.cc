@@ -1,7 +1,5 @@
 #include "planner/uncertainty/errors/squeezing.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -185,17 +183,16 @@ HeldError Sound(UncertainWorld& world, PartId part, const plan::Hold& hold,
                 const ManipulatorError& draw) {
   const SymbolicVector grasped = GraspedPoint(world, part, hold, draw);
   const Closing closing(world, part, hold, draw, grasped);
-  const auto declare = [&](const char* what, double magnitude) {
-    return world.Declare(fmt::format("{}_{}", what, world.SymbolName(part)),
-                         {-magnitude, magnitude}, part);
+  const auto declare = [&](const plan::ErrorKind& kind, double magnitude) {
+    return world.Declare(kind, {-magnitude, magnitude}, part);
   };
-  HeldError held = {.x = grasped[0] + declare("slip", closing.SlipX()),
-                    .z = grasped[2] + declare("rise", closing.SlipZ()),
-                    .twist = declare("twist", closing.TurnAbout(1))};
+  HeldError held = {.x = grasped[0] + declare(plan::error::kSlip, closing.SlipX()),
+                    .z = grasped[2] + declare(plan::error::kRise, closing.SlipZ()),
+                    .twist = declare(plan::error::kTwist, closing.TurnAbout(1))};
   if (closing.jams()) {
-    held.y = declare("jam", closing.SkewY());
-    held.skew = declare("skew", std::min(closing.turn(), closing.TurnAbout(2)));
-    held.tip = declare("tip", std::min(closing.turn(), closing.TurnAbout(0)));
+    held.y = declare(plan::error::kJam, closing.SkewY());
+    held.skew = declare(plan::error::kSkew, std::min(closing.turn(), closing.TurnAbout(2)));
+    held.tip = declare(plan::error::kTip, std::min(closing.turn(), closing.TurnAbout(0)));
   }
   return held;
 }

@@ -86,10 +86,12 @@ std::vector<Precondition> TipPreconditions(const UncertainWorld& world, domain::
   const Vector3 sine = SinesWithin(strategy.certificate.w);
   for (const TipError& error : TipErrors(world, mating, hold, X_ToolGrasp, WayOf(strategy))) {
     for (const int axis : {0, 1, 2}) {
-      conditions.Within("tip shift", "the tip is displaced by less than the strategy absorbs",
-                        error.d[axis], shift[axis]);
-      conditions.Within("tip turn", "the tip is turned by less than the strategy absorbs",
-                        error.sine[axis], sine[axis]);
+      conditions.Within(plan::condition::kTipShift,
+                        "the tip is displaced by less than the strategy absorbs", error.d[axis],
+                        shift[axis]);
+      conditions.Within(plan::condition::kTipTurn,
+                        "the tip is turned by less than the strategy absorbs", error.sine[axis],
+                        sine[axis]);
     }
   }
   return conditions.Take();

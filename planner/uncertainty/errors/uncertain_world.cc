@@ -12,6 +12,7 @@
 #include "planner/algebra/forms/normal_form.h"
 #include "planner/algebra/methods/affine_form.h"
 #include "planner/algebra/numeric/interval_arithmetic.h"
+#include "planner/domain/part/part_model.h"
 
 namespace assay::uncertainty {
 namespace {
@@ -34,6 +35,7 @@ std::set<algebra::VariableId> VariablesOccurringIn(const std::vector<Expression>
 
 // Names of variables have no hyphens: "peg-1" becomes "peg_1".
 std::string UncertainWorld::SymbolName(PartId part) const {
+  if (part.IsNone()) return "hand";
   std::string name = problem_->part(part).name;
   std::ranges::replace(name, '-', '_');
   return name;
@@ -45,46 +47,45 @@ UncertainWorld::UncertainWorld(const domain::Problem& problem, Propagation propa
   for (std::size_t p = 0; p < problem.parts.size(); ++p) {
     const domain::Part& part = problem.parts[p];
     const PartId id(p);
-    const RestingError error = {.displacement = {DeclareOfPart("dx", part.error.x, id),
-                                                 DeclareOfPart("dy", part.error.y, id),
-                                                 DeclareOfPart("dz", part.error.z, id)},
-                                .theta = DeclareOfPart("theta", part.error.theta, id)};
+    const RestingError error = {.displacement = {Declare(plan::error::kX, part.error.x, id),
+                                                 Declare(plan::error::kY, part.error.y, id),
+                                                 Declare(plan::error::kZ, part.error.z, id)},
+                                .theta = Declare(plan::error::kTheta, part.error.theta, id)};
     parts_.push_back({part.X_WorldPart, {}, error, error});
   }
 }
 
-Expression UncertainWorld::Declare(const std::string& stem, const Interval& range, PartId part) {
+Expression UncertainWorld::Declare(const plan::ErrorKind& kind, const Interval& range,
+                                   PartId part) {
   if (range.low == range.high) return range.low;
-  auto& [pool, declared, stems, owners, first_order, tight_ranges] = *variables_;
+  auto& [pool, declared, kinds, owners, first_order, tight_ranges] = *variables_;
+  const std::string stem = fmt::format("{}_{}", kind.stem, SymbolName(part));
   int& count = count_by_stem_[stem];
   while (true) {
     const std::string name = ++count == 1 ? stem : fmt::format("{}_{}", stem, count);
     const std::optional<algebra::VariableId> known = pool.Find(name);
     if (!known) {
-      stems.push_back(stem);
+      kinds.push_back(&kind);
       owners.push_back(part);
       declared.box.push_back(range);
       return pool.Declare(name, range);
     }
     const int v = known->index();
     const Interval& its = declared.box[v];
-    if (stems[v] == stem && owners[v] == part && its.low == range.low && its.high == range.high) {
+    if (kinds[v] == &kind && owners[v] == part && its.low == range.low && its.high == range.high) {
       return pool.Variable(*known);
     }
   }
 }
 
-Expression UncertainWorld::DeclareOfPart(const char* what, const Interval& range, PartId part) {
-  return Declare(fmt::format("{}_{}", what, SymbolName(part)), range, part);
-}
-
 ManipulatorError UncertainWorld::DrawManipulator() {
   if (only_draw_) return *only_draw_;
   const domain::PoseError& error = problem_->gripper_error;
-  const ManipulatorError draw = {.x = Declare("dx_hand", error.x, PartId::None()),
-                                 .y = Declare("dy_hand", error.y, PartId::None()),
-                                 .z = Declare("dz_hand", error.z, PartId::None()),
-                                 .theta = Declare("theta_hand", error.theta, PartId::None())};
+  const ManipulatorError draw = {
+      .x = Declare(plan::error::kX, error.x, PartId::None()),
+      .y = Declare(plan::error::kY, error.y, PartId::None()),
+      .z = Declare(plan::error::kZ, error.z, PartId::None()),
+      .theta = Declare(plan::error::kTheta, error.theta, PartId::None())};
   if (propagation_ == Propagation::kPaper) {
     only_draw_ = std::make_shared<const ManipulatorError>(draw);
   }
@@ -92,35 +93,36 @@ ManipulatorError UncertainWorld::DrawManipulator() {
 }
 
 Expression UncertainWorld::DrawTableHeight(PartId part) {
-  return DeclareOfPart("dz", problem_->part(part).error.z, part);
+  return Declare(plan::error::kZ, problem_->part(part).error.z, part);
 }
 
-Expression UncertainWorld::Condensed(const Expression& e, const char* rest, PartId part) {
+Expression UncertainWorld::Condensed(const Expression& e, const plan::ErrorKind& rest,
+                                     PartId part) {
   if (propagation_ == Propagation::kPaper || algebra::NodeCount(e) <= kMostNodes) return e;
   using algebra::operator+;
   std::optional<algebra::AffineForm> form =
       variables_->first_order.Affine(e, constraints().box, kNegligible);
   if (!form) form = algebra::AffineFormOf(e, constraints().box, kNegligible);
-  return form->linear + DeclareOfPart(rest, form->rest, part);
+  return form->linear + Declare(rest, form->rest, part);
 }
 
 RestingError UncertainWorld::Condensed(const RestingError& error, PartId part) {
   RestingError condensed = {.displacement = {},
-                            .theta = Condensed(error.theta, "theta_rest", part)};
+                            .theta = Condensed(error.theta, plan::error::kThetaRest, part)};
   for (const int axis : {0, 1, 2}) {
-    condensed.displacement[axis] = Condensed(error.displacement[axis], "rest", part);
+    condensed.displacement[axis] = Condensed(error.displacement[axis], plan::error::kRest, part);
   }
   return condensed;
 }
 
 void UncertainWorld::SetHeld(PartId part, const HeldError& error) {
   in_hand_ = part;
-  held_ = {.x = Condensed(error.x, "rest", part),
-           .z = Condensed(error.z, "rest", part),
-           .twist = Condensed(error.twist, "theta_rest", part),
-           .y = Condensed(error.y, "rest", part),
-           .skew = Condensed(error.skew, "theta_rest", part),
-           .tip = Condensed(error.tip, "theta_rest", part)};
+  held_ = {.x = Condensed(error.x, plan::error::kRest, part),
+           .z = Condensed(error.z, plan::error::kRest, part),
+           .twist = Condensed(error.twist, plan::error::kThetaRest, part),
+           .y = Condensed(error.y, plan::error::kRest, part),
+           .skew = Condensed(error.skew, plan::error::kThetaRest, part),
+           .tip = Condensed(error.tip, plan::error::kThetaRest, part)};
 }
 
 RestingError UncertainWorld::about_plan(PartId part) const {
@@ -206,7 +208,8 @@ std::vector<plan::ErrorVariable> UncertainWorld::VariablesIn(
     const std::vector<Expression>& expressions) const {
   std::vector<plan::ErrorVariable> variables;
   for (const algebra::VariableId v : VariablesOccurringIn(expressions)) {
-    variables.push_back({variables_->pool.name(v), variables_->pool.bounds(v)});
+    variables.push_back({variables_->pool.name(v), variables_->pool.bounds(v),
+                         variables_->kinds[v.index()]->dimension});
   }
   return variables;
 }
@@ -217,6 +220,15 @@ const std::string& UncertainWorld::NameOf(algebra::VariableId variable) const {
 
 double Magnitude(const Interval& range) {
   return std::max(std::abs(range.low), std::abs(range.high));
+}
+
+double MostOf(const UncertainWorld& world, const Expression& expression) {
+  return Magnitude(world.RangeOf(expression));
+}
+
+double ReachOf(const UncertainWorld& world, PartId part, const RestingError& error) {
+  return std::hypot(MostOf(world, error.displacement[0]), MostOf(world, error.displacement[1])) +
+         world.problem().part(part).model->shape().radius() * MostOf(world, error.theta);
 }
 
 }  // namespace assay::uncertainty

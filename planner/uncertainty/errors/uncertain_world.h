@@ -54,11 +54,9 @@ class UncertainWorld {
   // Returns the error of the table's height where a part is put down: the problem's error of the
   // part's z.
   Expression DrawTableHeight(PartId part);
-  // Returns a bounded variable that is new to this world and belongs to a part. Returns a number if
-  // the interval has no width.
-  Expression Declare(const std::string& stem, const Interval& range, PartId part);
-  // Returns the part's name in the form that ends the names of its variables.
-  std::string SymbolName(PartId part) const;
+  // Returns a bounded variable that is new to this world and belongs to a part, or to the hand if
+  // the part is None. Returns a number if the interval has no width.
+  Expression Declare(const plan::ErrorKind& kind, const Interval& range, PartId part);
 
   // Sets the error of the part in the hand. In sound mode, this function and SetResting condense
   // what they set: a long expression is replaced by an affine form (affine_form.h), whose
@@ -104,22 +102,24 @@ class UncertainWorld {
   struct Variables {
     algebra::ExpressionPool pool;
     algebra::ConstraintSet declared = {};
-    std::vector<std::string> stems = {};  // the name's stem of each variable, by VariableId
+    std::vector<const plan::ErrorKind*> kinds = {};  // by VariableId
     std::vector<PartId> owners = {};  // the part of each variable, by VariableId; None: the hand
     algebra::FirstOrderForms first_order = {};
     std::map<int, Interval> tight_ranges = {};  // by Expression::index
   };
 
+  // Returns the part's name, or "hand", in the form that ends the names of variables.
+  std::string SymbolName(PartId part) const;
   // Returns the expression as a linear form plus a new variable for the rest, if the expression is
-  // large. `rest` is the stem of the variable's name; the part's name is added to it.
-  Expression Condensed(const Expression& e, const char* rest, PartId part);
+  // large.
+  Expression Condensed(const Expression& e, const plan::ErrorKind& rest, PartId part);
   RestingError Condensed(const RestingError& error, PartId part);
-  Expression DeclareOfPart(const char* what, const Interval& range, PartId part);
 
   const domain::Problem* problem_;
   Propagation propagation_;
   std::shared_ptr<Variables> variables_;
-  std::map<std::string, int> count_by_stem_;  // number of variables of this world by stem
+  // number of variables of this world by the beginning of their names: the kind and the owner
+  std::map<std::string, int> count_by_stem_;
   std::vector<PartKnowledge> parts_;
   PartId in_hand_ = PartId::None();
   HeldError held_;
@@ -128,5 +128,10 @@ class UncertainWorld {
 
 // Returns the greatest absolute value in the interval.
 double Magnitude(const Interval& range);
+// Returns the greatest absolute value that the expression may have.
+double MostOf(const UncertainWorld& world, const Expression& expression);
+// Returns the greatest distance, in metres, by which an error displaces any point of a part in the
+// plane of the table.
+double ReachOf(const UncertainWorld& world, PartId part, const RestingError& error);
 
 }  // namespace assay::uncertainty

@@ -3,14 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "planner/algebra/expression/text.h"
 #include "planner/algebra/methods/glance.h"
 #include "planner/algebra/numeric/interval_arithmetic.h"
 #include "planner/base/check.h"
-#include "planner/domain/mating/shaft_fit.h"
-#include "planner/plan/data/condition_kind.h"
-#include "planner/uncertainty/errors/mating_end.h"
 #include "planner/uncertainty/errors/release.h"
 #include "planner/uncertainty/errors/sensing.h"
 #include "planner/uncertainty/errors/squeezing.h"
@@ -59,89 +57,67 @@ std::optional<CertifiedPrecondition> Seen(const Precondition& precondition,
 class StepCertifier {
  public:
   StepCertifier(UncertainWorld& world, Effort effort, const algebra::BoundRequest& request,
-                const plan::Strategy* strategy)
-      : world_(world), effort_(effort), request_(request), strategy_(strategy) {}
+                const plan::Action& action, const plan::Strategy* strategy, const Theory& theory)
+      : world_(world),
+        effort_(effort),
+        request_(request),
+        action_(action),
+        strategy_(strategy),
+        theory_(theory) {}
 
-  CertifiedStep Take() {
-    plan::Certificate& certificate = certified_.certificate;
-    certificate.variables = world_.VariablesIn(expressions_);
-    algebra::SharedTexts texts = algebra::TextsOf(expressions_);
-    certificate.shared = std::move(texts.shared);
-    for (std::size_t i = 0; i < expressions_.size(); ++i) {
-      certificate.preconditions[i].expression = std::move(texts.expressions[i]);
-    }
-    return std::move(certified_);
+  CertifiedStep Run() {
+    std::visit(*this, action_);
+    return Take();
   }
 
   void operator()(const plan::Pickup& pickup) {
-    const ManipulatorError draw = world_.DrawManipulator();
-    const HeldError held = RequireGrasp(pickup.part, pickup.hold, draw, false);
-    RequireHolding(pickup.part, pickup.hold, held, Turning::kNone);
-    world_.SetHeld(pickup.part, held);
-    After(pickup.part, PossibleGrasp(held, draw, world_.propagation()));
+    const HandWork work = Grasp(pickup.part, pickup.hold);
+    world_.SetHeld(pickup.part, work.held);
+    After(pickup.part, PossibleGrasp(work.held, work.draw, world_.propagation()));
   }
 
   void operator()(const plan::Squeeze& squeeze) {
-    const ManipulatorError draw = world_.DrawManipulator();
-    const HeldError held = RequireGrasp(squeeze.part, squeeze.hold, draw, true);
+    const HandWork work = Grasp(squeeze.part, squeeze.hold);
     const BeliefShift shift = world_.shift(squeeze.part);
     const Expression height = world_.resting(squeeze.part).displacement[2];
-    world_.SetHeld(squeeze.part, held);
-    RestingError error =
-        Release(world_, squeeze.part, squeeze.hold, PossibleGrasp(held, draw, world_.propagation()),
-                draw, world_.X_WorldPart(squeeze.part));
+    world_.SetHeld(squeeze.part, work.held);
+    RestingError error = Release(world_, squeeze.part, squeeze.hold,
+                                 PossibleGrasp(work.held, work.draw, world_.propagation()),
+                                 work.draw, world_.X_WorldPart(squeeze.part));
     error.displacement[2] = height;  // the part stays on the table
     world_.SetResting(squeeze.part, world_.X_WorldPart(squeeze.part), error, shift);
     After(squeeze.part);
   }
 
   void operator()(const plan::Putdown& putdown) {
-    const ManipulatorError draw = world_.DrawManipulator();
-    const Transform grasp = PossibleGrasp(world_.held(), draw, world_.propagation());
-    const Pose& X_WorldPart = putdown.to.X_WorldPart;
-    const Expression table = world_.DrawTableHeight(putdown.part);
-    Before(putdown.part, grasp);
-    RestingError error = Release(world_, putdown.part, putdown.hold, grasp, draw, X_WorldPart);
-    const Expression farther = error.displacement[2] - table;
-    error.displacement[2] = table;
-    if (decides()) {
-      Require(LandingPreconditions(world_, putdown.part, putdown.hold, grasp, X_WorldPart, table,
-                                   error));
-      RequireHolding(putdown.part, putdown.hold, world_.held(), Turning::kAny);
-    }
-    RequireSound([&] {
-      return HandClearanceAtPutdown(world_, {putdown.part, putdown.hold, draw, X_WorldPart,
-                                             -Vector3::UnitZ(), farther, error});
+    HandWork work = Carried(putdown.part, putdown.hold, putdown.to.X_WorldPart);
+    work.table = world_.DrawTableHeight(putdown.part);
+    Before(putdown.part, work.X_ToolGrasp);
+    RequireAll(work, [&] {
+      work.released = Release(world_, putdown.part, putdown.hold, work.X_ToolGrasp, work.draw,
+                              work.X_WorldPart);
+      Expression& height = work.released.displacement[2];
+      work.farther = height - work.table;
+      height = work.table;
     });
-    RequireSound([&] {
-      return StandingPreconditions(world_, putdown.part, putdown.hold, draw, X_WorldPart, error, 0);
-    });
-    world_.SetResting(putdown.part, X_WorldPart, error, {});
+    world_.SetResting(putdown.part, work.X_WorldPart, work.released, {});
     After(putdown.part);
   }
 
   void operator()(const plan::Assemble& assemble) {
     const domain::Mating& mating = world_.problem().mating(assemble.mating);
-    const ManipulatorError draw = world_.DrawManipulator();
-    const Transform grasp = PossibleGrasp(world_.held(), draw, world_.propagation());
-    const Pose X_WorldHeld = world_.X_WorldPart(mating.fixed) * mating.X_FixedHeld;
-    Before(mating.held, grasp);
+    HandWork work =
+        Carried(mating.held, assemble.hold, world_.X_WorldPart(mating.fixed) * mating.X_FixedHeld);
+    Before(mating.held, work.X_ToolGrasp);
     Before(mating.fixed);
-    if (decides()) {
-      Require(MatingPreconditions(world_, assemble.mating, assemble.hold, grasp));
-      if (decides() && strategy_ != nullptr) {
-        Require(TipPreconditions(world_, assemble.mating, assemble.hold, grasp, *strategy_));
-      }
-      RequireHolding(mating.held, assemble.hold, world_.held(), Turning::kAny);
-    }
-    const RestingError error =
-        strategy_ != nullptr ? LedToSeat(world_, assemble.mating)
-                             : ReleaseInSeat(world_, assemble.mating, assemble.hold, grasp, draw);
-    RequireClearMating(assemble, draw, grasp, error);
-    RequireStanding(assemble, draw, X_WorldHeld, error);
-    if (strategy_ == nullptr) DragFixed(world_, assemble.mating, assemble.hold, draw);
-    world_.SetResting(mating.held, X_WorldHeld, error,
-                      world_.ShiftAt(mating.fixed, X_WorldHeld.translation()));
+    RequireAll(work, [&] {
+      work.released = strategy_ != nullptr ? LedToSeat(world_, assemble.mating)
+                                           : ReleaseInSeat(world_, assemble.mating, assemble.hold,
+                                                           work.X_ToolGrasp, work.draw);
+    });
+    if (strategy_ == nullptr) DragFixed(world_, assemble.mating, assemble.hold, work.draw);
+    world_.SetResting(mating.held, work.X_WorldPart, work.released,
+                      world_.ShiftAt(mating.fixed, work.X_WorldPart.translation()));
     After(mating.held);
     After(mating.fixed);
   }
@@ -171,56 +147,49 @@ class StepCertifier {
     certified_.certificate.after.push_back(ErrorSetOf(world_, part, where...));
   }
 
-  HeldError RequireGrasp(PartId part, const plan::Hold& hold, const ManipulatorError& draw,
-                         bool opens_again) {
+  // Closes the pads on a part, and requires the preconditions of the step.
+  HandWork Grasp(PartId part, const plan::Hold& hold) {
+    const ManipulatorError draw = world_.DrawManipulator();
     Before(part);
-    const HeldError held = ClosePads(world_, part, hold, draw);
-    if (decides()) {
-      Require(GraspPreconditions(world_, part, hold, draw, held));
+    HandWork work = {
+        world_, action_, strategy_, part, hold, draw, ClosePads(world_, part, hold, draw)};
+    RequireAll(work, [] {});
+    return work;
+  }
+
+  // Returns the work of a hand that brings the part between its pads to a pose.
+  HandWork Carried(PartId part, const plan::Hold& hold, const Pose& X_WorldPart) {
+    const ManipulatorError draw = world_.DrawManipulator();
+    return {.world = world_,
+            .action = action_,
+            .strategy = strategy_,
+            .part = part,
+            .hold = hold,
+            .draw = draw,
+            .held = world_.held(),
+            .X_ToolGrasp = PossibleGrasp(world_.held(), draw, world_.propagation()),
+            .X_WorldPart = X_WorldPart};
+  }
+
+  // Requires all preconditions of the step. `release` lets the part go, and sets work.released. It
+  // is called once, as late as possible, because certificates list shared expressions in the order
+  // in which they were first formed.
+  template <class Release>
+  void RequireAll(HandWork& work, const Release& release) {
+    bool is_released = false;
+    for (const Derivation& derivation : theory_.derivations) {
+      if (!decides()) break;
+      if (!Applies(derivation)) continue;
+      if (derivation.is_of_release && !std::exchange(is_released, true)) release();
+      Require(derivation.derive(work));
     }
-    RequireSound([&] { return HandClearanceAtGrasp(world_, part, hold, draw, held, opens_again); });
-    RequireSound([&] { return ClosingPreconditions(world_, part, hold, draw, held); });
-    return held;
+    if (!is_released) release();
   }
 
-  void RequireHolding(PartId part, const plan::Hold& hold, const HeldError& held, Turning turning) {
-    RequireSound([&] { return HoldingPreconditions(world_, part, hold, held, turning); });
-  }
-
-  // Requires conditions that the paper does not ask for.
-  template <class Conditions>
-  void RequireSound(const Conditions& conditions) {
-    if (!decides() || world_.propagation() == Propagation::kPaper) return;
-    Require(conditions());
-  }
-
-  // Requires that the mated part and the fixed part keep standing.
-  void RequireStanding(const plan::Assemble& assemble, const ManipulatorError& draw,
-                       const Pose& X_WorldHeld, const RestingError& released) {
-    const domain::Problem& problem = world_.problem();
-    const domain::Mating& mating = problem.mating(assemble.mating);
-    RequireSound([&] {
-      const double play =
-          strategy_ == nullptr ? 0 : PlayInSeat(problem, mating, problem.tolerances.clearance).turn;
-      return StandingPreconditions(world_, mating.held, assemble.hold, draw, X_WorldHeld, released,
-                                   play);
-    });
-    RequireSound([&] { return FixedPreconditions(world_, assemble.mating, released, strategy_); });
-  }
-
-  // Requires clearance for the hand that opens, and for the held part on its way.
-  void RequireClearMating(const plan::Assemble& assemble, const ManipulatorError& draw,
-                          const Transform& grasp, const RestingError& released) {
-    const domain::Mating& mating = world_.problem().mating(assemble.mating);
-    RequireSound([&] {
-      const MatingEnd end = MatingEndOf(world_, assemble.mating, assemble.hold, grasp);
-      const Pose X_WorldHeld = world_.X_WorldPart(mating.fixed) * mating.X_FixedHeld;
-      return HandClearanceAtMating(
-          world_, assemble.mating,
-          {mating.held, assemble.hold, draw, X_WorldHeld, end.motion, end.farther, released},
-          strategy_ != nullptr);
-    });
-    RequireSound([&] { return PassingPreconditions(world_, assemble, grasp, strategy_); });
+  bool Applies(const Derivation& derivation) const {
+    return plan::Needs(derivation.needed_by, action_, strategy_) &&
+           (derivation.origin == plan::Origin::kPaper ||
+            world_.propagation() == Propagation::kSound);
   }
 
   void Require(const std::vector<Precondition>& preconditions) {
@@ -299,10 +268,23 @@ class StepCertifier {
     }
   }
 
+  CertifiedStep Take() {
+    plan::Certificate& certificate = certified_.certificate;
+    certificate.variables = world_.VariablesIn(expressions_);
+    algebra::SharedTexts texts = algebra::TextsOf(expressions_);
+    certificate.shared = std::move(texts.shared);
+    for (std::size_t i = 0; i < expressions_.size(); ++i) {
+      certificate.preconditions[i].expression = std::move(texts.expressions[i]);
+    }
+    return std::move(certified_);
+  }
+
   UncertainWorld& world_;
   Effort effort_;
   const algebra::BoundRequest& request_;
+  const plan::Action& action_;
   const plan::Strategy* strategy_;
+  const Theory& theory_;
   CertifiedStep certified_;
   // Expressions of the certificate's preconditions, in the same order.
   std::vector<Expression> expressions_;
@@ -325,12 +307,13 @@ double LeastViolation(const Unproved& unproved, const UncertainWorld& world) {
 }
 
 CertifiedStep CertifyStep(UncertainWorld& world, const plan::Action& action,
-                          const algebra::BoundRequest& request, const plan::Strategy* strategy) {
-  StepCertifier certifier(world, Effort::kCertify, request, strategy);
-  std::visit(certifier, action);
-  CertifiedStep step = certifier.Take();
-  step.certificate.not_needed = plan::NotNeededIn(step.certificate.preconditions, action, strategy,
-                                                  world.propagation() == Propagation::kPaper);
+                          const algebra::BoundRequest& request, const plan::Strategy* strategy,
+                          const Theory& theory) {
+  CertifiedStep step =
+      StepCertifier(world, Effort::kCertify, request, action, strategy, theory).Run();
+  step.certificate.not_needed =
+      plan::NotNeededIn(step.certificate.preconditions, action, strategy,
+                        world.propagation() == Propagation::kPaper, theory.kinds);
   return step;
 }
 
@@ -352,9 +335,7 @@ std::vector<Unproved> DecideStep(UncertainWorld& world, const plan::Action& acti
                                  const plan::Strategy* strategy) {
   const Effort effort =
       wanted == Wanted::kFirstUnproved ? Effort::kDecideFirst : Effort::kDecideAll;
-  StepCertifier certifier(world, effort, request, strategy);
-  std::visit(certifier, action);
-  return certifier.Take().unproved;
+  return StepCertifier(world, effort, request, action, strategy, {}).Run().unproved;
 }
 
 Unproved AsCertified(Unproved unproved, const UncertainWorld& world,
@@ -370,8 +351,7 @@ Unproved AsCertified(Unproved unproved, const UncertainWorld& world,
 
 void Propagate(UncertainWorld& world, const plan::Action& action, const plan::Strategy* strategy) {
   const algebra::BoundRequest none;
-  StepCertifier certifier(world, Effort::kPropagate, none, strategy);
-  std::visit(certifier, action);
+  StepCertifier(world, Effort::kPropagate, none, action, strategy, {}).Run();
 }
 
 plan::ErrorSet ErrorSetOf(const UncertainWorld& world, PartId part, const Transform& X_ToolGrasp) {

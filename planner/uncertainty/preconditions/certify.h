@@ -1,7 +1,7 @@
 #pragma once
 
 #include "planner/algebra/bounds/bounds.h"
-#include "planner/uncertainty/preconditions/precondition.h"
+#include "planner/uncertainty/preconditions/derivation.h"
 
 namespace assay::uncertainty {
 
@@ -29,10 +29,10 @@ double LeastViolation(const Unproved& unproved, const UncertainWorld& world);
 // uncertainty-reduction level. The new state assumes that the action's own preconditions held. If a
 // strategy executes the action, the new state assumes the preconditions that the strategy relies
 // on, but not the preconditions that it absorbs. `strategy` is null if no strategy executes the
-// action.
+// action. `theory` has the preconditions that the certificate states.
 CertifiedStep CertifyStep(UncertainWorld& world, const plan::Action& action,
                           const algebra::BoundRequest& request,
-                          const plan::Strategy* strategy = nullptr);
+                          const plan::Strategy* strategy = nullptr, const Theory& theory = {});
 
 // Returns the certificates of all steps of a plan by StepId. They are computed anew from the
 // problem and the actions, without resolutions. The plan must be executable

@@ -73,7 +73,7 @@ class Body {
 
 // The text of a precondition that keeps two bodies apart.
 struct Statement {
-  std::string condition;  // see Precondition::condition
+  plan::Condition condition;
   std::string meaning;
 };
 

@@ -32,10 +32,10 @@ class GraspConditions {
     for (const int contact : {1, 2}) {
       const double y = contact == 1 ? width_ / 2 : -width_ / 2;
       const Expression seen = (X_ToolGrasp_ * SymbolicVector{0, y, 0})[1];
-      conditions_.Greater("between fingers",
+      conditions_.Greater(plan::condition::kBetweenFingers,
                           fmt::format("contact {} lies on the inner side of finger 1", contact),
                           half_opening + seen, 0);
-      conditions_.Less("between fingers",
+      conditions_.Less(plan::condition::kBetweenFingers,
                        fmt::format("contact {} lies on the inner side of finger 2", contact),
                        -half_opening + seen, 0);
     }
@@ -49,7 +49,7 @@ class GraspConditions {
         for (const int finger : {1, 2}) {
           const double side = finger == 1 ? -1 : 1;
           const SymbolicVector corner = {x, side * gripper_.max_opening() / 2, z};
-          conditions_.Less("finger clear",
+          conditions_.Less(plan::condition::kFingerClear,
                            fmt::format("finger {} comes down beside the part", finger),
                            width_ / 2 - side * (X_GraspTool * corner)[1], 0);
         }
@@ -73,7 +73,7 @@ class GraspConditions {
       if (height(corner) > lowest + layer + kLayerRounding) continue;
       const SymbolicVector tip =
           possible_tool_ * SymbolicVector{corner.x(), corner.y(), corner.z()};
-      conditions_.Greater("fingertip", "the fingers end above the table",
+      conditions_.Greater(plan::condition::kFingertip, "the fingers end above the table",
                           tip[2] - world_.resting(part_).displacement[2], 0);
     }
   }
@@ -81,10 +81,10 @@ class GraspConditions {
   void RequirePadContact(const HeldError& held) {
     const double margin = world_.problem().workcell->rules().pad_margin;
     const geometry::Vector2& pad = gripper_.pad_half_extents();
-    conditions_.Within("pad contact", "the grasped point stays within the pads' width", held.x,
-                       pad.x() - margin);
-    conditions_.Within("pad contact", "the grasped point stays within the pads' height", held.z,
-                       pad.y() - margin);
+    conditions_.Within(plan::condition::kPadContact,
+                       "the grasped point stays within the pads' width", held.x, pad.x() - margin);
+    conditions_.Within(plan::condition::kPadContact,
+                       "the grasped point stays within the pads' height", held.z, pad.y() - margin);
   }
 
   std::vector<Precondition> Take() { return conditions_.Take(); }

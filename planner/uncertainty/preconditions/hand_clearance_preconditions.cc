@@ -167,7 +167,7 @@ class HandConditions {
   }
 
   Statement ClearOf(PartId part) const {
-    return {"hand clear",
+    return {plan::condition::kHandClear,
             fmt::format("the hand stays clear of {}", world_.problem().part(part).name)};
   }
 

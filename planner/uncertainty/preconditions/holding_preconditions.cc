@@ -112,7 +112,7 @@ std::vector<Precondition> HoldingPreconditions(const UncertainWorld& world, Part
                          Magnitude(problem.gripper_error.theta)));
   }
   Preconditions conditions;
-  conditions.Less("holding", "the pads' friction bears the part", ratio, 1);
+  conditions.Less(plan::condition::kHolding, "the pads' friction bears the part", ratio, 1);
   return conditions.Take();
 }
 

@@ -89,7 +89,8 @@ class LandingConditions {
   void RequireHeight(const Expression& table) {
     const double travel = world_.problem().workcell->rules().guarded_travel;
     for (const Vector3& vertex : SupportVertices(model_, X_WorldPart_)) {
-      conditions_.Within("landing height", "the part meets the table within the guarded travel",
+      conditions_.Within(plan::condition::kLandingHeight,
+                         "the part meets the table within the guarded travel",
                          (landing_ * AsVector(vertex))[2] - table, travel);
     }
   }
@@ -103,7 +104,7 @@ class LandingConditions {
       const Vector2 outward = Vector2(edge.y(), -edge.x()).normalized();
       for (const PossiblePart& stage : stages_) {
         for (const Vector3& vertex : SupportVertices(model_, X_WorldPart_)) {
-          conditions_.Less("footprint", "the part comes to stand on the table",
+          conditions_.Less(plan::condition::kFootprint, "the part comes to stand on the table",
                            AlongTable(outward, stage.pose * AsVector(vertex)), outward.dot(top[i]));
         }
       }
@@ -140,7 +141,8 @@ class LandingConditions {
     for (const Vector3& v : model_.hull().vertices) {
       for (const Vector3& w : other.model->hull().vertices) {
         if (nominal(X_WorldOther, w) - nominal(X_WorldPart_, v) > reach) continue;
-        conditions_.Less("neighbour clear", fmt::format("the part stays clear of {}", other.name),
+        conditions_.Less(plan::condition::kNeighbourClear,
+                         fmt::format("the part stays clear of {}", other.name),
                          AlongTable(along, possible.pose * AsVector(v)) -
                              AlongTable(along, possible_other.pose * AsVector(w)),
                          0, neighbour);

@@ -60,17 +60,16 @@ class FitConditions {
   // both ends hold on the way.
   void Require(const Relative& entering, const Relative& seated, double depth) {
     const double bevel = fit_.hole.chamfer + fit_.shaft.chamfer;
-    RequireInside("entry", entering, 0, bevel);
-    if (bevel > 0) RequireInside("slide-in", entering, 0, 0);
-    RequireInside("slide-in", seated, 0, 0);
-    RequireInside("slide-in", seated, depth, 0);
+    RequireInside(plan::condition::kEntry, entering, 0, bevel);
+    if (bevel > 0) RequireInside(plan::condition::kSlideIn, entering, 0, 0);
+    RequireInside(plan::condition::kSlideIn, seated, 0, 0);
+    RequireInside(plan::condition::kSlideIn, seated, depth, 0);
     RequireUpright(seated, depth);
   }
 
  private:
   // Requires that the corners of the shaft, `behind` metres behind its tip, lie inside the walls.
-  void RequireInside(const std::string& condition, const Relative& at, double behind,
-                     double bevel) {
+  void RequireInside(plan::Condition condition, const Relative& at, double behind, double bevel) {
     std::vector<SymbolicVector> corners;
     for (const Vector2& corner : section_) {
       corners.push_back(at.possible * AsVector(fit_.shaft.X_PartFeature *
@@ -89,7 +88,7 @@ class FitConditions {
   }
 
   // Requires that the shaft is no wider than the hole, however the wrist yields.
-  void RequireBetween(const std::string& condition, const SideWall& wall, const SideWall& opposite,
+  void RequireBetween(plan::Condition condition, const SideWall& wall, const SideWall& opposite,
                       const std::vector<SymbolicVector>& corners, double bevel) {
     for (const SymbolicVector& p : corners) {
       for (const SymbolicVector& q : corners) {
@@ -128,9 +127,10 @@ class FitConditions {
       const double clearance = slot.high - slot.low - width;
       const double wedging =
           worst_.friction > 0 ? clearance / (worst_.friction * width) : kInfinity;
-      conditions_.Within(
-          "tilt", fmt::format("{} neither touches twice nor wedges", NameOf(fit_, slot)),
-          algebra::Dot(AsVector(across), direction), std::min(clearance / depth, wedging));
+      conditions_.Within(plan::condition::kTilt,
+                         fmt::format("{} neither touches twice nor wedges", NameOf(fit_, slot)),
+                         algebra::Dot(AsVector(across), direction),
+                         std::min(clearance / depth, wedging));
     }
   }
 
@@ -186,7 +186,8 @@ class MatingConditions {
   }
 
   void RequireSeat() {
-    conditions_.Within("seat", "the part reaches its seat within the guarded travel", end_.farther,
+    conditions_.Within(plan::condition::kSeat,
+                       "the part reaches its seat within the guarded travel", end_.farther,
                        world_.problem().workcell->rules().guarded_travel);
   }
 

@@ -150,12 +150,12 @@ class PassingConditions {
                     const PossibleFrame& other) const {
     const domain::Problem& problem = world_.problem();
     const double yields = problem.workcell->rules().lateral_compliance;
-    return {
-        {"passing clear", fmt::format("{} passes {} on its way in", problem.part(mating_.held).name,
-                                      problem.part(part).name)},
-        DisplacementBetween(world_, held, other),
-        Vector3::Constant(yields + problem.tolerances.clearance),
-        neighbour};
+    return {{plan::condition::kPassingClear,
+             fmt::format("{} passes {} on its way in", problem.part(mating_.held).name,
+                         problem.part(part).name)},
+            DisplacementBetween(world_, held, other),
+            Vector3::Constant(yields + problem.tolerances.clearance),
+            neighbour};
   }
 
   const UncertainWorld& world_;

@@ -4,19 +4,17 @@
 
 namespace assay::uncertainty {
 
-void Preconditions::Less(std::string condition, std::string meaning, const Expression& expression,
-                         double limit, PartId neighbour) {
-  Add({std::move(condition), std::move(meaning), expression, plan::Relation::kLess, limit,
-       neighbour});
+void Preconditions::Less(plan::Condition condition, std::string meaning,
+                         const Expression& expression, double limit, PartId neighbour) {
+  Add({condition, std::move(meaning), expression, plan::Relation::kLess, limit, neighbour});
 }
 
-void Preconditions::Greater(std::string condition, std::string meaning,
+void Preconditions::Greater(plan::Condition condition, std::string meaning,
                             const Expression& expression, double limit, PartId neighbour) {
-  Add({std::move(condition), std::move(meaning), expression, plan::Relation::kGreater, limit,
-       neighbour});
+  Add({condition, std::move(meaning), expression, plan::Relation::kGreater, limit, neighbour});
 }
 
-void Preconditions::Within(const std::string& condition, const std::string& meaning,
+void Preconditions::Within(plan::Condition condition, const std::string& meaning,
                            const Expression& expression, double limit) {
   Less(condition, meaning, expression, limit);
   Greater(condition, meaning, expression, -limit);

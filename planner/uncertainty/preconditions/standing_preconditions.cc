@@ -1,168 +1,19 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 
 #include "planner/domain/part/part_model.h"
-#include "planner/domain/part/resting.h"
 #include "planner/kinematics/gripper.h"
 #include "planner/plan/data/pushing.h"
 #include "planner/uncertainty/errors/axis_angle.h"
 #include "planner/uncertainty/errors/possible_masses.h"
 #include "planner/uncertainty/errors/release.h"
-#include "planner/uncertainty/errors/squeezing.h"
 #include "planner/uncertainty/preconditions/grip.h"
 #include "planner/uncertainty/preconditions/precondition.h"
 #include "planner/uncertainty/preconditions/support.h"
-#include "planner/uncertainty/preconditions/touching_cells.h"
 
 namespace assay::uncertainty {
 namespace {
-
-constexpr double kPushed = 1e-12;  // metres: less than this is no push
-
-double MostOf(const UncertainWorld& world, const Expression& e) {
-  return Magnitude(world.RangeOf(e));
-}
-
-// Returns the greatest distance, in metres, by which any point of a part may be elsewhere in the
-// plane of the table.
-double ReachOf(const UncertainWorld& world, PartId part, const RestingError& error) {
-  return std::hypot(MostOf(world, error.displacement[0]), MostOf(world, error.displacement[1])) +
-         world.problem().part(part).model->shape().radius() * MostOf(world, error.theta);
-}
-
-// ---- Closing pads ---------------------------------------------------------------------------
-
-// A part beside the one that is pushed, and the room that is left between the two, in metres.
-struct Neighbour {
-  PartId part = PartId::None();  // None: no neighbour
-  double room = std::numeric_limits<double>::infinity();
-};
-
-class ClosingConditions {
- public:
-  ClosingConditions(const UncertainWorld& world, PartId part, const plan::Hold& hold,
-                    const ManipulatorError& draw, const HeldError& held)
-      : world_(world),
-        part_(part),
-        hold_(hold),
-        X_WorldPart_(world.X_WorldPart(part)),
-        X_WorldTool_(X_WorldPart_ * hold.X_PartTool),
-        hand_turn_(MostOf(world, draw.theta)),
-        hand_(std::hypot(MostOf(world, draw.x), MostOf(world, draw.y), MostOf(world, draw.z))),
-        off_(OffInHandOf(world, held)),
-        before_(world.about_plan(part)),
-        turned_on_the_way_(TurnBeforeGrasp(world, part, hold, draw)) {}
-
-  // Pads push at the same heights from either side. The pad on the far side of the part pushes it
-  // along `outward`.
-  double ToppleRatio() const {
-    const double turn = MostOf(world_, before_.theta) + hand_turn_;
-    if (ReachOf(world_, part_, before_) + hand_ + turn < kPushed) return 0;
-    const std::vector<Standing> standings = StandingsOf(world_, part_, X_WorldPart_);
-    const std::vector<TippingEdge> edges = TippingEdgesOf(standings);
-    if (edges.empty()) return kNothingBorne;
-    const double level = standings.front().at.front().z();
-    double ratio = 0;
-    for (const double side : {1.0, -1.0}) {
-      const Vector3 way = -side * X_WorldTool_.linear().col(1);
-      const double height = HighestOfLowest(side) - level + off_.shift.norm() + hand_;
-      for (const TippingEdge& edge : edges) {
-        ratio = std::max(ratio, RatioAbout(edge, way, turn, height));
-      }
-    }
-    return ratio;
-  }
-
-  // Returns the nearest neighbour and the metres that are left to it; infinite without one.
-  Neighbour Nearest() const {
-    const domain::Problem& problem = world_.problem();
-    const geometry::Polygon own = domain::Footprint(problem.part(part_), X_WorldPart_);
-    const BeliefShift shift = world_.ShiftAt(part_, X_WorldTool_.translation());
-    const double moved =
-        std::hypot(MostOf(world_, shift.displacement[0]), MostOf(world_, shift.displacement[1])) +
-        hand_ + off_.shift.norm() +
-        problem.part(part_).model->shape().radius() *
-            (MostOf(world_, shift.turn) + hand_turn_ + off_.turn);
-    // On the way, the first pad may have turned the part about any of its points.
-    const double swung = 2 * problem.part(part_).model->shape().radius() * turned_on_the_way_;
-    const double reach = std::max(moved, ReachOf(world_, part_, before_)) + swung;
-    Neighbour nearest;
-    for (int p = 0; p < static_cast<int>(problem.parts.size()); ++p) {
-      const PartId other(p);
-      if (other == part_ || other == world_.in_hand()) continue;
-      const double gap =
-          geometry::Gap(own, domain::Footprint(problem.part(other), world_.X_WorldPart(other)));
-      const double room = gap - reach - ReachOf(world_, other, world_.about_plan(other));
-      if (room < nearest.room) nearest = {other, room};
-    }
-    return nearest;
-  }
-
- private:
-  // Returns the height, in metres, at which a pad surely touches as the part topples. It is the
-  // height of the lowest of its cells. If the hand leans, any cell may touch first.
-  double HighestOfLowest(double side) const {
-    const domain::PartModel& model = *world_.problem().part(part_).model;
-    const Vector2& pad = world_.problem().workcell->gripper().pad_half_extents();
-    const Vector2 half = pad / kCellsPerSide;
-    const bool is_straight = std::abs(VerticalInTool(X_WorldTool_).z()) == 1;
-    std::map<double, double> lowest;  // lowest height of each column of cells, by the tool's x
-    double highest = -std::numeric_limits<double>::infinity();
-    for (const Vector2& cell : TouchingCells(model, hold_, side, pad, {})) {
-      const Vector3 middle(cell.x(), side * hold_.width / 2, cell.y());
-      const double height = (X_WorldTool_ * middle).z() + (is_straight ? -half.y() : half.sum());
-      highest = std::max(highest, height);
-      const auto [column, is_new] = lowest.try_emplace(cell.x(), height);
-      if (!is_new) column->second = std::min(column->second, height);
-    }
-    if (lowest.empty()) return std::numeric_limits<double>::infinity();
-    if (!is_straight) return highest;
-    return std::ranges::max_element(lowest, {}, [](const auto& c) { return c.second; })->second;
-  }
-
-  double TableFriction() const {
-    return world_.problem().part(part_).model->friction() + world_.problem().tolerances.friction;
-  }
-
-  // Returns the toppling ratio about an edge, for a pad that pushes along `way`, to within `turn`
-  // radians. The pad pushes with the force that the friction of the table takes. A pad that is not
-  // upright exerts a vertical force, too, which adds to the friction or lifts the part.
-  double RatioAbout(const TippingEdge& edge, const Vector3& way, double turn, double height) const {
-    const double level = way.head<2>().norm();
-    const double vertical = std::abs(way.z());
-    const double friction = TableFriction();
-    const double sliding = level - friction * vertical;
-    if (!(sliding > 0) || !std::isfinite(height)) return kNothingBorne;
-    const double aside = std::acos(std::clamp(edge.outward.dot(way.head<2>()) / level, -1.0, 1.0));
-    const double along = std::cos(std::max(0.0, aside - turn));
-    if (!(along > 0) && vertical == 0) return 0;
-    double ratio = 0;
-    for (const geometry::MassProperties& mass : PossibleMasses(world_.problem(), part_)) {
-      const double inside = -edge.Beyond(X_WorldPart_ * mass.center);
-      if (!(inside > 0)) return kNothingBorne;
-      const double across = 2 * world_.problem().part(part_).model->shape().radius();
-      const double moment =
-          friction / sliding * (level * height * std::max(0.0, along) + vertical * across);
-      ratio = std::max(ratio, moment / inside);
-    }
-    return std::min(ratio, kNothingBorne);
-  }
-
-  const UncertainWorld& world_;
-  PartId part_;
-  const plan::Hold& hold_;
-  Pose X_WorldPart_;
-  Pose X_WorldTool_;
-  double hand_turn_;  // error of the hand, radians
-  double hand_;       // error of the hand, metres
-  OffInHand off_;
-  RestingError before_;
-  double turned_on_the_way_;  // radians
-};
-
-// ---- A part that is let go ------------------------------------------------------------------
 
 class StandingConditions {
  public:
@@ -314,8 +165,6 @@ class StandingConditions {
   double off_;  // metres by which other parts under this one may be elsewhere
 };
 
-// ---- The fixed part of a mating -------------------------------------------------------------
-
 // Returns the push of the mating on the fixed part. A straight mating pushes along its vector where
 // the parts touch at the end. A strategy pushes in any direction, wherever the parts may touch on
 // the way.
@@ -357,21 +206,6 @@ std::vector<Push> WeightsOn(const UncertainWorld& world, PartId part) {
 
 }  // namespace
 
-std::vector<Precondition> ClosingPreconditions(const UncertainWorld& world, PartId part,
-                                               const plan::Hold& hold, const ManipulatorError& draw,
-                                               const HeldError& held) {
-  const ClosingConditions closing(world, part, hold, draw, held);
-  Preconditions conditions;
-  conditions.Less("upright", "the part slides before a pad and does not topple",
-                  closing.ToppleRatio(), 1);
-  const auto [neighbour, room] = closing.Nearest();
-  if (!neighbour.IsNone()) {
-    conditions.Greater("pushed clear", "closing pads push the part into no neighbour", room, 0,
-                       neighbour);
-  }
-  return conditions.Take();
-}
-
 std::vector<Precondition> StandingPreconditions(const UncertainWorld& world, PartId part,
                                                 const plan::Hold& hold,
                                                 const ManipulatorError& draw,
@@ -381,13 +215,15 @@ std::vector<Precondition> StandingPreconditions(const UncertainWorld& world, Par
   const Vector3 up = VerticalInTool(X_WorldPart * hold.X_PartTool);
   const double tilt = std::max(play, LeaningOf(world, up, draw).tilt);
   Preconditions conditions;
-  conditions.Less("standing", "the part stands after the hand lets it go", standing.FallRatio(tilt),
-                  1);
-  conditions.Less("pressed", "pads that press the part down do not tip it", standing.PressRatio(),
-                  1);
-  conditions.Greater("fingertip", "the fingers stay above what the part is set on",
-                     standing.RoomOfFingers(), 0);
-  return conditions.Take();
+  conditions.Less(plan::condition::kStanding, "the part stands after the hand lets it go",
+                  standing.FallRatio(tilt), 1);
+                  conditions.Less(plan::condition::kPressed,
+                                  "pads that press the part down do not tip it",
+                                  standing.PressRatio(), 1);
+                  conditions.Greater(plan::condition::kFingertip,
+                                     "the fingers stay above what the part is set on",
+                                     standing.RoomOfFingers(), 0);
+                  return conditions.Take();
 }
 
 std::vector<Precondition> FixedPreconditions(const UncertainWorld& world, domain::MatingId id,
@@ -401,9 +237,11 @@ std::vector<Precondition> FixedPreconditions(const UncertainWorld& world, domain
   pushes.push_back(PushOf(world, mating, strategy));
   const bool touch = !pushes.back().at.empty();
   Preconditions conditions;
-  conditions.Less("fixed stands", "the push of the mating does not tip the fixed part",
+  conditions.Less(plan::condition::kFixedStands,
+                  "the push of the mating does not tip the fixed part",
                   touch ? TippingRatio(world, mating.fixed, pushes, off) : kNothingBorne, 1);
-  conditions.Less("fixed stays", "the push of the mating does not push the fixed part aside",
+  conditions.Less(plan::condition::kFixedStays,
+                  "the push of the mating does not push the fixed part aside",
                   SlidingRatio(problem, mating.fixed, pushes), 1);
   return conditions.Take();
 }

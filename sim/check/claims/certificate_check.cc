@@ -2,14 +2,13 @@
 
 #include <algorithm>
 #include <limits>
-#include <set>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "sim/check/claims/geometric_meaning.h"
-#include "sim/check/claims/observed_error.h"
-#include "sim/check/claims/step_events.h"
+#include "planner/plan/data/condition_table.h"
+#include "sim/check/measurements/observed_error.h"
+#include "sim/check/measurements/step_events.h"
 
 namespace assay::check {
 namespace {
@@ -27,8 +26,14 @@ double ShiftBetween(const geometry::Pose& from, const geometry::Pose& to) {
 class CertificateCheck {
  public:
   CertificateCheck(const domain::Problem& problem, const plan::Plan& plan, const exec::Trace& trace,
-                   const NoiseFloor& gate, plan::StepId first)
-      : problem_(problem), plan_(plan), trace_(trace), gate_(gate), steps_(StepsFrom(plan, first)) {
+                   const NoiseFloor& gate, plan::StepId first,
+                   const std::vector<Measurement>& measurements)
+      : problem_(problem),
+        plan_(plan),
+        trace_(trace),
+        gate_(gate),
+        measurements_(measurements),
+        steps_(StepsFrom(plan, first)) {
     SortCollisions();
   }
 
@@ -122,7 +127,7 @@ class CertificateCheck {
         Add({.step = step_,
              .about = about,
              .name = std::move(error.name),
-             .unit = error.unit,
+             .dimension = error.dimension,
              .predicted = error.predicted,
              .observed = error.observed});
       }
@@ -135,39 +140,50 @@ class CertificateCheck {
   // finger that comes down on the part has moved it before the next precondition is measured.
   void CheckPreconditions(const plan::PlannedStep& step, const StepEvents& events) {
     std::vector<Claim> claims;
-    std::set<std::string> done;
+    std::vector<plan::Condition> done;
+    const MeasuredStep measured(problem_, step, events);
     for (const plan::CertifiedPrecondition& claim : step.certificate.preconditions) {
-      if (!done.insert(claim.condition).second) continue;
-      if (plan::Absorbs(step.strategy, claim.condition)) continue;
-      if (!IsMeasured(claim.condition)) {
-        assumed_ = assumed_ && MarginOf(claim.condition, {}, step.certificate) > 0;
-        continue;
+      const plan::Condition condition = claim.condition;
+      if (std::ranges::count(done, condition) > 0) continue;
+      done.push_back(condition);
+      if (plan::Absorbs(step.strategy, condition)) continue;
+      const Measurement& measurement = MeasurementOf(condition, measurements_);
+      if (measurement.is_measured()) {
+        AddMeasured(measurement, measured, claims);
+      } else {
+        assumed_ = assumed_ && MarginOf(condition, {}, step.certificate) > 0;
       }
-      std::vector<Claim> proved;
-      std::vector<Claim> not_proved;
-      for (const GeometricMeaning& meaning : MeaningsOf(claim.condition, problem_, step, events)) {
-        if (meaning.counts_on_yielding && meaning.observed < 0) {
-          assumed_ = false;
-          continue;
-        }
-        const double margin = MarginOf(claim.condition, meaning.subject, step.certificate);
-        (margin > 0 ? proved : not_proved).push_back(ClaimOf(claim.condition, meaning, margin));
-      }
-      AppendWorst(proved, claims);
-      AppendWorst(not_proved, claims);
     }
     const auto fails = [](const Claim& claim) { return !claim.proved && claim.observed < 0; };
     assumed_ = assumed_ && std::ranges::none_of(claims, fails);
     for (Claim& claim : claims) Add(std::move(claim));
   }
 
-  Claim ClaimOf(const std::string& condition, const GeometricMeaning& meaning, double margin) {
+  void AddMeasured(const Measurement& measurement, const MeasuredStep& measured,
+                   std::vector<Claim>& claims) {
+    const plan::Condition condition = measurement.condition;
+    std::vector<Claim> proved;
+    std::vector<Claim> not_proved;
+    for (const GeometricMeaning& meaning : measurement.measure(measured)) {
+      if (meaning.counts_on_yielding && meaning.observed < 0) {
+        assumed_ = false;
+        continue;
+      }
+      const double margin = MarginOf(condition, meaning.subject, measured.step().certificate);
+      (margin > 0 ? proved : not_proved).push_back(ClaimOf(condition, meaning, margin));
+    }
+    AppendWorst(proved, claims);
+    AppendWorst(not_proved, claims);
+  }
+
+  Claim ClaimOf(plan::Condition condition, const GeometricMeaning& meaning, double margin) {
     const bool proved = margin > 0;
+    const std::string name(condition.name());
     return {.step = step_,
             .about = Claimed::kPrecondition,
-            .name = proved ? condition : condition + ", not proved",
-            .unit = meaning.unit,
-            .predicted = {meaning.is_at_least_the_margin ? Tested(margin, meaning.unit) : 0,
+            .name = proved ? name : name + ", not proved",
+            .dimension = condition->dimension,
+            .predicted = {meaning.is_at_least_the_margin ? Tested(margin, condition) : 0,
                           std::numeric_limits<double>::infinity()},
             .proved = proved,
             .observed = meaning.observed};
@@ -182,15 +198,16 @@ class CertificateCheck {
   // Returns the certified margin less a tenth of it. For lengths, a tenth of the clearance is
   // subtracted if that is less. The arm yields under load by a micrometre, which an execution
   // without noise does not show.
-  double Tested(double margin, Unit unit) const {
-    const bool has_clearance = unit == Unit::kMetre && problem_.clearance > 0;
+  double Tested(double margin, plan::Condition condition) const {
+    const bool has_clearance =
+        condition->dimension == domain::Dimension::kLength && problem_.clearance > 0;
     const double known = has_clearance ? std::min(margin, problem_.clearance) : margin;
     return std::max(0.0, margin - kLeftToTheEngine * known);
   }
 
   // Returns the margin by which the condition holds for the subject under all errors. If the
   // certificate does not name the subject, it is the margin for all subjects of the condition.
-  static double MarginOf(const std::string& condition, const std::string& subject,
+  static double MarginOf(plan::Condition condition, const std::string& subject,
                          const plan::Certificate& certificate) {
     double of_all = std::numeric_limits<double>::infinity();
     double of_subject = of_all;
@@ -219,13 +236,13 @@ class CertificateCheck {
     Add({.step = step_,
          .about = Claimed::kAfter,
          .name = name,
-         .unit = Unit::kNone,
          .predicted = {1, 1},
          .observed = 0});
   }
 
   bool SaysThatTheArmReaches() const {
-    return std::ranges::count(plan_.step(step_).certificate.preconditions, "reach",
+    return std::ranges::count(plan_.step(step_).certificate.preconditions,
+                              plan::Condition(plan::condition::kReach),
                               &plan::CertifiedPrecondition::condition) > 0;
   }
 
@@ -241,6 +258,7 @@ class CertificateCheck {
   const plan::Plan& plan_;
   const exec::Trace& trace_;
   const NoiseFloor& gate_;
+  const std::vector<Measurement>& measurements_;
   std::vector<plan::StepId> steps_;     // that the trace may contain, in the order of execution
   std::vector<plan::StepId> collided_;  // the step of each collision
   plan::StepId step_;
@@ -252,8 +270,9 @@ class CertificateCheck {
 
 std::vector<Claim> CheckCertificates(const domain::Problem& problem, const plan::Plan& plan,
                                      const exec::Trace& trace, const NoiseFloor& gate,
-                                     plan::StepId first) {
-  return CertificateCheck(problem, plan, trace, gate, first).Run();
+                                     plan::StepId first,
+                                     const std::vector<Measurement>& measurements) {
+  return CertificateCheck(problem, plan, trace, gate, first, measurements).Run();
 }
 
 }  // namespace assay::check

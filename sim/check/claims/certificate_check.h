@@ -4,6 +4,7 @@
 
 #include "sim/check/claims/claim.h"
 #include "sim/check/claims/noise_floor.h"
+#include "sim/check/measurements/measurement.h"
 #include "sim/exec/execution/trace.h"
 
 namespace assay::check {
@@ -19,9 +20,11 @@ namespace assay::check {
 // fail: that a step comes to its end, that arm and hand touch nothing that they must not touch, and
 // that the step moves no part that it does not handle.
 //
-// `first` is the step in which the trace begins; None means the plan's first step.
-std::vector<Claim> CheckCertificates(const domain::Problem& problem, const plan::Plan& plan,
-                                     const exec::Trace& trace, const NoiseFloor& gate,
-                                     plan::StepId first = plan::StepId::None());
+// `first` is the step in which the trace begins; None means the plan's first step. `measurements`
+// must have one entry for each kind of precondition in the plan.
+std::vector<Claim> CheckCertificates(
+    const domain::Problem& problem, const plan::Plan& plan, const exec::Trace& trace,
+    const NoiseFloor& gate, plan::StepId first = plan::StepId::None(),
+    const std::vector<Measurement>& measurements = KnownMeasurements());
 
 }  // namespace assay::check

@@ -48,6 +48,11 @@ std::string_view Name(Claimed claimed) {
   return {};
 }
 
+double AsLength(double value, std::optional<domain::Dimension> dimension) {
+  constexpr double kArm = 0.1;
+  return dimension == domain::Dimension::kAngle ? kArm * value : value;
+}
+
 Claim Judged(Claim claim) {
   claim.margin =
       std::min(claim.observed - claim.predicted.low, claim.predicted.high - claim.observed);
@@ -63,7 +68,7 @@ bool IsSame(const Claim& a, const Claim& b) {
 
 bool IsWorse(const Claim& a, const Claim& b) {
   if (Rank(a.verdict) != Rank(b.verdict)) return Rank(a.verdict) < Rank(b.verdict);
-  return AsLength(a.margin, a.unit) < AsLength(b.margin, b.unit);
+  return AsLength(a.margin, a.dimension) < AsLength(b.margin, b.dimension);
 }
 
 void VerdictCounts::Add(ClaimVerdict verdict) {

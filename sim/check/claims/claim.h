@@ -1,13 +1,13 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "planner/base/interval.h"
 #include "planner/plan/data/plan.h"
-#include "sim/check/claims/unit.h"
 
 namespace assay::check {
 
@@ -37,7 +37,9 @@ struct Claim {
   plan::StepId step;
   Claimed about = Claimed::kAfter;
   std::string name;  // "x of block", "between fingers: contact 1 of block"
-  Unit unit = Unit::kNone;
+  // Missing for a statement that is either true (1) or false (0), such as that a step comes to its
+  // end.
+  std::optional<domain::Dimension> dimension = {};
   // The interval that must hold the observed value: the certificate's interval, widened by the
   // known errors of the engine (NoiseFloor). An end may be infinite.
   Interval predicted;
@@ -47,8 +49,16 @@ struct Claim {
   double gate = 0;    // the deviation that the engine cannot resolve, in the same unit
   ClaimVerdict verdict = ClaimVerdict::kContained;
 
+  // Returns the SI unit of its numbers, as files name it; empty for ratios and statements.
+  std::string_view UnitName() const {
+    return domain::SiUnitOf(dimension.value_or(domain::Dimension::kRatio)).name;
+  }
   bool IsViolated() const { return verdict == ClaimVerdict::kViolated; }
 };
+
+// Returns a length by which values of different dimensions are compared. Radians count as the
+// length of an arc at a tenth of a metre from the axis. Other values are returned as they are.
+double AsLength(double value, std::optional<domain::Dimension> dimension);
 
 // Returns the claim with margin and verdict set from the observed value. A value outside is
 // inconclusive within the gate and violated beyond it.

@@ -68,7 +68,7 @@ class NoiselessExecution {
 };
 
 void AddComponent(const Claim& coarse, const std::vector<Claim>& fine, StepNoiseFloor& gate) {
-  if (coarse.unit == Unit::kNone) return;
+  if (!coarse.dimension) return;
   const auto same = std::ranges::find_if(fine, [&](const Claim& c) { return IsSame(c, coarse); });
   const double change = same == fine.end() ? 0 : coarse.observed - same->observed;
   const bool of_set = coarse.about != Claimed::kPrecondition;

@@ -6,14 +6,17 @@
 namespace assay::check {
 namespace {
 
+using domain::Dimension;
+
 constexpr double kRounding = 1e-9;  // metres or radians, after products of dozens of poses
 
 // Returns the engine's error that widens a prediction at both ends.
-double EitherWay(Unit unit, const StepNoiseFloor& gate) {
-  if (unit == Unit::kNone) return 0;
-  const double shift = unit == Unit::kMetre ? gate.lag + gate.penetration
-                                            : gate.lag_turn + gate.penetration / gate.arm;
-  return shift + kRounding;
+double EitherWay(const Claim& claim, const StepNoiseFloor& gate) {
+  if (claim.dimension == Dimension::kLength) return gate.lag + gate.penetration + kRounding;
+  if (claim.dimension == Dimension::kAngle) {
+    return gate.lag_turn + gate.penetration / gate.arm + kRounding;
+  }
+  return 0;
 }
 
 double StepSize(const Claim& claim, const StepNoiseFloor& gate) {
@@ -27,7 +30,7 @@ double StepSize(const Claim& claim, const StepNoiseFloor& gate) {
 
 Claim NoiseFloor::Passed(Claim claim) const {
   const StepNoiseFloor gate = steps.empty() ? StepNoiseFloor{} : steps[claim.step.index()];
-  const double either_way = EitherWay(claim.unit, gate);
+  const double either_way = EitherWay(claim, gate);
   const double step_size = StepSize(claim, gate);
   claim.predicted.low -= either_way + std::max(0.0, -step_size);
   claim.predicted.high += either_way + std::max(0.0, step_size);
@@ -37,18 +40,19 @@ Claim NoiseFloor::Passed(Claim claim) const {
 
 double NoiseFloor::Floor(const Claim& claim) const {
   const StepNoiseFloor gate = steps.empty() ? StepNoiseFloor{} : steps[claim.step.index()];
-  return EitherWay(claim.unit, gate) + 2 * std::abs(StepSize(claim, gate));
+  return EitherWay(claim, gate) + 2 * std::abs(StepSize(claim, gate));
 }
 
 bool NoiseFloor::Hides(const Claim& passed, double clearance) const {
-  if (passed.unit == Unit::kNone) return false;
+  const bool is_length = passed.dimension == Dimension::kLength;
+  if (!is_length && passed.dimension != Dimension::kAngle) return false;
   const StepNoiseFloor gate = steps.empty() ? StepNoiseFloor{} : steps[passed.step.index()];
-  const double either_way = EitherWay(passed.unit, gate);
+  const double either_way = EitherWay(passed, gate);
   const double width = passed.predicted.high - passed.predicted.low - 2 * either_way -
                        std::abs(StepSize(passed, gate));
   const bool has_width = std::isfinite(width) && width > either_way;
   if (has_width) return Floor(passed) > width;
-  return Floor(passed) > (passed.unit == Unit::kMetre ? clearance : clearance / gate.arm);
+  return Floor(passed) > (is_length ? clearance : clearance / gate.arm);
 }
 
 }  // namespace assay::check

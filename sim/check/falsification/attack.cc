@@ -32,7 +32,7 @@ bool Violates(const Sample& sample) {
   return std::ranges::any_of(sample.attempt.claims, &Claim::IsViolated);
 }
 
-double Length(const Claim& claim) { return AsLength(claim.margin, claim.unit); }
+double Length(const Claim& claim) { return AsLength(claim.margin, claim.dimension); }
 
 const Claim* Find(const std::vector<Claim>& claims, const ClaimKey& key) {
   const auto found =
@@ -189,7 +189,7 @@ class Attacker {
       const LikelyExtremes extremes = ByMainEffects(responses);
       const auto add = [&](const LikelyExtreme& extreme, double margin) {
         if (!std::isfinite(margin)) return;
-        likely.emplace_back(AsLength(margin, claim.unit),
+        likely.emplace_back(AsLength(margin, claim.dimension),
                             Sample{extreme.start, extreme.corner, AttackPhase::kLikely, until});
       };
       add(extremes.least, extremes.least.expected - claim.predicted.low);
@@ -214,7 +214,7 @@ class Attacker {
     std::map<ClaimKey, std::vector<CornerResponse>> responses;
     for (const Sample& sample : step.samples()) {
       for (const Claim& claim : sample.attempt.claims) {
-        if (claim.verdict == ClaimVerdict::kNotClaimed || claim.unit == Unit::kNone) continue;
+        if (claim.verdict == ClaimVerdict::kNotClaimed || !claim.dimension) continue;
         responses[KeyOf(claim)].push_back({&sample.point, sample.start, claim.observed});
       }
     }

@@ -52,7 +52,7 @@ void AttackedStep::FindAims() {
     const std::vector<Decision>& decisions = sample.attempt.decisions;
     for (std::size_t i = 0; i < decisions.size(); ++i) {
       const Claim& claim = sample.attempt.claims[i];
-      if (claim.verdict == ClaimVerdict::kNotClaimed || claim.unit == Unit::kNone) continue;
+      if (claim.verdict == ClaimVerdict::kNotClaimed || !claim.dimension) continue;
       Aim& aim = aims.try_emplace(KeyOf(claim), Aim{KeyOf(claim), Until::kPoised}).first->second;
       aim.until = std::max(aim.until, decisions[i].until);
       aim.seconds = std::max(aim.seconds, decisions[i].seconds);

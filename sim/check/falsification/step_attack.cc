@@ -145,7 +145,7 @@ Approach StepAttack::PoiseIn(const scene::Scene& scene, const AttackedWorld& wor
   failure = step.Approach();
   if (failure) End(failure, execution);
   for (Claim& claim : ClaimsOf(execution.trace())) {
-    if (claim.unit == Unit::kNone) approach.claims.push_back(std::move(claim));
+    if (!claim.dimension) approach.claims.push_back(std::move(claim));
   }
   if (!failure) approach.poised = PoisedTrial{&world, noise, execution.Save()};
   return approach;

@@ -3,7 +3,7 @@
 #include <array>
 #include <cmath>
 
-#include "sim/check/claims/observed_error.h"
+#include "sim/check/measurements/observed_error.h"
 
 namespace assay::check {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "planner/base/check.h"
-#include "sim/check/claims/step_events.h"
+#include "sim/check/measurements/step_events.h"
 #include "sim/check/trial/tolerance_readings.h"
 #include "sim/exec/execution/executor.h"
 #include "sim/sense/displacement.h"
@@ -56,12 +56,6 @@ Eigen::Index CoordinateOf(Effect effect) {
   return 0;
 }
 
-std::string UnitOf(Effect effect) {
-  if (effect == Effect::kFriction || effect == Effect::kPadFriction) return "";
-  if (effect == Effect::kClearance) return "m";
-  return CoordinateOf(effect) == 3 ? "rad" : "m";
-}
-
 bool IsTolerance(const Channel& channel) {
   return channel.effect == Effect::kClearance || channel.effect == Effect::kFriction ||
          channel.effect == Effect::kPadFriction;
@@ -94,7 +88,6 @@ class Ledger {
       const Channel& channel = noise_.box()[i];
       const Reading reading = ReadingOf(channel);
       entries.push_back({.channel = channel,
-                         .unit = UnitOf(channel.effect),
                          .drawn = noise_.values()[i],
                          .applied = reading.applied,
                          .measured = reading.measured});

@@ -33,7 +33,6 @@ namespace assay::check {
 // it from.
 struct LedgerEntry {
   noise::Channel channel;
-  std::string unit;  // "m" or "rad"; empty for frictions
   double drawn = 0;
   std::optional<double> applied = {};
   std::optional<double> measured = {};

@@ -17,8 +17,8 @@ using domain::Problem;
 
 // Returns a finding that holds if the value is at most the limit. It does not hold for NaN.
 Finding AtMost(Aspect aspect, const std::string& name, double value, double limit,
-               const char* unit) {
-  return {aspect, name, value, limit, unit, value <= limit};
+               domain::Dimension dimension) {
+  return {aspect, name, value, limit, dimension, value <= limit};
 }
 
 const Feature& FeatureOf(const Part& part, domain::FeatureNumber number) {
@@ -58,7 +58,8 @@ Finding SeatedDepth(const Problem& problem, const Mating& mating, const Pose& X_
                     const Limits& limits) {
   const Vector3 error = mating.X_FixedHeld.translation() - X_FixedHeld.translation();
   return AtMost(Aspect::kSeated, Named("seated depth", problem, mating),
-                std::abs(error.dot(mating.mating_vector.normalized())), limits.seated, "m");
+                std::abs(error.dot(mating.mating_vector.normalized())), limits.seated,
+                domain::Dimension::kLength);
 }
 
 Finding LateralError(const Problem& problem, const Mating& mating, const Pose& X_FixedHeld,
@@ -69,7 +70,7 @@ Finding LateralError(const Problem& problem, const Mating& mating, const Pose& X
       pair.X_FixedFeature.linear().transpose() * (X_FixedHeld * point - mating.X_FixedHeld * point);
   return AtMost(Aspect::kAligned, Named("lateral error", problem, mating),
                 error.head<2>().cwiseAbs().maxCoeff(),
-                GreatestClearance(problem) + limits.lateral_slack, "m");
+                GreatestClearance(problem) + limits.lateral_slack, domain::Dimension::kLength);
 }
 
 Finding AxisAngle(const Problem& problem, const Mating& mating, const Pose& X_FixedHeld,
@@ -77,7 +78,7 @@ Finding AxisAngle(const Problem& problem, const Mating& mating, const Pose& X_Fi
   const Vector3 axis = PairOf(problem, mating, 0).X_HeldFeature.linear().col(2);
   return AtMost(Aspect::kAligned, Named("axis angle", problem, mating),
                 AngleBetween(X_FixedHeld.linear() * axis, mating.X_FixedHeld.linear() * axis),
-                limits.axis_angle, "rad");
+                limits.axis_angle, domain::Dimension::kAngle);
 }
 
 Finding AlignmentError(const Problem& problem, const Mating& mating, std::size_t pair,
@@ -93,7 +94,7 @@ Finding AlignmentError(const Problem& problem, const Mating& mating, std::size_t
                                 mating.features[pair].second.index()),
                 across.norm(),
                 limits.alignment_clearances * GreatestClearance(problem) + limits.lateral_slack,
-                "m");
+                domain::Dimension::kLength);
 }
 
 Finding Released(const Part& part, const GripperState& gripper, const Limits& limits) {
@@ -103,15 +104,16 @@ Finding Released(const Part& part, const GripperState& gripper, const Limits& li
                       gripper.touching ? ", which the hand still touches" : ""),
           wider,
           limits.released,
-          "m",
+          domain::Dimension::kLength,
           !gripper.touching && wider >= limits.released};
 }
 
 std::vector<Finding> AtRest(const Part& part, const exec::RestRecord::Speeds& speeds,
                             const Limits& limits) {
-  return {AtMost(Aspect::kAtRest, "speed of " + part.name, speeds.linear, limits.speed, "m/s"),
+  return {AtMost(Aspect::kAtRest, "speed of " + part.name, speeds.linear, limits.speed,
+                 domain::Dimension::kSpeed),
           AtMost(Aspect::kAtRest, "angular speed of " + part.name, speeds.angular,
-                 limits.angular_speed, "rad/s")};
+                 limits.angular_speed, domain::Dimension::kAngularSpeed)};
 }
 
 std::vector<Finding> Located(const Part& part,
@@ -126,9 +128,9 @@ std::vector<Finding> Located(const Part& part,
   const domain::StablePose& pose = part.model->stable_poses()[nearest.index()];
   const double height = X_WorldPart.translation().z() - pose.X_TablePart.translation().z();
   return {AtMost(Aspect::kLocated, fmt::format("tilt of {} from {}", part.name, pose.label),
-                 tilt_from(nearest), limits.tilt, "rad"),
+                 tilt_from(nearest), limits.tilt, domain::Dimension::kAngle),
           AtMost(Aspect::kLocated, fmt::format("height of {} over {}", part.name, pose.label),
-                 std::abs(height), limits.height, "m")};
+                 std::abs(height), limits.height, domain::Dimension::kLength)};
 }
 
 }  // namespace assay::check

@@ -22,7 +22,7 @@ struct Finding {
   std::string name;  // "seated depth of peg in block"
   double value = 0;
   double limit = 0;
-  std::string unit;  // "m", "rad", "m/s", "rad/s"
+  domain::Dimension dimension = domain::Dimension::kLength;
   bool holds = false;
 };
 

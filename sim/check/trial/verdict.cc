@@ -120,8 +120,9 @@ TrialOutcome TrialOutcomeOf(exec::ExecutionOutcome outcome) {
 }
 
 std::string Reason(const Finding& finding) {
-  return fmt::format("{}: {:.4g} {}, limit {:.4g} {}", finding.name, finding.value, finding.unit,
-                     finding.limit, finding.unit);
+  const std::string_view unit = domain::SiUnitOf(finding.dimension).name;
+  return fmt::format("{}: {:.4g} {}, limit {:.4g} {}", finding.name, finding.value, unit,
+                     finding.limit, unit);
 }
 
 std::string Reason(const exec::CollisionRecord& collision) {

@@ -4,8 +4,6 @@
 
 #include <cmath>
 
-#include "planner/plan/data/condition_kind.h"
-
 namespace assay::cli {
 namespace {
 
@@ -24,45 +22,6 @@ double TowardZero(double number) {
 }
 
 }  // namespace
-
-Unit UnitOf(const std::string& variable) {
-  for (const char* angle : {"theta_", "skew_", "tip_", "twist_", "turn_"}) {
-    if (variable.starts_with(angle)) return kAngleUnit;
-  }
-  return kLengthUnit;
-}
-
-Unit UnitOf(const plan::CertifiedPrecondition& precondition) {
-  switch (plan::QuantityOf(precondition.condition)) {
-    case plan::Quantity::kLength:
-      return kLengthUnit;
-    case plan::Quantity::kAngle:
-      return kAngleUnit;
-    case plan::Quantity::kRatio:
-      return kRatioUnit;
-  }
-  return kRatioUnit;
-}
-
-Unit UnitOf(check::Unit unit) {
-  switch (unit) {
-    case check::Unit::kMetre:
-      return kLengthUnit;
-    case check::Unit::kRadian:
-      return kAngleUnit;
-    case check::Unit::kNone:
-      return kRatioUnit;
-  }
-  return kRatioUnit;
-}
-
-Unit ShownIn(std::string_view unit) {
-  if (unit == "m") return kLengthUnit;
-  if (unit == "rad") return kAngleUnit;
-  if (unit == "m/s") return {"mm/s", kLengthUnit.factor};
-  if (unit == "rad/s") return {"deg/s", kAngleUnit.factor};
-  return {unit};
-}
 
 std::string QuantityText(double value, const Unit& unit) {
   return domain::Beside(NumberText(value / unit.factor), unit);

@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "planner/base/check.h"
-#include "planner/plan/data/condition_kind.h"
+#include "planner/plan/data/coverage.h"
 #include "planner/plan/data/not_covered.h"
 #include "sim/cli/options/quantity.h"
 
@@ -59,8 +59,8 @@ bool AnyStrategy(const plan::Plan& plan) {
 std::string UnaskedText(const plan::Plan& plan) {
   if (!plan::IsAsPublished(plan)) return "";
   std::vector<std::string_view> unasked;
-  for (const plan::ConditionKind& kind : plan::ConditionKinds()) {
-    if (!kind.is_published) unasked.push_back(kind.name);
+  for (const plan::ConditionKind* kind : plan::KnownConditions()) {
+    if (!kind->is_published()) unasked.push_back(kind->name);
   }
   return fmt::format(" This propagation does not require: {}.", fmt::join(unasked, ", "));
 }

@@ -36,7 +36,7 @@ constexpr std::size_t kShownVariables = 8;  // the variables that cost most
 // Preconditions that state the same condition for different points and planes. The tightest comes
 // first.
 struct ClaimKind {
-  std::string condition;
+  plan::Condition condition;
   std::string meaning;
   std::vector<const CertifiedPrecondition*> claims;
 
@@ -64,6 +64,8 @@ std::vector<ClaimKind> KindsOf(const std::vector<CertifiedPrecondition>& precond
   std::ranges::stable_sort(kinds, {}, &ClaimKind::tightest);
   return kinds;
 }
+
+Unit UnitOf(const CertifiedPrecondition& claim) { return ShownUnitOf(claim.condition->dimension); }
 
 // Returns the bound: "INF -23.01 mm".
 std::string BoundText(const CertifiedPrecondition& claim) {
@@ -157,7 +159,7 @@ std::string VariablesText(const Proof& proof) {
   const std::size_t shown = CountShown(proof.variables);
   for (std::size_t i = 0; i < shown; ++i) {
     const VariableInProof& variable = proof.variables[i];
-    const Unit own = UnitOf(variable.name);
+    const Unit own = ShownUnitOf(variable.dimension);
     table.Add({fmt::format("{}{}", kIndent, variable.name),
                fmt::format("{} {}", RangeText(variable.range, own), own.name),
                variable.worst ? QuantityText(*variable.worst, own) : "",
@@ -183,7 +185,7 @@ std::string RemedyText(const Proof& proof) {
   if (proof.claim.holds()) return "";
   if (!proof.remedy) return "  Tightening one variable's range alone is not enough.\n";
   const NarrowedVariable& remedy = *proof.remedy;
-  const Unit unit = UnitOf(remedy.name);
+  const Unit unit = ShownUnitOf(remedy.dimension);
   return fmt::format("  Enough alone: tighten {} from {} to {} {}.\n", remedy.name,
                      RangeText(remedy.range, unit), NarrowRangeText(remedy.enough, unit),
                      unit.name);
@@ -246,7 +248,7 @@ std::string KindText(const ClaimKind& kind, const CertificateProofs& proofs, boo
                      bool in_full) {
   const std::size_t unproved = kind.unproved();
   const std::size_t all = kind.claims.size();
-  std::string text = fmt::format("\n{}: {}: {}\n", kind.condition, kind.meaning,
+  std::string text = fmt::format("\n{}: {}: {}\n", kind.condition.name(), kind.meaning,
                                  StandingText(unproved, all, absorbed));
   if (!in_full) {
     return text + fmt::format("    {}\n", OneLine(proofs.ExpressionText(*kind.claims.front()))) +
@@ -275,33 +277,30 @@ std::string PreconditionsText(const PlannedStep& step, const std::string& file) 
     is_tightest &= absorbed;
   }
   for (const auto& [condition, reason] : step.certificate.not_needed) {
-    text += fmt::format("\n{}: not needed: {}\n", condition, reason);
+    text += fmt::format("\n{}: not needed: {}\n", condition.name(), reason);
   }
   return text;
 }
 
 void AddErrorSets(const char* when, const std::vector<plan::ErrorSet>& sets,
                   const domain::Problem& problem, Table& table) {
-  const Unit length = UnitOf("dx_");
-  const Unit angle = UnitOf("theta_");
   for (const plan::ErrorSet& set : sets) {
-    table.Add({when, problem.part(set.part).name, set.in_hand ? "in the hand" : "resting",
-               RangeText(set.x, length), RangeText(set.y, length), RangeText(set.z, length),
-               RangeText(set.theta, angle), RangeText(set.tip, angle),
-               RangeText(set.twist, angle)});
+    std::vector<std::string> row = {when, problem.part(set.part).name,
+                                    set.in_hand ? "in the hand" : "resting"};
+    for (const plan::ErrorComponent& component : plan::ErrorComponents()) {
+      row.push_back(RangeText(set.*component.range, ShownUnitOf(component.dimension)));
+    }
+    table.Add(std::move(row));
   }
 }
 
 std::string ErrorSetsText(const domain::Problem& problem, const plan::Certificate& certificate) {
-  Table table({{""},
-               {"part"},
-               {""},
-               {"x mm", Align::kRight},
-               {"y mm", Align::kRight},
-               {"z mm", Align::kRight},
-               {"theta deg", Align::kRight},
-               {"tip deg", Align::kRight},
-               {"twist deg", Align::kRight}});
+  std::vector<Table::Column> columns = {{""}, {"part"}, {""}};
+  for (const plan::ErrorComponent& component : plan::ErrorComponents()) {
+    columns.push_back({fmt::format("{} {}", component.name, ShownUnitOf(component.dimension).name),
+                       Align::kRight});
+  }
+  Table table(std::move(columns));
   AddErrorSets("before", certificate.before, problem, table);
   AddErrorSets("after", certificate.after, problem, table);
   return "\nTrue pose of each part about the believed one\n" + table.Text();

@@ -16,7 +16,8 @@ using check::LedgerEntry;
 using Json = nlohmann::ordered_json;
 
 Unit LedgerUnit(const LedgerEntry& entry) {
-  return entry.unit.empty() ? Unit{"-"} : UnitOf(entry.channel.name);
+  const Dimension dimension = noise::DimensionOf(entry.channel.effect);
+  return dimension == Dimension::kRatio ? Unit{"-"} : ShownUnitOf(dimension);
 }
 
 std::string Number(const std::optional<double>& value, const Unit& unit) {
@@ -46,7 +47,7 @@ Json ToJson(const std::vector<LedgerEntry>& ledger) {
   Json json = Json::array();
   for (const LedgerEntry& entry : ledger) {
     json.push_back({{"name", entry.channel.name},
-                    {"unit", entry.unit},
+                    {"unit", domain::SiUnitOf(noise::DimensionOf(entry.channel.effect)).name},
                     {"drawn", entry.drawn},
                     {"applied", OrNull(entry.applied)},
                     {"measured", OrNull(entry.measured)}});

@@ -123,7 +123,7 @@ std::string CommandOf(const std::string& replay, const std::string& database) {
 
 std::string CounterexampleText(const sweep::CounterexampleRecord& example,
                                const std::string& database) {
-  const Unit unit = ShownIn(example.unit);
+  const Unit unit = ShownUnitOf(example.dimension);
   return fmt::format("  {}: {}: {} is not in [{:.6g}, {:.6g}] {}{}\n    again: {}\n",
                      example.action, example.name, InUnit(example.observed, unit),
                      example.low / unit.factor, example.high / unit.factor, unit.name,
@@ -169,7 +169,7 @@ Json RunJson(const sweep::RunRecord& run) {
 
 Json CounterexampleJson(const sweep::CounterexampleRecord& example, const std::string& database) {
   return {{"claim", example.claim},       {"action", example.action},
-          {"name", example.name},         {"unit", example.unit},
+          {"name", example.name},         {"unit", domain::SiUnitOf(example.dimension).name},
           {"observed", example.observed}, {"low", OrNull(example.low)},
           {"high", OrNull(example.high)}, {"margin", example.margin},
           {"gate", example.gate},         {"noise", example.noise},

@@ -72,7 +72,7 @@ std::string FindingTable(const std::vector<check::Finding>& findings) {
   Table table(
       {{"goal"}, {"value", Align::kRight}, {"must be", Align::kRight}, {"unit"}, {"verdict"}});
   for (const check::Finding& finding : findings) {
-    const Unit unit = ShownIn(finding.unit);
+    const Unit unit = ShownUnitOf(finding.dimension);
     table.Add({finding.name, fmt::format("{:.4f}", finding.value / unit.factor),
                fmt::format("{} {:.4f}", Direction(finding), finding.limit / unit.factor),
                std::string(unit.name), finding.holds ? "holds" : "violated"});
@@ -98,7 +98,7 @@ Json FindingsToJson(const std::vector<check::Finding>& findings) {
     json.push_back({{"name", finding.name},
                     {"value", finding.value},
                     {"limit", finding.limit},
-                    {"unit", finding.unit},
+                    {"unit", domain::SiUnitOf(finding.dimension).name},
                     {"holds", finding.holds}});
   }
   return json;

@@ -105,8 +105,8 @@ Json ToJson(const VerdictCounts& counts) {
 }
 
 std::string Text(const Claim& claim) {
-  if (claim.unit == check::Unit::kNone) return claim.name + ": it does not";
-  const Unit unit = UnitOf(claim.unit);
+  if (!claim.dimension) return claim.name + ": it does not";
+  const Unit unit = ShownUnitOf(*claim.dimension);
   const auto number = [&](double value) { return fmt::format("{:+.3f}", value / unit.factor); };
   return fmt::format("{}{} {} in [{}, {}] {}, gate {:.3f}", Place(claim), claim.name,
                      number(claim.observed), number(claim.predicted.low),
@@ -117,7 +117,7 @@ Json ToJson(const plan::Plan& plan, const Claim& claim) {
   return {{"step", plan.step(claim.step).name},
           {"about", check::Name(claim.about)},
           {"claim", claim.name},
-          {"unit", check::Name(claim.unit)},
+          {"unit", claim.UnitName()},
           {"predicted", {OrNull(claim.predicted.low), OrNull(claim.predicted.high)}},
           {"proved", claim.proved},
           {"observed", claim.observed},
@@ -169,7 +169,7 @@ std::string Text(const plan::Plan& plan, const check::Noiseless& noiseless,
                         Text(claim));
   }
   for (const Claim& claim : noiseless.hidden) {
-    const Unit unit = UnitOf(claim.unit);
+    const Unit unit = ShownUnitOf(claim.dimension.value_or(Dimension::kRatio));
     text += fmt::format(
         "step {}: {}: the noise floor, {:.3f} {}, is wider than the certified set or the "
         "clearance: the plan cannot be tested\n",

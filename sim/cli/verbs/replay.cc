@@ -153,8 +153,10 @@ std::string VerdictTable(const plan::Plan& plan,
   for (const check::CertificateVerdict& verdict : verdicts) {
     const plan::PlannedStep& step = plan.step(verdict.step);
     const check::Claim& worst = verdict.worst;
-    table.Add({std::to_string(step.executed), step.name, std::string(check::Name(verdict.verdict)),
-               Text(worst), QuantityText(worst.margin, UnitOf(worst.unit))});
+    table.Add(
+        {std::to_string(step.executed), step.name, std::string(check::Name(verdict.verdict)),
+         Text(worst),
+         QuantityText(worst.margin, ShownUnitOf(worst.dimension.value_or(Dimension::kRatio)))});
   }
   return table.Text();
 }

@@ -16,8 +16,8 @@ bool IsOtherPosture(const kinematics::Arm& arm, const JointVector& a, const Join
 
 // The arm goes from its present posture to the path's start, along the path, and from the path's
 // end to the posture for X_WorldTool. The checks of the path hold for its way. The two short
-// motions at the ends are within what errors may do to the tool, which the preconditions "reach"
-// and "way clear" cover.
+// motions at the ends are within what errors may do to the tool, which the preconditions kReach and
+// kWayClear cover.
 Progress Run(const FollowPath& follow, std::span<const Command>, Execution& execution) {
   const domain::Workcell& workcell = *execution.problem().workcell;
   motion::JointPath path = follow.path;

@@ -27,7 +27,9 @@ std::string ScenarioName(const sweep::CellRecord& cell) {
 constexpr std::array kAxes = {
     CellAxis{"scenario", ScenarioName},
     CellAxis{"clearance",
-             [](const sweep::CellRecord& cell) { return QuantityText(cell.clearance, "m"); }},
+             [](const sweep::CellRecord& cell) {
+               return QuantityText(cell.clearance, domain::Dimension::kLength);
+             }},
     CellAxis{"errors",
              [](const sweep::CellRecord& cell) { return "× " + NumberText(cell.error_scale); }},
     CellAxis{"propagation", [](const sweep::CellRecord& cell) { return cell.propagation; }},

@@ -169,8 +169,8 @@ void AddObserved(Element& svg, const Axis& axis, const ClaimFindings& row) {
   AddEnd(svg, axis, row, seen.greatest);
 }
 
-void AddTicks(Element& svg, const Axis& axis, std::string_view unit) {
-  const Axis shown{Shown(axis.low, unit), Shown(axis.high, unit), axis.left, axis.right};
+void AddTicks(Element& svg, const Axis& axis, domain::Dimension dimension) {
+  const Axis shown{Shown(axis.low, dimension), Shown(axis.high, dimension), axis.left, axis.right};
   const double y = kMiddle + 14;
   AddLine(svg, "axis", axis.left, y, axis.right, y);
   for (const double tick : Ticks(shown, 4)) {
@@ -185,11 +185,12 @@ std::string ErrorWords(const ClaimFindings& row) {
   const auto& claim = row.claim;
   const Observed& seen = row.observed;
   std::string words = fmt::format("{}: predicted {}", claim.name,
-                                  IntervalText({claim.low, claim.high}, claim.unit));
+                                  IntervalText({claim.low, claim.high}, claim.dimension));
   if (seen.claimed() == 0) return words + "; nothing observed that was claimed";
-  return words + fmt::format("; observed {}, half of it {}",
-                             IntervalText({seen.least, seen.greatest}, claim.unit),
-                             IntervalText({seen.lower_quartile, seen.upper_quartile}, claim.unit));
+  return words +
+         fmt::format("; observed {}, half of it {}",
+                     IntervalText({seen.least, seen.greatest}, claim.dimension),
+                     IntervalText({seen.lower_quartile, seen.upper_quartile}, claim.dimension));
 }
 
 Element Symbol(Standing standing) {
@@ -277,7 +278,7 @@ Element ErrorChart(const ClaimFindings& claim) {
   const Axis axis = ErrorAxis(claim);
   AddPrediction(svg, axis, claim.claim);
   AddObserved(svg, axis, claim);
-  AddTicks(svg, axis, claim.claim.unit);
+  AddTicks(svg, axis, claim.claim.dimension);
   return svg;
 }
 

@@ -40,6 +40,9 @@ class Csv {
   static std::string Text(const std::optional<double>& value) { return value ? Text(*value) : ""; }
   static std::string Text(int value) { return std::to_string(value); }
   static std::string Text(std::int64_t value) { return std::to_string(value); }
+  static std::string Text(domain::Dimension value) {
+    return std::string(domain::SiUnitOf(value).name);
+  }
   static std::string Text(bool value) { return value ? "1" : "0"; }
   static std::string Text(std::string_view value) {
     if (value.find_first_of(",\"\r\n") == value.npos) return std::string(value);
@@ -102,9 +105,9 @@ CsvFile ErrorSetsCsv(const Findings& findings) {
         const double none = std::nan("");
         const bool any = seen.claimed() > 0;
         const VerdictCounts verdicts = seen.verdicts.Verdicts();
-        csv.Add(cell.cell().cell, claim.step, claim.action, claim.about, claim.name, claim.unit,
-                claim.low, claim.high, claim.proved, claim.gate, verdicts.contained,
-                verdicts.inconclusive, verdicts.violated, verdicts.not_claimed,
+        csv.Add(cell.cell().cell, claim.step, claim.action, claim.about, claim.name,
+                claim.dimension, claim.low, claim.high, claim.proved, claim.gate,
+                verdicts.contained, verdicts.inconclusive, verdicts.violated, verdicts.not_claimed,
                 any ? seen.least : none, any ? seen.lower_quartile : none, any ? seen.median : none,
                 any ? seen.upper_quartile : none, any ? seen.greatest : none);
       }
@@ -119,10 +122,10 @@ CsvFile VerdictsCsv(const Findings& findings) {
           "unit,observed,low,high,margin,gate,trial,replay");
   for (const CellFindings& cell : findings.cells) {
     for (const StepFindings& step : cell.steps) {
-      const auto& [verdict, about, unit, trial] = step.worst;
+      const auto& [verdict, about, dimension, trial] = step.worst;
       const VerdictCounts counts = step.counts.Verdicts();
       csv.Add(cell.cell().cell, step.step, step.action, counts.contained, counts.inconclusive,
-              counts.violated, counts.not_claimed, verdict.verdict, verdict.claim, about, unit,
+              counts.violated, counts.not_claimed, verdict.verdict, verdict.claim, about, dimension,
               verdict.observed, verdict.low, verdict.high, verdict.margin, verdict.gate, trial,
               ReplayCommand(findings.database, trial));
     }
@@ -151,7 +154,7 @@ CsvFile AttackedClaimsCsv(const Findings& findings) {
   for (const CellFindings& cell : findings.cells) {
     if (!cell.attack) continue;
     for (const sweep::WorstClaimRecord& claim : cell.attack->worst) {
-      csv.Add(cell.cell().cell, claim.step, claim.action, claim.about, claim.name, claim.unit,
+      csv.Add(cell.cell().cell, claim.step, claim.action, claim.about, claim.name, claim.dimension,
               claim.observed, claim.low, claim.high, claim.margin, claim.gate, claim.verdict,
               claim.phase, claim.attempt, claim.noise);
     }
@@ -167,7 +170,7 @@ CsvFile CounterexamplesCsv(const Findings& findings) {
     if (!cell.attack) continue;
     for (const sweep::CounterexampleRecord& example : cell.attack->counterexamples) {
       csv.Add(cell.cell().cell, example.number, example.claim, example.action, example.name,
-              example.unit, example.observed, example.low, example.high, example.margin,
+              example.dimension, example.observed, example.low, example.high, example.margin,
               example.gate, example.noise, example.steps, example.replayed, example.multiple,
               WithDatabase(example.replay, findings.database));
     }

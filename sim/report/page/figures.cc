@@ -4,12 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "sim/sweep/store/wilson.h"
 
 namespace assay::report {
 namespace {
+
+using domain::Dimension;
 
 constexpr const char* kMinus = "−";
 constexpr const char* kNothing = "–";
@@ -55,10 +56,9 @@ std::string Magnitude(double value, int digits) {
   return Grouped(Trimmed(fmt::format("{:.{}f}", value, decimals)));
 }
 
-std::string WithUnit(std::string number, std::string_view unit) {
-  const std::string_view shown = ShownUnit(unit);
-  if (shown.empty()) return number;
-  return fmt::format("{}{}{}", number, shown == "°" ? "" : " ", shown);
+std::string WithUnit(const std::string& number, Dimension dimension) {
+  if (dimension == Dimension::kAngle) return number + "°";
+  return domain::Beside(number, domain::ShownUnitOf(dimension));
 }
 
 // Returns a percentage with one digit after the point, or with as many digits as it needs to differ
@@ -89,34 +89,26 @@ std::string NumberText(double value, int digits) {
   return value < 0 ? kMinus + text : text;
 }
 
-double Shown(double value, std::string_view unit) {
-  if (unit == "m") return 1000 * value;
-  if (unit == "rad") return value * 180 / std::numbers::pi;
-  return value;
+double Shown(double value, Dimension dimension) {
+  return value / domain::ShownUnitOf(dimension).factor;
 }
 
-std::string_view ShownUnit(std::string_view unit) {
-  if (unit == "m") return "mm";
-  if (unit == "rad") return "°";
-  return unit;
-}
-
-std::string QuantityText(double value, std::string_view unit) {
+std::string QuantityText(double value, Dimension dimension) {
   if (std::isnan(value)) return kNothing;
-  return WithUnit(NumberText(Shown(value, unit)), unit);
+  return WithUnit(NumberText(Shown(value, dimension)), dimension);
 }
 
-std::string IntervalText(const Interval& interval, std::string_view unit) {
+std::string IntervalText(const Interval& interval, Dimension dimension) {
   const auto [low, high] = interval;
   if (std::isnan(low) || std::isnan(high)) return kNothing;
   if (std::isinf(low) && std::isinf(high)) return "anything";
-  if (std::isinf(high)) return "≥ " + QuantityText(low, unit);
-  if (std::isinf(low)) return "≤ " + QuantityText(high, unit);
-  const std::string low_text = NumberText(Shown(low, unit));
-  const std::string high_text = NumberText(Shown(high, unit));
-  if (low_text == high_text) return WithUnit(low_text, unit);
-  if (low_text == kMinus + high_text) return WithUnit("±" + high_text, unit);
-  return fmt::format("{} to {}", low_text, WithUnit(high_text, unit));
+  if (std::isinf(high)) return "≥ " + QuantityText(low, dimension);
+  if (std::isinf(low)) return "≤ " + QuantityText(high, dimension);
+  const std::string low_text = NumberText(Shown(low, dimension));
+  const std::string high_text = NumberText(Shown(high, dimension));
+  if (low_text == high_text) return WithUnit(low_text, dimension);
+  if (low_text == kMinus + high_text) return WithUnit("±" + high_text, dimension);
+  return fmt::format("{} to {}", low_text, WithUnit(high_text, dimension));
 }
 
 std::string RateText(int successes, int trials) {

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "planner/base/interval.h"
+#include "planner/domain/problem/units.h"
 
 namespace assay::report {
 
@@ -18,16 +19,14 @@ std::string CountText(std::int64_t count, std::string_view what);
 // Writes a number with `digits` significant digits: "0.136", "1,230", "2.1 × 10⁻⁷", "∞".
 std::string NumberText(double value, int digits = 3);
 
-// Converts a value of a claim to the unit in which it is shown: metres to millimetres, radians to
-// degrees.
-double Shown(double value, std::string_view unit);
-std::string_view ShownUnit(std::string_view unit);  // "mm" or "°"; empty for a value without a unit
+// Converts a value in SI units to the unit in which it is shown.
+double Shown(double value, domain::Dimension dimension);
 
 // Writes a value with its unit, like "0.136 mm" or "−0.31°".
-std::string QuantityText(double value, std::string_view unit);
+std::string QuantityText(double value, domain::Dimension dimension);
 // Writes an interval: "±0.136 mm", "−0.2 to 0.31 mm", "≥ 0 mm", or "0.1 mm" if both ends are the
 // same.
-std::string IntervalText(const Interval& interval, std::string_view unit);
+std::string IntervalText(const Interval& interval, domain::Dimension dimension);
 
 // Writes a rate, like "98.1 %". It is 0 or 100 only if none or all of the trials succeeded.
 std::string RateText(int successes, int trials);

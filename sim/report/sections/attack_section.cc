@@ -5,6 +5,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "sim/noise/error_box.h"
 #include "sim/report/page/chart.h"
 #include "sim/report/page/command.h"
 #include "sim/report/page/data_table.h"
@@ -71,20 +72,14 @@ Element WorstTable(const Subject& subject, const CellFindings& cell) {
                    {"attempt", "number"}});
   for (const sweep::WorstClaimRecord& claim : Tightest(*cell.attack)) {
     table.AddRow({Words(fmt::format("{} {} ({})", claim.step, claim.name, claim.about)),
-                  StandingWords(StandingOf(claim)), Words(QuantityText(claim.observed, claim.unit)),
-                  Words(IntervalText({claim.low, claim.high}, claim.unit)),
-                  Words(QuantityText(claim.margin, claim.unit)),
-                  Words(QuantityText(claim.gate, claim.unit)), Words(claim.phase),
+                  StandingWords(StandingOf(claim)),
+                  Words(QuantityText(claim.observed, claim.dimension)),
+                  Words(IntervalText({claim.low, claim.high}, claim.dimension)),
+                  Words(QuantityText(claim.margin, claim.dimension)),
+                  Words(QuantityText(claim.gate, claim.dimension)), Words(claim.phase),
                   Words(CountText(claim.attempt))});
   }
   return table.Take();
-}
-
-// Returns the unit of an error by its name in the text of a noise.
-std::string UnitOf(const std::string& variable) {
-  if (variable.starts_with("theta_")) return "rad";
-  const bool length = variable.size() > 3 && variable[0] == 'd' && variable[2] == '_';
-  return length || variable == "clearance" ? "m" : "";
 }
 
 // Converts "dx_block=0.0028 theta_block=-0.09" to "dx_block = 2.8 mm, ...".
@@ -99,8 +94,9 @@ std::string NoiseText(const std::string& noise) {
       errors.push_back(word);
       continue;
     }
-    const std::string variable = word.substr(0, equals);
-    errors.push_back(fmt::format("{} = {}", variable, QuantityText(value, UnitOf(variable))));
+    const std::string channel = word.substr(0, equals);
+    errors.push_back(
+        fmt::format("{} = {}", channel, QuantityText(value, noise::DimensionOfChannel(channel))));
   }
   return errors.empty() ? "none" : fmt::format("{}", fmt::join(errors, ", "));
 }
@@ -114,10 +110,10 @@ Element Example(const Subject& subject, const CellFindings& cell,
       .Text(fmt::format(": {} of {}", example.name, example.action));
   box.Add("p",
           fmt::format("{}. Observed {} where {} was predicted: outside by {}, with a gate of {}.",
-                      subject.NameOf(cell), QuantityText(example.observed, example.unit),
-                      IntervalText({example.low, example.high}, example.unit),
-                      QuantityText(-example.margin, example.unit),
-                      QuantityText(example.gate, example.unit)));
+                      subject.NameOf(cell), QuantityText(example.observed, example.dimension),
+                      IntervalText({example.low, example.high}, example.dimension),
+                      QuantityText(-example.margin, example.dimension),
+                      QuantityText(example.gate, example.dimension)));
   box.Add("p", fmt::format("Errors that are left: {}. {}, {}.", NoiseText(example.noise),
                            CountText(example.steps, "step"),
                            example.replayed ? "replayed from the start of the plan"

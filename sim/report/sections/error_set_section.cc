@@ -23,7 +23,7 @@ constexpr std::array kAbouts = {
 std::string ObservedText(const ClaimFindings& row) {
   const Observed& seen = row.observed;
   if (seen.claimed() == 0) return "–";
-  return IntervalText({seen.least, seen.greatest}, row.claim.unit);
+  return IntervalText({seen.least, seen.greatest}, row.claim.dimension);
 }
 
 // Returns the worst standing and how often it occurred.
@@ -45,9 +45,10 @@ void AddRow(DataTable& table, const ClaimFindings& row) {
   const sweep::ClaimRecord& claim = row.claim;
   table.AddRow(
       {Words(claim.proved ? claim.name : claim.name + " (not proved)"), ErrorChart(row),
-       Words(IntervalText({claim.low, claim.high}, claim.unit)), Words(ObservedText(row)),
-       Words(row.observed.claimed() == 0 ? "–" : QuantityText(row.observed.median, claim.unit)),
-       Words(QuantityText(claim.gate, claim.unit)), Worst(row.observed.verdicts)});
+       Words(IntervalText({claim.low, claim.high}, claim.dimension)), Words(ObservedText(row)),
+       Words(row.observed.claimed() == 0 ? "–"
+                                         : QuantityText(row.observed.median, claim.dimension)),
+       Words(QuantityText(claim.gate, claim.dimension)), Worst(row.observed.verdicts)});
 }
 
 Element StepTable(const StepFindings& step) {
@@ -76,7 +77,7 @@ Element StepTable(const StepFindings& step) {
 Element DrawingKey() {
   ClaimFindings example;
   example.claim.name = std::string("example");
-  example.claim.unit = std::string("m");
+  example.claim.dimension = domain::Dimension::kLength;
   example.claim.low = -0.001;
   example.claim.high = 0.001;
   example.claim.gate = 0.0001;

@@ -36,7 +36,8 @@ struct ClaimFindings {
 // The worst verdict on a certificate in all trials, and its trial.
 struct WorstVerdict {
   sweep::VerdictRecord verdict;
-  std::string about, unit;  // taken from the claim; empty if the claim is unknown
+  std::string about;  // taken from the claim; empty if the claim is unknown
+  domain::Dimension dimension = domain::Dimension::kRatio;  // taken from the claim, if it is known
   int trial = 0;
 };
 

@@ -12,13 +12,6 @@ using sweep::ClaimRecord;
 using sweep::Statement;
 using sweep::VerdictRecord;
 
-// Converts radians to metres at an arm of a tenth of a metre, as check::ByStep does, so that
-// margins can be compared.
-double AsLength(double margin, std::string_view unit) {
-  constexpr double kArm = 0.1;
-  return unit == "rad" ? kArm * margin : margin;
-}
-
 // Returns a quantile of sorted values by linear interpolation.
 double Quantile(const std::vector<double>& values, double share) {
   const double place = share * static_cast<double>(values.size() - 1);
@@ -51,7 +44,7 @@ const ClaimRecord* FindClaim(const std::vector<ClaimRecord>& claims, const Verdi
 bool IsWorse(const WorstVerdict& a, const WorstVerdict& b) {
   const auto key = [](const WorstVerdict& worst) {
     return std::tuple(Rank(VerdictNamed(worst.verdict.verdict)),
-                      AsLength(worst.verdict.margin, worst.unit), worst.trial);
+                      check::AsLength(worst.verdict.margin, worst.dimension), worst.trial);
   };
   return key(a) < key(b);
 }
@@ -100,11 +93,10 @@ class StepReader {
                                    .margin = row.Real(8),
                                    .gate = row.Real(9)},
                        .about = "",
-                       .unit = "",
                        .trial = row.Int(0)};
     if (const ClaimRecord* const claim = FindClaim(claims_, worst.verdict)) {
       worst.about = claim->about;
-      worst.unit = claim->unit;
+      worst.dimension = claim->dimension;
     }
     return worst;
   }
@@ -167,7 +159,8 @@ std::vector<Merit> Merits(const sweep::Store& store, const std::string& conditio
     const ClaimVerdict verdict = VerdictNamed(rows.Text(2));
     if (verdict == ClaimVerdict::kNotClaimed) continue;
     merit.rank = std::min(merit.rank, Rank(verdict));
-    merit.margin = std::min(merit.margin, AsLength(rows.Real(3), rows.Text(4)));
+    merit.margin =
+        std::min(merit.margin, check::AsLength(rows.Real(3), sweep::DimensionNamed(rows.Text(4))));
   }
   return merits;
 }

@@ -56,10 +56,10 @@ void AddRow(DataTable& table, const Findings& findings, const StepFindings& step
   const sweep::VerdictRecord& verdict = worst.verdict;
   if (worst.trial == 0) return;
   table.AddRow({StepWords(step), CountWords(step), WorstWords(worst, findings.database),
-                Words(QuantityText(verdict.observed, worst.unit)),
-                Words(IntervalText({verdict.low, verdict.high}, worst.unit)),
-                Words(QuantityText(verdict.margin, worst.unit)),
-                Words(QuantityText(verdict.gate, worst.unit))});
+                Words(QuantityText(verdict.observed, worst.dimension)),
+                Words(IntervalText({verdict.low, verdict.high}, worst.dimension)),
+                Words(QuantityText(verdict.margin, worst.dimension)),
+                Words(QuantityText(verdict.gate, worst.dimension))});
 }
 
 Element CellTable(const Subject& subject, const CellFindings& cell) {

@@ -46,17 +46,17 @@ Fields FieldsOf(const TrialRecord& record) {
 void AddWorst(const WorstClaimRecord& worst, Fields& fields) {
   fields["worst " + worst.claim] =
       fmt::format("{} in {} of [{}, {}], margin {}, gate {}, {}, attempt {} ({}), noise {}",
-                  worst.observed, worst.unit, worst.low, worst.high, worst.margin, worst.gate,
-                  worst.verdict, worst.attempt, worst.phase, worst.noise);
+                  worst.observed, domain::SiUnitOf(worst.dimension).name, worst.low, worst.high,
+                  worst.margin, worst.gate, worst.verdict, worst.attempt, worst.phase, worst.noise);
 }
 
 void AddExample(const CounterexampleRecord& example, Fields& fields) {
   fields[fmt::format("counterexample {}", example.number)] = fmt::format(
       "{}: {} {} of [{}, {}], margin {}, gate {}, noise {}, steps {}, {}, "
       "multiple {}",
-      example.claim, example.observed, example.unit, example.low, example.high, example.margin,
-      example.gate, example.noise, example.steps, example.replayed ? "replayed" : "not replayed",
-      example.multiple);
+      example.claim, example.observed, domain::SiUnitOf(example.dimension).name, example.low,
+      example.high, example.margin, example.gate, example.noise, example.steps,
+      example.replayed ? "replayed" : "not replayed", example.multiple);
 }
 
 std::string TextOf(const std::optional<double>& value) {

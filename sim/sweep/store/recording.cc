@@ -27,13 +27,17 @@ std::vector<std::string> ClaimNames(const plan::Plan& plan,
   return names;
 }
 
+domain::Dimension DimensionOf(const check::Claim& claim) {
+  return claim.dimension.value_or(domain::Dimension::kRatio);
+}
+
 ClaimRecord RecordOf(const plan::PlannedStep& step, const check::Claim& claim, std::string name) {
   return {.claim = std::move(name),
           .step = step.executed,
           .action = step.name,
           .about = std::string(check::Name(claim.about)),
           .name = claim.name,
-          .unit = std::string(check::Name(claim.unit)),
+          .dimension = DimensionOf(claim),
           .low = claim.predicted.low,
           .high = claim.predicted.high,
           .proved = claim.proved,
@@ -74,7 +78,7 @@ WorstClaimRecord RecordOf(const plan::Plan& plan, const check::WorstClaim& worst
           .action = step.name,
           .about = std::string(check::Name(claim.about)),
           .name = claim.name,
-          .unit = std::string(check::Name(claim.unit)),
+          .dimension = DimensionOf(claim),
           .observed = claim.observed,
           .low = claim.predicted.low,
           .high = claim.predicted.high,
@@ -93,7 +97,7 @@ CounterexampleRecord RecordOf(const plan::Plan& plan, const check::Counterexampl
   return {.claim = ClaimName(plan, claim),
           .action = plan.step(claim.step).name,
           .name = claim.name,
-          .unit = std::string(check::Name(claim.unit)),
+          .dimension = DimensionOf(claim),
           .observed = claim.observed,
           .low = claim.predicted.low,
           .high = claim.predicted.high,
@@ -142,7 +146,7 @@ const check::WorstClaim* WorstOf(const check::AttackResult& result) {
 std::string Told(const plan::Plan& plan, const check::Claim& claim) {
   const plan::PlannedStep& step = plan.step(claim.step);
   return fmt::format("step {} ({}): {}: observed {:.6g} {}, predicted [{:.6g}, {:.6g}]",
-                     step.executed, step.name, claim.name, claim.observed, check::Name(claim.unit),
+                     step.executed, step.name, claim.name, claim.observed, claim.UnitName(),
                      claim.predicted.low, claim.predicted.high);
 }
 
@@ -158,7 +162,7 @@ std::string WrongWithoutNoise(const plan::Plan& plan, const check::Noiseless& no
     lines.push_back(
         fmt::format("{}: the noise floor, {:.6g} {}, is wider than the certified set or the "
                     "clearance: the plan cannot be tested",
-                    Told(plan, claim), gate.Floor(claim), check::Name(claim.unit)));
+                    Told(plan, claim), gate.Floor(claim), claim.UnitName()));
   }
   return fmt::format("{}", fmt::join(lines, "\n"));
 }

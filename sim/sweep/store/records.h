@@ -47,11 +47,12 @@ struct ClaimRecord {
   int step = 0;        // position in the order of execution, from 1
   std::string action;  // name of the step, like "action_3"
   std::string about;   // "before", "precondition" or "after"
-  std::string name, unit;
+  std::string name;
+  domain::Dimension dimension = domain::Dimension::kRatio;  // column `unit`; a ratio for statements
   double low = 0;
   double high = 0;
   bool proved = true;
-  double gate = 0;  // noise floor, in the same unit
+  double gate = 0;  // noise floor
 
   bool operator==(const ClaimRecord&) const = default;
 };
@@ -103,7 +104,8 @@ struct TrialRecord {
 struct WorstClaimRecord {
   std::string claim;  // the name in table `claim`
   int step = 0;
-  std::string action, about, name, unit;
+  std::string action, about, name;
+  domain::Dimension dimension = domain::Dimension::kRatio;  // as in ClaimRecord
   double observed = 0, low = 0, high = 0, margin = 0, gate = 0;
   std::string verdict, phase;  // as check::Name writes them
   std::int64_t attempt = 0;    // number of the attempt, from 1
@@ -115,7 +117,8 @@ struct WorstClaimRecord {
 // A shrunk violation, which needs every one of its errors: a row of table `counterexample`.
 struct CounterexampleRecord {
   int number = 0;  // number in its cell, from 1
-  std::string claim, action, name, unit;
+  std::string claim, action, name;
+  domain::Dimension dimension = domain::Dimension::kRatio;  // as in ClaimRecord
   double observed = 0, low = 0, high = 0, margin = 0, gate = 0;
   std::string noise;
   int steps = 0;          // the number of steps that must be executed

@@ -29,6 +29,10 @@ bool HasNothing(const Database& database) {
          database.Integer("PRAGMA application_id") == 0;
 }
 
+std::string NameOf(domain::Dimension dimension) {
+  return std::string(domain::SiUnitOf(dimension).name);
+}
+
 std::string ReplayCommand(int trial) { return fmt::format("assay replay DB {}", trial); }
 
 CellRecord ReadCell(const Statement& row) {
@@ -141,7 +145,7 @@ std::vector<WorstClaimRecord> ReadWorst(const Database& database, int cell) {
                      .action = rows.Text(2),
                      .about = rows.Text(3),
                      .name = rows.Text(4),
-                     .unit = rows.Text(5),
+                     .dimension = DimensionNamed(rows.Text(5)),
                      .observed = rows.Real(6),
                      .low = rows.Real(7),
                      .high = rows.Real(8),
@@ -168,7 +172,7 @@ std::vector<CounterexampleRecord> ReadCounterexamples(const Database& database, 
                         .claim = rows.Text(1),
                         .action = rows.Text(2),
                         .name = rows.Text(3),
-                        .unit = rows.Text(4),
+                        .dimension = DimensionNamed(rows.Text(4)),
                         .observed = rows.Real(5),
                         .low = rows.Real(6),
                         .high = rows.Real(7),
@@ -214,6 +218,15 @@ std::string Difference(const std::string& key) {
 }
 
 }  // namespace
+
+domain::Dimension DimensionNamed(const std::string& unit) {
+  const auto dimension = domain::DimensionIn(unit);
+  if (!dimension) {
+    throw InputError({.file = "the database"}, fmt::format("'{}' is no unit of claims", unit),
+                     "a database as it was written");
+  }
+  return *dimension;
+}
 
 // The statements that write cells and trials, each prepared once.
 struct Store::Writing {
@@ -458,7 +471,7 @@ void Store::WriteTrial(const TimedTrial& timed) {
   for (const ClaimRecord& claim : timed.claims) {
     writing_->claim
         .Bind(trial.cell, claim.claim, claim.step, claim.action, claim.about, claim.name,
-              claim.unit, claim.low, claim.high, claim.proved, claim.gate)
+              NameOf(claim.dimension), claim.low, claim.high, claim.proved, claim.gate)
         .Run();
   }
   for (const VerdictRecord& verdict : trial.verdicts) {
@@ -484,16 +497,17 @@ void Store::WriteAttack(int cell, const AttackRecord& attack) {
       .Run();
   for (const WorstClaimRecord& worst : attack.worst) {
     writing_->worst
-        .Bind(cell, worst.claim, worst.step, worst.action, worst.about, worst.name, worst.unit,
-              worst.observed, worst.low, worst.high, worst.margin, worst.gate, worst.verdict,
-              worst.phase, worst.attempt, worst.noise)
+        .Bind(cell, worst.claim, worst.step, worst.action, worst.about, worst.name,
+              NameOf(worst.dimension), worst.observed, worst.low, worst.high, worst.margin,
+              worst.gate, worst.verdict, worst.phase, worst.attempt, worst.noise)
         .Run();
   }
   for (const CounterexampleRecord& example : attack.counterexamples) {
     writing_->counterexample
-        .Bind(cell, example.number, example.claim, example.action, example.name, example.unit,
-              example.observed, example.low, example.high, example.margin, example.gate,
-              example.noise, example.steps, example.replayed, example.multiple, example.replay)
+        .Bind(cell, example.number, example.claim, example.action, example.name,
+              NameOf(example.dimension), example.observed, example.low, example.high,
+              example.margin, example.gate, example.noise, example.steps, example.replayed,
+              example.multiple, example.replay)
         .Run();
   }
   for (const ConservatismRecord& ratio : attack.conservatism) {
@@ -559,7 +573,8 @@ std::vector<ClaimRecord> Store::Claims(int cell) const {
   rows.Bind(cell);
   while (rows.Next()) {
     claims.push_back({rows.Text(0), rows.Int(1), rows.Text(2), rows.Text(3), rows.Text(4),
-                      rows.Text(5), rows.Real(6), rows.Real(7), rows.Int(8) != 0, rows.Real(9)});
+                      DimensionNamed(rows.Text(5)), rows.Real(6), rows.Real(7), rows.Int(8) != 0,
+                      rows.Real(9)});
   }
   return claims;
 }

@@ -12,6 +12,10 @@
 
 namespace assay::sweep {
 
+// Returns the dimension that the column `unit` of a table names. Throws InputError if it names
+// none.
+domain::Dimension DimensionNamed(const std::string& unit);
+
 // Returns the facts that identify a sweep, by which its database is distinguished from others. They
 // are the "format" and "text" of the sweep file, the "version" of the program, the number of all
 // "trials", and the text of each scenario file under the key "scenario PATH". The "path" of the

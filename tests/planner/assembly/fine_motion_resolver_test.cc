@@ -9,6 +9,7 @@
 #include "planner/assembly/certified_plan.h"
 #include "planner/assembly/resolvers.h"
 #include "planner/base/random.h"
+#include "planner/plan/data/condition_table.h"
 #include "tests/oracle/executed_errors.h"
 #include "tests/planner/constraint_posting/scenarios.h"
 
@@ -32,21 +33,17 @@ constexpr std::uint64_t kSeed = 5;
 constexpr int kSamples = 10'000;
 constexpr double kRounding = 1e-9;
 
-uncertainty::Unproved Unproved(const std::string& condition) {
-  uncertainty::Unproved unproved;
-  unproved.claim.condition = condition;
-  return unproved;
-}
-
 // The first instance of a scenario, and unmet goals of its last step, an assemble.
 struct Asked {
   explicit Asked(domain::Problem of) : problem(std::move(of)) {
     actions = constraint_posting::ActionsOf(constraint_posting::FirstInstance(problem));
   }
 
-  UnmetGoals About(const std::vector<std::string>& conditions) const {
+  UnmetGoals About(const std::vector<plan::Condition>& conditions) const {
     UnmetGoals unmet = {problem, actions, static_cast<int>(actions.size()) - 1, {}};
-    for (const std::string& condition : conditions) unmet.goals.push_back(Unproved(condition));
+    for (const plan::Condition condition : conditions) {
+      unmet.goals.push_back({.claim = {.condition = condition}, .expression = {}});
+    }
     return unmet;
   }
   const plan::Assemble& assemble() const { return std::get<plan::Assemble>(actions.back()); }
@@ -77,7 +74,8 @@ TEST_P(TipErrors, AreInTheBox) {
   const domain::Problem& problem = asked.problem;
   const plan::Assemble& assemble = asked.assemble();
   const uncertainty::TipWay way = SomeWay(problem, problem.mating(assemble.mating));
-  const uncertainty::TipBox box = TipBoxAt(asked.About({"entry"}), Propagation::kSound, way);
+  const uncertainty::TipBox box =
+      TipBoxAt(asked.About({plan::condition::kEntry}), Propagation::kSound, way);
 
   std::vector<oracle::CertifiedAction> before;
   for (std::size_t i = 0; i + 1 < asked.actions.size(); ++i) {
@@ -142,8 +140,9 @@ TEST(FineMotionResolver, ProvesWhatLooksAndSqueezesDoNot) {
   EXPECT_EQ(step.certificate.resolutions.back().resolver, "fine-motion");
   int tip_claims = 0;
   for (const plan::CertifiedPrecondition& claim : step.certificate.preconditions) {
-    EXPECT_TRUE(claim.holds() || plan::Absorbs(step.strategy, claim.condition)) << claim.condition;
-    tip_claims += claim.condition.starts_with("tip ") ? 1 : 0;
+    EXPECT_TRUE(claim.holds() || plan::Absorbs(step.strategy, claim.condition))
+        << claim.condition.name();
+    tip_claims += claim.condition->needed_by == plan::NeededBy::kStrategy ? 1 : 0;
   }
   EXPECT_EQ(tip_claims, 24);
   domain::Problem as_in_spar = LoadScenario("uncertain-fine-motion");
@@ -164,8 +163,9 @@ TEST(FineMotionResolver, LeavesTheHeldPartWhereTheFixedOneIs) {
 TEST(FineMotionResolver, AnswersOnlyForShaftsInHoles) {
   const Asked asked(LoadScenario("uncertain-known"));
   FineMotionResolver resolver(Propagation::kSound);
-  EXPECT_THAT(resolver.Propose(asked.About({"entry", "hand clear"})), IsEmpty());
-  UnmetGoals pickup = asked.About({"entry"});
+  EXPECT_THAT(resolver.Propose(asked.About({plan::condition::kEntry, plan::condition::kHandClear})),
+              IsEmpty());
+  UnmetGoals pickup = asked.About({plan::condition::kEntry});
   pickup.step = 0;
   EXPECT_THAT(resolver.Propose(pickup), IsEmpty());
   EXPECT_EQ(resolver.searches(), 0);
@@ -176,12 +176,12 @@ TEST(FineMotionResolver, SearchesOnceForTheSameErrors) {
   problem.resolvers = {domain::ResolverKind::kFineMotion};
   const Asked asked(std::move(problem));
   FineMotionResolver resolver(Propagation::kSound);
-  const std::vector<Remedy> first = resolver.Propose(asked.About({"entry"}));
+  const std::vector<Remedy> first = resolver.Propose(asked.About({plan::condition::kEntry}));
   ASSERT_THAT(first, SizeIs(1));
-  EXPECT_THAT(first[0].absorbs, Contains("slide-in"));
+  EXPECT_THAT(first[0].absorbs, Contains(plan::Condition(plan::condition::kSlideIn)));
   EXPECT_THAT(first[0].insertions, IsEmpty());
   const int searches = resolver.searches();
-  const std::vector<Remedy> second = resolver.Propose(asked.About({"tilt"}));
+  const std::vector<Remedy> second = resolver.Propose(asked.About({plan::condition::kTilt}));
   EXPECT_EQ(resolver.searches(), searches);
   ASSERT_THAT(second, SizeIs(1));
   EXPECT_TRUE(second[0].strategy->X_FixedStart.isApprox(first[0].strategy->X_FixedStart, 0));

@@ -7,6 +7,7 @@
 #include <functional>
 
 #include "planner/assembly/certified_plan.h"
+#include "planner/plan/data/condition_table.h"
 #include "tests/planner/constraint_posting/scenarios.h"
 
 namespace assay::assembly::plan_check_test {
@@ -42,7 +43,8 @@ TEST(PlanCheck, ReplaysStrategies) {
   expect([](Strategy& s) { s.X_FixedStart.translation().y() += 2e-3; }, "motion ");
   expect([](Strategy& s) { s.certificate.d *= 3; }, "motion ");
   expect([](Strategy& s) { s.certificate.absorbed = 4; }, "motion ");
-  expect([](Strategy& s) { s.certificate.absorbs.push_back("hand clear"); }, "'hand clear'");
+  expect([](Strategy& s) { s.certificate.absorbs.push_back(plan::condition::kHandClear); },
+         "'hand clear'");
 }
 
 TEST(PlanCheck, StrategiesAreCertainForTheArmsVelocity) {

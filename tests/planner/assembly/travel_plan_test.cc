@@ -11,6 +11,7 @@
 #include "planner/assembly/plan_check.h"
 #include "planner/motion/clear/motion_check.h"
 #include "planner/motion/path/straight_line.h"
+#include "planner/plan/data/condition_table.h"
 #include "planner/plan/data/not_covered.h"
 #include "planner/plan/data/tool_route.h"
 #include "tests/planner/constraint_posting/scenarios.h"
@@ -48,7 +49,7 @@ std::vector<plan::StepId> StepsByPath(const plan::Plan& plan) {
   return steps;
 }
 
-const plan::CertifiedPrecondition* Claim(const plan::PlannedStep& step, const char* condition) {
+const plan::CertifiedPrecondition* Claim(const plan::PlannedStep& step, plan::Condition condition) {
   const auto& claims = step.certificate.preconditions;
   const auto found = std::ranges::find(claims, condition, &plan::CertifiedPrecondition::condition);
   return found == claims.end() ? nullptr : &*found;
@@ -69,10 +70,11 @@ TEST(TravelPlan, SaysOfEachStepWhetherTheArmReaches) {
     const domain::Problem problem = constraint_posting::LoadScenario(name);
     const plan::Plan plan = MakeCertifiedPlan(problem, {}, {}).plan;
     for (const plan::PlannedStep& step : plan.steps) {
-      for (const char* condition : {"reach", "way clear"}) {
+      for (const plan::Condition condition : {plan::Condition(plan::condition::kReach),
+                                              plan::Condition(plan::condition::kWayClear)}) {
         const plan::CertifiedPrecondition* claim = Claim(step, condition);
-        ASSERT_NE(claim, nullptr) << step.name << ", " << condition;
-        EXPECT_TRUE(claim->holds()) << step.name << ", " << condition;
+        ASSERT_NE(claim, nullptr) << step.name << ", " << condition.name();
+        EXPECT_TRUE(claim->holds()) << step.name << ", " << condition.name();
       }
     }
   }
@@ -82,7 +84,9 @@ TEST(TravelPlan, InPaperModeNothingIsSaidOfTheArm) {
   const domain::Problem problem = constraint_posting::LoadScenario("spar-fig15");
   const plan::Plan plan =
       MakeCertifiedPlan(problem, {}, {.propagation = uncertainty::Propagation::kPaper}).plan;
-  for (const plan::PlannedStep& step : plan.steps) EXPECT_EQ(Claim(step, "reach"), nullptr);
+  for (const plan::PlannedStep& step : plan.steps) {
+    EXPECT_EQ(Claim(step, plan::condition::kReach), nullptr);
+  }
   EXPECT_THAT(FlawsOfTravels(problem, plan), IsEmpty());
 }
 
@@ -93,7 +97,7 @@ TEST(TravelPlan, WhatIsClaimedOfWaysIsComputedAnew) {
   const plan::Plan plan = MakeCertifiedPlan(problem, {}, {}).plan;
   plan::Plan bragging = plan;
   for (auto& claim : bragging.steps[0].certificate.preconditions) {
-    if (claim.condition == "reach") claim.bound = claim.margin = 2 * claim.bound;
+    if (claim.condition == plan::condition::kReach) claim.bound = claim.margin = 2 * claim.bound;
   }
   EXPECT_THAT(FlawsOfTravels(problem, bragging),
               Contains(Field(&plan::Flaw::what, HasSubstr("the file says that reach is above"))));
@@ -111,7 +115,8 @@ TEST(TravelPlan, WhatIsNotClaimedOfWaysIsNamed) {
   for (std::size_t i = 0; i < plan.steps.size(); ++i) {
     plan::Plan silent = plan;
     auto& claims = silent.steps[i].certificate.preconditions;
-    claims.erase(std::ranges::find(claims, "reach", &plan::CertifiedPrecondition::condition));
+    claims.erase(std::ranges::find(claims, plan::Condition(plan::condition::kReach),
+                                   &plan::CertifiedPrecondition::condition));
     EXPECT_THAT(
         plan::NotCovered(silent),
         Contains(HasSubstr("configuration: step " + std::to_string(silent.steps[i].executed))));

@@ -5,6 +5,7 @@
 #include <limits>
 #include <optional>
 
+#include "planner/plan/data/condition_table.h"
 #include "planner/uncertainty/preconditions/certify.h"
 #include "tests/planner/uncertainty/action_lists.h"
 
@@ -66,7 +67,7 @@ class BesideTheHand : public ::testing::Test {
     const plan::Pickup pickup{peg_, hold_, {"initial", problem_.part(peg_).X_WorldPart}};
     double margin = std::numeric_limits<double>::infinity();
     for (const auto& claim : CertifyStep(world, pickup, {}).certificate.preconditions) {
-      if (claim.condition == "hand clear") margin = std::min(margin, claim.margin);
+      if (claim.condition == plan::condition::kHandClear) margin = std::min(margin, claim.margin);
     }
     return margin;
   }

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "planner/plan/data/carrying.h"
+#include "planner/plan/data/condition_table.h"
 #include "planner/uncertainty/preconditions/precondition.h"
 #include "tests/planner/uncertainty/part_on_table.h"
 
@@ -35,7 +36,7 @@ double RatioOf(const domain::Problem& problem, const plan::Hold& hold,
   const UncertainWorld world(problem, Propagation::kSound);
   const auto conditions = HoldingPreconditions(world, kBlock, hold, held, turning);
   EXPECT_EQ(conditions.size(), 1);
-  EXPECT_EQ(conditions.front().condition, "holding");
+  EXPECT_EQ(conditions.front().condition, plan::condition::kHolding);
   EXPECT_EQ(conditions.front().limit, 1);
   return world.RangeOf(conditions.front().expression).high;
 }

@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "planner/plan/data/condition_table.h"
 #include "planner/uncertainty/preconditions/certify.h"
 #include "tests/oracle/certified_expressions.h"
 #include "tests/planner/uncertainty/part_on_table.h"
@@ -56,7 +57,8 @@ TEST_P(EachMode, WithoutErrorsSetsAreZeroAndEverythingIsProved) {
     const domain::Problem problem = Scaled(LoadScenario(name), 0);
     for (const CertifiedAction& step : Certify(problem, FirstPlan(problem), GetParam())) {
       for (const auto& claim : step.certificate.preconditions) {
-        EXPECT_GT(claim.margin, 0) << name << ": " << claim.condition << ", " << claim.meaning;
+        EXPECT_GT(claim.margin, 0)
+            << name << ": " << claim.condition.name() << ", " << claim.meaning;
       }
       for (const plan::ErrorSet& set : step.certificate.after) {
         for (const Interval& range : Ranges(set)) {
@@ -69,18 +71,19 @@ TEST_P(EachMode, WithoutErrorsSetsAreZeroAndEverythingIsProved) {
 }
 
 // Returns the preconditions of the kinds whose number does not depend on the errors. There are more
-// preconditions "hand clear" and "neighbour clear" if larger errors bring more corners near
+// preconditions kHandClear and kNeighbourClear if larger errors bring more corners near
 // something.
 std::vector<plan::CertifiedPrecondition> OfFixedNumber(
     const std::vector<plan::CertifiedPrecondition>& claims) {
   std::vector<plan::CertifiedPrecondition> fixed;
   std::ranges::copy_if(claims, std::back_inserter(fixed), [](const auto& claim) {
-    return claim.condition != "hand clear" && claim.condition != "neighbour clear";
+    return claim.condition != plan::condition::kHandClear &&
+           claim.condition != plan::condition::kNeighbourClear;
   });
   return fixed;
 }
 
-bool AllHold(const std::string& condition, const plan::Certificate& certificate) {
+bool AllHold(plan::Condition condition, const plan::Certificate& certificate) {
   return std::ranges::all_of(certificate.preconditions, [&](const auto& claim) {
     return claim.condition != condition || claim.holds();
   });

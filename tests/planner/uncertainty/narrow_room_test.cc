@@ -7,6 +7,7 @@
 #include <fstream>
 #include <limits>
 
+#include "planner/plan/data/condition_table.h"
 #include "planner/uncertainty/preconditions/certify.h"
 #include "tests/planner/uncertainty/action_lists.h"
 
@@ -158,7 +159,7 @@ goal:
   }
 
   // Returns the least margin of all claims of a kind, metres; infinite if there is none.
-  static double Margin(const std::vector<CertifiedAction>& actions, const std::string& condition) {
+  static double Margin(const std::vector<CertifiedAction>& actions, plan::Condition condition) {
     double margin = std::numeric_limits<double>::infinity();
     for (const CertifiedAction& action : actions) {
       for (const auto& claim : action.certificate.preconditions) {
@@ -184,7 +185,7 @@ goal:
 
   // Expects that bodies can meet only if errors exceed `room` millimetres.
   template <class ProblemOf>
-  static void ExpectRoom(double room, const std::string& condition, const ProblemOf& problem_of) {
+  static void ExpectRoom(double room, plan::Condition condition, const ProblemOf& problem_of) {
     for (const double error : {0.3 * room, 0.98 * room, 1.02 * room, 1.5 * room}) {
       const domain::Problem problem = problem_of(error);
       const std::vector<CertifiedAction> actions = Certify(problem, FirstPlan(problem));
@@ -209,20 +210,22 @@ goal:
 TEST_F(NarrowRoom, FingersHitTheVeryPartThatTheyTake) {
   Write("cap", kPlateWithRib);
   Write("stand", kPin);
-  ExpectRoom(3, "hand clear", [&](double error) { return Problem(6, 20, 50, {.cap = error}); });
+  ExpectRoom(3, plan::condition::kHandClear,
+             [&](double error) { return Problem(6, 20, 50, {.cap = error}); });
 }
 
 TEST_F(NarrowRoom, OpeningFingersHitTheFixedPart) {
   Write("cap", kCap);
   const double reach = OpenReach(*LoadScenario("uncertain-known").workcell);
   Write("stand", Replaced(kWalledPin, "WALL", fmt::format("{}", reach + 3)));
-  ExpectRoom(3, "hand clear", [&](double error) { return Problem(6, 20, 60, {.stand = error}); });
+  ExpectRoom(3, plan::condition::kHandClear,
+             [&](double error) { return Problem(6, 20, 60, {.stand = error}); });
 }
 
 TEST_F(NarrowRoom, TheHeldPartHitsTheFixedPartBeforeItsShaftIsInItsHole) {
   Write("cap", kFootedCap);
   Write("stand", kLippedPin);
-  ExpectRoom(3, "passing clear",
+  ExpectRoom(3, plan::condition::kPassingClear,
              [&](double error) { return Problem(6, 20, 70, {.stand = error}); });
 }
 

@@ -5,6 +5,7 @@
 #include <fstream>
 
 #include "planner/domain/part/part_file.h"
+#include "planner/plan/data/condition_table.h"
 #include "planner/plan/data/pushing.h"
 #include "planner/uncertainty/errors/possible_masses.h"
 #include "planner/uncertainty/errors/squeezing.h"
@@ -79,11 +80,11 @@ TEST(Support, WhatStandsOnAnotherPassesItsPushOn) {
 }
 
 double RatioOf(const UncertainWorld& world, const std::vector<Precondition>& conditions,
-               const std::string& condition) {
+               plan::Condition condition) {
   for (const Precondition& c : conditions) {
     if (c.condition == condition) return world.RangeOf(c.expression).high;
   }
-  ADD_FAILURE() << "no " << condition;
+  ADD_FAILURE() << "no " << condition.name();
   return 0;
 }
 
@@ -98,7 +99,7 @@ Closing Close(const domain::Problem& problem, const plan::Hold& hold) {
   const ManipulatorError draw = world.DrawManipulator();
   const HeldError held = ClosePads(world, kBlock, hold, draw);
   Closing closing = {problem, ClosingPreconditions(world, kBlock, hold, draw, held), 0};
-  closing.upright = RatioOf(world, closing.conditions, "upright");
+  closing.upright = RatioOf(world, closing.conditions, plan::condition::kUpright);
   return closing;
 }
 
@@ -142,7 +143,7 @@ TEST(NeighbourClear, GoesDownAsANeighbourComesNearer) {
         geometry::Translation(3 * kInch + gap, 0, 0) * problem.parts[0].X_WorldPart;
     const Closing closing = Close(problem, HoldAtHeight(problem, 0.1));
     return RatioOf(UncertainWorld(problem, Propagation::kSound), closing.conditions,
-                   "pushed clear");
+                   plan::condition::kPushedClear);
   };
   EXPECT_NEAR(room_at(0.05) - room_at(0.02), 0.03, 1e-9);
   EXPECT_LT(room_at(0.002), 0) << "the part itself may be as far aside";
@@ -184,8 +185,8 @@ double PressedAside(double aside, double grip_force) {
   const ManipulatorError draw = world.DrawManipulator();
   const auto conditions =
       StandingPreconditions(world, kBlock, hold, draw, part.X_WorldPart, {{0, 0, 0}, 0}, 0);
-  EXPECT_EQ(RatioOf(world, conditions, "standing"), 0) << "it comes upright";
-  return RatioOf(world, conditions, "pressed");
+  EXPECT_EQ(RatioOf(world, conditions, plan::condition::kStanding), 0) << "it comes upright";
+  return RatioOf(world, conditions, plan::condition::kPressed);
 }
 
 // Weak pads press with their greatest force at their own distance beyond the stem. Strong pads must
@@ -223,7 +224,7 @@ TEST(Standing, WhatLeansFallsBackUnlessItIsTooTall) {
   for (const double share : {0.5, 0.99, 1.01, 2.0}) {
     const auto conditions = StandingPreconditions(world, kBlock, hold, draw, part.X_WorldPart,
                                                   {{0, 0, 0}, 0}, std::atan(share * steep));
-    EXPECT_NEAR(RatioOf(world, conditions, "standing"), share, 1e-9);
+    EXPECT_NEAR(RatioOf(world, conditions, plan::condition::kStanding), share, 1e-9);
   }
 }
 

@@ -4,6 +4,7 @@
 
 #include "planner/domain/mating/shaft_fit.h"
 #include "planner/domain/part/part_file.h"
+#include "planner/plan/data/condition_table.h"
 #include "planner/uncertainty/errors/squeezing.h"
 #include "planner/uncertainty/preconditions/precondition.h"
 #include "tests/planner/uncertainty/part_on_table.h"
@@ -59,7 +60,8 @@ TEST(ToleranceOfClearance, TakesItselfFromEntryAndSlideIn) {
     EXPECT_GE(exact.size(), 32u) << "four corners, four walls, at the start and at the end";
     for (std::size_t i = 0; i < exact.size(); ++i) {
       ASSERT_EQ(exact[i].relation, plan::Relation::kGreater);
-      EXPECT_NEAR(tolerant[i].limit - exact[i].limit, kTolerance, kRounding) << exact[i].condition;
+      EXPECT_NEAR(tolerant[i].limit - exact[i].limit, kTolerance, kRounding)
+          << exact[i].condition.name();
     }
   }
 }
@@ -89,7 +91,8 @@ TEST(Tilt, IsAskedForAcrossEveryPairOfWalls) {
   }
   EXPECT_EQ(slots, 4u);
   const std::vector<Precondition> all = OfMating(problem);
-  EXPECT_GT(std::ranges::count(all, "tilt", &Precondition::condition), 4)
+  EXPECT_GT(
+      std::ranges::count(all, plan::Condition(plan::condition::kTilt), &Precondition::condition), 4)
       << "the two pairs along its axes, to either side; equal ones are kept once";
 }
 
@@ -98,7 +101,7 @@ TEST(Tilt, IsAskedForAcrossEveryPairOfWalls) {
 double LeastTilt(const domain::Problem& problem) {
   double least = 10;
   for (const Precondition& p : OfMating(problem)) {
-    if (p.condition == "tilt") least = std::min(least, std::abs(p.limit));
+    if (p.condition == plan::condition::kTilt) least = std::min(least, std::abs(p.limit));
   }
   return least;
 }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "planner/plan/data/condition_table.h"
 #include "planner/uncertainty/preconditions/certify.h"
 #include "tests/oracle/certified_expressions.h"
 #include "tests/planner/uncertainty/action_lists.h"
@@ -44,7 +45,8 @@ TEST(WorkedExample, TermwiseBoundsOfTheFourPreconditions) {
   const auto step = CertifyPaper(WorkedExample(), algebra::BoundingMethod::kTermwise);
   const auto& claims = step.certificate.preconditions;
   ASSERT_THAT(claims, SizeIs(4));
-  EXPECT_THAT(claims, Each(Field(&plan::CertifiedPrecondition::condition, "between fingers")));
+  EXPECT_THAT(claims, Each(Field(&plan::CertifiedPrecondition::condition,
+                                 plan::Condition(plan::condition::kBetweenFingers))));
   EXPECT_THAT(claims, Each(Field(&plan::CertifiedPrecondition::method, "termwise")));
   // The bounds are INF y(P1^-1 C1), INF y(P1^-1 C2), SUP y(P2^-1 C1) and SUP y(P2^-1 C2), in
   // inches.

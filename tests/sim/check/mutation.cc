@@ -2,8 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
-#include <set>
+#include <vector>
 
 #include "planner/base/check.h"
 
@@ -13,9 +14,9 @@ namespace {
 using plan::ErrorSet;
 using uncertainty::Expression;
 
-constexpr std::array kNames = {"x", "y", "z", "theta", "tip", "twist"};
-constexpr std::array kRanges = {&ErrorSet::x,     &ErrorSet::y,   &ErrorSet::z,
-                                &ErrorSet::theta, &ErrorSet::tip, &ErrorSet::twist};
+const plan::ErrorComponent& ComponentAt(int index) {
+  return plan::ErrorComponents()[static_cast<std::size_t>(index)];
+}
 
 Expression& ComponentOf(uncertainty::HeldError& held, int component) {
   const std::array components = {&held.x, &held.y, &held.z, &held.skew, &held.tip, &held.twist};
@@ -40,7 +41,7 @@ void Scale(double factor, domain::PartId part, int component, uncertainty::Uncer
 void Halve(domain::PartId part, int component, std::vector<ErrorSet>& sets) {
   for (ErrorSet& set : sets) {
     if (set.part != part) continue;
-    Interval& range = set.*kRanges[static_cast<std::size_t>(component)];
+    Interval& range = set.*ComponentAt(component).range;
     range = {range.low / 2, range.high / 2};
   }
 }
@@ -99,14 +100,15 @@ void AddOfStep(const Certified& certified, plan::StepId step, bool is_last,
   for (const ErrorSet& set : planned.certificate.after) {
     if (looks) mutations.push_back({Lie::kHalvedPromise, step, set.part, 0});
     for (int c = 0; c < (set.in_hand ? 6 : 4); ++c) {
-      if (!HasWidth(set.*kRanges[static_cast<std::size_t>(c)])) continue;
+      if (!HasWidth(set.*ComponentAt(c).range)) continue;
       mutations.push_back({Lie::kHalvedSet, step, set.part, c});
       if (!is_last) mutations.push_back({Lie::kErrorNotCarried, step, set.part, c});
     }
   }
-  std::set<std::string> proved;
+  std::vector<plan::Condition> proved;
   for (const plan::CertifiedPrecondition& claim : planned.certificate.preconditions) {
-    if (claim.holds() && proved.insert(claim.condition).second) {
+    if (claim.holds() && std::ranges::count(proved, claim.condition) == 0) {
+      proved.push_back(claim.condition);
       mutations.push_back({.lie = Lie::kMovedLimit, .step = step, .condition = claim.condition});
     }
   }
@@ -149,10 +151,10 @@ std::string Mutation::Text(const Certified& certified) const {
       step.IsNone() ? "" : fmt::format(" after {}", certified.plan.step(step).name);
   if (lie == Lie::kAsPublished) return std::string(Name(lie));
   if (lie == Lie::kMovedLimit) {
-    return fmt::format("{}: {} of {}", Name(lie), condition, certified.plan.step(step).name);
+    return fmt::format("{}: {} of {}", Name(lie), condition->name(),
+                       certified.plan.step(step).name);
   }
-  return fmt::format("{}: {} of {}{}", Name(lie), kNames[static_cast<std::size_t>(component)], of,
-                     where);
+  return fmt::format("{}: {} of {}{}", Name(lie), ComponentAt(component).name, of, where);
 }
 
 std::vector<Mutation> MutationsOf(const Certified& certified) {

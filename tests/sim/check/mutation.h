@@ -23,9 +23,9 @@ std::string_view Name(Lie lie);
 struct Mutation {
   Lie lie = Lie::kHalvedSet;
   plan::StepId step = plan::StepId::None();
-  domain::PartId part = domain::PartId::None();  // None in kForgottenError means the hand
-  int component = 0;                             // index in ErrorSet: x, y, z, theta, tip, twist
-  std::string condition = {};                    // the condition whose limit is moved
+  domain::PartId part = domain::PartId::None();   // None in kForgottenError means the hand
+  int component = 0;                              // index in plan::ErrorComponents()
+  std::optional<plan::Condition> condition = {};  // the condition whose limit is moved
 
   std::string Text(const Certified& certified) const;
 };

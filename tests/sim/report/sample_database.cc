@@ -34,10 +34,11 @@ CellRecord Cell(int number, const std::string& noise, int trials) {
                       "verifications": [{}]})"};
 }
 
-const ClaimRecord kX = {"1/after/x", 1,      "action_2", "after", kHostilePart,
-                        "m",         -0.001, 0.001,      true,    0.00001};
-const ClaimRecord kTheta = {"2/after/theta", 2,     "action_1", "after", "theta of peg",
-                            "rad",           -0.01, 0.01,       true,    0.001};
+const ClaimRecord kX = {
+    "1/after/x", 1,     "action_2", "after", kHostilePart, domain::Dimension::kLength,
+    -0.001,      0.001, true,       0.00001};
+const ClaimRecord kTheta = {"2/after/theta",           2,     "action_1", "after", "theta of peg",
+                            domain::Dimension::kAngle, -0.01, 0.01,       true,    0.001};
 
 TimedTrial Trial(int trial, int cell, int number) {
   const double x = cell == 1 ? 0 : 0.0001 * (2 * number - 11);

@@ -44,9 +44,10 @@ inline TimedTrial FalseTrial(const PlannedCell& planned, int number) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   TimedTrial timed;
   timed.seconds = 0.001 * random.Uniform();
-  timed.claims = {
-      {"1/before/x of 'peg'", 1, "action_2", "before", "x of 'peg'", "m", -0.5, 0.5, true, 1e-6},
-      {"2/after/y of peg", 2, "action_1", "after", "y of peg", "m", -kInfinity, 0.75, false, 2e-6}};
+  timed.claims = {{"1/before/x of 'peg'", 1, "action_2", "before", "x of 'peg'",
+                   domain::Dimension::kLength, -0.5, 0.5, true, 1e-6},
+                  {"2/after/y of peg", 2, "action_1", "after", "y of peg",
+                   domain::Dimension::kLength, -kInfinity, 0.75, false, 2e-6}};
   timed.record = {
       .noise = fmt::format("dx_peg={}", x),
       .outcome = failed ? "not-seated" : "succeeded",
@@ -78,13 +79,14 @@ inline AttackRecord FalseAttackRecord(const Cell& cell) {
                       .certificates = {kFalseAttempts - (broken ? 3 : 0), 0, broken ? 3 : 0, 0},
                       .claims = {40, 7, broken ? 4 : 0, 2}};
   record.worst = {
-      {"1/before/x of 'peg'", 1, "action_2", "before", "x of 'peg'", "m", 0.1, -0.5, 0.5, 0.4, 1e-6,
-       "contained", "vertices", 4, noise},
-      {"2/after/y of peg", 2, "action_1", "after", "y of peg", "m", 0.75 - x, -kInfinity, 0.75, x,
-       2e-6, broken ? "violated" : "contained", "local-search", 24, noise}};
+      {"1/before/x of 'peg'", 1, "action_2", "before", "x of 'peg'", domain::Dimension::kLength,
+       0.1, -0.5, 0.5, 0.4, 1e-6, "contained", "vertices", 4, noise},
+      {"2/after/y of peg", 2, "action_1", "after", "y of peg", domain::Dimension::kLength, 0.75 - x,
+       -kInfinity, 0.75, x, 2e-6, broken ? "violated" : "contained", "local-search", 24, noise}};
   if (broken) {
-    record.counterexamples = {{1, "2/after/y of peg", "action_1", "y of peg", "m", 0.75 - x,
-                               -kInfinity, 0.75, x, 2e-6, noise, 2, true, 0.25,
+    record.counterexamples = {{1, "2/after/y of peg", "action_1", "y of peg",
+                               domain::Dimension::kLength, 0.75 - x, -kInfinity, 0.75, x, 2e-6,
+                               noise, 2, true, 0.25,
                                "assay run " + cell.scenario + " --errors '" + noise + "'"}};
   }
   record.conservatism = {{"all", 1.5, broken ? std::optional(2.25) : std::nullopt,

@@ -15,7 +15,7 @@ namespace assay::constraint_posting {
 // execution of the step that was planned when the goals were found.
 struct Unmet {
   uncertainty::MomentId after;
-  std::vector<std::string> absorbed;  // conditions that remedies absorbed
+  std::vector<plan::Condition> absorbed;  // conditions that remedies absorbed
 
   bool operator==(const Unmet&) const = default;
 };
@@ -42,7 +42,7 @@ struct AugmentedStep {
   plan::StepId id;
   plan::Action action;
   std::vector<Measure> measures = {};
-  std::vector<std::string> absorbed = {};  // conditions that a remedy absorbs
+  std::vector<plan::Condition> absorbed = {};  // conditions that a remedy absorbs
   std::optional<plan::Strategy> strategy = {};
   bool given_up = false;  // true if its goals cannot all be proved
   // the snapshot after the step if goals are unproved

@@ -23,7 +23,7 @@ struct Least {
 Least LeastOf(const plan::Plan& instance, UncertaintyTask& task) {
   Least least = {.standing = {.actions = instance.steps.size()}};
   if (!task.best) return least;
-  const std::vector<std::string> absorbable = task.options.Absorbable();
+  const std::vector<plan::Condition> absorbable = task.options.Absorbable();
   MomentId moment = task.best->Beginning();
   for (const plan::StepId id : instance.ExecutionOrder()) {
     moment = task.best->After(moment, instance.step(id).action, nullptr);

@@ -80,7 +80,7 @@ MomentId BestKnown::FindAlike(MomentId moment) {
 }
 
 std::vector<Unproved> BestKnown::UnprovedAt(MomentId after,
-                                            const std::vector<std::string>& absorbable) {
+                                            const std::vector<plan::Condition>& absorbable) {
   std::vector<Unproved> unproved;
   std::ranges::copy_if(worlds_.UnprovedAt(after), std::back_inserter(unproved),
                        [&](const Unproved& goal) {
@@ -89,7 +89,8 @@ std::vector<Unproved> BestKnown::UnprovedAt(MomentId after,
   return unproved;
 }
 
-Shortfall BestKnown::LeastShortfall(MomentId after, const std::vector<std::string>& absorbable) {
+Shortfall BestKnown::LeastShortfall(MomentId after,
+                                    const std::vector<plan::Condition>& absorbable) {
   Shortfall least;
   for (const Unproved& unproved : worlds_.UnprovedAt(after)) {
     if (std::ranges::count(absorbable, unproved.claim.condition) > 0) continue;

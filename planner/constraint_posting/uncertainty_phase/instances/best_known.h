@@ -38,9 +38,10 @@ class BestKnown {
   // Returns the unproved goals of the action that leads to the snapshot, without `absorbable`
   // conditions.
   std::vector<uncertainty::Unproved> UnprovedAt(uncertainty::MomentId after,
-                                                const std::vector<std::string>& absorbable);
+                                                const std::vector<plan::Condition>& absorbable);
   // Returns a lower bound on the shortfall with any remedies.
-  Shortfall LeastShortfall(uncertainty::MomentId after, const std::vector<std::string>& absorbable);
+  Shortfall LeastShortfall(uncertainty::MomentId after,
+                           const std::vector<plan::Condition>& absorbable);
 
  private:
   // Returns the first equal snapshot. If the hand is empty and everything is known, two snapshots

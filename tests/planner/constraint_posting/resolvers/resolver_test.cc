@@ -11,6 +11,7 @@
 #include "planner/constraint_posting/resolvers/squeezing_resolver.h"
 #include "planner/constraint_posting/uncertainty_phase/uncertainty_phase.h"
 #include "planner/plan/check/checker.h"
+#include "planner/plan/data/condition_table.h"
 #include "tests/planner/constraint_posting/scenarios.h"
 
 namespace assay::constraint_posting::resolver_test {
@@ -212,9 +213,10 @@ TEST(SqueezingResolver, LeavesMatedPartsAlone) {
 // A resolver whose execution absorbs the errors of some conditions, like fine motion.
 class Absorbing : public Resolver {
  public:
-  explicit Absorbing(std::vector<std::string> conditions) : conditions_(std::move(conditions)) {}
+  explicit Absorbing(std::vector<plan::Condition> conditions)
+      : conditions_(std::move(conditions)) {}
   std::string_view name() const override { return "fine motion"; }
-  std::vector<std::string> absorbs() const override { return conditions_; }
+  std::vector<plan::Condition> absorbs() const override { return conditions_; }
   std::vector<Remedy> Propose(const UnmetGoals& unmet) override {
     asked_.push_back(unmet.step);
     return {{.part = unmet.parts.front(), .insertions = {}, .absorbs = conditions_}};
@@ -222,7 +224,7 @@ class Absorbing : public Resolver {
   const std::vector<int>& asked() const { return asked_; }
 
  private:
-  std::vector<std::string> conditions_;
+  std::vector<plan::Condition> conditions_;
   std::vector<int> asked_;
 };
 
@@ -231,7 +233,7 @@ class Scanner : public Resolver {
  public:
   std::string_view name() const override { return "scanner"; }
   // Makes the phase ask this resolver together with the resolvers that absorb errors.
-  std::vector<std::string> absorbs() const override { return {"entry"}; }
+  std::vector<plan::Condition> absorbs() const override { return {plan::condition::kEntry}; }
   std::vector<Remedy> Propose(const UnmetGoals& unmet) override {
     return SensingResolver().Propose(unmet);
   }
@@ -270,9 +272,12 @@ TEST(ResolverInterface, WhatIsAbsorbedNeedsNoProof) {
   const Plan failing = Augmented(problem, Using({std::make_shared<Idle>()}));
   ASSERT_EQ(failing.errors, 2);
   const Plan plan = Augmented(
-      problem, Using({std::make_shared<Absorbing>(std::vector<std::string>{
-                   "entry", "slide-in", "seat", "tilt", "holding", "standing", "pressed",
-                   "fingertip", "fixed stands", "fixed stays", "hand clear", "passing clear"})}));
+      problem, Using({std::make_shared<Absorbing>(std::vector<plan::Condition>{
+                   plan::condition::kEntry, plan::condition::kSlideIn, plan::condition::kSeat,
+                   plan::condition::kTilt, plan::condition::kHolding, plan::condition::kStanding,
+                   plan::condition::kPressed, plan::condition::kFingertip,
+                   plan::condition::kFixedStands, plan::condition::kFixedStays,
+                   plan::condition::kHandClear, plan::condition::kPassingClear})}));
   EXPECT_EQ(plan.errors, 1);  // the error of the pickup
   EXPECT_EQ(plan.steps.size(), failing.steps.size());
   EXPECT_LT(plan.verifications.size(), failing.verifications.size());
@@ -283,8 +288,9 @@ TEST(ResolverInterface, WhatIsAbsorbedNeedsNoProof) {
 
 TEST(ResolverInterface, AbsorbingAPartOfTheFailedConditionsIsNotEnough) {
   const domain::Problem problem = LoadScenario("uncertain-failing");
-  const Plan plan = Augmented(
-      problem, Using({std::make_shared<Absorbing>(std::vector<std::string>{"entry", "seat"})}));
+  const Plan plan =
+      Augmented(problem, Using({std::make_shared<Absorbing>(std::vector<plan::Condition>{
+                             plan::condition::kEntry, plan::condition::kSeat})}));
   EXPECT_EQ(plan.errors, 2);
 }
 
@@ -292,21 +298,25 @@ TEST(ResolverInterface, AllConditionsOfAllStepsAbsorbedLeaveNoErrors) {
   const domain::Problem problem = LoadScenario("uncertain-failing");
   const plan::PlanResult result = MakeCertifiedPlan(
       problem, {},
-      Using({std::make_shared<Absorbing>(std::vector<std::string>{
-          "between fingers", "finger clear", "fingertip", "pad contact", "entry", "slide-in",
-          "seat", "tilt", "holding", "upright", "pushed clear", "standing", "pressed",
-          "fixed stands", "fixed stays", "hand clear", "passing clear"})}));
+      Using({std::make_shared<Absorbing>(std::vector<plan::Condition>{
+          plan::condition::kBetweenFingers, plan::condition::kFingerClear,
+          plan::condition::kFingertip, plan::condition::kPadContact, plan::condition::kEntry,
+          plan::condition::kSlideIn, plan::condition::kSeat, plan::condition::kTilt,
+          plan::condition::kHolding, plan::condition::kUpright, plan::condition::kPushedClear,
+          plan::condition::kStanding, plan::condition::kPressed, plan::condition::kFixedStands,
+          plan::condition::kFixedStays, plan::condition::kHandClear,
+          plan::condition::kPassingClear})}));
   EXPECT_EQ(result.plan.errors, 0);
   EXPECT_THAT(result.plan.verifications, IsEmpty());
 }
 
 TEST(ResolverInterface, AResolverIsAskedOnlyAboutStepsThatFail) {
   const domain::Problem known = LoadScenario("uncertain-known");
-  const auto unneeded = std::make_shared<Absorbing>(std::vector<std::string>{});
+  const auto unneeded = std::make_shared<Absorbing>(std::vector<plan::Condition>{});
   Augmented(known, Using({unneeded}));
   EXPECT_THAT(unneeded->asked(), IsEmpty());
   const domain::Problem held = LoadScenario("uncertain-held");
-  const auto needed = std::make_shared<Absorbing>(std::vector<std::string>{});
+  const auto needed = std::make_shared<Absorbing>(std::vector<plan::Condition>{});
   Augmented(held, Using({needed}));
   EXPECT_THAT(needed->asked(), AllOf(Contains(1), ::testing::Each(1)));  // the step of the assemble
 }
@@ -322,9 +332,10 @@ TEST(ResolverInterface, WhatAResolverInsertsCarriesItsName) {
 
 TEST(ResolverInterface, EarlierResolversArePreferred) {
   const domain::Problem problem = LoadScenario("uncertain-held");
-  const auto fine_motion = std::make_shared<Absorbing>(
-      std::vector<std::string>{"entry", "slide-in", "seat", "tilt", "fingertip", "standing",
-                               "pressed", "fixed stands", "fixed stays"});
+  const auto fine_motion = std::make_shared<Absorbing>(std::vector<plan::Condition>{
+      plan::condition::kEntry, plan::condition::kSlideIn, plan::condition::kSeat,
+      plan::condition::kTilt, plan::condition::kFingertip, plan::condition::kStanding,
+      plan::condition::kPressed, plan::condition::kFixedStands, plan::condition::kFixedStays});
   const auto scanner = std::make_shared<Scanner>();
   const auto first_of = [&](const std::vector<std::shared_ptr<Resolver>>& resolvers) {
     return NamesOf(AssembleStep(Augmented(problem, Using(resolvers))).certificate.resolutions);

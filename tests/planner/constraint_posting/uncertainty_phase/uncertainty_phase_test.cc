@@ -17,7 +17,7 @@
 #include "planner/base/random.h"
 #include "planner/constraint_posting/resolvers/squeezing_resolver.h"
 #include "planner/plan/check/checker.h"
-#include "planner/plan/data/condition_kind.h"
+#include "planner/plan/data/coverage.h"
 #include "planner/plan/file/plan_file.h"
 #include "tests/oracle/certified_expressions.h"
 #include "tests/planner/constraint_posting/scenarios.h"
@@ -362,7 +362,7 @@ TEST_P(AugmentedPlans, CarryCertificatesThatCanBeProvedAnew) {
       const double bound = less ? algebra::BoundAbove(e, box, request).value
                                 : algebra::BoundBelow(e, box, request).value;
       EXPECT_EQ(less ? bound < claim.limit : bound > claim.limit, claim.holds())
-          << step.name << " " << claim.condition << " " << claim.expression;
+          << step.name << " " << claim.condition.name() << " " << claim.expression;
       if (claim.worst.empty()) continue;
       std::vector<Interval> corner = box.box;
       for (const auto& [name, value] : claim.worst) {
@@ -403,7 +403,8 @@ TEST(UncertaintyPhase, ThePaperModeHasThePapersPreconditionsOfAPickup) {
   for (const PlannedStep& step : plan.steps) {
     if (!std::holds_alternative<plan::Pickup>(step.action)) continue;
     std::vector<std::string> conditions;
-    for (const auto& claim : step.certificate.preconditions) conditions.push_back(claim.condition);
+    for (const auto& claim : step.certificate.preconditions)
+      conditions.emplace_back(claim.condition.name());
     EXPECT_THAT(conditions, SizeIs(4));
     EXPECT_THAT(conditions, Each("between fingers"));
   }

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <numbers>
 
+#include "planner/plan/data/condition_table.h"
 #include "tests/planner/constraint_posting/scenarios.h"
 
 namespace assay::constraint_posting::verification_test {
@@ -26,7 +27,7 @@ class Verification : public ::testing::Test {
   plan::Plan After(const plan::Action& action, double doubt = 0) const {
     const double travel = problem_.workcell->rules().guarded_travel;
     plan::Certificate certificate;
-    certificate.preconditions = {{.condition = "seat",
+    certificate.preconditions = {{.condition = plan::condition::kSeat,
                                   .meaning = {},
                                   .expression = {},
                                   .limit = travel,

@@ -80,5 +80,20 @@ TEST(Units, ReachUpToTheLimits) {
   }
 }
 
+// Files name a dimension by its SI unit, in which numbers need no conversion.
+TEST(Units, OfADimensionNameIt) {
+  for (const Dimension dimension :
+       {Dimension::kRatio, Dimension::kLength, Dimension::kAngle, Dimension::kSpeed,
+        Dimension::kAngularSpeed, Dimension::kForce}) {
+    const Unit si = SiUnitOf(dimension);
+    EXPECT_EQ(si.factor, 1);
+    EXPECT_EQ(DimensionIn(si.name), dimension);
+  }
+  EXPECT_EQ(DimensionIn("inch"), std::nullopt);
+  EXPECT_EQ(InUnit(0.0125, ShownUnitOf(Dimension::kLength)), "12.5 mm");
+  EXPECT_EQ(InUnit(std::numbers::pi, ShownUnitOf(Dimension::kAngularSpeed)), "180 deg/s");
+  EXPECT_EQ(InUnit(2, ShownUnitOf(Dimension::kRatio)), "2");
+}
+
 }  // namespace
 }  // namespace assay::domain::units_test

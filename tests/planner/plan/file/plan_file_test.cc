@@ -10,7 +10,7 @@
 
 #include "planner/base/random.h"
 #include "planner/plan/check/checker.h"
-#include "planner/plan/data/condition_kind.h"
+#include "planner/plan/data/coverage.h"
 #include "tests/oracle/json_schema.h"
 #include "tests/oracle/random_pose.h"
 #include "tests/planner/plan/peg_and_block.h"
@@ -39,17 +39,17 @@ PlanResult Planned() {
 
 Certificate SomeCertificate(double number) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  const ErrorVariable dx = {"dx_block", {-number, 3 * number}};
+  const ErrorVariable dx = {"dx_block", {-number, 3 * number}, domain::Dimension::kLength};
   return {
-      .variables = {dx, {"dtheta_block", {-kInfinity, kInfinity}}},
-      .shared = {"sin(dtheta_block)", "dx_block * #0"},
+      .variables = {dx, {"theta_block", {-kInfinity, kInfinity}, domain::Dimension::kAngle}},
+      .shared = {"sin(theta_block)", "dx_block * #0"},
       .before = {{.part = kBlock,
                   .in_hand = false,
                   .x = dx.range,
                   .y = {-1e-300, 5e-324},
                   .z = {-kInfinity, 0.1},
                   .theta = {}}},
-      .preconditions = {{.condition = "between fingers",
+      .preconditions = {{.condition = condition::kBetweenFingers,
                          .meaning = "contact 2 lies on the inner side of finger 1",
                          .expression = "1.5 + #1",
                          .relation = Relation::kGreater,
@@ -59,7 +59,7 @@ Certificate SomeCertificate(double number) {
                          .gap = kInfinity,
                          .method = "term-wise",
                          .worst = {{"dx_block", number}}},
-                        {.condition = "pad contact",
+                        {.condition = condition::kPadContact,
                          .meaning = "a \"quoted\" meaning",
                          .expression = "dx_block",
                          .relation = Relation::kLess,
@@ -68,14 +68,14 @@ Certificate SomeCertificate(double number) {
                          .margin = 1 - number / 3,
                          .gap = 0,
                          .method = ""}},
-      .not_needed = {{"finger clear", std::string(kNotPublished)},
-                     {"fingertip", std::string(kNotPublished)},
-                     {"upright", std::string(kNotPublished)},
-                     {"pushed clear", std::string(kNotPublished)},
-                     {"holding", std::string(kNotPublished)},
-                     {"hand clear", "no other part is near enough to be met"},
-                     {"reach", std::string(kNotPublished)},
-                     {"way clear", std::string(kNotPublished)}},
+      .not_needed = {{condition::kFingerClear, std::string(kNotPublished)},
+                     {condition::kFingertip, std::string(kNotPublished)},
+                     {condition::kUpright, std::string(kNotPublished)},
+                     {condition::kPushedClear, std::string(kNotPublished)},
+                     {condition::kHolding, std::string(kNotPublished)},
+                     {condition::kHandClear, "no other part is near enough to be met"},
+                     {condition::kReach, std::string(kNotPublished)},
+                     {condition::kWayClear, std::string(kNotPublished)}},
       .after = {{.part = kPeg, .in_hand = true, .x = {}, .y = {}, .z = {}, .theta = {0.1, 0.2}}},
       .resolutions = {{"sensing", {StepId(4), StepId(5)}, "between fingers: -inf > 0"},
                       {"verification", {}, ""}}};
@@ -259,6 +259,10 @@ TEST(PlanFile, AugmentationsThatFitNoStepOrPartAreRefused) {
               HasSubstr("the range goes down"));
   EXPECT_THAT(certificate_error_after([](Json& j) { j["covers"]["pad contact"] = 2; }),
               HasSubstr("'2' of 'pad contact'; allowed: 1, as many as there are"));
+  EXPECT_THAT(certificate_error_after([](Json& j) { j["covers"]["luck"] = 1; }),
+              HasSubstr("unknown name 'luck'"));
+  EXPECT_THAT(certificate_error_after([](Json& j) { j["variables"][0]["name"] = "luck_block"; }),
+              HasSubstr("'luck_block' names no error of a part or of the hand"));
   EXPECT_THAT(certificate_error_after([](Json& j) {
                 j["before"][0]["x"] = {"inf", 1};
               }),

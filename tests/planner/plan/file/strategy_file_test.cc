@@ -10,6 +10,7 @@
 
 #include "planner/base/random.h"
 #include "planner/plan/check/checker.h"
+#include "planner/plan/data/condition_table.h"
 #include "planner/plan/file/plan_file.h"
 #include "tests/oracle/json_schema.h"
 #include "tests/oracle/random_pose.h"
@@ -56,7 +57,7 @@ Strategy SomeStrategy(RandomStream& random, double size) {
        .slides = true}};
   strategy.friction = random.Uniform(0, 1);
   strategy.length = random.Uniform(0.1, 1) * size;
-  strategy.certificate = {.absorbs = {"entry", "tilt"},
+  strategy.certificate = {.absorbs = {condition::kEntry, condition::kTilt},
                           .d = vector(),
                           .w = 0.1 / size * vector(),
                           .velocity = 0.002,
@@ -234,11 +235,11 @@ TEST(Strategy, StatesAreOfWhatIsKeptAndWaitedFor) {
 
 TEST(Strategy, AbsorbsOnlyWhatItSaysAndIfItAbsorbsAllErrors) {
   std::optional<Strategy> strategy = SomeStrategy();
-  EXPECT_TRUE(Absorbs(strategy, "tilt"));
-  EXPECT_FALSE(Absorbs(strategy, "hand clear"));
+  EXPECT_TRUE(Absorbs(strategy, condition::kTilt));
+  EXPECT_FALSE(Absorbs(strategy, condition::kHandClear));
   strategy->certificate.absorbed = 0.99;
-  EXPECT_FALSE(Absorbs(strategy, "tilt"));
-  EXPECT_FALSE(Absorbs(std::nullopt, "tilt"));
+  EXPECT_FALSE(Absorbs(strategy, condition::kTilt));
+  EXPECT_FALSE(Absorbs(std::nullopt, condition::kTilt));
 }
 
 TEST(Strategy, TheCheckerLooksAtIt) {

@@ -88,8 +88,8 @@ TEST(LeaningOf, BoundsWhatPadsOfAnyStiffnessLeave) {
     const Vector3 most(random.Uniform(0, 0.03), random.Uniform(0, 0.03), 10e-3);
     UncertainWorld world(problem, Propagation::kSound);
     HeldError held = {.x = 0, .z = 0};
-    held.tip = world.Declare("tip", {-most.x(), most.x()}, kBlock);
-    held.twist = world.Declare("twist", {-most.y(), most.y()}, kBlock);
+    held.tip = world.Declare(plan::error::kTip, {-most.x(), most.x()}, kBlock);
+    held.twist = world.Declare(plan::error::kTwist, {-most.y(), most.y()}, kBlock);
     world.SetHeld(kBlock, held);
     const Leaning leaning = LeaningOf(world, up, world.DrawManipulator());
     const Vector3 signs(random.Uniform(-1, 1), random.Uniform(-1, 1), random.Uniform(-1, 1));

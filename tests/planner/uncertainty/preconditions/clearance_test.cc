@@ -48,7 +48,7 @@ struct Thing {
   }
   PossibleFrame Frame(UncertainWorld& world) const {
     const auto declare = [&](double most) {
-      return world.Declare("e", {-most, most}, PartId::None());
+      return world.Declare(plan::error::kX, {-most, most}, PartId::None());
     };
     const RestingError error = {{declare(length), declare(length), declare(length)},
                                 declare(angle)};
@@ -79,7 +79,7 @@ Asked Ask(const Thing& a, const Thing& b, const Vector3& slack) {
   Preconditions conditions;
   RequireApart(Body(frame_a, a.box, WayOf(world, a.way, 0)),
                Body(frame_b, b.box, WayOf(world, b.way, 0)),
-               {{"clear", "one stays clear of the other"},
+               {{plan::condition::kHandClear, "one stays clear of the other"},
                 DisplacementBetween(world, frame_a, frame_b),
                 slack},
                conditions);

@@ -12,19 +12,20 @@ TEST(Preconditions, ThatSayTheSameAreKeptOnce) {
   algebra::ExpressionPool pool;
   const Expression x = pool.Declare("x", {0, 1});
   Preconditions all;
-  all.Less("a", "first", x, 2);
-  all.Less("a", "first", x, 2);
-  all.Greater("a", "first", x, 2);
-  all.Less("a", "first", x, 3);
-  all.Less("a", "first", x + 1, 2);
-  EXPECT_THAT(all.Take(), SizeIs(4));
+  all.Less(plan::condition::kSeat, "first", x, 2);
+  all.Less(plan::condition::kSeat, "first", x, 2);
+  all.Greater(plan::condition::kSeat, "first", x, 2);
+  all.Less(plan::condition::kSeat, "first", x, 3);
+  all.Less(plan::condition::kEntry, "first", x, 2);
+  all.Less(plan::condition::kSeat, "first", x + 1, 2);
+  EXPECT_THAT(all.Take(), SizeIs(5));
 }
 
 TEST(Preconditions, WithinIsBothSides) {
   algebra::ExpressionPool pool;
   const Expression x = pool.Declare("x", {0, 1});
   Preconditions all;
-  all.Within("a", "inside", x, 2);
+  all.Within(plan::condition::kSeat, "inside", x, 2);
   const auto both = all.Take();
   ASSERT_THAT(both, SizeIs(2));
   EXPECT_EQ(both[0].relation, plan::Relation::kLess);

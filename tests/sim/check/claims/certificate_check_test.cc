@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "planner/plan/data/condition_table.h"
 #include "tests/sim/exec/figure15.h"
 
 namespace assay::check::certificate_check_test {
@@ -33,7 +34,7 @@ class CertificateCheckTest : public testing::Test {
                           .theta = wide,
                           .tip = wide,
                           .twist = wide}};
-    certificate.preconditions = {Precondition("between fingers", kJustProved)};
+    certificate.preconditions = {Precondition(plan::condition::kBetweenFingers, kJustProved)};
     moment_.parts.resize(2);
     moment_.table_heights.resize(2);
     moment_.opening = problem_.workcell->gripper().max_opening();
@@ -46,11 +47,8 @@ class CertificateCheckTest : public testing::Test {
     moment_.parts[peg_.index()] = {pickup_.from.X_WorldPart, pickup_.from.X_WorldPart};
   }
 
-  static plan::CertifiedPrecondition Precondition(const char* condition, double margin) {
-    plan::CertifiedPrecondition claim;
-    claim.condition = condition;
-    claim.margin = margin;
-    return claim;
+  static plan::CertifiedPrecondition Precondition(plan::Condition condition, double margin) {
+    return {.condition = condition, .margin = margin};
   }
   // Returns the snapshot with the peg displaced by `y_of_tool` metres along the tool's y.
   exec::Snapshot Displaced(double y_of_tool) const {
@@ -121,7 +119,8 @@ TEST_F(CertificateCheckTest, ContactsBesideThePadsViolateAProvedPrecondition) {
 TEST_F(CertificateCheckTest, LessThanTheCertifiedMarginViolatesAProvedPrecondition) {
   problem_.clearance = 1;
   const double room = (moment_.opening - pickup_.hold.width) / 2;
-  plan_.steps[kPickup.index()].certificate.preconditions = {Precondition("between fingers", 0.002)};
+  plan_.steps[kPickup.index()].certificate.preconditions = {
+      Precondition(plan::condition::kBetweenFingers, 0.002)};
   const auto between = [&](double left) {
     return Named(Check(Displaced(room - left), moment_), Claimed::kPrecondition, "between fingers");
   };
@@ -136,8 +135,9 @@ TEST_F(CertificateCheckTest, LessThanTheCertifiedMarginViolatesAProvedPreconditi
 }
 
 TEST_F(CertificateCheckTest, NothingElseOfTheStepIsClaimedOnceAnUnprovedPreconditionFails) {
-  plan_.steps[kPickup.index()].certificate.preconditions = {Precondition("between fingers", 0.002),
-                                                            Precondition("finger clear", -1)};
+  plan_.steps[kPickup.index()].certificate.preconditions = {
+      Precondition(plan::condition::kBetweenFingers, 0.002),
+      Precondition(plan::condition::kFingerClear, -1)};
   const double width = pickup_.hold.width;
   const std::vector<Claim> failed = Check(Displaced(moment_.opening + width), moment_);
   EXPECT_EQ(Named(failed, Claimed::kPrecondition, "between fingers").verdict,
@@ -145,7 +145,8 @@ TEST_F(CertificateCheckTest, NothingElseOfTheStepIsClaimedOnceAnUnprovedPrecondi
 }
 
 TEST_F(CertificateCheckTest, NothingIsClaimedOnceAnUnprovedPreconditionFails) {
-  plan_.steps[kPickup.index()].certificate.preconditions = {Precondition("between fingers", -1)};
+  plan_.steps[kPickup.index()].certificate.preconditions = {
+      Precondition(plan::condition::kBetweenFingers, -1)};
   const double room = (moment_.opening - pickup_.hold.width) / 2;
   const std::vector<Claim> failed = Check(Displaced(room + 0.001), Displaced(0.012));
   EXPECT_EQ(Named(failed, Claimed::kAfter, "y of peg").verdict, ClaimVerdict::kNotClaimed);
@@ -157,7 +158,7 @@ TEST_F(CertificateCheckTest, NothingIsClaimedOnceAnUnprovedPreconditionFails) {
 // Nothing measures whether the pads hold a part. An unproved `holding` may therefore have failed.
 TEST_F(CertificateCheckTest, NothingIsClaimedAfterWhatIsNeitherProvedNorMeasured) {
   auto& preconditions = plan_.steps[kPickup.index()].certificate.preconditions;
-  preconditions.push_back(Precondition("holding", -1));
+  preconditions.push_back(Precondition(plan::condition::kHolding, -1));
   const auto y_of_peg = [&] {
     return Named(Check(moment_, Displaced(0.012)), Claimed::kAfter, "y of peg").verdict;
   };
@@ -235,7 +236,7 @@ TEST_F(CertificateCheckTest, APartThatTheStepDoesNotHandleStaysWhereItIs) {
 // other finger's bound is not proved. The unproved bound cannot be violated.
 TEST_F(CertificateCheckTest, WhatIsProvedIsTestedEvenIfAnotherOfItsNameIsNot) {
   const auto of_contact = [](int contact, bool proved) {
-    plan::CertifiedPrecondition claim = Precondition("between fingers", proved);
+    plan::CertifiedPrecondition claim = Precondition(plan::condition::kBetweenFingers, proved);
     claim.meaning = "contact " + std::to_string(contact) + " lies on the inner side of finger 1";
     return claim;
   };

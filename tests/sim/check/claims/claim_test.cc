@@ -10,7 +10,7 @@ namespace {
 Claim Observed(double observed, double gate) {
   return Judged({.step = plan::StepId(0),
                  .name = "x of peg",
-                 .unit = Unit::kMetre,
+                 .dimension = domain::Dimension::kLength,
                  .predicted = {-0.001, 0.002},
                  .observed = observed,
                  .gate = gate});
@@ -34,7 +34,7 @@ TEST(Claim, MayBeOpenAtOneEnd) {
   const Claim claim = Judged({.step = plan::StepId(0),
                               .about = Claimed::kPrecondition,
                               .name = "entry",
-                              .unit = Unit::kMetre,
+                              .dimension = domain::Dimension::kLength,
                               .predicted = {0, std::numeric_limits<double>::infinity()},
                               .observed = 0.003});
   EXPECT_EQ(claim.verdict, ClaimVerdict::kContained);

@@ -10,7 +10,7 @@ Claim Observed(double observed, double gate = 0.1) {
   Claim claim;
   claim.step = plan::StepId(0);
   claim.name = "x";
-  claim.unit = Unit::kMetre;
+  claim.dimension = domain::Dimension::kLength;
   claim.predicted = {-1, 1};
   claim.observed = observed;
   claim.gate = gate;

@@ -11,6 +11,8 @@
 namespace assay::check::noise_floor_test {
 namespace {
 
+using domain::Dimension;
+
 constexpr double kRounding = 1e-9;  // added to every prediction
 
 // Returns a noise floor in which penetration turns a part by 1e-4 radians, and in which every
@@ -25,17 +27,21 @@ NoiseFloor Gate() {
             .lag_turn = 5e-5}}};
 }
 
-Claim Of(const char* name, Unit unit, Interval predicted, Claimed about = Claimed::kAfter) {
-  return {
-      .step = plan::StepId(0), .about = about, .name = name, .unit = unit, .predicted = predicted};
+Claim Of(const char* name, std::optional<Dimension> dimension, Interval predicted,
+         Claimed about = Claimed::kAfter) {
+  return {.step = plan::StepId(0),
+          .about = about,
+          .name = name,
+          .dimension = dimension,
+          .predicted = predicted};
 }
 
 TEST(NoiseFloor, WhatTheTimestepDoesIsKnownOnItsSideOnly) {
-  const Claim x = Gate().Passed(Of("x of peg", Unit::kMetre, {-1e-3, 1e-3}));
+  const Claim x = Gate().Passed(Of("x of peg", Dimension::kLength, {-1e-3, 1e-3}));
   EXPECT_NEAR(x.predicted.low, -1e-3 - 3e-6, 2 * kRounding);
   EXPECT_NEAR(x.predicted.high, 1e-3 + 3e-6 + 2e-5, 2 * kRounding);
   EXPECT_DOUBLE_EQ(x.gate, 2e-5);
-  const Claim theta = Gate().Passed(Of("theta of peg", Unit::kRadian, {-0.1, 0.1}));
+  const Claim theta = Gate().Passed(Of("theta of peg", Dimension::kAngle, {-0.1, 0.1}));
   EXPECT_NEAR(theta.predicted.low, -0.1 - 1.5e-4 - 3e-3, 2 * kRounding);
   EXPECT_NEAR(theta.predicted.high, 0.1 + 1.5e-4, 2 * kRounding);
   EXPECT_DOUBLE_EQ(theta.gate, 3e-3);
@@ -44,19 +50,19 @@ TEST(NoiseFloor, WhatTheTimestepDoesIsKnownOnItsSideOnly) {
 // A length without a gate of its own gets none from angles or from other lengths, however great.
 TEST(NoiseFloor, GatesOfOtherClaimsAndUnitsAreNotTaken) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  const Claim landing =
-      Gate().Passed(Of("landing height", Unit::kMetre, {0, kInfinity}, Claimed::kPrecondition));
+  const Claim landing = Gate().Passed(
+      Of("landing height", Dimension::kLength, {0, kInfinity}, Claimed::kPrecondition));
   EXPECT_NEAR(landing.predicted.low, -3e-6, 2 * kRounding);
   EXPECT_EQ(landing.predicted.high, kInfinity);
   EXPECT_EQ(landing.gate, 0);
   // A claim about another time has another gate, although its name is the same.
-  EXPECT_EQ(Gate().Passed(Of("x of peg", Unit::kMetre, {0, 0}, Claimed::kBefore)).gate, 0);
-  const Claim end = Gate().Passed(Of("comes to its end", Unit::kNone, {1, 1}));
+  EXPECT_EQ(Gate().Passed(Of("x of peg", Dimension::kLength, {0, 0}, Claimed::kBefore)).gate, 0);
+  const Claim end = Gate().Passed(Of("comes to its end", std::nullopt, {1, 1}));
   EXPECT_EQ(end.predicted, (Interval{1, 1}));
 }
 
 TEST(NoiseFloor, RoundingIsAlwaysForgiven) {
-  Claim claim = Of("x of peg", Unit::kMetre, {-1e-3, 1e-3}, Claimed::kBefore);
+  Claim claim = Of("x of peg", Dimension::kLength, {-1e-3, 1e-3}, Claimed::kBefore);
   claim.observed = 1e-3 + 1e-12;
   EXPECT_EQ(Judged(NoiseFloor().Passed(claim)).verdict, ClaimVerdict::kContained);
   claim.observed = 1e-3 + 1e-8;
@@ -69,15 +75,15 @@ TEST(NoiseFloor, HidesWhatIsNarrowerThanItsFloor) {
   const auto hides = [&](Claim claim, double clearance) {
     return gate.Hides(gate.Passed(std::move(claim)), clearance);
   };
-  EXPECT_NEAR(gate.Floor(Of("x of peg", Unit::kMetre, {})), 43e-6, 2 * kRounding);
-  EXPECT_FALSE(hides(Of("x of peg", Unit::kMetre, {-22e-6, 22e-6}), 1e-6));
-  EXPECT_TRUE(hides(Of("x of peg", Unit::kMetre, {-21e-6, 21e-6}), 1));
+  EXPECT_NEAR(gate.Floor(Of("x of peg", Dimension::kLength, {})), 43e-6, 2 * kRounding);
+  EXPECT_FALSE(hides(Of("x of peg", Dimension::kLength, {-22e-6, 22e-6}), 1e-6));
+  EXPECT_TRUE(hides(Of("x of peg", Dimension::kLength, {-21e-6, 21e-6}), 1));
   // A claim without a width is compared with the clearance. An angle is compared with the clearance
   // over the arm.
-  EXPECT_FALSE(hides(Of("x of peg", Unit::kMetre, {0, 0}), 44e-6));
-  EXPECT_TRUE(hides(Of("x of peg", Unit::kMetre, {0, 0}), 42e-6));
+  EXPECT_FALSE(hides(Of("x of peg", Dimension::kLength, {0, 0}), 44e-6));
+  EXPECT_TRUE(hides(Of("x of peg", Dimension::kLength, {0, 0}), 42e-6));
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  const Claim tilt = Of("tilt", Unit::kRadian, {0, kInfinity}, Claimed::kPrecondition);
+  const Claim tilt = Of("tilt", Dimension::kAngle, {0, kInfinity}, Claimed::kPrecondition);
   EXPECT_FALSE(hides(tilt, 8.2e-5));
   EXPECT_TRUE(hides(tilt, 8.1e-5));
 }
@@ -120,7 +126,7 @@ TEST_F(WithoutNoise, APlanThatLeavesItsOwnCertificateIsViolatedBeforeAnythingIsT
 // and the falsification reports it as hidden.
 TEST_F(WithoutNoise, ASetThatTheEngineDoesNotResolveIsToldBeforeAnythingIsTried) {
   const NoiseFloor gate = MeasureNoiseFloor(certified_.problem, certified_.plan, {});
-  Claim twist = Of("twist of peg", Unit::kRadian, {});
+  Claim twist = Of("twist of peg", Dimension::kAngle, {});
   twist.step = pickup_;
   const double half = 0.45 * gate.Floor(twist);
   InHand().twist = {-half, half};

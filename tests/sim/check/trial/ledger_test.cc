@@ -28,8 +28,9 @@ constexpr double kFriction = 1e-12;
 constexpr double kGiven = 1e-6;
 
 double ToleranceOf(const LedgerEntry& entry) {
-  if (entry.unit.empty()) return kFriction;
-  return entry.unit == "m" ? kLength : kAngle;
+  const domain::Dimension dimension = noise::DimensionOf(entry.channel.effect);
+  if (dimension == domain::Dimension::kRatio) return kFriction;
+  return dimension == domain::Dimension::kLength ? kLength : kAngle;
 }
 
 // A scenario with its plan, and an error box that includes the errors of the tolerances.

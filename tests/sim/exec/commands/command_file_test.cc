@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "planner/plan/data/condition_table.h"
 #include "sim/exec/commands/action_commands.h"
 #include "tests/sim/exec/figure15.h"
 
@@ -93,8 +94,7 @@ TEST_F(CommandFileTest, PutdownEndsWhereItMustHaveMetTheTable) {
   const auto pickup = std::get<plan::Pickup>(plan_.steps[1].action);
   const plan::Putdown putdown{pickup.part, pickup.hold, pickup.from};
   const double doubt = 0.001;
-  plan::CertifiedPrecondition landing;
-  landing.condition = "landing height";
+  plan::CertifiedPrecondition landing = {.condition = plan::condition::kLandingHeight};
   landing.margin = Rules().guarded_travel - doubt;
   plan::Certificate certificate;
   certificate.preconditions = {landing};

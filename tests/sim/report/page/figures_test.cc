@@ -29,12 +29,12 @@ TEST(Figures, NumbersHaveSensibleDigits) {
 }
 
 TEST(Figures, IntervalsAreInTheUnitThatIsShown) {
-  EXPECT_EQ(IntervalText({-0.00013, 0.00013}, "m"), "±0.13 mm");
-  EXPECT_EQ(IntervalText({-0.0002, 0.00031}, "m"), "−0.2 to 0.31 mm");
-  EXPECT_EQ(IntervalText({0, kInfinity}, "m"), "≥ 0 mm");
-  EXPECT_EQ(IntervalText({-kInfinity, 0.001}, "m"), "≤ 1 mm");
-  EXPECT_EQ(IntervalText({0, 0}, "rad"), "0°");
-  EXPECT_EQ(QuantityText(std::acos(-1.0), "rad"), "180°");
+  EXPECT_EQ(IntervalText({-0.00013, 0.00013}, domain::Dimension::kLength), "±0.13 mm");
+  EXPECT_EQ(IntervalText({-0.0002, 0.00031}, domain::Dimension::kLength), "−0.2 to 0.31 mm");
+  EXPECT_EQ(IntervalText({0, kInfinity}, domain::Dimension::kLength), "≥ 0 mm");
+  EXPECT_EQ(IntervalText({-kInfinity, 0.001}, domain::Dimension::kLength), "≤ 1 mm");
+  EXPECT_EQ(IntervalText({0, 0}, domain::Dimension::kAngle), "0°");
+  EXPECT_EQ(QuantityText(std::acos(-1.0), domain::Dimension::kAngle), "180°");
 }
 
 TEST(Figures, RatesAreAllOrNothingOnlyIfTheyAre) {

@@ -47,7 +47,7 @@ TEST(Findings, AreWhatTheTrialsObserved) {
   EXPECT_EQ(second.counts.Of(Standing::kWithinResolution), 1);
   EXPECT_EQ(second.claims.at(0).observed.verdicts.Verdicts(), counts);
   EXPECT_EQ(second.worst.trial, 11);
-  EXPECT_EQ(second.worst.unit, "rad");
+  EXPECT_EQ(second.worst.dimension, domain::Dimension::kAngle);
   EXPECT_EQ(second.worst.about, "after");
 }
 

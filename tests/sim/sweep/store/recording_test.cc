@@ -46,7 +46,7 @@ class AttackRecording : public ::testing::Test {
     const Claim claim = check::Judged({.step = StepId(step),
                                        .about = about,
                                        .name = name,
-                                       .unit = check::Unit::kMetre,
+                                       .dimension = domain::Dimension::kLength,
                                        .predicted = predicted,
                                        .observed = observed,
                                        .gate = 0.01});
@@ -108,7 +108,7 @@ TEST_F(AttackRecording, KeepsTheClaimsOfItsVerdictsAtHand) {
     EXPECT_EQ(plan_.step(timed.verdicts[i].step).executed, timed.record.verdicts[i].step);
     EXPECT_EQ(worst.name, timed.record.verdicts[i].claim);
     EXPECT_EQ(worst.observed, timed.record.verdicts[i].observed);
-    EXPECT_EQ(worst.unit, check::Unit::kMetre);
+    EXPECT_EQ(worst.dimension, domain::Dimension::kLength);
   }
   EXPECT_EQ(timed.verdicts[0].worst.about, Claimed::kPrecondition);
   EXPECT_EQ(timed.verdicts[1].worst.about, Claimed::kAfter);
@@ -120,10 +120,10 @@ TEST_F(AttackRecording, NamesClaimsAsTrialsDo) {
   for (const WorstClaimRecord& worst : timed.attack->worst) names.push_back(worst.claim);
   EXPECT_THAT(names, ElementsAre("1/before/x of peg", "1/precondition/reach", "2/after/x of peg",
                                  "2/after/y of peg"));
-  EXPECT_EQ(
-      timed.attack->worst[3],
-      (WorstClaimRecord{"2/after/y of peg", 2, "action_1", "after", "y of peg", "m", 0.75, -0.5,
-                        0.5, -0.25, 0.01, "violated", "local-search", 7, "dx_peg=0.75"}));
+  EXPECT_EQ(timed.attack->worst[3],
+            (WorstClaimRecord{"2/after/y of peg", 2, "action_1", "after", "y of peg",
+                              domain::Dimension::kLength, 0.75, -0.5, 0.5, -0.25, 0.01, "violated",
+                              "local-search", 7, "dx_peg=0.75"}));
   EXPECT_EQ(timed.attack->attempts, 10);
   EXPECT_EQ(timed.attack->claims, (VerdictCounts{20, 2, 1, 4}));
   EXPECT_THAT(timed.claims, SizeIs(4));
@@ -134,9 +134,10 @@ TEST_F(AttackRecording, CounterexamplesComeWithTheirCommands) {
   AddCounterexample();
   const std::vector<CounterexampleRecord> examples = Record().attack->counterexamples;
   ASSERT_THAT(examples, SizeIs(2));
-  EXPECT_EQ(examples[1], (CounterexampleRecord{2, "2/after/y of peg", "action_1", "y of peg", "m",
-                                               0.75, -0.5, 0.5, -0.25, 0.01, "dx_peg=0.5", 2, true,
-                                               0.25, "assay run a.yaml --errors 'dx_peg=0.5'"}));
+  EXPECT_EQ(examples[1], (CounterexampleRecord{2, "2/after/y of peg", "action_1", "y of peg",
+                                               domain::Dimension::kLength, 0.75, -0.5, 0.5, -0.25,
+                                               0.01, "dx_peg=0.5", 2, true, 0.25,
+                                               "assay run a.yaml --errors 'dx_peg=0.5'"}));
   EXPECT_EQ(Record("").attack->counterexamples[0].replay, "assay replay DB 4");
 }
 

@@ -6,6 +6,7 @@
 
 #include "planner/base/random.h"
 #include "planner/constraint_posting/uncertainty_phase/uncertainty_phase.h"
+#include "planner/plan/data/condition_table.h"
 #include "tests/planner/constraint_posting/scenarios.h"
 
 namespace assay::constraint_posting::best_known_test {
@@ -21,7 +22,7 @@ struct Least {
 };
 
 Least LeastOf(const domain::Problem& problem, const Plan& instance,
-              const std::vector<std::string>& absorbable = {}) {
+              const std::vector<plan::Condition>& absorbable = {}) {
   BestKnown best(problem, Propagation::kSound, {});
   Least least;
   MomentId moment = best.Beginning();
@@ -91,7 +92,11 @@ TEST(BestKnown, WhatMayBeAbsorbedIsNotMissing) {
   const domain::Problem problem = Figure15WithoutHeights();
   const Plan instance = Instances(problem, 1).front();
   EXPECT_EQ(LeastOf(problem, instance).errors, 1);
-  EXPECT_EQ(LeastOf(problem, instance, {"entry", "slide-in", "tilt", "seat"}).errors, 0);
+  EXPECT_EQ(LeastOf(problem, instance,
+                    {plan::condition::kEntry, plan::condition::kSlideIn, plan::condition::kTilt,
+                     plan::condition::kSeat})
+                .errors,
+            0);
 }
 
 TEST(BestKnown, BoundsNothingWhereErrorsAreNotAboutZeroOrMayCancel) {

@@ -1,14 +1,16 @@
-#include "sim/check/claims/geometric_meaning.h"
+#include "sim/check/measurements/measurement.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <limits>
 
 #include "planner/base/random.h"
+#include "planner/plan/data/condition_table.h"
 #include "tests/sim/check/certified.h"
 
-namespace assay::check::geometric_meaning_test {
+namespace assay::check::measurement_test {
 namespace {
 
 using geometry::Box;
@@ -79,6 +81,12 @@ double Observed(const std::vector<GeometricMeaning>& meanings, const std::string
   return found == meanings.end() ? 0 : found->observed;
 }
 
+std::vector<GeometricMeaning> Measured(plan::Condition condition, const plan::PlannedStep& step,
+                                       const StepEvents& events) {
+  return MeasurementOf(condition, KnownMeasurements())
+      .measure(MeasuredStep(Known().problem, step, events));
+}
+
 template <class Action>
 const plan::PlannedStep& StepOf() {
   return Known().plan.step(FirstStep<Action>(Known().plan));
@@ -104,7 +112,7 @@ Pose Somewhere(double reach, RandomStream& random) {
 }
 
 // The closed hand is beside the block, which is put at random places about it.
-TEST(GeometricMeaning, HandClearIsTheHandsDistanceFromAnotherPart) {
+TEST(Measurement, HandClearIsTheHandsDistanceFromAnotherPart) {
   const plan::PlannedStep& pickup = StepOf<plan::Pickup>();
   const plan::Hold& hold = std::get<plan::Pickup>(pickup.action).hold;
   const domain::Part& peg = PartNamed("peg");
@@ -121,7 +129,7 @@ TEST(GeometricMeaning, HandClearIsTheHandsDistanceFromAnotherPart) {
     StepEvents events;
     events.step = FirstStep<plan::Pickup>(Known().plan);
     events.acted = &acted;
-    const double observed = Observed(MeaningsOf("hand clear", Known().problem, pickup, events),
+    const double observed = Observed(Measured(plan::condition::kHandClear, pickup, events),
                                      "the hand stays clear of block");
     ExpectMeasured(Sampled(block.model->boxes(), X_WorldBlock, hand, acted.tool.truth), observed);
     overlaps += observed == kOverlap;
@@ -131,7 +139,7 @@ TEST(GeometricMeaning, HandClearIsTheHandsDistanceFromAnotherPart) {
 }
 
 // Pads that touch the faces of the part are clear of it. A hand that is too low is not.
-TEST(GeometricMeaning, HandClearLeavesOutWhatThePadsTouch) {
+TEST(Measurement, HandClearLeavesOutWhatThePadsTouch) {
   const plan::PlannedStep& pickup = StepOf<plan::Pickup>();
   const plan::Hold& hold = std::get<plan::Pickup>(pickup.action).hold;
   const domain::Part& peg = PartNamed("peg");
@@ -141,7 +149,7 @@ TEST(GeometricMeaning, HandClearLeavesOutWhatThePadsTouch) {
     StepEvents events;
     events.step = FirstStep<plan::Pickup>(Known().plan);
     events.acted = &acted;
-    return Observed(MeaningsOf("hand clear", Known().problem, pickup, events),
+    return Observed(Measured(plan::condition::kHandClear, pickup, events),
                     "the hand stays clear of peg");
   };
   EXPECT_GT(observed(0), 0);
@@ -151,7 +159,7 @@ TEST(GeometricMeaning, HandClearLeavesOutWhatThePadsTouch) {
 
 // The held part moves along the mating vector beside the block. As planned, it comes near the rim
 // only. If it is displaced sideways or too far in, it meets the block.
-TEST(GeometricMeaning, PassingClearIsTheWayToTheMouth) {
+TEST(Measurement, PassingClearIsTheWayToTheMouth) {
   const plan::PlannedStep& step = StepOf<plan::Assemble>();
   const auto& assemble = std::get<plan::Assemble>(step.action);
   const domain::Mating& mating = Known().problem.mating(assemble.mating);
@@ -167,7 +175,7 @@ TEST(GeometricMeaning, PassingClearIsTheWayToTheMouth) {
     StepEvents events;
     events.step = FirstStep<plan::Assemble>(Known().plan);
     events.poised = &poised;
-    return Observed(MeaningsOf("passing clear", Known().problem, step, events),
+    return Observed(Measured(plan::condition::kPassingClear, step, events),
                     "peg passes block on its way in");
   };
   const double planned = observed(Vector3::Zero());
@@ -178,5 +186,16 @@ TEST(GeometricMeaning, PassingClearIsTheWayToTheMouth) {
   EXPECT_EQ(observed(0.01 * aside + 0.01 * vector.normalized()), kOverlap);
 }
 
+// Each kind says once how it is measured, or that nothing measures it.
+TEST(Measurement, EveryKindHasOne) {
+  std::vector<plan::Condition> measured;
+  for (const Measurement& measurement : KnownMeasurements()) {
+    measured.push_back(measurement.condition);
+  }
+  std::vector<plan::Condition> known;
+  for (const plan::ConditionKind* kind : plan::KnownConditions()) known.emplace_back(*kind);
+  EXPECT_THAT(measured, testing::UnorderedElementsAreArray(known));
+}
+
 }  // namespace
-}  // namespace assay::check::geometric_meaning_test
+}  // namespace assay::check::measurement_test

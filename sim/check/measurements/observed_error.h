@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "planner/plan/data/plan.h"
-#include "sim/check/claims/unit.h"
 #include "sim/exec/execution/trace.h"
 
 namespace assay::check {
@@ -12,7 +11,7 @@ namespace assay::check {
 // One component of an error set, and its true value.
 struct ObservedError {
   std::string name;  // "x of block"
-  Unit unit = Unit::kMetre;
+  domain::Dimension dimension = domain::Dimension::kLength;
   Interval predicted;
   double observed = 0;
 };

@@ -1,4 +1,4 @@
-#include "sim/check/claims/observed_error.h"
+#include "sim/check/measurements/observed_error.h"
 
 #include <gtest/gtest.h>
 

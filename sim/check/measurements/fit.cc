@@ -1,4 +1,4 @@
-#include "sim/check/claims/fit.h"
+#include "sim/check/measurements/fit.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "planner/plan/data/condition_kind.h"
+#include "planner/plan/data/coverage.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -6,11 +6,12 @@
 #include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "planner/plan/check/checker.h"
 #include "tests/planner/plan/peg_and_block.h"
 
-namespace assay::plan::condition_kind_test {
+namespace assay::plan::coverage_test {
 namespace {
 
 using testing::Contains;
@@ -36,22 +37,20 @@ const std::map<std::string, PlannedStep>& Steps() {
   return steps;
 }
 
-std::vector<const ConditionKind*> KindsNeeded(const PlannedStep& step) {
-  return plan::KindsNeeded(step.action, step.strategy ? &*step.strategy : nullptr);
+std::vector<Condition> ConditionsNeeded(const PlannedStep& step) {
+  return plan::ConditionsNeeded(step.action, step.strategy ? &*step.strategy : nullptr);
 }
 
 std::vector<std::string> NamesNeeded(const PlannedStep& step) {
   std::vector<std::string> names;
-  for (const ConditionKind* kind : KindsNeeded(step)) names.emplace_back(kind->name);
+  for (const Condition condition : ConditionsNeeded(step)) names.emplace_back(condition.name());
   return names;
 }
 
 // Adds one precondition of each kind that the step needs.
 PlannedStep Covered(PlannedStep step) {
-  for (const std::string& name : NamesNeeded(step)) {
-    CertifiedPrecondition claim;
-    claim.condition = name;
-    step.certificate.preconditions.push_back(claim);
+  for (const Condition condition : ConditionsNeeded(step)) {
+    step.certificate.preconditions.push_back({.condition = condition});
   }
   return step;
 }
@@ -71,12 +70,35 @@ TEST(ConditionKind, WhatActsNeedsAndWhatLooksDoesNot) {
                           "pressed", "holding", "hand clear", "reach", "way clear"));
 }
 
-TEST(ConditionKind, NamesAreUnique) {
-  for (const ConditionKind& kind : ConditionKinds()) {
-    EXPECT_EQ(FindConditionKind(kind.name), &kind);
-    EXPECT_EQ(QuantityOf(kind.name), kind.quantity);
+// A kind is a piece of data. Two kinds are the same only if they are one object.
+TEST(ConditionKind, NamesAreUniqueAndEveryKindIsExplained) {
+  const std::vector<std::string> names = NamesOfConditions(KnownConditions());
+  EXPECT_EQ(std::set<std::string>(names.begin(), names.end()).size(), names.size());
+  for (const ConditionKind* kind : KnownConditions()) {
+    EXPECT_THAT(kind->meaning, testing::Not(IsEmpty())) << kind->name;
+    const ConditionKind alike = *kind;
+    EXPECT_EQ(Condition(*kind), Condition(*kind));
+    EXPECT_NE(Condition(*kind), Condition(alike));
   }
-  EXPECT_EQ(FindConditionKind("luck"), nullptr);
+}
+
+TEST(ConditionKind, FineMotionAbsorbsWhatAShaftNeedsInItsHole) {
+  const std::vector<Condition> of_the_shaft = {condition::kEntry, condition::kSlideIn,
+                                               condition::kTilt, condition::kSeat};
+  EXPECT_EQ(AbsorbedByFineMotion(), of_the_shaft);
+}
+
+TEST(ErrorKind, IsReadFromTheNamesOfItsVariables) {
+  for (const ErrorKind* kind : KnownErrors()) {
+    for (const char* of : {"_block", "_hand", "_peg_2", "_drag_peg"}) {
+      const ErrorKind* read = ErrorKindOf(std::string(kind->stem) + of);
+      ASSERT_NE(read, nullptr) << kind->stem << of;
+      EXPECT_EQ(read->dimension, kind->dimension) << kind->stem << of;
+    }
+  }
+  EXPECT_EQ(ErrorKindOf("theta"), nullptr) << "it belongs to nothing";
+  EXPECT_EQ(ErrorKindOf("thetaxy_block"), nullptr);
+  EXPECT_EQ(ErrorKindOf("luck_of_block"), nullptr);
 }
 
 TEST(Coverage, WhatIsNeededAndNothingElseIsEnough) {
@@ -91,7 +113,7 @@ TEST(Coverage, EachKindThatIsLeftOutIsMissed) {
     for (std::size_t i = 0; i < covered.certificate.preconditions.size(); ++i) {
       PlannedStep lacking = covered;
       auto& claims = lacking.certificate.preconditions;
-      const std::string condition = claims[i].condition;
+      const std::string condition(claims[i].condition.name());
       claims.erase(claims.begin() + static_cast<int>(i));
       EXPECT_THAT(FlawsOfCoverage(lacking), ElementsAre(HasSubstr("covers no '" + condition + "'")))
           << name;
@@ -103,16 +125,16 @@ TEST(Coverage, EachKindThatIsLeftOutIsMissed) {
 // or neighbours are far away.
 TEST(Coverage, OnlyTheKindsOwnReasonsExcuse) {
   for (const auto& [name, step] : Steps()) {
-    for (const ConditionKind* kind : KindsNeeded(step)) {
+    for (const Condition kind : ConditionsNeeded(step)) {
       for (const std::string reason :
            {"", "it is not needed", kNotPublished.data(), "no other part is near enough to be met",
             "it is not proved, and the plan names the step among what "
             "is not covered"}) {
         PlannedStep lacking = Covered(step);
         std::erase_if(lacking.certificate.preconditions,
-                      [&](const auto& claim) { return claim.condition == kind->name; });
-        lacking.certificate.not_needed = {{std::string(kind->name), reason}};
-        const bool excuses = (reason == kNotPublished && !kind->is_published) ||
+                      [&](const auto& claim) { return claim.condition == kind; });
+        lacking.certificate.not_needed = {{kind, reason}};
+        const bool excuses = (reason == kNotPublished && !kind->is_published()) ||
                              (!reason.empty() && reason == kind->may_lack);
         EXPECT_EQ(FlawsOfCoverage(lacking).empty(), excuses)
             << name << ", " << kind->name << ": " << reason;
@@ -123,15 +145,14 @@ TEST(Coverage, OnlyTheKindsOwnReasonsExcuse) {
 
 TEST(Coverage, WhatIsClaimedAndExcusedOrOfAnotherActionIsTold) {
   PlannedStep pickup = Covered(Steps().at("pickup"));
-  pickup.certificate.not_needed = {{"hand clear", "no other part is near enough to be met"}};
+  pickup.certificate.not_needed = {
+      {condition::kHandClear, "no other part is near enough to be met"}};
   EXPECT_THAT(FlawsOfCoverage(pickup), ElementsAre(HasSubstr("and says that")));
   pickup = Covered(Steps().at("pickup"));
   pickup.certificate.preconditions.push_back(
       Covered(Steps().at("assemble")).certificate.preconditions.front());
-  pickup.certificate.preconditions.back().condition = "entry";
+  pickup.certificate.preconditions.back().condition = condition::kEntry;
   EXPECT_THAT(FlawsOfCoverage(pickup), ElementsAre("'entry' is no condition of such a step"));
-  pickup.certificate.preconditions.back().condition = "luck";
-  EXPECT_THAT(FlawsOfCoverage(pickup), ElementsAre("'luck' is no condition of such a step"));
 }
 
 // The checker refuses a mating whose certificate has no preconditions.
@@ -154,9 +175,9 @@ TEST(PlanSchema, RequiresWhatTheTableRequires) {
   const Json definitions = Json::parse(file)["definitions"];
   std::vector<std::string> names;
   std::vector<std::string> reasons = {std::string(kNotPublished)};
-  for (const ConditionKind& kind : ConditionKinds()) {
-    names.emplace_back(kind.name);
-    const std::string reason(kind.may_lack);
+  for (const ConditionKind* kind : KnownConditions()) {
+    names.emplace_back(kind->name);
+    const std::string reason(kind->may_lack);
     if (!reason.empty() && std::ranges::count(reasons, reason) == 0) reasons.push_back(reason);
   }
   EXPECT_EQ(definitions["condition"]["enum"], Json(names));
@@ -177,4 +198,4 @@ TEST(PlanSchema, RequiresWhatTheTableRequires) {
 }
 
 }  // namespace
-}  // namespace assay::plan::condition_kind_test
+}  // namespace assay::plan::coverage_test

@@ -1,4 +1,4 @@
-#include "sim/check/claims/step_events.h"
+#include "sim/check/measurements/step_events.h"
 
 namespace assay::check {
 namespace {

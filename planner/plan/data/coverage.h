@@ -1,0 +1,42 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "planner/plan/data/condition_table.h"
+#include "planner/plan/data/plan.h"
+
+namespace assay::plan {
+
+// The certificate of a step that needs a kind of precondition has preconditions of it, or states
+// why it has none. A certificate that lacks the kind without a valid reason is refused. The
+// functions below ask for the kinds of a list; without one, for all kinds that the planner knows.
+
+// The reason in certificates that are made as published.
+inline constexpr std::string_view kNotPublished = "the paper's propagation does not ask for it";
+// Returns whether any certificate of the plan gives kNotPublished as a reason.
+bool IsAsPublished(const Plan& plan);
+
+// Returns whether a step needs kinds with this NeededBy. `strategy` is null if no strategy executes
+// the step.
+bool Needs(NeededBy who, const Action& action, const Strategy* strategy);
+
+// Returns the kinds that a step needs, in the order of the list.
+std::vector<Condition> ConditionsNeeded(const Action& action, const Strategy* strategy,
+                                        ConditionKinds kinds = KnownConditions());
+
+// Returns the kinds that the step needs and of which there is no precondition, each with its
+// reason. Checks that every kind that may not lack a precondition has one, and that no unneeded
+// kind has one. The planner therefore never writes a certificate that silently leaves something
+// unproved.
+std::vector<NotNeeded> NotNeededIn(const std::vector<CertifiedPrecondition>& preconditions,
+                                   const Action& action, const Strategy* strategy,
+                                   bool as_published, ConditionKinds kinds = KnownConditions());
+
+// Returns, in words, the kinds that the step's certificate should cover and does not, or covers
+// wrongly; empty if there are none. The truth of the reasons is not checked.
+std::vector<std::string> FlawsOfCoverage(const PlannedStep& step,
+                                         ConditionKinds kinds = KnownConditions());
+
+}  // namespace assay::plan

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include "planner/domain/problem/units.h"
+
+namespace assay::plan {
+
+// A kind of bounded error. The names of its variables begin with the stem, such as "dx_block",
+// "dx_hand" and "dx_hand_2". Kinds are compared by their addresses.
+struct ErrorKind {
+  std::string_view stem;
+  domain::Dimension dimension;
+};
+
+// The kinds of errors of parts and of the hand. Files planner/uncertainty/errors/*.h say how they
+// arise.
+namespace error {
+
+// displacement of a part in the world's axes, or of the hand in its own axes
+inline constexpr ErrorKind kX = {"dx", domain::Dimension::kLength};
+inline constexpr ErrorKind kY = {"dy", domain::Dimension::kLength};
+inline constexpr ErrorKind kZ = {"dz", domain::Dimension::kLength};
+// turn about the world's z, or about the hand's z
+inline constexpr ErrorKind kTheta = {"theta", domain::Dimension::kAngle};
+// how closing pads leave a part (squeezing.h): along the pads, up or down, and turned about their
+// normal; and, if the pads jam, across the pads, turned about the hand's z, and about its x
+inline constexpr ErrorKind kSlip = {"slip", domain::Dimension::kLength};
+inline constexpr ErrorKind kRise = {"rise", domain::Dimension::kLength};
+inline constexpr ErrorKind kTwist = {"twist", domain::Dimension::kAngle};
+inline constexpr ErrorKind kJam = {"jam", domain::Dimension::kLength};
+inline constexpr ErrorKind kSkew = {"skew", domain::Dimension::kAngle};
+inline constexpr ErrorKind kTip = {"tip", domain::Dimension::kAngle};
+// how opening pads leave a part (release.h): settled upright, led by a wrist that yields, and
+// within the play of its seat
+inline constexpr ErrorKind kSettle = {"settle", domain::Dimension::kLength};
+inline constexpr ErrorKind kYield = {"yield", domain::Dimension::kLength};
+inline constexpr ErrorKind kPlay = {"play", domain::Dimension::kLength};
+inline constexpr ErrorKind kTurn = {"turn", domain::Dimension::kAngle};
+// how a mating drags its fixed part along (release.h)
+inline constexpr ErrorKind kDrag = {"drag", domain::Dimension::kLength};
+inline constexpr ErrorKind kThetaDrag = {"theta_drag", domain::Dimension::kAngle};
+// rests of affine forms (uncertain_world.h)
+inline constexpr ErrorKind kRest = {"rest", domain::Dimension::kLength};
+inline constexpr ErrorKind kThetaRest = {"theta_rest", domain::Dimension::kAngle};
+
+}  // namespace error
+
+std::span<const ErrorKind* const> KnownErrors();
+
+// Returns the kind whose variables have names like this one, or null if there is none. Of several
+// stems that fit, the longest counts.
+const ErrorKind* ErrorKindOf(std::string_view variable);
+
+}  // namespace assay::plan

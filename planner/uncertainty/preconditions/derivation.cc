@@ -1,0 +1,102 @@
+#include "planner/uncertainty/preconditions/derivation.h"
+
+#include <array>
+
+#include "planner/domain/mating/shaft_fit.h"
+#include "planner/uncertainty/errors/mating_end.h"
+
+namespace assay::uncertainty {
+namespace {
+
+using plan::NeededBy;
+using plan::Origin;
+
+const plan::Assemble& AssembleOf(const HandWork& work) {
+  return std::get<plan::Assemble>(work.action);
+}
+
+std::vector<Precondition> Grasping(const HandWork& work) {
+  return GraspPreconditions(work.world, work.part, work.hold, work.draw, work.held);
+}
+
+std::vector<Precondition> HandAtGrasp(const HandWork& work) {
+  return HandClearanceAtGrasp(work.world, work.part, work.hold, work.draw, work.held,
+                              std::holds_alternative<plan::Squeeze>(work.action));
+}
+
+std::vector<Precondition> ClosingPads(const HandWork& work) {
+  return ClosingPreconditions(work.world, work.part, work.hold, work.draw, work.held);
+}
+
+std::vector<Precondition> HoldingPart(const HandWork& work) {
+  const bool is_lifted = std::holds_alternative<plan::Pickup>(work.action);
+  return HoldingPreconditions(work.world, work.part, work.hold, work.held,
+                              is_lifted ? Turning::kNone : Turning::kAny);
+}
+
+std::vector<Precondition> Landing(const HandWork& work) {
+  return LandingPreconditions(work.world, work.part, work.hold, work.X_ToolGrasp, work.X_WorldPart,
+                              work.table, work.released);
+}
+
+std::vector<Precondition> MatingParts(const HandWork& work) {
+  return MatingPreconditions(work.world, AssembleOf(work).mating, work.hold, work.X_ToolGrasp);
+}
+
+std::vector<Precondition> TipAtStart(const HandWork& work) {
+  return TipPreconditions(work.world, AssembleOf(work).mating, work.hold, work.X_ToolGrasp,
+                          *work.strategy);
+}
+
+std::vector<Precondition> HandAtRelease(const HandWork& work) {
+  const auto* assemble = std::get_if<plan::Assemble>(&work.action);
+  if (assemble == nullptr) {
+    return HandClearanceAtPutdown(work.world, {work.part, work.hold, work.draw, work.X_WorldPart,
+                                               -Vector3::UnitZ(), work.farther, work.released});
+  }
+  const MatingEnd end = MatingEndOf(work.world, assemble->mating, work.hold, work.X_ToolGrasp);
+  return HandClearanceAtMating(
+      work.world, assemble->mating,
+      {work.part, work.hold, work.draw, work.X_WorldPart, end.motion, end.farther, work.released},
+      work.strategy != nullptr);
+}
+
+std::vector<Precondition> PassingParts(const HandWork& work) {
+  return PassingPreconditions(work.world, AssembleOf(work), work.X_ToolGrasp, work.strategy);
+}
+
+// A part that a strategy led into its seat may lean within the play there.
+std::vector<Precondition> StandingPart(const HandWork& work) {
+  const domain::Problem& problem = work.world.problem();
+  const auto* assemble = std::get_if<plan::Assemble>(&work.action);
+  const bool is_led = assemble != nullptr && work.strategy != nullptr;
+  const double play =
+      is_led
+          ? PlayInSeat(problem, problem.mating(assemble->mating), problem.tolerances.clearance).turn
+          : 0;
+  return StandingPreconditions(work.world, work.part, work.hold, work.draw, work.X_WorldPart,
+                               work.released, play);
+}
+
+std::vector<Precondition> FixedPart(const HandWork& work) {
+  return FixedPreconditions(work.world, AssembleOf(work).mating, work.released, work.strategy);
+}
+
+constexpr auto kDerivations =
+    std::to_array<Derivation>({{NeededBy::kGrasp, Origin::kPaper, false, Grasping},
+                               {NeededBy::kPutdown, Origin::kPaper, true, Landing},
+                               {NeededBy::kMating, Origin::kPaper, false, MatingParts},
+                               {NeededBy::kStrategy, Origin::kPaper, false, TipAtStart},
+                               {NeededBy::kGrasp, Origin::kSoundMode, false, HandAtGrasp},
+                               {NeededBy::kGrasp, Origin::kSoundMode, false, ClosingPads},
+                               {NeededBy::kCarrying, Origin::kSoundMode, false, HoldingPart},
+                               {NeededBy::kRelease, Origin::kSoundMode, true, HandAtRelease},
+                               {NeededBy::kMating, Origin::kSoundMode, true, PassingParts},
+                               {NeededBy::kRelease, Origin::kSoundMode, true, StandingPart},
+                               {NeededBy::kMating, Origin::kSoundMode, true, FixedPart}});
+
+}  // namespace
+
+std::span<const Derivation> Theory::KnownDerivations() { return kDerivations; }
+
+}  // namespace assay::uncertainty

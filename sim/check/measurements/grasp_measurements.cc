@@ -1,0 +1,107 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "planner/kinematics/gripper.h"
+#include "planner/plan/data/condition_table.h"
+#include "sim/check/measurements/fit.h"
+#include "sim/check/measurements/measurement.h"
+
+namespace assay::check {
+namespace {
+
+using geometry::Pose;
+using geometry::Vector2;
+using geometry::Vector3;
+
+// Positions along the tool's y axis, as the grasp numbers contacts and fingers.
+constexpr double kFirstContact = 0.5;  // of the width
+constexpr double kFirstFinger = -1;    // of half the opening
+
+// Returns the grasp frame of the true part in the frame of the true tool.
+Pose GraspInTool(const MeasuredStep& step, const exec::Snapshot& moment) {
+  return moment.tool.truth.inverse() * step.PartAt(moment) * step.hold().X_PartTool;
+}
+
+// Both contacts lie between the pads when these begin to close.
+std::vector<GeometricMeaning> BetweenFingers(const MeasuredStep& step) {
+  const exec::Snapshot* reached = step.events().reached;
+  if (reached == nullptr) return {};
+  const Pose X_ToolGrasp = GraspInTool(step, *reached);
+  std::vector<GeometricMeaning> meanings;
+  for (const int contact : {1, 2}) {
+    const double side = contact == 1 ? kFirstContact : -kFirstContact;
+    const double at = (X_ToolGrasp * Vector3(0, side * step.hold().width, 0)).y();
+    for (const int finger : {1, 2}) {
+      const double inward = finger == 1 ? kFirstFinger * at : -kFirstFinger * at;
+      AddFinite(fmt::format("contact {} lies on the inner side of finger {}", contact, finger),
+                reached->opening / 2 - inward, meanings);
+    }
+  }
+  return meanings;
+}
+
+// The inner corners of the open pads lie outside the faces on which the pads close.
+std::vector<GeometricMeaning> FingerClear(const MeasuredStep& step) {
+  const exec::Snapshot* reached = step.events().reached;
+  if (reached == nullptr) return {};
+  const Pose X_GraspTool = GraspInTool(step, *reached).inverse();
+  const Vector2& pad = step.gripper().pad_half_extents();
+  std::vector<GeometricMeaning> meanings;
+  for (const int finger : {1, 2}) {
+    const double side = finger == 1 ? kFirstFinger : -kFirstFinger;
+    double worst = kInfinity;
+    for (const double x : {-pad.x(), pad.x()}) {
+      for (const double z : {-pad.y(), pad.y()}) {
+        const Vector3 corner = X_GraspTool * Vector3(x, side * reached->opening / 2, z);
+        worst = std::min(worst, side * corner.y() - step.hold().width / 2);
+      }
+    }
+    AddFinite(fmt::format("finger {} comes down beside the part", finger), worst, meanings);
+  }
+  return meanings;
+}
+
+// The fingers end above the table as the pads close. Nothing measures the fingers as the pads open.
+std::vector<GeometricMeaning> Fingertip(const MeasuredStep& step) {
+  const bool lets_go = std::holds_alternative<plan::Putdown>(step.step().action) ||
+                       std::holds_alternative<plan::Assemble>(step.step().action);
+  const exec::Snapshot* reached = step.events().reached;
+  if (lets_go || reached == nullptr) return {};
+  double lowest = kInfinity;
+  for (const geometry::Box& box : step.gripper().FingerBoxes(step.OpeningAt(*reached))) {
+    for (const Vector3& corner : box.Corners()) {
+      lowest = std::min(lowest, (reached->tool.truth * corner).z());
+    }
+  }
+  return OfAll(lowest - reached->table_heights[step.part().index()]);
+}
+
+// The closed pads hold the grasped point, with the workcell's margin.
+std::vector<GeometricMeaning> PadContact(const MeasuredStep& step) {
+  const StepEvents& events = step.events();
+  if (events.reached == nullptr || events.acted == nullptr) return {};
+  const Vector3 p = GraspInTool(step, *events.acted).translation();
+  const Vector2& pad = step.gripper().pad_half_extents();
+  const double margin = step.problem().workcell->rules().pad_margin;
+  std::vector<GeometricMeaning> meanings;
+  AddFinite("the grasped point stays within the pads' width", pad.x() - margin - std::abs(p.x()),
+            meanings);
+  AddFinite("the grasped point stays within the pads' height", pad.y() - margin - std::abs(p.z()),
+            meanings);
+  return meanings;
+}
+
+}  // namespace
+
+std::vector<Measurement> GraspMeasurements() {
+  return {{plan::condition::kBetweenFingers, BetweenFingers},
+          {plan::condition::kFingerClear, FingerClear},
+          {plan::condition::kFingertip, Fingertip},
+          {plan::condition::kPadContact, PadContact},
+          {plan::condition::kUpright},
+          {plan::condition::kPushedClear}};
+}
+
+}  // namespace assay::check

@@ -1,0 +1,176 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "planner/domain/mating/shaft_fit.h"
+#include "planner/domain/part/part_model.h"
+#include "planner/plan/data/condition_table.h"
+#include "sim/check/measurements/fit.h"
+#include "sim/check/measurements/measurement.h"
+
+namespace assay::check {
+namespace {
+
+using geometry::Pose;
+using geometry::Vector3;
+
+constexpr double kBeforeMouth = 1e-3;  // metres
+constexpr int kPlacesOnWay = 16;       // points along the mating motion
+
+// Returns the direction in which the held part is believed to move, in the world frame.
+Vector3 MatingDirection(const MeasuredStep& step, const exec::Snapshot& at) {
+  const Pose& X_WorldFixed = at.parts[step.mating().fixed.index()].believed;
+  return (X_WorldFixed.linear() * step.mating().mating_vector).normalized();
+}
+
+// Returns the true pose of the held part in the fixed part's frame, and its direction of motion.
+Motion MatingMotion(const MeasuredStep& step, const exec::Snapshot& poised) {
+  const Pose X_FixedWorld = poised.parts[step.mating().fixed.index()].truth.inverse();
+  return {X_FixedWorld * poised.parts[step.mating().held.index()].truth,
+          X_FixedWorld.linear() * MatingDirection(step, poised)};
+}
+
+// The part reaches its seat within the guarded travel.
+std::vector<GeometricMeaning> Seat(const MeasuredStep& step) {
+  const exec::Snapshot* reached = step.events().reached;
+  if (reached == nullptr) return {};
+  const exec::TrueAndBelieved& fixed = reached->parts[step.mating().fixed.index()];
+  const Pose& X_FixedHeld = step.mating().X_FixedHeld;
+  return OfAll(MetOnGuardedWay(step, {.X_WorldExpected = fixed.believed * X_FixedHeld,
+                                      .X_WorldEnd = fixed.truth * X_FixedHeld,
+                                      .direction = MatingDirection(step, *reached)}));
+}
+
+// The held part, moved along the mating motion from where it was poised, touches nothing. It is
+// measured against the fixed part until the shafts come to the mouths of their holes, and against
+// other parts to the end.
+std::vector<GeometricMeaning> PassingClear(const MeasuredStep& step) {
+  if (step.events().poised == nullptr) return {};
+  const exec::Snapshot& poised = *step.events().poised;
+  const domain::Problem& problem = step.problem();
+  const domain::Mating& mating = step.mating();
+  double depth = 0;
+  for (const domain::ShaftFit& fit : domain::FitsOf(problem, mating)) {
+    depth = std::max(depth, fit.depth);
+  }
+  const Vector3 direction = MatingDirection(step, poised);
+  std::vector<GeometricMeaning> meanings;
+  for (std::size_t p = 0; p < problem.parts.size(); ++p) {
+    if (domain::PartId(p) == step.part()) continue;
+    const bool is_fixed = domain::PartId(p) == mating.fixed;
+    const double length = mating.mating_vector.norm() - (is_fixed ? depth + kBeforeMouth : 0);
+    double nearest = kInfinity;
+    for (int i = 0; i <= kPlacesOnWay; ++i) {
+      const Vector3 way = std::max(0.0, length) * i / kPlacesOnWay * direction;
+      nearest = std::min(
+          nearest,
+          geometry::Distance(step.shape(), geometry::Translation(way) * step.PartAt(poised),
+                             problem.parts[p].model->shape(), poised.parts[p].truth));
+    }
+    AddClearance(fmt::format("{} passes {} on its way in", problem.part(step.part()).name,
+                             problem.parts[p].name),
+                 nearest, meanings);
+  }
+  return meanings;
+}
+
+// A wrist that yields makes room that is not there before the walls push, so the certified margin
+// cannot be expected of the observed value.
+std::vector<GeometricMeaning> InsideWalls(const MeasuredStep& step, double FitMargins::*margin) {
+  if (step.events().poised == nullptr) return {};
+  const FitMargins margins =
+      MarginsOfFits(step.problem(), step.mating(), MatingMotion(step, *step.events().poised));
+  std::vector<GeometricMeaning> meanings = OfAll(margins.*margin);
+  for (GeometricMeaning& meaning : meanings) {
+    meaning.counts_on_yielding = step.problem().workcell->rules().lateral_compliance > 0;
+    meaning.is_at_least_the_margin = !meaning.counts_on_yielding;
+  }
+  return meanings;
+}
+
+// The shaft, moved along the mating motion from where it was poised, is inside the walls of its
+// hole when its tip is in the mouth.
+std::vector<GeometricMeaning> Entry(const MeasuredStep& step) {
+  return InsideWalls(step, &FitMargins::entry);
+}
+
+// The shaft, moved along the mating motion from where it was poised, is inside the walls of its
+// hole at its seat.
+std::vector<GeometricMeaning> SlideIn(const MeasuredStep& step) {
+  return InsideWalls(step, &FitMargins::slide_in);
+}
+
+// Shafts that are alike may share a precondition, and the least of its limits then holds for each.
+double LeastLimit(const plan::Certificate& certificate, const std::string& subject) {
+  double of_all = kInfinity;
+  double of_subject = kInfinity;
+  for (const plan::CertifiedPrecondition& claim : certificate.preconditions) {
+    if (claim.condition != plan::condition::kTilt) continue;
+    of_all = std::min(of_all, std::abs(claim.limit));
+    if (claim.meaning == subject) of_subject = std::min(of_subject, std::abs(claim.limit));
+  }
+  return std::isfinite(of_subject) ? of_subject : of_all;
+}
+
+// The shaft's axis leans across each pair of walls by less than the limit.
+std::vector<GeometricMeaning> Tilt(const MeasuredStep& step) {
+  if (step.events().poised == nullptr) return {};
+  std::vector<GeometricMeaning> meanings;
+  for (const Lean& lean :
+       LeansInSlots(step.problem(), step.mating(), MatingMotion(step, *step.events().poised))) {
+    const std::string subject = lean.slot + " neither touches twice nor wedges";
+    meanings.push_back({subject, LeastLimit(step.step().certificate, subject) - lean.sine});
+  }
+  return meanings;
+}
+
+// Returns the pose of the tip, relative to the fixed part, that the hand's poses give.
+struct TipPoses {
+  Pose believed;
+  Pose truth;
+};
+TipPoses TipAtStart(const MeasuredStep& step, const exec::Snapshot& poised) {
+  const plan::Strategy& strategy = *step.step().strategy;
+  const Pose X_HandTip = step.hold().X_PartTool.inverse() * strategy.X_HeldTip;
+  const exec::TrueAndBelieved& fixed = poised.parts[step.mating().fixed.index()];
+  return {fixed.believed.inverse() * poised.tool.believed * X_HandTip,
+          fixed.truth.inverse() * step.PartAt(poised) * strategy.X_HeldTip};
+}
+
+// At the strategy's start, the tip is where it is believed to be, except for the shift that the
+// strategy absorbs.
+std::vector<GeometricMeaning> TipShift(const MeasuredStep& step) {
+  if (step.events().poised == nullptr) return {};
+  const TipPoses tip = TipAtStart(step, *step.events().poised);
+  const Vector3 shift = tip.truth.translation() - tip.believed.translation();
+  const Vector3& absorbed = step.step().strategy->certificate.d;
+  return {{{}, (absorbed - shift.cwiseAbs()).minCoeff()}};
+}
+
+// At the strategy's start, the tip is turned as it is believed to be, except for the turn that the
+// strategy absorbs.
+std::vector<GeometricMeaning> TipTurn(const MeasuredStep& step) {
+  if (step.events().poised == nullptr) return {};
+  const TipPoses tip = TipAtStart(step, *step.events().poised);
+  const Eigen::AngleAxisd turn(
+      geometry::Matrix3(tip.truth.linear() * tip.believed.linear().inverse()));
+  const Vector3& absorbed = step.step().strategy->certificate.w;
+  return {{{}, (absorbed - (turn.angle() * turn.axis()).cwiseAbs()).minCoeff()}};
+}
+
+}  // namespace
+
+std::vector<Measurement> MatingMeasurements() {
+  return {{plan::condition::kEntry, Entry},
+          {plan::condition::kSlideIn, SlideIn},
+          {plan::condition::kTilt, Tilt},
+          {plan::condition::kSeat, Seat},
+          {plan::condition::kPassingClear, PassingClear},
+          {plan::condition::kTipShift, TipShift},
+          {plan::condition::kTipTurn, TipTurn},
+          {plan::condition::kFixedStands},
+          {plan::condition::kFixedStays}};
+}
+
+}  // namespace assay::check

@@ -1,0 +1,80 @@
+#include "sim/check/measurements/measured_step.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "planner/base/check.h"
+#include "planner/domain/part/part_model.h"
+#include "planner/kinematics/gripper.h"
+#include "planner/plan/data/pushing.h"
+
+namespace assay::check {
+namespace {
+
+using geometry::Vector3;
+
+struct PartHandledBy {
+  const domain::Problem& problem;
+
+  domain::PartId operator()(const plan::Assemble& assemble) const {
+    return problem.mating(assemble.mating).held;
+  }
+  domain::PartId operator()(const auto& action) const { return action.part; }
+};
+
+struct HoldBy {
+  const plan::Hold* operator()(const plan::Sense&) const { return nullptr; }
+  const plan::Hold* operator()(const auto& action) const { return &action.hold; }
+};
+
+}  // namespace
+
+MeasuredStep::MeasuredStep(const domain::Problem& problem, const plan::PlannedStep& step,
+                           const StepEvents& events)
+    : problem_(problem),
+      step_(step),
+      events_(events),
+      part_(std::visit(PartHandledBy{problem}, step.action)),
+      hold_(std::visit(HoldBy{}, step.action)) {}
+
+const geometry::CollisionShape& MeasuredStep::shape() const {
+  return problem_.part(part_).model->shape();
+}
+
+const plan::Hold& MeasuredStep::hold() const {
+  ASSAY_CHECK(hold_ != nullptr, "a look leaves no part in the hand");
+  return *hold_;
+}
+
+const domain::Mating& MeasuredStep::mating() const {
+  return problem_.mating(std::get<plan::Assemble>(step_.action).mating);
+}
+
+const geometry::Pose& MeasuredStep::PartAt(const exec::Snapshot& moment) const {
+  return moment.parts[part_.index()].truth;
+}
+
+double MeasuredStep::OpeningAt(const exec::Snapshot& moment) const {
+  return std::clamp(moment.opening, 0.0, gripper().max_opening());
+}
+
+double MetOnGuardedWay(const MeasuredStep& step, const GuardedEnd& end) {
+  const exec::Snapshot& reached = *step.events().reached;
+  const Vector3& direction = end.direction;
+  const double travel = step.problem().workcell->rules().guarded_travel;
+  const Vector3 expected = (end.X_WorldExpected * step.hold().X_PartTool).translation();
+  const double beyond = direction.dot(reached.tool.believed.translation() - expected);
+  if (step.events().resisted.value_or(false)) return travel - std::abs(beyond);
+  const Vector3 place = step.PartAt(reached).translation();
+  const double missing = direction.dot(end.X_WorldEnd.translation() - place);
+  const bool may_have_slid = !plan::PadsBearResistance(step.problem()) && missing <= kStandsOn;
+  if (step.events().poised == nullptr || !may_have_slid) {
+    return std::min(0.0, travel - std::abs(beyond)) - travel;
+  }
+  const exec::Snapshot& poised = *step.events().poised;
+  const double way = direction.dot(place - step.PartAt(poised).translation());
+  const double expected_way = direction.dot(expected - poised.tool.believed.translation());
+  return travel - std::abs(way - expected_way);
+}
+
+}  // namespace assay::check

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "planner/plan/data/condition.h"
+#include "sim/check/measurements/measured_step.h"
+
+namespace assay::check {
+
+// The geometric meaning of a precondition, measured where parts and hand truly were. It is the
+// worst over all preconditions about one subject.
+struct GeometricMeaning {
+  std::string subject;  // plan::CertifiedPrecondition::meaning; empty: all of that condition
+  // The margin by which they hold, in SI units of the condition's dimension; negative if one does
+  // not hold.
+  double observed = 0;
+  // True if the observed value must be at least the certificate's margin. It is false for
+  // clearances between bodies: their margin is certified for some corners only. Nothing is
+  // certified about corners that no error can bring near, so bodies may come nearer to each other
+  // than the margin.
+  bool is_at_least_the_margin = true;
+  // True if the certificate counts on a wrist that yields and on bevelled edges. Simulated arms and
+  // parts have neither. If a shaft would need them, the trial proves nothing about the plan.
+  bool counts_on_yielding = false;
+};
+
+// The way in which one kind of precondition is measured in a trace.
+struct Measurement {
+  plan::Condition condition;
+  // Returns the meanings of all preconditions of the kind in the step's certificate. The list is
+  // empty if the execution did not come to the point at which the kind can be measured. The
+  // geometry is computed from the parts' boxes and features alone, not from the planner's
+  // expressions. The function is null if nothing measures the kind.
+  std::vector<GeometricMeaning> (*measure)(const MeasuredStep& step) = nullptr;
+
+  bool is_measured() const { return measure != nullptr; }
+};
+
+// Return the measurements of the kinds that belong together. Each *_measurements.cc has one of
+// these functions, and measures its kinds.
+std::vector<Measurement> GraspMeasurements();
+std::vector<Measurement> LandingMeasurements();
+std::vector<Measurement> MatingMeasurements();
+std::vector<Measurement> HandMeasurements();
+
+// Returns the measurements of all kinds that the planner knows, one for each kind.
+const std::vector<Measurement>& KnownMeasurements();
+
+// Returns the measurement of a kind, which must be in the list (checked).
+const Measurement& MeasurementOf(plan::Condition condition,
+                                 const std::vector<Measurement>& measurements);
+
+// Adds a meaning unless the observed value is infinite: an infinite distance has no subject.
+void AddFinite(std::string subject, double observed, std::vector<GeometricMeaning>& meanings);
+// Adds a clearance between two bodies. If the shapes overlap, their distance is 0 and the depth of
+// the overlap is unknown. They then get a fixed negative value.
+void AddClearance(std::string subject, double distance, std::vector<GeometricMeaning>& meanings);
+// Returns the meaning of all preconditions of a kind; empty if the observed value is infinite.
+std::vector<GeometricMeaning> OfAll(double observed);
+
+}  // namespace assay::check
