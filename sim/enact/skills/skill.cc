@@ -6,15 +6,6 @@
 
 namespace assay::enact {
 
-std::vector<domain::PlacedPart> Situation::Standing(PartId but) const {
-  std::vector<domain::PlacedPart> standing;
-  for (int i = 0; i < execution().world().part_count(); ++i) {
-    const PartId part(i);
-    if (part != but) standing.push_back({part, execution().world().PartPose(part)});
-  }
-  return standing;
-}
-
 std::span<const SkillWord* const> SkillWords() {
   static constexpr std::array kWords = {&kPickUp, &kWeigh, &kCarry, &kPutDown, &kLook};
   return kWords;

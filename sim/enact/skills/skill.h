@@ -30,8 +30,6 @@ struct Situation {
 
   exec::Execution& execution() const { return robots.acting(); }
   const domain::Problem& problem() const { return execution().problem(); }
-  // Returns the believed poses of all parts but `but`. None of these parts may be in the hand.
-  std::vector<domain::PlacedPart> Standing(PartId but) const;
 };
 
 // The meaning of a domain's action in the workcell: how a robot carries it out.
@@ -72,9 +70,6 @@ std::span<const SkillWord* const> SkillWords();
 
 // Reads a map like {skill: WORD, ...}. Throws InputError.
 std::unique_ptr<const Skill> ReadSkill(const Value& map, const SkillContext& context);
-
-// The number of yaws that are tried at each place where a part may be put down.
-inline constexpr int kYawsTried = 8;
 
 // Executes the commands one after the other until one fails.
 exec::Progress RunAll(const std::vector<exec::Command>& commands, exec::Execution& execution);

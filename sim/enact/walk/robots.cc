@@ -3,14 +3,9 @@
 #include <algorithm>
 
 #include "planner/motion/path/joint_trajectory.h"
-#include "planner/motion/path/path_search.h"
+#include "planner/motion/path/travel.h"
 
 namespace assay::enact {
-namespace {
-
-const motion::MotionRules kWay = {.clearance = 0.01};  // metres
-
-}  // namespace
 
 Robots::Robots(const domain::Problem& problem, const scene::Scene& scene, mujoco::Data& data,
                const exec::ExecutorOptions& options)
@@ -54,15 +49,13 @@ exec::Progress Robots::TakeOver(RobotId robot) {
 
 exec::Progress Robots::GoHome() {
   exec::Execution& execution = acting();
-  const domain::Workcell& workcell = *execution.problem().workcell;
-  const motion::CollisionScene scene(execution.problem(), execution.BelievedSurroundings());
-  const motion::PathResult found = motion::FindPath(
-      scene, {.from = execution.commanded(), .to = workcell.home(), .rules = kWay});
-  if (const auto* failure = std::get_if<motion::PathFailure>(&found)) {
-    return exec::Failure{exec::ExecutionOutcome::kUnreachable, "no way home: " + failure->what};
+  const motion::TravelResult found = motion::PlanWayHome(
+      execution.problem(), execution.BelievedSurroundings(), execution.commanded());
+  if (const auto* why = std::get_if<std::string>(&found)) {
+    return exec::Failure{exec::ExecutionOutcome::kUnreachable, *why};
   }
-  const motion::JointTrajectory way =
-      motion::AlongPath(std::get<motion::JointPath>(found), motion::RatesOf(workcell));
+  const motion::JointTrajectory way = motion::AlongPath(
+      std::get<motion::JointPath>(found), motion::RatesOf(*execution.problem().workcell));
   return execution.Follow(way, way.duration());
 }
 

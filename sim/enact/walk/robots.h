@@ -27,7 +27,7 @@ class Robots {
   std::vector<domain::PartId> Held() const;
   // Returns the forbidden contacts of all robots until now, in the order of time.
   std::vector<exec::CollisionRecord> Collisions() const;
-  // Moves the acting robot home on a path that is clear of everything (motion::FindPath).
+  // Moves the acting robot home on a path that is clear of everything (motion::PlanWayHome).
   exec::Progress GoHome();
 
  private:

@@ -53,11 +53,6 @@ bool IsLeftByPath(const plan::Plan& plan, plan::StepId step) {
 
 }  // namespace
 
-double BeyondContact(const domain::Problem& problem, const plan::Certificate& certificate) {
-  const double travel = problem.workcell->rules().guarded_travel;
-  return std::min(travel, plan::DoubtOfContact(certificate, travel) + plan::kBeyondContact);
-}
-
 void ClampFixed(const domain::Problem& problem, const domain::Mating& mating,
                 StepCommands& commands) {
   const double clamp = problem.part(mating.fixed).clamp;

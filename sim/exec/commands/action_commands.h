@@ -31,10 +31,10 @@ struct StepCommands {
 // Returns the commands of a step of a plan, for the believed poses of the parts. Straight lines
 // down and up are vertical. The last piece to a part and the first piece away from it are along the
 // tool's axis, with the workcell's approach distance as length. A part that is put down or mated
-// moves on until it meets resistance, or until it must have met resistance (BeyondContact). The arm
-// comes to the step by the plan's travel. The travel is the usual one, or a path that begins where
-// the previous step left the tool (plan::RouteOf). With a path, the arm does not go up to safe
-// height between the two steps.
+// moves on until it meets resistance, or until it must have met resistance (plan::BeyondContact).
+// The arm comes to the step by the plan's travel. The travel is the usual one, or a path that
+// begins where the previous step left the tool (plan::RouteOf). With a path, the arm does not go up
+// to safe height between the two steps.
 StepCommands CommandsFor(const domain::Problem& problem, const WorldModel& world,
                          const plan::Plan& plan, plan::StepId step);
 // Returns the command after the last step.
@@ -67,10 +67,6 @@ StepCommands CommandsFor(const domain::Problem& problem, const WorldModel& world
 // The force at which a guarded move stops. It exceeds what starting and stopping the hand exerts.
 using plan::kResistance;
 
-// Returns how far a guarded move goes beyond the place of expected contact, in metres. It goes
-// until contact must have been made, so that pads that bear less than the resistance slide no
-// farther on the part. It goes no farther than the workcell's guarded travel.
-double BeyondContact(const domain::Problem& problem, const plan::Certificate& certificate);
 // Adds commands by which the fixed part's fixture, if it has one, clamps it until the held part is
 // released.
 void ClampFixed(const domain::Problem& problem, const domain::Mating& mating,

@@ -10,7 +10,7 @@ StepCommands CommandsFor(const domain::Problem& problem, const WorldModel& world
   const Pose X_WorldHeld = X_WorldFixed * mating.X_FixedHeld;
   const Vector3 vector = X_WorldFixed.linear() * mating.mating_vector;
   const double travel = workcell.rules().guarded_travel;
-  const double farther = BeyondContact(problem, certificate);
+  const double farther = plan::BeyondContact(problem, certificate);
   const Vector3 beyond = farther * vector.normalized();
   const Pace pace = MatingPace(farther + plan::DoubtOfContact(certificate, travel));
   const plan::ToolRoute route = plan::RouteOf(problem, assemble, X_WorldFixed);

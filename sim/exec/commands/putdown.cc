@@ -8,7 +8,7 @@ StepCommands CommandsFor(const domain::Problem& problem, const WorldModel&,
   const double travel = workcell.rules().guarded_travel;
   const plan::ToolRoute route = plan::RouteOf(problem, putdown);
   const Pose& placed = route.to_work.back();
-  const double beyond = BeyondContact(problem, certificate);
+  const double beyond = plan::BeyondContact(problem, certificate);
   const Pose lowest = geometry::Translation(0, 0, -beyond) * placed;
   const Pose& retreated = route.left();
   return {.approach = {MoveAtSafeHeight{AtSafeHeight(workcell, placed)}},

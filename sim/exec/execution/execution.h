@@ -76,6 +76,7 @@ class Execution {
   bool IsInHand() const;
   // Sets the hand's error (noise::Noise::HandError).
   void SetHandError(const Pose& error) { hand_error_ = error; }
+  const Pose& hand_error() const { return hand_error_; }
   // Sets the hand's error, and moves the hand to the pose that it then believes to have.
   Progress TakeUpHandError(const Pose& error);
   // Returns the true pose of the tool when it is commanded to X_WorldTool.
