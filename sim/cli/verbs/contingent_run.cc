@@ -6,7 +6,6 @@
 #include <filesystem>
 #include <map>
 #include <memory>
-#include <mutex>
 #include <nlohmann/json.hpp>
 #include <optional>
 
@@ -25,9 +24,9 @@
 #include "sim/cli/trees/plan_tree_report.h"
 #include "sim/cli/trials/enactment_report.h"
 #include "sim/cli/work/output_file.h"
-#include "sim/cli/work/trial.h"
 #include "sim/enact/walk/knowledge_scenario.h"
 #include "sim/enact/walk/plan_interpretation.h"
+#include "sim/exec/trial/scheduler.h"
 #include "sim/scenario/models_folder.h"
 
 namespace assay::cli {
@@ -65,18 +64,16 @@ class Enacting {
 
   ExitCode Execute() {
     const std::vector<int> numbers = Numbers();
-    study_.trials.resize(numbers.size());
     const Interruption interruption;
-    ForEachTrial(static_cast<int>(numbers.size()), run_.jobs, [&](int nth) {
-      const int number = numbers[static_cast<std::size_t>(nth - 1)];
-      const bool is_pictured = nth == 1 && run_.renders;
-      study_.trials[static_cast<std::size_t>(nth - 1)] = Run(number, is_pictured);
-      const std::lock_guard lock(mutex_);
-      progress_->Tell(fmt::format("enacting, {} of {} trials", ++done_, numbers.size()));
-    });
+    exec::Scheduler(run_.jobs, Interruption::Requested)
+        .InOrder(
+            numbers.size(), [&](std::size_t i) { return Run(numbers[i], i == 0 && run_.renders); },
+            [&](std::size_t, EnactedTrial trial) {
+              study_.trials.push_back(std::move(trial));
+              progress_->Tell(
+                  fmt::format("enacting, {} of {} trials", study_.trials.size(), numbers.size()));
+            });
     progress_.reset();
-    // Trials that were not made have the number 0.
-    std::erase_if(study_.trials, [](const EnactedTrial& trial) { return trial.number == 0; });
     study_.seconds = stopwatch_.Seconds();
     const Json printed = Result();
     Json result = printed;
@@ -170,8 +167,6 @@ class Enacting {
   EnactmentStudy study_;
   std::vector<std::size_t> reachable_;
   const Stopwatch stopwatch_;
-  std::mutex mutex_;
-  int done_ = 0;
   std::unique_ptr<Progress> progress_ = std::make_unique<Progress>("enacting");
 };
 

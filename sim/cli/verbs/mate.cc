@@ -29,7 +29,7 @@
 #include "sim/cli/work/mating_task.h"
 #include "sim/cli/work/mating_trials.h"
 #include "sim/cli/work/output_file.h"
-#include "sim/cli/work/trial.h"
+#include "sim/exec/trial/scheduler.h"
 #include "sim/sweep/run/shell.h"
 
 namespace assay::cli {
@@ -191,23 +191,24 @@ MatingStudy Tried(const Planning& of, const kinematics::JointVector& near, const
   const MatingTrials trials(of.task, of.geometry, of.strategy, settings);
   const check::PlannedContacts contacts = check::PlannedContactsOf(of.plan);
   const std::vector<int> numbers = NumbersOf(options);
-  MatingStudy study{.strategy = std::vector<MatedTrial>(numbers.size()),
-                    .straight = std::vector<MatedTrial>(numbers.size()),
+  MatingStudy study{.strategy = {},
+                    .straight = {},
                     .covered = of.plan.absorbed,
                     .replay = ReplayCommand(options)};
   const Interruption interruption;
-  ForEachTrial(static_cast<int>(numbers.size()), options.jobs, [&](int nth) {
-    const auto i = static_cast<std::size_t>(nth - 1);
-    MatedTrial strategy = trials.RunStrategy(numbers[i], contacts);
-    Interruption::BreakOffIfRequested();
-    study.straight[i] = trials.RunStraight(numbers[i]);
-    study.strategy[i] = std::move(strategy);
-    progress.Tell(fmt::format("mating in physics, trial {} of {}", nth, numbers.size()));
-  });
-  // Trials that were not made have the number 0.
-  for (std::vector<MatedTrial>* made : {&study.strategy, &study.straight}) {
-    std::erase_if(*made, [](const MatedTrial& trial) { return trial.number == 0; });
-  }
+  exec::Scheduler(options.jobs, Interruption::Requested)
+      .InOrder(
+          numbers.size(),
+          [&](std::size_t i) {
+            MatedTrial strategy = trials.RunStrategy(numbers[i], contacts);
+            Interruption::BreakOffIfRequested();
+            return std::pair(std::move(strategy), trials.RunStraight(numbers[i]));
+          },
+          [&](std::size_t i, std::pair<MatedTrial, MatedTrial> made) {
+            study.strategy.push_back(std::move(made.first));
+            study.straight.push_back(std::move(made.second));
+            progress.Tell(fmt::format("mating in physics, trial {} of {}", i + 1, numbers.size()));
+          });
   std::vector<check::SequenceComparison> comparisons;
   for (const MatedTrial& trial : study.strategy) comparisons.push_back(trial.sequence->comparison);
   study.ranking = check::RankMargins(of.geometry.passage, of.plan, of.search.reach, comparisons);

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <map>
 #include <memory>
-#include <mutex>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <vector>
@@ -26,9 +25,9 @@
 #include "sim/cli/trials/verdict_tally.h"
 #include "sim/cli/work/noise_floor_cache.h"
 #include "sim/cli/work/output_file.h"
-#include "sim/cli/work/trial.h"
 #include "sim/exec/commands/command_file.h"
 #include "sim/exec/execution/executor.h"
+#include "sim/exec/trial/scheduler.h"
 #include "sim/sense/overhead_camera.h"
 #include "sim/sweep/run/shell.h"
 #include "sim/sweep/store/wilson.h"
@@ -42,6 +41,7 @@ using Json = nlohmann::ordered_json;
 
 // The results of one trial that are kept.
 struct NoisyRow {
+  int number = 0;
   TrialOutcome outcome = TrialOutcome::kSucceeded;
   std::string reason = {};
   std::string noise = {};
@@ -49,6 +49,8 @@ struct NoisyRow {
   int recovered = 0;
   bool operator_called = false;
   bool violated = false;
+  std::vector<check::Claim> claims = {};
+  std::vector<check::LedgerEntry> ledger = {};  // for a single trial
 
   bool Failed() const { return outcome != TrialOutcome::kSucceeded || violated; }
 };
@@ -66,10 +68,14 @@ class NoisyTrials {
     const Interruption interruption;
     if (!run_.errors && !run_.only) noiseless_ = check::ExecuteWithoutNoise(experiment_);
     if (noiseless_.Holds()) {
-      ForEachTrial(Wanted(), run_.jobs, [this](int nth) {
-        const int number = run_.only.value_or(nth);
-        Keep(number, RunOne(number));
-      });
+      exec::Scheduler(run_.jobs, Interruption::Requested)
+          .InOrder(
+              static_cast<std::size_t>(Wanted()),
+              [this](std::size_t i) {
+                const int number = run_.only.value_or(static_cast<int>(i) + 1);
+                return RowOf(number, RunOne(number));
+              },
+              [this](std::size_t, NoisyRow row) { Keep(std::move(row)); });
     }
     progress_.reset();
     const Json result = Result();
@@ -115,30 +121,33 @@ class NoisyTrials {
     WriteFile(run_.folder / fmt::format("ledger-{}.json", number), plan::JsonText(ledger));
   }
 
-  void Keep(int number, NoisyTrial trial) {
+  NoisyRow RowOf(int number, NoisyTrial trial) const {
     if (!run_.folder.empty()) WriteFiles(number, trial);
-    if (IsSingle()) ledger_ = check::LedgerOf(experiment_, trial.noise, trial.trace);
-    const NoisyRow row = {.outcome = trial.verdict.outcome,
-                          .reason = trial.verdict.reason,
-                          .noise = noise::Text(trial.noise),
-                          .errors_signalled = trial.errors_signalled,
-                          .recovered = trial.recovered,
-                          .operator_called = trial.operator_called,
-                          .violated = std::ranges::any_of(trial.claims, &check::Claim::IsViolated)};
-    const std::lock_guard lock(mutex_);
-    claims_.emplace(number, std::move(trial.claims));
-    rows_.emplace(number, row);
+    NoisyRow row = {.number = number,
+                    .outcome = trial.verdict.outcome,
+                    .reason = trial.verdict.reason,
+                    .noise = noise::Text(trial.noise),
+                    .errors_signalled = trial.errors_signalled,
+                    .recovered = trial.recovered,
+                    .operator_called = trial.operator_called,
+                    .violated = std::ranges::any_of(trial.claims, &check::Claim::IsViolated),
+                    .claims = std::move(trial.claims)};
+    if (IsSingle()) row.ledger = check::LedgerOf(experiment_, trial.noise, trial.trace);
+    return row;
+  }
+
+  void Keep(NoisyRow row) {
+    rows_.push_back(std::move(row));
     progress_->Tell(fmt::format("{} of {} trials", rows_.size(), Wanted()));
   }
 
   std::map<std::string, int> Outcomes() const {
     std::map<std::string, int> outcomes;
-    for (const auto& [number, row] : rows_) ++outcomes[std::string(check::Name(row.outcome))];
+    for (const NoisyRow& row : rows_) ++outcomes[std::string(check::Name(row.outcome))];
     return outcomes;
   }
   int Count(const auto& holds) const {
-    return static_cast<int>(
-        std::ranges::count_if(rows_, [&](const auto& entry) { return holds(entry.second); }));
+    return static_cast<int>(std::ranges::count_if(rows_, holds));
   }
   int Succeeded() const {
     return Count([](const NoisyRow& row) { return row.outcome == TrialOutcome::kSucceeded; });
@@ -154,9 +163,14 @@ class NoisyTrials {
                        run_.camera ? " --sensing camera" : "", run_.seed, number);
   }
 
+  // Returns the ledger of a single trial.
+  std::vector<check::LedgerEntry> Ledger() const {
+    return rows_.empty() ? std::vector<check::LedgerEntry>() : rows_.front().ledger;
+  }
+
   VerdictTally Tally() const {
     VerdictTally tally(plan_);
-    for (const auto& [number, claims] : claims_) tally.Add(claims);
+    for (const NoisyRow& row : rows_) tally.Add(row.claims);
     return tally;
   }
 
@@ -180,9 +194,9 @@ class NoisyTrials {
                    {"gate", ToJson(plan_, experiment_.gate)},
                    {"rows", Json::array()}};
     if (Interruption::Requested()) result["interrupted"] = true;
-    for (const auto& [number, row] : rows_) {
-      if (row.Failed()) result["replay"].push_back(ReplayCommand(number));
-      result["rows"].push_back({{"trial", number},
+    for (const NoisyRow& row : rows_) {
+      if (row.Failed()) result["replay"].push_back(ReplayCommand(row.number));
+      result["rows"].push_back({{"trial", row.number},
                                 {"outcome", check::Name(row.outcome)},
                                 {"reason", row.reason},
                                 {"violated", row.violated},
@@ -191,7 +205,7 @@ class NoisyTrials {
                                 {"operator_called", row.operator_called},
                                 {"noise", row.noise}});
     }
-    if (IsSingle()) result["ledger"] = ToJson(ledger_);
+    if (IsSingle()) result["ledger"] = ToJson(Ledger());
     return result;
   }
 
@@ -208,13 +222,13 @@ class NoisyTrials {
     text += Text(plan_, experiment_.gate) + "\n";
     if (!noiseless_.Holds()) return text + Text(plan_, noiseless_, experiment_.gate);
     text += Tally().Text(Actions()) + "\n";
-    if (!ledger_.empty()) text += Text(ledger_) + "\n";
+    if (!Ledger().empty()) text += Text(Ledger()) + "\n";
     constexpr int kMostTold = 3;
     int told = 0;
-    for (const auto& [number, row] : rows_) {
+    for (const NoisyRow& row : rows_) {
       if (!row.Failed() || ++told > kMostTold) continue;
-      text += fmt::format("trial {}: {}{}{}\nagain: {}\n", number, check::Name(row.outcome),
-                          row.reason.empty() ? "" : ": ", row.reason, ReplayCommand(number));
+      text += fmt::format("trial {}: {}{}{}\nagain: {}\n", row.number, check::Name(row.outcome),
+                          row.reason.empty() ? "" : ": ", row.reason, ReplayCommand(row.number));
     }
     if (told > kMostTold) text += fmt::format("and {} more\n", told - kMostTold);
     if (told > 0) text += "\n";
@@ -246,10 +260,7 @@ class NoisyTrials {
   const std::vector<noise::Channel> box_;
   const check::Experiment experiment_;
   check::Noiseless noiseless_;  // execution before the trials; not used for a single trial
-  std::mutex mutex_;
-  std::map<int, NoisyRow> rows_;  // by number
-  std::map<int, std::vector<check::Claim>> claims_;
-  std::vector<check::LedgerEntry> ledger_;  // for a single trial
+  std::vector<NoisyRow> rows_;  // in the order of their numbers
 };
 
 }  // namespace

@@ -5,7 +5,6 @@
 #include <limits>
 #include <map>
 #include <memory>
-#include <mutex>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <sstream>
@@ -34,6 +33,7 @@
 #include "sim/cli/work/planned_problem.h"
 #include "sim/cli/work/trial.h"
 #include "sim/enact/walk/knowledge_scenario.h"
+#include "sim/exec/trial/scheduler.h"
 #include "sim/sweep/run/shell.h"
 
 namespace assay::cli {
@@ -95,9 +95,11 @@ class Run {
                    planned_.simulation.cameras, options_.pictures);
     }
     const Interruption interruption;
-    RunTrials({planned_.problem, planned_.result.plan, scene_},
-              {Wanted(), options_.jobs, film ? &*film : nullptr},
-              [this](Trial trial) { Keep(std::move(trial)); });
+    exec::Scheduler(options_.jobs, Interruption::Requested)
+        .InOrder(
+            static_cast<std::size_t>(Wanted()),
+            [&](std::size_t i) { return RunOne(static_cast<int>(i) + 1, film ? &*film : nullptr); },
+            [this](std::size_t, Trial trial) { Keep(std::move(trial)); });
     progress_.reset();
     const Json result = Result();
     Json printed = result;
@@ -117,9 +119,15 @@ class Run {
     return scene;
   }
 
-  void Keep(Trial trial) {
+  // The film shows the first trial.
+  Trial RunOne(int number, Film* film) const {
+    Trial trial = RunTrial({planned_.problem, planned_.result.plan, scene_}, number,
+                           number == 1 ? film : nullptr);
     if (!options_.folder.empty()) WriteTrace(trial);
-    const std::lock_guard lock(mutex_);
+    return trial;
+  }
+
+  void Keep(Trial trial) {
     summaries_[trial.number] = {trial.verdict.outcome, trial.verdict.reason};
     progress_->Tell(fmt::format("{} of {} trials", Trials(), Wanted()));
     if (trial.number == 1) first_ = std::move(trial);
@@ -198,7 +206,6 @@ class Run {
   const std::uint64_t seed_;
   const scene::Scene scene_;
   const Stopwatch stopwatch_;
-  std::mutex mutex_;
   std::map<int, Summary> summaries_;  // by number
   std::optional<Trial> first_;
   std::unique_ptr<Progress> progress_ = std::make_unique<Progress>("executing the plan");

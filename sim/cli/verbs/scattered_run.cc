@@ -4,7 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <map>
-#include <mutex>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
@@ -21,6 +20,7 @@
 #include "sim/cli/work/output_file.h"
 #include "sim/cli/work/planned_problem.h"
 #include "sim/cli/work/trial.h"
+#include "sim/exec/trial/scheduler.h"
 #include "sim/sweep/run/shell.h"
 
 namespace assay::cli {
@@ -44,7 +44,11 @@ class Scattering {
 
   ExitCode Execute() {
     const Interruption interruption;
-    ForEachTrial(Wanted(), run_.jobs, [this](int nth) { Keep(RunOne(run_.only.value_or(nth))); });
+    exec::Scheduler(run_.jobs, Interruption::Requested)
+        .InOrder(
+            static_cast<std::size_t>(Wanted()),
+            [this](std::size_t i) { return RunOne(run_.only.value_or(static_cast<int>(i) + 1)); },
+            [this](std::size_t, ScatteredRow row) { Keep(std::move(row)); });
     const Json result = Result();
     Json printed = result;
     printed["seconds"] = stopwatch_.Seconds();
@@ -95,15 +99,13 @@ class Scattering {
   }
 
   void Keep(ScatteredRow row) {
-    const std::lock_guard lock(mutex_);
-    const int number = row.number;
-    rows_.emplace(number, std::move(row));
+    rows_.push_back(std::move(row));
     progress_.Tell(fmt::format("{} of {} trials", rows_.size(), Wanted()));
   }
 
   std::map<std::string, int> Outcomes() const {
     std::map<std::string, int> outcomes;
-    for (const auto& [number, row] : rows_) ++outcomes[row.outcome];
+    for (const ScatteredRow& row : rows_) ++outcomes[row.outcome];
     return outcomes;
   }
   int Succeeded() const {
@@ -134,9 +136,9 @@ class Scattering {
                    {"grasp", Welds() ? "weld" : "friction"},
                    {"rows", Json::array()}};
     if (Interruption::Requested()) result["interrupted"] = true;
-    for (const auto& [number, row] : rows_) {
-      if (row.outcome != kSucceeded) result["replay"].push_back(ReplayCommand(number));
-      result["rows"].push_back({{"trial", number},
+    for (const ScatteredRow& row : rows_) {
+      if (row.outcome != kSucceeded) result["replay"].push_back(ReplayCommand(row.number));
+      result["rows"].push_back({{"trial", row.number},
                                 {"outcome", row.outcome},
                                 {"reason", row.reason},
                                 {"actions", row.actions}});
@@ -148,10 +150,10 @@ class Scattering {
     Table counts({{"outcome"}, {"trials", Align::kRight}});
     for (const auto& [outcome, count] : Outcomes()) counts.Add({outcome, std::to_string(count)});
     std::string text = counts.Text();
-    for (const auto& [number, row] : rows_) {
+    for (const ScatteredRow& row : rows_) {
       if (row.outcome == kSucceeded) continue;
-      text += fmt::format("\ntrial {}: {}: {}\nagain: {}\n", number, row.outcome, row.reason,
-                          ReplayCommand(number));
+      text += fmt::format("\ntrial {}: {}: {}\nagain: {}\n", row.number, row.outcome, row.reason,
+                          ReplayCommand(row.number));
     }
     text += fmt::format("\n{} of {} trials succeeded\n", Succeeded(), rows_.size());
     text += Interruption::Text(std::ssize(rows_), Wanted());
@@ -162,8 +164,7 @@ class Scattering {
   const ScatteredRun& run_;
   const scenario::Scenario& scenario_;
   const Stopwatch stopwatch_;
-  std::mutex mutex_;
-  std::map<int, ScatteredRow> rows_;  // by number
+  std::vector<ScatteredRow> rows_;  // in the order of their numbers
   Progress progress_;
 };
 

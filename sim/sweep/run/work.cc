@@ -177,10 +177,18 @@ TimedTrial RunAttack(const Sweep& sweep, const PlannedCell& cell, const AttackCo
     // The progress callback is called before each trial, too, so that it can break off by throwing.
     const auto tell = [&] {
       if (control.progress) control.progress(result.attempts);
-      return false;
     };
-    ratios = check::Conservatism(experiment,
-                                 {.seed = cell.cell.seed, .jobs = control.jobs, .stop = tell});
+    const auto is_broken_off = [&] {
+      try {
+        tell();
+        return false;
+      } catch (...) {
+        return true;
+      }
+    };
+    ratios = check::Conservatism(
+        experiment, {.seed = cell.cell.seed, .jobs = control.jobs, .stop = is_broken_off});
+    tell();  // throws again if it has broken off the comparison
   }
   TimedTrial timed = Recorded(
       cell.preparation->plan,
