@@ -4,7 +4,7 @@
 
 #include "sim/check/claims/claim.h"
 #include "sim/check/claims/noise_floor.h"
-#include "sim/exec/execution/trace.h"
+#include "sim/execution/trace/trace.h"
 
 namespace assay::check {
 
@@ -21,7 +21,7 @@ namespace assay::check {
 //
 // `first` is the step in which the trace begins; None means the plan's first step.
 std::vector<Claim> CheckCertificates(const domain::Problem& problem, const plan::Plan& plan,
-                                     const exec::Trace& trace, const NoiseFloor& gate,
+                                     const execution::Trace& trace, const NoiseFloor& gate,
                                      plan::StepId first = plan::StepId::None());
 
 }  // namespace assay::check

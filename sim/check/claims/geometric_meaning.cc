@@ -63,11 +63,11 @@ class Meaning {
         handling_(std::visit(HandlingOf{problem}, step.action)) {}
 
   // Returns the grasp frame of the true part in the frame of the true tool.
-  Pose GraspInTool(const exec::Snapshot& moment) const {
+  Pose GraspInTool(const execution::Snapshot& moment) const {
     return moment.tool.truth.inverse() * PartAt(moment) * handling_.hold->X_PartTool;
   }
 
-  std::vector<GeometricMeaning> BetweenFingers(const exec::Snapshot& reached) const {
+  std::vector<GeometricMeaning> BetweenFingers(const execution::Snapshot& reached) const {
     const Pose X_ToolGrasp = GraspInTool(reached);
     std::vector<GeometricMeaning> meanings;
     for (const int contact : {1, 2}) {
@@ -82,7 +82,7 @@ class Meaning {
     return meanings;
   }
 
-  std::vector<GeometricMeaning> FingerClear(const exec::Snapshot& reached) const {
+  std::vector<GeometricMeaning> FingerClear(const execution::Snapshot& reached) const {
     const Pose X_GraspTool = GraspInTool(reached).inverse();
     const Vector2& pad = gripper_.pad_half_extents();
     std::vector<GeometricMeaning> meanings;
@@ -100,7 +100,7 @@ class Meaning {
     return meanings;
   }
 
-  double Fingertip(const exec::Snapshot& reached) const {
+  double Fingertip(const execution::Snapshot& reached) const {
     double lowest = kInfinity;
     const double opening = std::clamp(reached.opening, 0.0, gripper_.max_opening());
     for (const geometry::Box& box : gripper_.FingerBoxes(opening)) {
@@ -111,7 +111,7 @@ class Meaning {
     return lowest - reached.table_heights[handling_.part.index()];
   }
 
-  std::vector<GeometricMeaning> PadContact(const exec::Snapshot& acted) const {
+  std::vector<GeometricMeaning> PadContact(const execution::Snapshot& acted) const {
     const Vector3 p = GraspInTool(acted).translation();
     const Vector2& pad = gripper_.pad_half_extents();
     const double margin = problem_.workcell->rules().pad_margin;
@@ -127,7 +127,7 @@ class Meaning {
   // that was expected; negative if it met nothing. X_WorldExpected and X_WorldEnd are the believed
   // and the true pose of the part at its end. Pads that bear less than the stop force slide down on
   // the part. The motion has then met something where the part stopped.
-  double MetOnGuardedWay(const exec::Snapshot& reached, const Pose& X_WorldExpected,
+  double MetOnGuardedWay(const execution::Snapshot& reached, const Pose& X_WorldExpected,
                          const Pose& X_WorldEnd, const Vector3& direction) const {
     const double travel = problem_.workcell->rules().guarded_travel;
     const Vector3 expected = (X_WorldExpected * handling_.hold->X_PartTool).translation();
@@ -138,13 +138,13 @@ class Meaning {
     if (events_.poised == nullptr || !may_have_slid) {
       return std::min(0.0, travel - std::abs(beyond)) - travel;
     }
-    const exec::Snapshot& poised = *events_.poised;
+    const execution::Snapshot& poised = *events_.poised;
     const double way = direction.dot(PartAt(reached).translation() - PartAt(poised).translation());
     const double expected_way = direction.dot(expected - poised.tool.believed.translation());
     return travel - std::abs(way - expected_way);
   }
 
-  double Footprint(const exec::Snapshot& end) const {
+  double Footprint(const execution::Snapshot& end) const {
     const domain::Part& part = problem_.part(handling_.part);
     const Pose X_WorldPart = PartAt(end);
     const geometry::Polygon& top = domain::TableUnder(*problem_.workcell, part, X_WorldPart).top;
@@ -161,7 +161,7 @@ class Meaning {
     return worst;
   }
 
-  std::vector<GeometricMeaning> NeighbourClear(const exec::Snapshot& at) const {
+  std::vector<GeometricMeaning> NeighbourClear(const execution::Snapshot& at) const {
     std::vector<GeometricMeaning> meanings;
     for (std::size_t p = 0; p < problem_.parts.size(); ++p) {
       if (PartId(p) == handling_.part) continue;
@@ -182,7 +182,7 @@ class Meaning {
     for (std::size_t p = 0; p < problem_.parts.size(); ++p) {
       const PartId part(p);
       double nearest = kInfinity;
-      for (const exec::Snapshot* moment : {events_.reached, events_.acted, events_.stopped}) {
+      for (const execution::Snapshot* moment : {events_.reached, events_.acted, events_.stopped}) {
         if (moment == nullptr) continue;
         nearest = std::min(nearest,
                            part == handling_.part ? BesidePads(*moment) : FromHand(part, *moment));
@@ -193,14 +193,14 @@ class Meaning {
     }
     return meanings;
   }
-  double FromHand(PartId part, const exec::Snapshot& at) const {
+  double FromHand(PartId part, const execution::Snapshot& at) const {
     const double opening = std::clamp(at.opening, 0.0, gripper_.max_opening());
     return geometry::Distance(problem_.workcell->HandShape(opening), at.tool.truth,
                               problem_.part(part).model->shape(), at.parts[part.index()].truth);
   }
   // Returns the least distance of the open hand from the part along the straight line on which the
   // hand comes to its work or leaves it.
-  double Opened(PartId part, const exec::Snapshot& at) const {
+  double Opened(PartId part, const execution::Snapshot& at) const {
     const geometry::CollisionShape hand = problem_.workcell->HandShape(gripper_.max_opening());
     double nearest = kInfinity;
     for (int i = 0; i <= kPlaces; ++i) {
@@ -215,7 +215,7 @@ class Meaning {
   // Returns the lesser of two distances. The first is the distance of the hand from the part
   // between its pads. The second is the least distance of a finger from boxes of that part; only
   // boxes that stand out of the plane in which the finger's pad should touch are measured.
-  double BesidePads(const exec::Snapshot& at) const {
+  double BesidePads(const execution::Snapshot& at) const {
     const double opening = std::clamp(at.opening, 0.0, gripper_.max_opening());
     const std::vector<geometry::Box> fingers = gripper_.FingerBoxes(opening);
     const geometry::CollisionShape& part = problem_.part(handling_.part).model->shape();
@@ -247,7 +247,7 @@ class Meaning {
   // Measures clearances along the mating motion from where the held part was poised. They are from
   // the fixed part until the shafts come to the mouths of their holes, and from other parts to the
   // end.
-  std::vector<GeometricMeaning> PassingClear(const exec::Snapshot& poised) const {
+  std::vector<GeometricMeaning> PassingClear(const execution::Snapshot& poised) const {
     double depth = 0;
     for (const domain::ShaftFit& fit : domain::FitsOf(problem_, mating())) {
       depth = std::max(depth, fit.depth);
@@ -277,21 +277,21 @@ class Meaning {
     return problem_.mating(std::get<plan::Assemble>(step_.action).mating);
   }
   // Returns the direction in which the held part is believed to move, in the world frame.
-  Vector3 MatingDirection(const exec::Snapshot& at) const {
+  Vector3 MatingDirection(const execution::Snapshot& at) const {
     return (at.parts[mating().fixed.index()].believed.linear() * mating().mating_vector)
         .normalized();
   }
   // Returns the true pose of the held part in the fixed part's frame, and its direction of motion.
-  Motion MatingMotion(const exec::Snapshot& poised) const {
+  Motion MatingMotion(const execution::Snapshot& poised) const {
     const Pose X_FixedWorld = poised.parts[mating().fixed.index()].truth.inverse();
     return {X_FixedWorld * poised.parts[mating().held.index()].truth,
             X_FixedWorld.linear() * MatingDirection(poised)};
   }
   // Compares the true tip with the believed one at the strategy's start, in the fixed part's frame.
-  GeometricMeaning TipError(const exec::Snapshot& poised, bool of_turn) const {
+  GeometricMeaning TipError(const execution::Snapshot& poised, bool of_turn) const {
     const plan::Strategy& strategy = *step_.strategy;
     const Pose X_HandTip = handling_.hold->X_PartTool.inverse() * strategy.X_HeldTip;
-    const exec::TrueAndBelieved& fixed = poised.parts[mating().fixed.index()];
+    const execution::TrueAndBelieved& fixed = poised.parts[mating().fixed.index()];
     const Pose believed = fixed.believed.inverse() * poised.tool.believed * X_HandTip;
     const Pose truth = fixed.truth.inverse() * PartAt(poised) * strategy.X_HeldTip;
     const Eigen::AngleAxisd turn(geometry::Matrix3(truth.linear() * believed.linear().inverse()));
@@ -302,7 +302,7 @@ class Meaning {
   }
   // Shafts that are alike may share a precondition, and the least of its limits then holds for
   // each.
-  std::vector<GeometricMeaning> Tilts(const exec::Snapshot& poised) const {
+  std::vector<GeometricMeaning> Tilts(const execution::Snapshot& poised) const {
     std::vector<GeometricMeaning> meanings;
     for (const Lean& lean : LeansInSlots(problem_, mating(), MatingMotion(poised))) {
       const std::string subject = lean.slot + " neither touches twice nor wedges";
@@ -330,7 +330,7 @@ class Meaning {
   static constexpr int kPlaces = 16;            // points along a straight line
 
  private:
-  const Pose& PartAt(const exec::Snapshot& moment) const {
+  const Pose& PartAt(const execution::Snapshot& moment) const {
     return moment.parts[handling_.part.index()].truth;
   }
 
@@ -388,7 +388,7 @@ Meanings OfMating(const std::string& condition, const domain::Problem& problem,
                   const Meaning& meaning, const StepEvents& events) {
   if (condition == "seat") {
     if (events.reached == nullptr) return {};
-    const exec::Snapshot& reached = *events.reached;
+    const execution::Snapshot& reached = *events.reached;
     const auto& fixed = reached.parts[meaning.mating().fixed.index()];
     const Pose& X_FixedHeld = meaning.mating().X_FixedHeld;
     return InMetres(meaning.MetOnGuardedWay(reached, fixed.believed * X_FixedHeld,

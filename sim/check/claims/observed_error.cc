@@ -43,7 +43,7 @@ void AddInHand(const plan::ErrorSet& set, const Pose& X_ToolGrasp, Components& c
   components.Add("twist", Unit::kRadian, set.twist, std::atan2(-R(2, 0), R(2, 2)));
 }
 
-void AddAtRest(const plan::ErrorSet& set, const exec::TrueAndBelieved& part,
+void AddAtRest(const plan::ErrorSet& set, const execution::TrueAndBelieved& part,
                Components& components) {
   const Vector3 d = part.truth.translation() - part.believed.translation();
   components.Add("x", Unit::kMetre, set.x, d.x());
@@ -67,9 +67,9 @@ const plan::Hold& HoldOf(const plan::Action& action) {
 
 std::vector<ObservedError> ObservedErrors(const domain::Problem& problem,
                                           const plan::Action& action, const plan::ErrorSet& set,
-                                          const exec::Snapshot& moment) {
+                                          const execution::Snapshot& moment) {
   Components components(problem.part(set.part).name);
-  const exec::TrueAndBelieved& part = moment.parts[set.part.index()];
+  const execution::TrueAndBelieved& part = moment.parts[set.part.index()];
   if (set.in_hand) {
     AddInHand(set, moment.tool.believed.inverse() * part.truth * HoldOf(action).X_PartTool,
               components);

@@ -11,7 +11,7 @@
 #include "sim/check/falsification/attacked_step.h"
 #include "sim/check/falsification/main_effects.h"
 #include "sim/check/falsification/shrink.h"
-#include "sim/exec/trial/scheduler.h"
+#include "sim/execution/trial/scheduler.h"
 #include "sim/noise/sampling.h"
 
 namespace assay::check {
@@ -102,7 +102,7 @@ class Attacker {
   struct Start {
     const AttackedWorld* world;
     noise::Noise noise;
-    std::shared_ptr<const exec::Checkpoint> from;
+    std::shared_ptr<const execution::Checkpoint> from;
   };
 
   bool Stops() const { return options_.stop && options_.stop(); }
@@ -351,7 +351,7 @@ class Attacker {
     for (const Sample* sample : chosen) {
       if (starts.size() == kMostStates) break;
       starts.push_back({step.poised()[sample->start].world, sample->attempt.noise,
-                        std::make_shared<const exec::Checkpoint>(*sample->attempt.end)});
+                        std::make_shared<const execution::Checkpoint>(*sample->attempt.end)});
     }
     return starts;
   }
@@ -411,7 +411,7 @@ class Attacker {
 
   const Experiment& experiment_;
   const AttackOptions& options_;
-  exec::Scheduler scheduler_;
+  execution::Scheduler scheduler_;
   std::vector<noise::Channel> box_;
   std::vector<AttackedWorld> worlds_;
   std::mutex mutex_;

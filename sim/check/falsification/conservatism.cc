@@ -4,7 +4,7 @@
 #include <functional>
 
 #include "planner/uncertainty/preconditions/certify.h"
-#include "sim/exec/trial/scheduler.h"
+#include "sim/execution/trial/scheduler.h"
 #include "sim/noise/sampling.h"
 
 namespace assay::check {
@@ -141,7 +141,7 @@ struct Stopped {};
 class Comparison {
  public:
   Comparison(const Experiment& experiment, const ConservatismOptions& options,
-             exec::Scheduler& scheduler)
+             execution::Scheduler& scheduler)
       : experiment_(experiment),
         options_(options),
         scheduler_(scheduler),
@@ -222,7 +222,7 @@ class Comparison {
         const Interval& range = box[varied[i]].range;
         values[varied[i]] = corner[i] > 0 ? range.high : range.low;
       }
-      exec::ExecutorOptions executor;
+      execution::ExecutorOptions executor;
       executor.sample_rate = 0;
       executor.recovers = false;
       const Verdict verdict = JudgeNoisyTrial(experiment_, {box, std::move(values)}, executor);
@@ -233,7 +233,7 @@ class Comparison {
 
   const Experiment& experiment_;
   const ConservatismOptions& options_;
-  exec::Scheduler& scheduler_;
+  execution::Scheduler& scheduler_;
   std::vector<Channel> box_;
 };
 
@@ -246,7 +246,7 @@ std::optional<double> ConservatismRatio::ratio() const {
 
 std::vector<ConservatismRatio> Conservatism(const Experiment& experiment,
                                             const ConservatismOptions& options) {
-  exec::Scheduler scheduler(options.jobs, options.stop);
+  execution::Scheduler scheduler(options.jobs, options.stop);
   const Comparison comparison(experiment, options, scheduler);
   const std::vector<std::string> variables =
       options.variables.empty() ? comparison.Variables() : options.variables;

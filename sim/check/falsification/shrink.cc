@@ -17,7 +17,7 @@ noise::Noise Multiple(const noise::Noise& noise, double factor) {
 
 std::optional<Claim> Replayed(const Experiment& experiment, const Claim& claim,
                               const noise::Noise& noise) {
-  exec::ExecutorOptions options;
+  execution::ExecutorOptions options;
   options.sample_rate = 0;
   options.last = claim.step;
   options.recovers = false;

@@ -43,6 +43,6 @@ struct LedgerEntry {
 // from a trial with this noise. The trial's world at its start is built again to read values from
 // it.
 std::vector<LedgerEntry> LedgerOf(const Experiment& experiment, const noise::Noise& noise,
-                                  const exec::Trace& trace);
+                                  const execution::Trace& trace);
 
 }  // namespace assay::check

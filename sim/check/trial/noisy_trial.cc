@@ -6,7 +6,7 @@
 
 #include "sim/check/claims/certificate_check.h"
 #include "sim/check/claims/confirmation.h"
-#include "sim/exec/execution/executor.h"
+#include "sim/execution/walk/executor.h"
 
 namespace assay::check {
 namespace {
@@ -14,35 +14,35 @@ namespace {
 constexpr char kFailureOfTheEngine[] =
     "; the engine's timestep caused the failure: with half the timestep the trial succeeds";
 
-exec::Trace Traced(const Experiment& experiment, const scene::SceneOptions& nominal,
-                   const exec::ExecutorOptions& options) {
-  const scene::Scene scene(experiment.problem, exec::TrueScene(nominal, options.noise));
-  mujoco::Data data = exec::StartOf(experiment.problem, scene, options.noise);
-  return exec::Execute(experiment.problem, experiment.plan, scene, data, options);
+execution::Trace Traced(const Experiment& experiment, const scene::SceneOptions& nominal,
+                        const execution::ExecutorOptions& options) {
+  const scene::Scene scene(experiment.problem, execution::TrueScene(nominal, options.noise));
+  mujoco::Data data = execution::StartOf(experiment.problem, scene, options.noise);
+  return execution::Execute(experiment.problem, experiment.plan, scene, data, options);
 }
 
-std::vector<Claim> ClaimsOf(const Experiment& experiment, const exec::Trace& trace) {
+std::vector<Claim> ClaimsOf(const Experiment& experiment, const execution::Trace& trace) {
   return CheckCertificates(experiment.problem, experiment.plan, trace, experiment.gate);
 }
 
 // A trial with half the timestep, which is executed when it is first asked for.
 class WithHalfTheTimestep {
  public:
-  WithHalfTheTimestep(const Experiment& experiment, exec::ExecutorOptions options)
+  WithHalfTheTimestep(const Experiment& experiment, execution::ExecutorOptions options)
       : experiment_(experiment), options_(std::move(options)) {
     options_.sample_rate = 0;
     options_.observer = nullptr;
   }
 
-  const exec::Trace& trace() {
+  const execution::Trace& trace() {
     if (!trace_) trace_ = Traced(experiment_, Finer(experiment_.scene), options_);
     return *trace_;
   }
 
  private:
   const Experiment& experiment_;
-  exec::ExecutorOptions options_;
-  std::optional<exec::Trace> trace_;
+  execution::ExecutorOptions options_;
+  std::optional<execution::Trace> trace_;
 };
 
 // Adds to the reason of a failed verdict that the engine caused the failure, if the trial succeeds
@@ -58,25 +58,26 @@ Verdict Attributed(const Experiment& experiment, Verdict verdict, WithHalfTheTim
 }  // namespace
 
 NoisyTrial RunNoisyTrial(const Experiment& experiment, const noise::Noise& noise,
-                         exec::ExecutorOptions options) {
+                         execution::ExecutorOptions options) {
   options.noise = noise;
-  exec::Trace trace = Traced(experiment, experiment.scene, options);
+  execution::Trace trace = Traced(experiment, experiment.scene, options);
   WithHalfTheTimestep finer(experiment, options);
   NoisyTrial trial{.noise = noise,
                    .trace = {},
                    .verdict = Attributed(experiment, Judge(experiment.problem, trace, {}), finer),
                    .claims = Confirmed(ClaimsOf(experiment, trace),
                                        [&] { return ClaimsOf(experiment, finer.trace()); })};
-  for (const exec::VerificationRecord* check : trace.All<exec::VerificationRecord>()) {
+  for (const execution::VerificationRecord* check : trace.All<execution::VerificationRecord>()) {
     if (!check->error.empty()) ++trial.errors_signalled;
   }
-  trial.operator_called = trace.end().outcome == exec::ExecutionOutcome::kOperatorCalled;
+  trial.operator_called = trace.end().outcome == execution::ExecutionOutcome::kOperatorCalled;
   // After each error the step was tried again, unless the operator was called. If a step with an
   // error came to its end, its last try was without an error.
   std::vector<plan::StepId> mended;
-  for (const exec::RecoveryRecord* recovery : trace.All<exec::RecoveryRecord>()) {
-    const auto ended = [&](const exec::StepEnd* end) { return end->step == recovery->step; };
-    if (std::ranges::any_of(trace.All<exec::StepEnd>(), ended)) mended.push_back(recovery->step);
+  for (const execution::RecoveryRecord* recovery : trace.All<execution::RecoveryRecord>()) {
+    const auto ended = [&](const execution::StepEnd* end) { return end->step == recovery->step; };
+    if (std::ranges::any_of(trace.All<execution::StepEnd>(), ended))
+      mended.push_back(recovery->step);
   }
   std::ranges::sort(mended);
   trial.recovered = static_cast<int>(std::ranges::unique(mended).begin() - mended.begin());
@@ -85,7 +86,7 @@ NoisyTrial RunNoisyTrial(const Experiment& experiment, const noise::Noise& noise
 }
 
 Verdict JudgeNoisyTrial(const Experiment& experiment, const noise::Noise& noise,
-                        exec::ExecutorOptions options) {
+                        execution::ExecutorOptions options) {
   options.noise = noise;
   return Judge(experiment.problem, Traced(experiment, experiment.scene, options), {});
 }

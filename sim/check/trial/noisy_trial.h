@@ -6,7 +6,7 @@
 #include "sim/check/claims/claim.h"
 #include "sim/check/claims/noise_floor.h"
 #include "sim/check/trial/verdict.h"
-#include "sim/exec/execution/executor.h"
+#include "sim/execution/walk/executor.h"
 #include "sim/noise/noise.h"
 
 namespace assay::check {
@@ -22,7 +22,7 @@ struct Experiment {
 // The result of one trial.
 struct NoisyTrial {
   noise::Noise noise;
-  exec::Trace trace;
+  execution::Trace trace;
   // The judgement on the whole plan. If a failure comes from the engine's timestep, the verdict's
   // reason says so.
   Verdict verdict;
@@ -34,10 +34,10 @@ struct NoisyTrial {
 
 // Executes the plan in a world with this noise. Safe to call from many threads.
 NoisyTrial RunNoisyTrial(const Experiment& experiment, const noise::Noise& noise,
-                         exec::ExecutorOptions options);
+                         execution::ExecutorOptions options);
 // Executes the plan in a world with this noise and returns the verdict alone. Certificates are not
 // checked, so nothing is executed again with half the timestep.
 Verdict JudgeNoisyTrial(const Experiment& experiment, const noise::Noise& noise,
-                        exec::ExecutorOptions options);
+                        execution::ExecutorOptions options);
 
 }  // namespace assay::check

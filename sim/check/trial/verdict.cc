@@ -11,11 +11,11 @@ namespace {
 
 using domain::MatingId;
 using domain::Problem;
-using exec::GraspFact;
+using execution::GraspFact;
 
 class Judgement {
  public:
-  Judgement(const Problem& problem, const exec::Trace& trace, const Limits& limits)
+  Judgement(const Problem& problem, const execution::Trace& trace, const Limits& limits)
       : problem_(problem), trace_(trace), limits_(limits), end_(trace.end().moment) {}
 
   std::vector<Finding> Findings() {
@@ -54,7 +54,7 @@ class Judgement {
     left_alone_.push_back(id);
     const domain::Part& part = problem_.part(id);
     findings_.push_back(Released(part, GripperAbout(id), limits_));
-    for (const exec::RestRecord* rest : trace_.All<exec::RestRecord>()) {
+    for (const execution::RestRecord* rest : trace_.All<execution::RestRecord>()) {
       Append(AtRest(part, rest->parts[id.index()], limits_));
     }
   }
@@ -76,9 +76,9 @@ class Judgement {
   }
 
   const Problem& problem_;
-  const exec::Trace& trace_;
+  const execution::Trace& trace_;
   const Limits& limits_;
-  const exec::Snapshot& end_;
+  const execution::Snapshot& end_;
   std::vector<Finding> findings_;
   std::vector<PartId> left_alone_;
 };
@@ -100,19 +100,19 @@ TrialOutcome TrialOutcomeOf(Aspect aspect) {
   return {};
 }
 
-TrialOutcome TrialOutcomeOf(exec::ExecutionOutcome outcome) {
+TrialOutcome TrialOutcomeOf(execution::ExecutionOutcome outcome) {
   switch (outcome) {
-    case exec::ExecutionOutcome::kDone:
+    case execution::ExecutionOutcome::kDone:
       return TrialOutcome::kSucceeded;
-    case exec::ExecutionOutcome::kUnreachable:
+    case execution::ExecutionOutcome::kUnreachable:
       return TrialOutcome::kUnreachable;
-    case exec::ExecutionOutcome::kOverload:
+    case execution::ExecutionOutcome::kOverload:
       return TrialOutcome::kOverload;
-    case exec::ExecutionOutcome::kEngineWarning:
+    case execution::ExecutionOutcome::kEngineWarning:
       return TrialOutcome::kEngineWarning;
-    case exec::ExecutionOutcome::kNotFound:
+    case execution::ExecutionOutcome::kNotFound:
       return TrialOutcome::kNotFound;
-    case exec::ExecutionOutcome::kOperatorCalled:
+    case execution::ExecutionOutcome::kOperatorCalled:
       return TrialOutcome::kOperatorCalled;
   }
   ASSAY_CHECK(false, "an outcome that the switch does not know");
@@ -124,7 +124,7 @@ std::string Reason(const Finding& finding) {
                      finding.limit, finding.unit);
 }
 
-std::string Reason(const exec::CollisionRecord& collision) {
+std::string Reason(const execution::CollisionRecord& collision) {
   return fmt::format("at {:.2f} s {} touched {}", collision.time, collision.robot, collision.other);
 }
 
@@ -170,15 +170,15 @@ std::string_view Name(TrialOutcome outcome) {
   return {};
 }
 
-Verdict Judge(const Problem& problem, const exec::Trace& trace, const Limits& limits) {
+Verdict Judge(const Problem& problem, const execution::Trace& trace, const Limits& limits) {
   Verdict verdict{.findings = Judgement(problem, trace, limits).Findings()};
-  const exec::ExecutionEnd& end = trace.end();
-  if (end.outcome != exec::ExecutionOutcome::kDone) {
+  const execution::ExecutionEnd& end = trace.end();
+  if (end.outcome != execution::ExecutionOutcome::kDone) {
     verdict.outcome = TrialOutcomeOf(end.outcome);
     verdict.reason = end.reason;
     return verdict;
   }
-  if (const auto collisions = trace.All<exec::CollisionRecord>(); !collisions.empty()) {
+  if (const auto collisions = trace.All<execution::CollisionRecord>(); !collisions.empty()) {
     verdict.outcome = TrialOutcome::kCollided;
     verdict.reason = Reason(*collisions.front());
     return verdict;

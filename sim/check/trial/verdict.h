@@ -6,7 +6,7 @@
 
 #include "planner/plan/data/plan.h"
 #include "sim/check/trial/predicate.h"
-#include "sim/exec/execution/trace.h"
+#include "sim/execution/trace/trace.h"
 
 namespace assay::check {
 
@@ -36,6 +36,6 @@ struct Verdict {
 
 // Judges an execution by its trace. If there are several reasons for failure, the outcome is the
 // first of them in the order of the enumeration. The findings list all of them.
-Verdict Judge(const domain::Problem& problem, const exec::Trace& trace, const Limits& limits);
+Verdict Judge(const domain::Problem& problem, const execution::Trace& trace, const Limits& limits);
 
 }  // namespace assay::check

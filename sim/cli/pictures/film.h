@@ -9,7 +9,7 @@
 #include "planner/domain/problem/problem.h"
 #include "planner/plan/data/plan.h"
 #include "sim/cli/pictures/mating_film.h"
-#include "sim/exec/execution/executor.h"
+#include "sim/execution/walk/executor.h"
 #include "sim/render/image.h"
 #include "sim/render/renderer.h"
 #include "sim/scene/scene.h"
@@ -50,7 +50,7 @@ struct PictureSize {
 // Takes the pictures of one trial: its start and the end of each step. The picture of a step's end
 // shows the error sets that the step's certificate predicts, as ghosts. Close-ups show what the
 // hand does on the way: pads that have closed on a part, and matings (MatingFilm).
-class Film : public exec::Observer {
+class Film : public execution::Observer {
  public:
   // Throws EnvironmentError if there is no renderer, and UsageError if there is no such camera. The
   // objects that `subject` refers to must outlive the film.
@@ -62,8 +62,8 @@ class Film : public exec::Observer {
   void TakeStepEnd(const std::string& action, const mujoco::Data& data);
 
   void SeeTimestep(const mujoco::Data& data) override;
-  void SeeMilestone(const exec::Milestone& milestone, const mujoco::Data& data) override;
-  void SeeStepEnd(const exec::StepEnd& end, const mujoco::Data& data) override;
+  void SeeMilestone(const execution::Milestone& milestone, const mujoco::Data& data) override;
+  void SeeStepEnd(const execution::StepEnd& end, const mujoco::Data& data) override;
 
   // Writes one file for each picture. The second step's close-ups are "02-action_3-1-before.png"
   // and so on. Its end is "02-action_3.png" by the first camera and "02-action_3-top.png" by

@@ -15,9 +15,9 @@
 namespace assay::cli {
 namespace {
 
-using enact::EnactedTrial;
-using enact::EnactmentOutcome;
-using enact::Leaf;
+using execution::EnactedTrial;
+using execution::EnactmentOutcome;
+using execution::Leaf;
 using Json = nlohmann::ordered_json;
 
 // The counts over several trials of one plan tree.
@@ -143,7 +143,7 @@ Json EnactedTrialJson(const EnactedTrial& trial) {
                {"goal", trial.is_goal_true}, {"greatest_tilt", trial.greatest_tilt / kDegree},
                {"spilled", trial.spilled},   {"fallen", trial.fallen}};
   json["collisions"] = Json::array();
-  for (const exec::CollisionRecord& collision : trial.collisions) {
+  for (const execution::CollisionRecord& collision : trial.collisions) {
     json["collisions"].push_back(
         {{"time", collision.time}, {"robot", collision.robot}, {"other", collision.other}});
   }
@@ -153,11 +153,11 @@ Json EnactedTrialJson(const EnactedTrial& trial) {
     json["steps"].push_back({{"action", action}, {"end", end}});
   }
   json["branches"] = Json::array();
-  for (const enact::TakenBranch& branch : trial.walk.branches) {
+  for (const execution::TakenBranch& branch : trial.walk.branches) {
     json["branches"].push_back({{"outcome", branch.text}, {"flipped", branch.is_flipped}});
   }
   json["false_claims"] = Json::array();
-  for (const enact::FalseClaim& claim : trial.walk.false_claims) {
+  for (const execution::FalseClaim& claim : trial.walk.false_claims) {
     json["false_claims"].push_back({{"after_step", claim.step},
                                     {"atom", claim.atom},
                                     {"claimed", claim.claimed},

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "planner/domain/workcell/model_path.h"
-#include "sim/enact/walk/enactment.h"
+#include "sim/execution/trial/enactment.h"
 
 namespace assay::cli {
 
@@ -20,11 +20,11 @@ struct EnactmentStudy {
   double sensing_errors = 0;
   bool is_every_leaf = false;  // the trials go through the leaves in turn
   bool can_spill = false;      // something in the scenario can spill
-  std::vector<enact::Leaf> leaves;
+  std::vector<execution::Leaf> leaves;
   // One text for each leaf, if the trials go through the leaves: the reason why no world leads
   // there, or empty if a world may.
   std::vector<std::string> unreachable = {};
-  std::vector<enact::EnactedTrial> trials = {};
+  std::vector<execution::EnactedTrial> trials = {};
   double seconds = 0;
   // Names of actions for people, where the tree has none.
   std::map<std::string, std::string> words = {};

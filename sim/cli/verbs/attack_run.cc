@@ -19,7 +19,7 @@
 #include "sim/cli/verbs/noisy_run.h"
 #include "sim/cli/work/noise_floor_cache.h"
 #include "sim/cli/work/output_file.h"
-#include "sim/exec/commands/command_file.h"
+#include "sim/execution/commands/command_file.h"
 #include "sim/sweep/run/shell.h"
 
 namespace assay::cli {
@@ -120,7 +120,7 @@ class AttackReport {
   std::vector<std::string> Actions() const {
     std::vector<std::string> actions;
     for (const plan::PlannedStep& step : plan_.steps) {
-      actions.push_back(exec::Text(run_.planned.problem, step.action));
+      actions.push_back(execution::Text(run_.planned.problem, step.action));
     }
     return actions;
   }

@@ -29,7 +29,7 @@
 #include "sim/cli/work/mating_task.h"
 #include "sim/cli/work/mating_trials.h"
 #include "sim/cli/work/output_file.h"
-#include "sim/exec/trial/scheduler.h"
+#include "sim/execution/trial/scheduler.h"
 #include "sim/sweep/run/shell.h"
 
 namespace assay::cli {
@@ -196,7 +196,7 @@ MatingStudy Tried(const Planning& of, const kinematics::JointVector& near, const
                     .covered = of.plan.absorbed,
                     .replay = ReplayCommand(options)};
   const Interruption interruption;
-  exec::Scheduler(options.jobs, Interruption::Requested)
+  execution::Scheduler(options.jobs, Interruption::Requested)
       .InOrder(
           numbers.size(),
           [&](std::size_t i) {

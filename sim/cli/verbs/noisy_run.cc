@@ -25,9 +25,9 @@
 #include "sim/cli/trials/verdict_tally.h"
 #include "sim/cli/work/noise_floor_cache.h"
 #include "sim/cli/work/output_file.h"
-#include "sim/exec/commands/command_file.h"
-#include "sim/exec/execution/executor.h"
-#include "sim/exec/trial/scheduler.h"
+#include "sim/execution/commands/command_file.h"
+#include "sim/execution/trial/scheduler.h"
+#include "sim/execution/walk/executor.h"
 #include "sim/sense/overhead_camera.h"
 #include "sim/sweep/run/shell.h"
 #include "sim/sweep/store/wilson.h"
@@ -68,7 +68,7 @@ class NoisyTrials {
     const Interruption interruption;
     if (!run_.errors && !run_.only) noiseless_ = check::ExecuteWithoutNoise(experiment_);
     if (noiseless_.Holds()) {
-      exec::Scheduler(run_.jobs, Interruption::Requested)
+      execution::Scheduler(run_.jobs, Interruption::Requested)
           .InOrder(
               static_cast<std::size_t>(Wanted()),
               [this](std::size_t i) {
@@ -98,14 +98,14 @@ class NoisyTrials {
   }
 
   NoisyTrial RunOne(int number) const {
-    exec::ExecutorOptions options;
+    execution::ExecutorOptions options;
     options.on_timestep = [](const mujoco::Data&) { Interruption::BreakOffIfRequested(); };
     const bool traces = !run_.folder.empty();
     if (!traces) options.sample_rate = 0;
     const noise::Noise noise = NoiseOf(number);
     if (!run_.camera) return RunNoisyTrial(experiment_, noise, options);
     // Each trial has a camera of its own, because a renderer belongs to its thread and its scene.
-    const scene::Scene scene(experiment_.problem, exec::TrueScene(experiment_.scene, noise));
+    const scene::Scene scene(experiment_.problem, execution::TrueScene(experiment_.scene, noise));
     sense::OverheadCamera camera(scene, experiment_.problem);
     options.sensor = &camera;
     return RunNoisyTrial(experiment_, noise, options);
@@ -114,7 +114,7 @@ class NoisyTrials {
   // The ledger of a single trial is in the result, not in a file.
   void WriteFiles(int number, const NoisyTrial& trial) const {
     std::ostringstream text;
-    exec::WriteTrace(trial.trace, text);
+    execution::WriteTrace(trial.trace, text);
     WriteFile(run_.folder / fmt::format("trace-{}.jsonl", number), text.str());
     if (IsSingle()) return;
     const Json ledger = ToJson(check::LedgerOf(experiment_, trial.noise, trial.trace));
@@ -212,7 +212,7 @@ class NoisyTrials {
   std::vector<std::string> Actions() const {
     std::vector<std::string> actions;
     for (const plan::PlannedStep& step : plan_.steps) {
-      actions.push_back(exec::Text(run_.planned.problem, step.action));
+      actions.push_back(execution::Text(run_.planned.problem, step.action));
     }
     return actions;
   }

@@ -29,15 +29,17 @@ struct Options {
   bool json = false;
 };
 
-Json ToJson(const Film& film, const exec::ExecutionEnd& end) {
-  return {
-      {"pictures", film.FileNames()}, {"outcome", exec::Name(end.outcome)}, {"reason", end.reason}};
+Json ToJson(const Film& film, const execution::ExecutionEnd& end) {
+  return {{"pictures", film.FileNames()},
+          {"outcome", execution::Name(end.outcome)},
+          {"reason", end.reason}};
 }
 
-std::string ForPeople(const Film& film, const exec::ExecutionEnd& end) {
+std::string ForPeople(const Film& film, const execution::ExecutionEnd& end) {
   std::string text = fmt::format("{}\n", fmt::join(film.FileNames(), "\n"));
-  if (end.outcome != exec::ExecutionOutcome::kDone) {
-    text += fmt::format("the execution ended early: {}: {}\n", exec::Name(end.outcome), end.reason);
+  if (end.outcome != execution::ExecutionOutcome::kDone) {
+    text += fmt::format("the execution ended early: {}: {}\n", execution::Name(end.outcome),
+                        end.reason);
   }
   return text;
 }
@@ -57,9 +59,9 @@ ExitCode Execute(const Options& options) {
     return RunTrial({planned.problem, planned.result.plan, scene}, 1, &film);
   }();
   film.Write(options.folder);
-  const exec::ExecutionEnd& end = trial.trace.end();
+  const execution::ExecutionEnd& end = trial.trace.end();
   Print(options.json ? plan::JsonText(ToJson(film, end)) : ForPeople(film, end));
-  const bool done = end.outcome == exec::ExecutionOutcome::kDone;
+  const bool done = end.outcome == execution::ExecutionOutcome::kDone;
   return done ? ExitCode::kDone : ExitCode::kFailed;
 }
 

@@ -32,8 +32,8 @@
 #include "sim/cli/work/output_file.h"
 #include "sim/cli/work/planned_problem.h"
 #include "sim/cli/work/trial.h"
-#include "sim/enact/walk/knowledge_scenario.h"
-#include "sim/exec/trial/scheduler.h"
+#include "sim/execution/interpretation/knowledge_scenario.h"
+#include "sim/execution/trial/scheduler.h"
 #include "sim/sweep/run/shell.h"
 
 namespace assay::cli {
@@ -95,7 +95,7 @@ class Run {
                    planned_.simulation.cameras, options_.pictures);
     }
     const Interruption interruption;
-    exec::Scheduler(options_.jobs, Interruption::Requested)
+    execution::Scheduler(options_.jobs, Interruption::Requested)
         .InOrder(
             static_cast<std::size_t>(Wanted()),
             [&](std::size_t i) { return RunOne(static_cast<int>(i) + 1, film ? &*film : nullptr); },
@@ -135,7 +135,7 @@ class Run {
 
   void WriteTrace(const Trial& trial) const {
     std::ostringstream text;
-    exec::WriteTrace(trial.trace, text);
+    execution::WriteTrace(trial.trace, text);
     const std::string name =
         trial.number == 1 ? "trace.jsonl" : fmt::format("trace-{}.jsonl", trial.number);
     WriteFile(options_.folder / name, text.str());
@@ -331,7 +331,7 @@ ExitCode Execute(const Options& options) {
   if (!options.folder.empty()) MakeFolder(options.folder);
   if (options.scatter) return ExecuteScattered(options);
   const Document document = Document::Load(options.input);
-  if (!IsPlanFile(document) && (options.tree || enact::NeedsATree(document))) {
+  if (!IsPlanFile(document) && (options.tree || execution::NeedsATree(document))) {
     return ExecuteTree(options);
   }
   RefuseOptions(options.of_trees, "is for plan trees; --tree makes one from any scenario");

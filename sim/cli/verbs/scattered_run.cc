@@ -20,7 +20,7 @@
 #include "sim/cli/work/output_file.h"
 #include "sim/cli/work/planned_problem.h"
 #include "sim/cli/work/trial.h"
-#include "sim/exec/trial/scheduler.h"
+#include "sim/execution/trial/scheduler.h"
 #include "sim/sweep/run/shell.h"
 
 namespace assay::cli {
@@ -44,7 +44,7 @@ class Scattering {
 
   ExitCode Execute() {
     const Interruption interruption;
-    exec::Scheduler(run_.jobs, Interruption::Requested)
+    execution::Scheduler(run_.jobs, Interruption::Requested)
         .InOrder(
             static_cast<std::size_t>(Wanted()),
             [this](std::size_t i) { return RunOne(run_.only.value_or(static_cast<int>(i) + 1)); },
@@ -94,7 +94,7 @@ class Scattering {
 
   void WriteTrace(const Trial& trial) const {
     std::ostringstream text;
-    exec::WriteTrace(trial.trace, text);
+    execution::WriteTrace(trial.trace, text);
     WriteFile(run_.folder / fmt::format("trace-{}.jsonl", trial.number), text.str());
   }
 

@@ -4,7 +4,7 @@
 #include "planner/plan/data/plan.h"
 #include "sim/check/trial/verdict.h"
 #include "sim/cli/pictures/film.h"
-#include "sim/exec/execution/trace.h"
+#include "sim/execution/trace/trace.h"
 #include "sim/scene/scene.h"
 
 namespace assay::cli {
@@ -19,7 +19,7 @@ struct Experiment {
 // One execution of a plan and its results.
 struct Trial {
   int number = 0;  // from 1
-  exec::Trace trace;
+  execution::Trace trace;
   check::Verdict verdict;
 };
 

@@ -4,7 +4,7 @@
 #include <map>
 #include <mutex>
 
-#include "sim/exec/trial/scheduler.h"
+#include "sim/execution/trial/scheduler.h"
 #include "sim/sweep/run/clock.h"
 
 namespace assay::sweep {
@@ -249,7 +249,7 @@ class Running {
   int before_ = 0;
   std::map<int, CellRecord> stored_;  // by number of the cell
   std::vector<PlannedCell> planned_;  // by index of the cell
-  exec::Scheduler scheduler_;
+  execution::Scheduler scheduler_;
   std::mutex mutex_;  // guards the advance while falsifications are made
   Advance advance_;
   Throughput throughput_;

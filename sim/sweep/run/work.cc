@@ -10,7 +10,7 @@
 #include "sim/check/claims/measure_noise_floor.h"
 #include "sim/check/falsification/attack.h"
 #include "sim/check/falsification/conservatism.h"
-#include "sim/exec/execution/executor.h"
+#include "sim/execution/walk/executor.h"
 #include "sim/sense/overhead_camera.h"
 #include "sim/sweep/run/clock.h"
 #include "sim/sweep/run/shell.h"
@@ -207,18 +207,18 @@ noise::Noise NoiseOf(const PlannedCell& cell, int number) {
 }
 
 check::NoisyTrial Execute(const PlannedCell& cell, const noise::Noise& noise,
-                          exec::Observer* observer) {
+                          execution::Observer* observer) {
   const Preparation& preparation = *cell.preparation;
   const check::Experiment experiment = ExperimentOf(preparation);
   // Verdicts do not use the series of samples.
-  exec::ExecutorOptions options;
+  execution::ExecutorOptions options;
   options.sample_rate = 0;
   options.observer = observer;
   if (cell.cell.sensing == Sensing::kDrawn || !Senses(preparation.plan)) {
     return check::RunNoisyTrial(experiment, noise, options);
   }
   // Each trial has its own camera, because a camera belongs to a thread and sees the true world.
-  const scene::Scene scene(experiment.problem, exec::TrueScene(experiment.scene, noise));
+  const scene::Scene scene(experiment.problem, execution::TrueScene(experiment.scene, noise));
   sense::OverheadCamera camera(scene, experiment.problem);
   options.sensor = &camera;
   return check::RunNoisyTrial(experiment, noise, options);

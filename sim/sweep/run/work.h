@@ -62,5 +62,5 @@ noise::Noise NoiseOf(const PlannedCell& cell, int number);
 
 // Executes a trial with its noise. `observer` observes the execution and may be null.
 check::NoisyTrial Execute(const PlannedCell& cell, const noise::Noise& noise,
-                          exec::Observer* observer);
+                          execution::Observer* observer);
 }  // namespace assay::sweep

@@ -164,8 +164,8 @@ std::string WrongWithoutNoise(const plan::Plan& plan, const check::Noiseless& no
 }
 
 TimedTrial Recorded(const plan::Plan& plan, const check::NoisyTrial& trial) {
-  const exec::ExecutionEnd& end = trial.trace.end();
-  const bool warned = end.outcome == exec::ExecutionOutcome::kEngineWarning;
+  const execution::ExecutionEnd& end = trial.trace.end();
+  const bool warned = end.outcome == execution::ExecutionOutcome::kEngineWarning;
   TimedTrial timed{.record = {.noise = noise::Text(trial.noise),
                               .outcome = std::string(check::Name(trial.verdict.outcome)),
                               .reason = trial.verdict.reason,

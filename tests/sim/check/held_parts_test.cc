@@ -136,7 +136,7 @@ Planned PlanFor(const Draw& draw) {
 Verdict AtCorner(const Planned& planned, int corner) {
   const Experiment experiment{planned.problem, planned.plan};
   const auto box = noise::ErrorBox(planned.problem, planned.plan);
-  exec::ExecutorOptions options;
+  execution::ExecutorOptions options;
   options.sample_rate = 0;
   return RunNoisyTrial(experiment, noise::Sample(box, noise::Mode::kVertices, kSeed, corner),
                        options)

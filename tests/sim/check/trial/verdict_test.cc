@@ -10,11 +10,11 @@
 namespace assay::check::verdict_test {
 namespace {
 
-using exec::ExecutionEnd;
-using exec::ExecutionOutcome;
-using exec::GraspFact;
-using exec::RestRecord;
-using exec::Trace;
+using execution::ExecutionEnd;
+using execution::ExecutionOutcome;
+using execution::GraspFact;
+using execution::RestRecord;
+using execution::Trace;
 using testing::HasSubstr;
 
 // Invented traces of executions, each with one fault.
@@ -56,7 +56,8 @@ class JudgeTest : public testing::Test {
 
 // A touch of the arm fails the trial although the goal holds.
 TEST_F(JudgeTest, AnArmThatTouchedSomethingHasFailed) {
-  const exec::CollisionRecord collision{.time = 2.5, .robot = "arm/forearm", .other = "part/brick"};
+  const execution::CollisionRecord collision{
+      .time = 2.5, .robot = "arm/forearm", .other = "part/brick"};
   const Trace trace = {.problem = "test", .parts = {}, .events = {grasp_, collision, rest_, end_}};
   const Verdict verdict = Judge(problem_, trace, {});
   EXPECT_EQ(verdict.outcome, TrialOutcome::kCollided);
