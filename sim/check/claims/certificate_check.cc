@@ -210,9 +210,9 @@ class CertificateCheck {
     const auto* end = std::get_if<execution::ExecutionEnd>(&trace_.events.back());
     if (end == nullptr) return;
     const bool about_it =
-        end->outcome == execution::ExecutionOutcome::kOverload ||
-        end->outcome == execution::ExecutionOutcome::kOperatorCalled ||
-        (end->outcome == execution::ExecutionOutcome::kUnreachable && SaysThatTheArmReaches());
+        end->outcome == execution::TrialOutcome::kOverload ||
+        end->outcome == execution::TrialOutcome::kOperatorCalled ||
+        (end->outcome == execution::TrialOutcome::kUnreachable && SaysThatTheArmReaches());
     if (about_it) AddFailed("comes to its end");
   }
 

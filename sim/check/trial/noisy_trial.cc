@@ -70,7 +70,7 @@ NoisyTrial RunNoisyTrial(const Experiment& experiment, const noise::Noise& noise
   for (const execution::VerificationRecord* check : trace.All<execution::VerificationRecord>()) {
     if (!check->error.empty()) ++trial.errors_signalled;
   }
-  trial.operator_called = trace.end().outcome == execution::ExecutionOutcome::kOperatorCalled;
+  trial.operator_called = trace.end().outcome == execution::TrialOutcome::kOperatorCalled;
   // After each error the step was tried again, unless the operator was called. If a step with an
   // error came to its end, its last try was without an error.
   std::vector<plan::StepId> mended;

@@ -100,25 +100,6 @@ TrialOutcome TrialOutcomeOf(Aspect aspect) {
   return {};
 }
 
-TrialOutcome TrialOutcomeOf(execution::ExecutionOutcome outcome) {
-  switch (outcome) {
-    case execution::ExecutionOutcome::kDone:
-      return TrialOutcome::kSucceeded;
-    case execution::ExecutionOutcome::kUnreachable:
-      return TrialOutcome::kUnreachable;
-    case execution::ExecutionOutcome::kOverload:
-      return TrialOutcome::kOverload;
-    case execution::ExecutionOutcome::kEngineWarning:
-      return TrialOutcome::kEngineWarning;
-    case execution::ExecutionOutcome::kNotFound:
-      return TrialOutcome::kNotFound;
-    case execution::ExecutionOutcome::kOperatorCalled:
-      return TrialOutcome::kOperatorCalled;
-  }
-  ASSAY_CHECK(false, "an outcome that the switch does not know");
-  return {};
-}
-
 std::string Reason(const Finding& finding) {
   return fmt::format("{}: {:.4g} {}, limit {:.4g} {}", finding.name, finding.value, finding.unit,
                      finding.limit, finding.unit);
@@ -137,44 +118,11 @@ std::string Reason(const Problem& problem, const GraspFact& fact) {
 
 }  // namespace
 
-std::string_view Name(TrialOutcome outcome) {
-  switch (outcome) {
-    case TrialOutcome::kSucceeded:
-      return "succeeded";
-    case TrialOutcome::kUnreachable:
-      return "unreachable";
-    case TrialOutcome::kOverload:
-      return "overload";
-    case TrialOutcome::kEngineWarning:
-      return "engine-warning";
-    case TrialOutcome::kNotFound:
-      return "not-found";
-    case TrialOutcome::kOperatorCalled:
-      return "operator-called";
-    case TrialOutcome::kCollided:
-      return "collided";
-    case TrialOutcome::kGraspFailed:
-      return "grasp-failed";
-    case TrialOutcome::kNotSeated:
-      return "not-seated";
-    case TrialOutcome::kMisaligned:
-      return "misaligned";
-    case TrialOutcome::kNotLocated:
-      return "not-located";
-    case TrialOutcome::kNotReleased:
-      return "not-released";
-    case TrialOutcome::kNotAtRest:
-      return "not-at-rest";
-  }
-  ASSAY_CHECK(false, "an outcome that the switch does not know");
-  return {};
-}
-
 Verdict Judge(const Problem& problem, const execution::Trace& trace, const Limits& limits) {
   Verdict verdict{.findings = Judgement(problem, trace, limits).Findings()};
   const execution::ExecutionEnd& end = trace.end();
-  if (end.outcome != execution::ExecutionOutcome::kDone) {
-    verdict.outcome = TrialOutcomeOf(end.outcome);
+  if (end.outcome != TrialOutcome::kSucceeded) {
+    verdict.outcome = end.outcome;
     verdict.reason = end.reason;
     return verdict;
   }

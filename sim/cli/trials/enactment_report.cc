@@ -16,7 +16,7 @@ namespace assay::cli {
 namespace {
 
 using execution::EnactedTrial;
-using execution::EnactmentOutcome;
+using execution::TrialOutcome;
 using execution::Leaf;
 using Json = nlohmann::ordered_json;
 
@@ -29,8 +29,8 @@ struct EnactedTally {
 
   void Add(const EnactedTrial& trial) {
     ++trials;
-    if (trial.outcome == EnactmentOutcome::kReached) ++reached;
-    if (trial.outcome == EnactmentOutcome::kOperator && !trial.IsFailed()) ++called;
+    if (trial.outcome == TrialOutcome::kSucceeded) ++reached;
+    if (trial.outcome == TrialOutcome::kOperatorCalled && !trial.IsFailed()) ++called;
     greatest_tilt = std::max(greatest_tilt, trial.greatest_tilt);
   }
 };
@@ -138,7 +138,7 @@ std::string StepTable(const EnactedTrial& trial, const EnactmentStudy& study) {
 }
 
 Json EnactedTrialJson(const EnactedTrial& trial) {
-  Json json = {{"trial", trial.number},      {"outcome", Name(trial.outcome)},
+  Json json = {{"trial", trial.number},      {"outcome", trial.OutcomeName()},
                {"reason", trial.reason},     {"mishap", trial.fault},
                {"goal", trial.is_goal_true}, {"greatest_tilt", trial.greatest_tilt / kDegree},
                {"spilled", trial.spilled},   {"fallen", trial.fallen}};

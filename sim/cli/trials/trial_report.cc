@@ -113,7 +113,7 @@ std::string ForPeople(const domain::Problem& problem, const plan::Plan& plan, co
 
 Json ToJson(const domain::Problem& problem, const plan::Plan& plan, const Trial& trial) {
   return {{"trial", trial.number},
-          {"outcome", check::Name(trial.verdict.outcome)},
+          {"outcome", execution::Name(trial.verdict.outcome)},
           {"reason", trial.verdict.reason},
           {"simulated", trial.trace.end().moment.time},
           {"steps", StepsToJson(StepRows(problem, plan, trial.trace))},

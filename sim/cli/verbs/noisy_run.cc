@@ -143,7 +143,7 @@ class NoisyTrials {
 
   std::map<std::string, int> Outcomes() const {
     std::map<std::string, int> outcomes;
-    for (const NoisyRow& row : rows_) ++outcomes[std::string(check::Name(row.outcome))];
+    for (const NoisyRow& row : rows_) ++outcomes[std::string(execution::Name(row.outcome))];
     return outcomes;
   }
   int Count(const auto& holds) const {
@@ -197,7 +197,7 @@ class NoisyTrials {
     for (const NoisyRow& row : rows_) {
       if (row.Failed()) result["replay"].push_back(ReplayCommand(row.number));
       result["rows"].push_back({{"trial", row.number},
-                                {"outcome", check::Name(row.outcome)},
+                                {"outcome", execution::Name(row.outcome)},
                                 {"reason", row.reason},
                                 {"violated", row.violated},
                                 {"errors_signalled", row.errors_signalled},
@@ -227,7 +227,7 @@ class NoisyTrials {
     int told = 0;
     for (const NoisyRow& row : rows_) {
       if (!row.Failed() || ++told > kMostTold) continue;
-      text += fmt::format("trial {}: {}{}{}\nagain: {}\n", row.number, check::Name(row.outcome),
+      text += fmt::format("trial {}: {}{}{}\nagain: {}\n", row.number, execution::Name(row.outcome),
                           row.reason.empty() ? "" : ": ", row.reason, ReplayCommand(row.number));
     }
     if (told > kMostTold) text += fmt::format("and {} more\n", told - kMostTold);

@@ -31,14 +31,14 @@ struct Options {
 
 Json ToJson(const Film& film, const execution::ExecutionEnd& end) {
   return {{"pictures", film.FileNames()},
-          {"outcome", execution::Name(end.outcome)},
+          {"outcome", end.OutcomeName()},
           {"reason", end.reason}};
 }
 
 std::string ForPeople(const Film& film, const execution::ExecutionEnd& end) {
   std::string text = fmt::format("{}\n", fmt::join(film.FileNames(), "\n"));
-  if (end.outcome != execution::ExecutionOutcome::kDone) {
-    text += fmt::format("the execution ended early: {}: {}\n", execution::Name(end.outcome),
+  if (end.outcome != execution::TrialOutcome::kSucceeded) {
+    text += fmt::format("the execution ended early: {}: {}\n", end.OutcomeName(),
                         end.reason);
   }
   return text;
@@ -61,7 +61,7 @@ ExitCode Execute(const Options& options) {
   film.Write(options.folder);
   const execution::ExecutionEnd& end = trial.trace.end();
   Print(options.json ? plan::JsonText(ToJson(film, end)) : ForPeople(film, end));
-  const bool done = end.outcome == execution::ExecutionOutcome::kDone;
+  const bool done = end.outcome == execution::TrialOutcome::kSucceeded;
   return done ? ExitCode::kDone : ExitCode::kFailed;
 }
 

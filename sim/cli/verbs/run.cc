@@ -152,7 +152,7 @@ class Run {
   std::map<std::string, int> Failures() const {
     std::map<std::string, int> failures;
     for (const auto& [number, summary] : summaries_) {
-      if (!summary.Succeeded()) ++failures[std::string(check::Name(summary.outcome))];
+      if (!summary.Succeeded()) ++failures[std::string(execution::Name(summary.outcome))];
     }
     return failures;
   }

@@ -76,7 +76,7 @@ class Scattering {
     const Trial trial = RunTrial({*problem, result.plan, scene}, number, nullptr);
     const bool succeeded = trial.verdict.outcome == check::TrialOutcome::kSucceeded;
     if (!run_.folder.empty() && (run_.only || !succeeded)) WriteTrace(trial);
-    return {number, std::string(check::Name(trial.verdict.outcome)), trial.verdict.reason, actions};
+    return {number, std::string(execution::Name(trial.verdict.outcome)), trial.verdict.reason, actions};
   }
 
   static ScatteredRow WithoutPlan(int number, const plan::PlanResult& result) {

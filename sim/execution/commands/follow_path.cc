@@ -22,12 +22,12 @@ Progress Run(const FollowPath& follow, std::span<const Command>, Execution& exec
   const domain::Workcell& workcell = *execution.problem().workcell;
   motion::JointPath path = follow.path;
   if (IsOtherPosture(workcell.arm(), execution.commanded(), path.front())) {
-    return Failure{ExecutionOutcome::kUnreachable,
+    return Failure{TrialOutcome::kUnreachable,
                    "the arm is not in the configuration in which the planned path starts"};
   }
   const auto end = motion::PostureLike(workcell, execution.Erring(follow.X_WorldTool), path.back());
   if (!end) {
-    return Failure{ExecutionOutcome::kUnreachable,
+    return Failure{TrialOutcome::kUnreachable,
                    "the arm does not reach the end of the planned path in its configuration"};
   }
   path.insert(path.begin(), execution.commanded());

@@ -8,24 +8,24 @@ namespace {
 
 // Returns the executor's outcome for an outcome of the mating. Details that only the mating has are
 // in the reason.
-ExecutionOutcome ExecutionOutcomeOf(MatingOutcome outcome) {
+TrialOutcome ExecutionOutcomeOf(MatingOutcome outcome) {
   switch (outcome) {
     case MatingOutcome::kDone:
-      return ExecutionOutcome::kDone;
+      return TrialOutcome::kSucceeded;
     case MatingOutcome::kJammed:
     case MatingOutcome::kWedged:
     case MatingOutcome::kWrongContact:
     case MatingOutcome::kTimeout:
     case MatingOutcome::kDropped:
-      return ExecutionOutcome::kOperatorCalled;
+      return TrialOutcome::kOperatorCalled;
     case MatingOutcome::kOverload:
-      return ExecutionOutcome::kOverload;
+      return TrialOutcome::kOverload;
     case MatingOutcome::kUnreachable:
-      return ExecutionOutcome::kUnreachable;
+      return TrialOutcome::kUnreachable;
     case MatingOutcome::kEngineWarning:
-      return ExecutionOutcome::kEngineWarning;
+      return TrialOutcome::kEngineWarning;
   }
-  return ExecutionOutcome::kOperatorCalled;
+  return TrialOutcome::kOperatorCalled;
 }
 
 }  // namespace

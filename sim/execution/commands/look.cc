@@ -49,7 +49,7 @@ Progress Run(const Look& look, std::span<const Command>, Execution& execution) {
                                                 .before = part,
                                                 .believed = believed});
   if (measured) return std::nullopt;
-  return Failure{ExecutionOutcome::kNotFound,
+  return Failure{TrialOutcome::kNotFound,
                  look.sensor + " does not find " + execution.problem().part(look.part).name};
 }
 

@@ -26,7 +26,7 @@ motion::TravelRequest RequestFor(const MoveAtSafeHeight& move, std::span<const C
 
 Progress Go(const motion::TravelResult& travel, Execution& execution) {
   if (const auto* why = std::get_if<std::string>(&travel)) {
-    return Failure{ExecutionOutcome::kUnreachable, *why};
+    return Failure{TrialOutcome::kUnreachable, *why};
   }
   const auto& path = std::get<motion::JointPath>(travel);
   const motion::JointRates rates = motion::RatesOf(*execution.problem().workcell);

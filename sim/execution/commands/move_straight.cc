@@ -12,7 +12,7 @@ Progress Run(const MoveStraight& move, std::span<const Command>, Execution& exec
   const LineResult line = FollowLine(workcell, execution.commanded(), end);
   if (!line.path) {
     const Vector3 p = 1e3 * line.stuck_at;
-    return Failure{ExecutionOutcome::kUnreachable,
+    return Failure{TrialOutcome::kUnreachable,
                    fmt::format("the arm cannot follow the straight line through ({:.1f}, {:.1f}, "
                                "{:.1f}) mm in its present configuration",
                                p.x(), p.y(), p.z())};

@@ -22,17 +22,17 @@ bool CanBeLeft(MatingOutcome error) {
 
 }  // namespace
 
-MatingOutcome OutcomeOf(ExecutionOutcome outcome) {
+MatingOutcome OutcomeOf(TrialOutcome outcome) {
   switch (outcome) {
-    case ExecutionOutcome::kOverload:
+    case TrialOutcome::kOverload:
       return MatingOutcome::kOverload;
-    case ExecutionOutcome::kEngineWarning:
+    case TrialOutcome::kEngineWarning:
       return MatingOutcome::kEngineWarning;
-    case ExecutionOutcome::kDone:
+    case TrialOutcome::kSucceeded:
       return MatingOutcome::kDone;
-    case ExecutionOutcome::kUnreachable:
-    case ExecutionOutcome::kNotFound:
-    case ExecutionOutcome::kOperatorCalled:
+    case TrialOutcome::kUnreachable:
+    case TrialOutcome::kNotFound:
+    case TrialOutcome::kOperatorCalled:
       return MatingOutcome::kUnreachable;
   }
   return MatingOutcome::kUnreachable;

@@ -16,7 +16,7 @@
 
 namespace assay::execution {
 
-MatingOutcome OutcomeOf(ExecutionOutcome outcome);
+MatingOutcome OutcomeOf(TrialOutcome outcome);
 
 // A contact state that the plan does not have, or from which its motion cannot go on.
 struct ErrorState {

@@ -55,7 +55,7 @@ Progress SoftArm::Step(const TipMotion& motion) {
   X_FixedTip_.translation() += twist.head<3>();
   X_FixedTip_.linear() = Rotation(twist.tail<3>()) * X_FixedTip_.linear();
   const auto q = JointsFor(execution_.Erring(X_WorldFixed_ * X_FixedTip_ * X_TipTool_));
-  if (!q) return Failure{ExecutionOutcome::kUnreachable, "the arm cannot follow"};
+  if (!q) return Failure{TrialOutcome::kUnreachable, "the arm cannot follow"};
   const JointVector qd = (*q - execution_.commanded()) / dt;
   const JointVector qdd = jacobian_.solve(acceleration);
   if (Progress failure = execution_.StepSoftly({*q, qd}, qdd, law_.softness)) return failure;

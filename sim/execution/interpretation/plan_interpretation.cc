@@ -137,7 +137,7 @@ class CallOperator : public PlanSkill {
   using PlanSkill::PlanSkill;
 
   Progress Do(const Roles&, Situation&) const override {
-    return Failure{ExecutionOutcome::kOperatorCalled, action().error};
+    return Failure{TrialOutcome::kOperatorCalled, action().error};
   }
 };
 

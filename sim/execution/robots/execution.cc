@@ -112,7 +112,7 @@ Progress Execution::TakeUpHandError(const Pose& error) {
   const Pose X_WorldTool = BelievedTool() * error;
   hand_error_ = error;
   const auto nearest = motion::NearestPosture(workcell, X_WorldTool, commanded_.q);
-  if (!nearest) return Failure{ExecutionOutcome::kUnreachable, "the arm cannot take up an error"};
+  if (!nearest) return Failure{TrialOutcome::kUnreachable, "the arm cannot take up an error"};
   const JointTrajectory way =
       motion::SynchronizedMove(commanded_.q, *nearest, motion::RatesOf(workcell));
   return Follow(way, way.duration());
@@ -256,7 +256,7 @@ void Execution::RecordCollisions() {
 Progress Execution::Watch() {
   if (data_.HasWarnings()) {
     const mujoco::EngineWarning warning = data_.Warnings().front();
-    return Failure{ExecutionOutcome::kEngineWarning,
+    return Failure{TrialOutcome::kEngineWarning,
                    fmt::format("{} ({} times)", warning.text, warning.count)};
   }
   const Vector3 force = scene_.WristWrench(data_).force;
@@ -265,7 +265,7 @@ Progress Execution::Watch() {
   greatest_force_ = std::max(greatest_force_, peak_.norm());
   if (felt_.norm() <= force_limit_) return std::nullopt;
   const Vector3 p = 1e3 * scene_.ToolPose(data_).translation();
-  return Failure{ExecutionOutcome::kOverload,
+  return Failure{TrialOutcome::kOverload,
                  fmt::format("the wrist felt {:.0f} N, more than {:.0f} N, with the tool at "
                              "({:.1f}, {:.1f}, {:.1f}) mm",
                              felt_.norm(), force_limit_, p.x(), p.y(), p.z())};

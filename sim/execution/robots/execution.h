@@ -18,7 +18,7 @@ using motion::JointTrajectory;
 
 // The reason why an execution cannot go on.
 struct Failure {
-  ExecutionOutcome outcome;
+  TrialOutcome outcome;
   std::string reason;
 };
 using Progress = std::optional<Failure>;  // none if the execution goes on

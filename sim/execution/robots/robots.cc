@@ -51,7 +51,7 @@ Progress Robots::GoHome() {
   const motion::TravelResult found = motion::PlanWayHome(
       execution.problem(), execution.BelievedSurroundings(), execution.commanded());
   if (const auto* why = std::get_if<std::string>(&found)) {
-    return Failure{ExecutionOutcome::kUnreachable, *why};
+    return Failure{TrialOutcome::kUnreachable, *why};
   }
   const motion::JointTrajectory way = motion::AlongPath(
       std::get<motion::JointPath>(found), motion::RatesOf(*execution.problem().workcell));

@@ -27,7 +27,7 @@ class Carry : public Skill {
     const domain::Problem& problem = situation.problem();
     const std::string& name = problem.part(roles.part).name;
     if (execution.world().held() != roles.part) {
-      return Failure{ExecutionOutcome::kUnreachable, name + " is not in the hand"};
+      return Failure{TrialOutcome::kUnreachable, name + " is not in the hand"};
     }
     const domain::Table& table = to_ != nullptr ? *to_ : *roles.table;
     const motion::TravelResult way = motion::PlanCarry(problem, execution.BelievedSurroundings(),
@@ -37,7 +37,7 @@ class Carry : public Skill {
                                                         .X_BelievedTool = execution.hand_error()});
     if (const auto* why = std::get_if<std::string>(&way)) {
       return Failure{
-          ExecutionOutcome::kUnreachable,
+          TrialOutcome::kUnreachable,
           fmt::format("no way to a free place on {} for {}: {}", table.name, name, *why)};
     }
     const motion::JointRates rates = motion::RatesOf(*problem.workcell);

@@ -19,7 +19,7 @@ class PickUp : public Skill {
     const std::optional<plan::Hold> hold =
         motion::MostUprightHold(problem, roles.part, X_WorldPart, others);
     if (!hold) {
-      return Failure{ExecutionOutcome::kUnreachable,
+      return Failure{TrialOutcome::kUnreachable,
                      fmt::format("no grasp of {} is reachable where it is believed to be",
                                  problem.part(roles.part).name)};
     }

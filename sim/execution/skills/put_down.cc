@@ -31,7 +31,7 @@ class PutDown : public Skill {
 
  private:
   static Failure Cannot(const std::string& reason) {
-    return {ExecutionOutcome::kUnreachable, reason};
+    return {TrialOutcome::kUnreachable, reason};
   }
 };
 

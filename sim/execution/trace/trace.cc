@@ -110,7 +110,7 @@ class TraceWriter {
   }
   Json operator()(const ExecutionEnd& end) const {
     Json json = Of("end", end.moment);
-    json["outcome"] = execution::Name(end.outcome);
+    json["outcome"] = end.OutcomeName();
     json["reason"] = end.reason;
     json["steps"] = end.steps;
     return json;
@@ -158,23 +158,8 @@ std::string_view Name(Stage stage) {
   return {};
 }
 
-std::string_view Name(ExecutionOutcome outcome) {
-  switch (outcome) {
-    case ExecutionOutcome::kDone:
-      return "done";
-    case ExecutionOutcome::kUnreachable:
-      return "unreachable";
-    case ExecutionOutcome::kOverload:
-      return "overload";
-    case ExecutionOutcome::kEngineWarning:
-      return "engine-warning";
-    case ExecutionOutcome::kNotFound:
-      return "not-found";
-    case ExecutionOutcome::kOperatorCalled:
-      return "operator-called";
-  }
-  ASSAY_CHECK(false, "an outcome that the switch does not know");
-  return {};
+std::string_view ExecutionEnd::OutcomeName() const {
+  return outcome == TrialOutcome::kSucceeded ? "done" : Name(outcome);
 }
 
 void WriteTrace(const Trace& trace, std::ostream& out) {

@@ -11,6 +11,7 @@
 #include "planner/plan/data/plan.h"
 #include "sim/execution/control/mating_outcome.h"
 #include "sim/execution/robots/world_model.h"
+#include "sim/execution/trial/trial_outcome.h"
 #include "sim/scene/scene.h"
 
 namespace assay::execution {
@@ -150,22 +151,15 @@ struct CollisionRecord {
   std::string other;  // for example "part/brick"
 };
 
-// The end of an execution of a plan.
-enum class ExecutionOutcome {
-  kDone,            // every command was executed; the checks judge the result
-  kUnreachable,     // the arm cannot follow the way of a command
-  kOverload,        // the wrist felt too much force: protective stop
-  kEngineWarning,   // the engine's numbers cannot be trusted
-  kNotFound,        // a sensor did not see the part that it looked at
-  kOperatorCalled,  // an error was signalled, and no recovery corrected it
-};
-std::string_view Name(ExecutionOutcome outcome);
-
+// The end of an execution of a plan, which is not judged yet.
 struct ExecutionEnd {
-  ExecutionOutcome outcome = ExecutionOutcome::kDone;
-  std::string reason = {};  // empty if the plan is done
+  TrialOutcome outcome = TrialOutcome::kSucceeded;
+  std::string reason = {};  // empty if every command was executed
   Snapshot moment;
   std::int64_t steps = 0;  // number of the engine's steps
+
+  // Returns the outcome's name in files: "done" if every command was executed.
+  std::string_view OutcomeName() const;
 };
 
 using TraceEvent = std::variant<Sample, GraspFact, LookRecord, GuardRecord, MotionRecord, Milestone,

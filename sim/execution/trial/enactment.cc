@@ -95,8 +95,8 @@ class TreeTrial {
 
   // Returns whether the hand is free to move after this end of the walk. After an error it may be
   // in the middle of its work.
-  static bool IsAtRest(WalkEnd end) {
-    return end != WalkEnd::kStopped && end != WalkEnd::kOperator;
+  static bool IsAtRest(TrialOutcome end) {
+    return end != TrialOutcome::kStopped && end != TrialOutcome::kOperatorCalled;
   }
 
   void Befall(const std::string& action) {
@@ -112,7 +112,7 @@ class TreeTrial {
     if (execution.world().held().IsNone()) failure = robots.GoHome();
     if (!failure) failure = execution.Stay(kRest, Stepping::kContact);
     if (!failure) return;
-    result_.walk.end = WalkEnd::kStopped;
+    result_.walk.end = TrialOutcome::kStopped;
     result_.walk.reason = "at the end: " + failure->reason;
   }
 
@@ -148,31 +148,28 @@ class TreeTrial {
   }
 
   void Judge() {
-    const auto end = [&](EnactmentOutcome outcome, std::string reason) {
+    const auto end = [&](TrialOutcome outcome, std::string reason) {
       result_.outcome = outcome;
       result_.reason = std::move(reason);
     };
     const Walk& walk = result_.walk;
     if (!walk.false_claims.empty()) {
-      return end(EnactmentOutcome::kFalseClaim, ReasonOf(walk.false_claims.front()));
+      return end(TrialOutcome::kFalseClaim, ReasonOf(walk.false_claims.front()));
     }
-    if (walk.end == WalkEnd::kStopped) return end(EnactmentOutcome::kStopped, walk.reason);
-    if (walk.end == WalkEnd::kOperator) return end(EnactmentOutcome::kOperator, walk.reason);
-    if (walk.end == WalkEnd::kUncertain) return end(EnactmentOutcome::kUncertain, walk.reason);
-    if (walk.end == WalkEnd::kEndless) return end(EnactmentOutcome::kEndless, walk.reason);
+    if (walk.end != TrialOutcome::kSucceeded) return end(walk.end, walk.reason);
     if (!result_.collisions.empty()) {
-      return end(EnactmentOutcome::kCollided, ReasonOf(result_.collisions.front()));
+      return end(TrialOutcome::kCollided, ReasonOf(result_.collisions.front()));
     }
     if (!result_.spilled.empty()) {
-      return end(EnactmentOutcome::kSpilled,
+      return end(TrialOutcome::kSpilled,
                  fmt::format("{} spilled: the greatest tilt was {:.2f} degrees",
                              fmt::join(result_.spilled, ", "), result_.greatest_tilt / kDegree));
     }
     if (!result_.fallen.empty()) {
-      return end(EnactmentOutcome::kFallen,
+      return end(TrialOutcome::kFallen,
                  fmt::format("{} fell", fmt::join(result_.fallen, ", ")));
     }
-    if (!result_.is_goal_true) return end(EnactmentOutcome::kMissed, "the goal is not true");
+    if (!result_.is_goal_true) return end(TrialOutcome::kMissed, "the goal is not true");
   }
 
   static std::string ReasonOf(const FalseClaim& claim) {
@@ -203,35 +200,13 @@ class TreeTrial {
 
 }  // namespace
 
-std::string_view Name(EnactmentOutcome outcome) {
-  switch (outcome) {
-    case EnactmentOutcome::kReached:
-      return "reached";
-    case EnactmentOutcome::kStopped:
-      return "stopped";
-    case EnactmentOutcome::kOperator:
-      return "operator-called";
-    case EnactmentOutcome::kUncertain:
-      return "uncertain";
-    case EnactmentOutcome::kEndless:
-      return "endless";
-    case EnactmentOutcome::kFalseClaim:
-      return "false-claim";
-    case EnactmentOutcome::kCollided:
-      return "collided";
-    case EnactmentOutcome::kSpilled:
-      return "spilled";
-    case EnactmentOutcome::kFallen:
-      return "fallen";
-    case EnactmentOutcome::kMissed:
-      return "missed";
-  }
-  return {};
+bool EnactedTrial::IsFailed() const {
+  if (outcome == TrialOutcome::kOperatorCalled) return !world.fault;
+  return outcome != TrialOutcome::kSucceeded;
 }
 
-bool EnactedTrial::IsFailed() const {
-  if (outcome == EnactmentOutcome::kOperator) return !world.fault;
-  return outcome != EnactmentOutcome::kReached;
+std::string_view EnactedTrial::OutcomeName() const {
+  return outcome == TrialOutcome::kSucceeded ? "reached" : Name(outcome);
 }
 
 EnactedTrial RunTrial(const KnowledgeScenario& scenario, const contingent::PlanTree& tree,

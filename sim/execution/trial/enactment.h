@@ -13,21 +13,6 @@
 
 namespace assay::execution {
 
-// The outcome of a trial. If several things went wrong, the outcome is the first in this list.
-enum class EnactmentOutcome {
-  kReached,     // the walk reached a leaf with the goal true in physics, and nothing went wrong
-  kFalseClaim,  // something that was claimed to be known was false, even if the goal is true
-  kStopped,     // a skill could not be done
-  kOperator,    // a person was called
-  kUncertain,   // sensing left a branch open
-  kEndless,     // the walk reached no leaf within its greatest number of actions
-  kCollided,    // an arm, a hand or a held part touched something that it must not touch
-  kSpilled,     // a part was tilted further than is allowed
-  kFallen,      // at the end a part does not rest in the stable pose of the start
-  kMissed,      // the goal is not true
-};
-std::string_view Name(EnactmentOutcome outcome);  // "false-claim"
-
 // The number of a trial, which determines its random errors, and its hidden world.
 struct TrialWorld {
   int number = 0;  // from 1
@@ -50,8 +35,8 @@ struct TrialSettings {
 struct EnactedTrial {
   int number = 0;
   HiddenWorld world;
-  EnactmentOutcome outcome = EnactmentOutcome::kReached;
-  std::string reason = {};  // why the outcome is not kReached
+  TrialOutcome outcome = TrialOutcome::kSucceeded;
+  std::string reason = {};  // why the trial did not succeed
   Walk walk = {};
   bool is_goal_true = false;
   double greatest_tilt = 0;  // greatest tilt of a part that can spill, in radians
@@ -64,6 +49,8 @@ struct EnactedTrial {
   // Returns whether the trial failed. A trial succeeds if the goal is reached. In a world whose
   // fault leads to a person, it succeeds if the task is handed over to a person.
   bool IsFailed() const;
+  // Returns the outcome's name in reports of trees: "reached" if the walk reached the goal.
+  std::string_view OutcomeName() const;
 };
 
 // Executes the tree in the trial's world, in a simulation with random errors. The seed and the

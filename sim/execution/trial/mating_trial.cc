@@ -58,7 +58,7 @@ class Trial {
     execution_.SetHandError(HandError(setting_));
     const Pose truly = execution_.Erring(X_WorldTool);
     const auto q = JointsFor(*execution_.problem().workcell, truly, setting_);
-    if (!q) return Failure{ExecutionOutcome::kUnreachable, "the arm cannot start"};
+    if (!q) return Failure{TrialOutcome::kUnreachable, "the arm cannot start"};
     execution_.Place(*q);
     scene_.SetGripper(data_, setting_.hold.width);
     scene_.SetPart(data_, mating_.held, truly * setting_.hold.X_PartTool.inverse());

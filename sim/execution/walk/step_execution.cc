@@ -218,7 +218,7 @@ Progress StepExecution::TryAgain(const std::string& error) {
                         .strategy = domain::RecoveryStrategy::kCallOperator};
   if (next >= places.size()) {
     execution_.trace().events.push_back(record);
-    return Named(Failure{ExecutionOutcome::kOperatorCalled,
+    return Named(Failure{TrialOutcome::kOperatorCalled,
                          error + (places.empty() ? "" : ", and nothing that was tried mended it")});
   }
   record.strategy = RecoveryFrom(error)->strategy;

@@ -144,12 +144,12 @@ bool TreeWalk::Learn(std::optional<KnowledgeState> learned) {
 std::optional<NodeId> TreeWalk::Act(const PlanNode& node) {
   const GroundAction& action = interpretation_.task.actions[node.action.index()];
   if (walk_.steps.size() >= kMostActions) {
-    return End(WalkEnd::kEndless, fmt::format("more than {} actions", kMostActions));
+    return End(TrialOutcome::kEndless, fmt::format("more than {} actions", kMostActions));
   }
   if (options_.on_step_start) options_.on_step_start(action.name);
   if (const Progress failure = Do(action)) {
-    const bool is_called = failure->outcome == ExecutionOutcome::kOperatorCalled;
-    return End(is_called ? WalkEnd::kOperator : WalkEnd::kStopped, failure->reason);
+    const bool is_called = failure->outcome == TrialOutcome::kOperatorCalled;
+    return End(is_called ? failure->outcome : TrialOutcome::kStopped, failure->reason);
   }
   last_ = node.action;
   const auto after = knowledge_.After(action, state_);
@@ -253,7 +253,7 @@ const std::string& TreeWalk::WordsOf(FunctionId function) const {
 }
 
 std::optional<NodeId> TreeWalk::NotTold(const std::string& what) {
-  return End(WalkEnd::kUncertain, fmt::format("the sensors do not tell {}", what));
+  return End(TrialOutcome::kUncertain, fmt::format("the sensors do not tell {}", what));
 }
 
 std::optional<std::size_t> TreeWalk::ToldValue(const std::vector<AtomId>& values) const {
@@ -282,7 +282,7 @@ std::optional<NodeId> TreeWalk::Take(NodeId id, std::size_t child, bool is_flipp
   return node.children[child];
 }
 
-std::optional<NodeId> TreeWalk::End(WalkEnd end, const std::string& reason) {
+std::optional<NodeId> TreeWalk::End(TrialOutcome end, const std::string& reason) {
   walk_.end = end;
   walk_.reason = reason;
   return std::nullopt;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "planner/contingent/tree/plan_tree.h"
+#include "sim/execution/trial/trial_outcome.h"
 #include "sim/execution/walk/audit.h"
 
 namespace assay::execution {
@@ -25,21 +26,13 @@ struct WalkedStep {
   double end = 0;      // seconds of simulated time
 };
 
-enum class WalkEnd {
-  kGoal,       // the walk reached a leaf
-  kOperator,   // a person takes over: the tree ends so, or no recovery corrected an error
-  kStopped,    // a skill could not be done
-  kUncertain,  // repeated sensing left a branch open
-  kEndless,    // too many actions
-};
-
 struct Walk {
   std::vector<WalkedStep> steps = {};
   std::vector<TakenBranch> branches = {};
   std::vector<FalseClaim> false_claims = {};  // the first occurrence of each false claim
   bool is_flipped = false;                    // some sensed value was made wrong on purpose
-  WalkEnd end = WalkEnd::kGoal;
-  std::string reason = {};  // why the end is not kGoal
+  TrialOutcome end = TrialOutcome::kSucceeded;  // the walk reached a leaf, or why it ended before
+  std::string reason = {};                      // why the walk ended before a leaf
 };
 
 struct WalkOptions {
@@ -94,7 +87,7 @@ class TreeWalk {
   void FlipReadings(const contingent::GroundAction& action);
   std::size_t Flipped(std::size_t value, std::size_t count) const { return (value + 1) % count; }
   std::optional<contingent::NodeId> Take(contingent::NodeId id, std::size_t child, bool is_flipped);
-  std::optional<contingent::NodeId> End(WalkEnd end, const std::string& reason);
+  std::optional<contingent::NodeId> End(TrialOutcome end, const std::string& reason);
   void AuditNow();
 
   const Interpretation& interpretation_;

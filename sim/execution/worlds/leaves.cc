@@ -286,7 +286,7 @@ bool Leaf::IsOn(const Walk& walk) const {
   const bool is_same =
       std::ranges::equal(branches, std::span(walk.branches).first(count), {}, choice, choice);
   if (is_repeat) return is_same;
-  const bool is_end = walk.end == WalkEnd::kGoal || walk.end == WalkEnd::kOperator;
+  const bool is_end = walk.end == TrialOutcome::kSucceeded || walk.end == TrialOutcome::kOperatorCalled;
   return is_same && is_end && walk.branches.size() == count;
 }
 

@@ -165,9 +165,9 @@ std::string WrongWithoutNoise(const plan::Plan& plan, const check::Noiseless& no
 
 TimedTrial Recorded(const plan::Plan& plan, const check::NoisyTrial& trial) {
   const execution::ExecutionEnd& end = trial.trace.end();
-  const bool warned = end.outcome == execution::ExecutionOutcome::kEngineWarning;
+  const bool warned = end.outcome == execution::TrialOutcome::kEngineWarning;
   TimedTrial timed{.record = {.noise = noise::Text(trial.noise),
-                              .outcome = std::string(check::Name(trial.verdict.outcome)),
+                              .outcome = std::string(execution::Name(trial.verdict.outcome)),
                               .reason = trial.verdict.reason,
                               .simulated = end.moment.time,
                               .steps = end.steps,

@@ -176,10 +176,10 @@ TEST_F(CertificateCheckTest, AStepThatIsProvedComesToItsEnd) {
   execution::Trace trace;
   trace.events.push_back(execution::Milestone{kPickup, Stage::kPoised, moment_});
   trace.events.push_back(
-      execution::ExecutionEnd{execution::ExecutionOutcome::kOverload, "", moment_});
+      execution::ExecutionEnd{execution::TrialOutcome::kOverload, "", moment_});
   EXPECT_EQ(Worst(CheckCertificates(problem_, plan_, trace, {})), ClaimVerdict::kViolated);
   trace.events.back() =
-      execution::ExecutionEnd{execution::ExecutionOutcome::kUnreachable, "", moment_};
+      execution::ExecutionEnd{execution::TrialOutcome::kUnreachable, "", moment_};
   EXPECT_EQ(Worst(CheckCertificates(problem_, plan_, trace, {})), ClaimVerdict::kContained);
 }
 
@@ -193,7 +193,7 @@ TEST_F(CertificateCheckTest, AStepThatIsStoppedOnItsWayIsTheOneThatDoesNotComeTo
   };
   execution::Trace trace;
   trace.events.push_back(
-      execution::ExecutionEnd{execution::ExecutionOutcome::kOverload, "", moment_});
+      execution::ExecutionEnd{execution::TrialOutcome::kOverload, "", moment_});
   EXPECT_EQ(stopped(trace, order[1]), order[1]);
   // Without a first step, the trace is taken to begin with the first step of the plan. Once that
   // step has ended, the next step is the one that is stopped.

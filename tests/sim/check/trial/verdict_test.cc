@@ -11,7 +11,7 @@ namespace assay::check::verdict_test {
 namespace {
 
 using execution::ExecutionEnd;
-using execution::ExecutionOutcome;
+using execution::TrialOutcome;
 using execution::GraspFact;
 using execution::RestRecord;
 using execution::Trace;
@@ -124,13 +124,10 @@ TEST_F(JudgeTest, AFailedGraspAloneIsNoFailure) {
 TEST_F(JudgeTest, ExecutionThatDidNotEndComesFirst) {
   DisplaceHeld(0.02, 0, 0);
   end_.reason = "why";
-  const std::pair<ExecutionOutcome, TrialOutcome> cases[] = {
-      {ExecutionOutcome::kUnreachable, TrialOutcome::kUnreachable},
-      {ExecutionOutcome::kOverload, TrialOutcome::kOverload},
-      {ExecutionOutcome::kEngineWarning, TrialOutcome::kEngineWarning}};
-  for (const auto& [execution, trial] : cases) {
-    end_.outcome = execution;
-    EXPECT_EQ(Judged().outcome, trial);
+  for (const TrialOutcome outcome :
+       {TrialOutcome::kUnreachable, TrialOutcome::kOverload, TrialOutcome::kEngineWarning}) {
+    end_.outcome = outcome;
+    EXPECT_EQ(Judged().outcome, outcome);
     EXPECT_EQ(Judged().reason, "why");
   }
 }
@@ -140,14 +137,6 @@ TEST_F(JudgeTest, NotLocated) {
   EXPECT_EQ(Judged().outcome, TrialOutcome::kSucceeded);
   Truth(mating_.fixed) = Truth(mating_.fixed) * geometry::RotationY(0.3);
   EXPECT_EQ(Judged().outcome, TrialOutcome::kNotLocated);
-}
-
-TEST(TrialOutcomeTest, NamesDiffer) {
-  std::set<std::string_view> names;
-  for (int i = 0; i <= static_cast<int>(TrialOutcome::kNotAtRest); ++i) {
-    names.insert(Name(static_cast<TrialOutcome>(i)));
-  }
-  EXPECT_EQ(names.size(), 13u);
 }
 
 }  // namespace

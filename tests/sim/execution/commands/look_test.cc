@@ -118,7 +118,7 @@ TEST_F(Looking, TakesOnlyWhatItKnowsBetter) {
 TEST_F(Looking, LaterCommandsGoToTheBelievedPlace) {
   const Noise noise = FourErrors(Effect::kSensedX, kLook, {0.0002, -0.0003, 0, 0.002});
   const Trace trace = RunTo(kPickup, noise);
-  ASSERT_EQ(trace.end().outcome, ExecutionOutcome::kDone) << trace.end().reason;
+  ASSERT_EQ(trace.end().outcome, TrialOutcome::kSucceeded) << trace.end().reason;
   const Pose& believed = trace.All<LookRecord>().at(0)->believed;
   const auto& pickup = std::get<plan::Pickup>(plan_.step(kPickup).action);
   for (const Milestone* milestone : trace.All<Milestone>()) {
@@ -161,7 +161,7 @@ TEST_F(Looking, ASensorIsAskedWithWhatIsBelieved) {
 TEST_F(Looking, APartThatIsNotFoundEndsTheExecution) {
   FalseSensor sensor(std::nullopt);
   const Trace trace = RunTo(kAssemble, {}, &sensor);
-  EXPECT_EQ(trace.end().outcome, ExecutionOutcome::kNotFound);
+  EXPECT_EQ(trace.end().outcome, TrialOutcome::kNotFound);
   EXPECT_EQ(trace.end().reason, "action_3: coarse-camera does not find peg");
   const LookRecord& look = *trace.All<LookRecord>().at(0);
   EXPECT_FALSE(look.found);

@@ -69,7 +69,7 @@ INSTANTIATE_TEST_SUITE_P(Grasps, CarefullyExecuted,
                          testing::Values(scene::GraspMode::kFriction, scene::GraspMode::kWeld));
 
 TEST_P(CarefullyExecuted, ASqueezeWithoutNoiseLeavesThePartInItsPlace) {
-  ASSERT_EQ(trace_.end().outcome, ExecutionOutcome::kDone) << trace_.end().reason;
+  ASSERT_EQ(trace_.end().outcome, TrialOutcome::kSucceeded) << trace_.end().reason;
   const TrueAndBelieved& peg = AfterStep(2).parts[peg_.index()];
   EXPECT_LT((peg.truth.translation() - start_.translation()).norm(), kStays);
   EXPECT_LT(geometry::AngleBetween(peg.truth.linear(), start_.linear()), 1e-3);
@@ -88,7 +88,7 @@ TEST_P(CarefullyExecuted, TheSqueezeIsAGraspThatHolds) {
 }
 
 TEST_P(CarefullyExecuted, ThePlanGoesOnAsIfNothingHadHappened) {
-  ASSERT_EQ(trace_.end().outcome, ExecutionOutcome::kDone) << trace_.end().reason;
+  ASSERT_EQ(trace_.end().outcome, TrialOutcome::kSucceeded) << trace_.end().reason;
   const TrueAndBelieved& peg = trace_.end().moment.parts[peg_.index()];
   EXPECT_LT((peg.truth.translation() - peg.believed.translation()).norm(), 2e-4);
 }

@@ -59,7 +59,7 @@ TEST_F(FallenPeg, EachWorldReachesTheGoal) {
   for (const auto& [world, told] :
        {std::pair(0, "pose(peg) = lying"), std::pair(1, "pose(peg) = standing")}) {
     const EnactedTrial trial = Run(world);
-    EXPECT_EQ(trial.outcome, EnactmentOutcome::kReached) << trial.reason;
+    EXPECT_EQ(trial.outcome, TrialOutcome::kSucceeded) << trial.reason;
     EXPECT_TRUE(trial.is_goal_true);
     EXPECT_THAT(trial.walk.false_claims, IsEmpty());
     EXPECT_EQ(trial.walk.branches.front().text, told);
@@ -113,7 +113,7 @@ TEST_F(FallenPeg, AnOpeningThatIsTooWideIsATurnedPart) {
   const EnactedTrial trial =
       RunTrial(scenario, planned.assembly.tree,
                {1, {.masses = {}, .colors = {}, .world = standing, .fault = fault}}, {.seed = 1});
-  EXPECT_EQ(trial.outcome, EnactmentOutcome::kOperator) << trial.reason;
+  EXPECT_EQ(trial.outcome, TrialOutcome::kOperatorCalled) << trial.reason;
   EXPECT_THAT(trial.reason, testing::HasSubstr("error2"));
   EXPECT_FALSE(trial.IsFailed());
 }
@@ -196,13 +196,13 @@ EnactedTrial LookAtStandingPeg(const KnowledgeScenario& of, Wanted wanted,
 
 TEST_F(FallenPeg, AValueThatTheGoalTakesForSensedIsAudited) {
   const EnactedTrial right = LookAtStandingPeg(Scenario(), Wanted::kSensed, {"standing"});
-  EXPECT_EQ(right.walk.end, WalkEnd::kGoal);
+  EXPECT_EQ(right.walk.end, TrialOutcome::kSucceeded);
   EXPECT_THAT(right.walk.false_claims, IsEmpty());
   const EnactedTrial wrong = LookAtStandingPeg(Scenario(), Wanted::kSensed, {"lying"});
-  EXPECT_EQ(wrong.outcome, EnactmentOutcome::kFalseClaim);
+  EXPECT_EQ(wrong.outcome, TrialOutcome::kFalseClaim);
   EXPECT_THAT(wrong.reason, testing::HasSubstr("after step 1 pose(peg) = lying is claimed"));
   const EnactedTrial silent = LookAtStandingPeg(Scenario(), Wanted::kSensed, {""});
-  EXPECT_EQ(silent.outcome, EnactmentOutcome::kUncertain);
+  EXPECT_EQ(silent.outcome, TrialOutcome::kUncertain);
   EXPECT_EQ(silent.reason, "the sensors do not tell pose(peg)");
 }
 
@@ -211,11 +211,11 @@ TEST_F(FallenPeg, AValueThatTheGoalTakesForSensedIsAudited) {
 TEST_F(FallenPeg, AValueThatIsNotToldIsSensedAgain) {
   for (const Wanted wanted : {Wanted::kKnown, Wanted::kSensed}) {
     const EnactedTrial late = LookAtStandingPeg(Scenario(), wanted, {"", "", "standing"});
-    EXPECT_EQ(late.walk.end, WalkEnd::kGoal) << late.reason;
+    EXPECT_EQ(late.walk.end, TrialOutcome::kSucceeded) << late.reason;
     EXPECT_EQ(late.walk.steps.size(), 3U);
     EXPECT_THAT(late.walk.false_claims, IsEmpty());
     const EnactedTrial never = LookAtStandingPeg(Scenario(), wanted, {""});
-    EXPECT_EQ(never.outcome, EnactmentOutcome::kUncertain);
+    EXPECT_EQ(never.outcome, TrialOutcome::kUncertain);
     EXPECT_EQ(never.walk.steps.size(), 5U);
   }
 }
@@ -267,7 +267,7 @@ TEST_F(FallenPeg, PosesNearEachOtherAreToldApart) {
 // The peg stands and is claimed to lie. The audit finds the false claim after the first step.
 TEST_F(FallenPeg, AWrongPoseIsAFalseClaim) {
   const EnactedTrial trial = Run(1, 1);
-  EXPECT_EQ(trial.outcome, EnactmentOutcome::kFalseClaim);
+  EXPECT_EQ(trial.outcome, TrialOutcome::kFalseClaim);
   ASSERT_FALSE(trial.walk.false_claims.empty());
   EXPECT_EQ(trial.walk.false_claims.front().step, 1);
 }

@@ -150,7 +150,7 @@ TEST(Quantity, GoalsOnNumbersAreJudgedByTheTruth) {
 // The planner uses the known interval and leaves out the weighing.
 TEST(Quantity, AFalseIntervalFailsATrialThatReachesItsGoal) {
   const EnactedTrial trial = Enact(Weighing("add(Kf, weight(can1) = [0.6, 0.7])", kMoved), 0.42);
-  EXPECT_EQ(trial.outcome, EnactmentOutcome::kFalseClaim);
+  EXPECT_EQ(trial.outcome, TrialOutcome::kFalseClaim);
   EXPECT_TRUE(trial.is_goal_true);
   EXPECT_THAT(trial.reason,
               HasSubstr("after step 0 weight(can1) = [0.6, 0.7] is claimed to be true and is "
@@ -162,13 +162,13 @@ TEST(Quantity, WeighingTellsOnWhichSideOfABoundItIs) {
   for (const auto& [mass, action] :
        {std::pair(0.42, "transferUpright(can1)"), std::pair(0.1, "transfer(can1)")}) {
     const EnactedTrial trial = Enact(scenario, mass);
-    EXPECT_EQ(trial.outcome, EnactmentOutcome::kReached) << trial.reason;
+    EXPECT_EQ(trial.outcome, TrialOutcome::kSucceeded) << trial.reason;
     ASSERT_EQ(trial.walk.steps.size(), 4u);
     EXPECT_EQ(trial.walk.steps[2].action, action);
   }
   const EnactedTrial flipped = RunTrial(
       scenario, TreeOf(scenario), {1, {.masses = {{PartId(0), 0.42}}}}, {.sensing_errors = 1});
-  EXPECT_EQ(flipped.outcome, EnactmentOutcome::kFalseClaim);
+  EXPECT_EQ(flipped.outcome, TrialOutcome::kFalseClaim);
 }
 
 TEST(Quantity, LeavesDrawMassesOnTheirSideOfABound) {
@@ -188,9 +188,9 @@ TEST(Quantity, LeavesDrawMassesOnTheirSideOfABound) {
 TEST(Quantity, WhatTheGoalTakesForSensedMustHaveBeenTold) {
   const char* init = "add(Kf, weight(can1) = [0, 1])";
   const char* goal = "Kw(weight(can1) > 0.25)";
-  EXPECT_EQ(Enact(Weighing(init, goal), 0.42).outcome, EnactmentOutcome::kReached);
+  EXPECT_EQ(Enact(Weighing(init, goal), 0.42).outcome, TrialOutcome::kSucceeded);
   const EnactedTrial blind = Enact(Weighing(init, goal, {{"error: 0.3", "error: 20"}}), 0.42);
-  EXPECT_EQ(blind.outcome, EnactmentOutcome::kUncertain);
+  EXPECT_EQ(blind.outcome, TrialOutcome::kUncertain);
   EXPECT_THAT(blind.reason, HasSubstr("do not tell whether weight(can1) > 0.25"));
 }
 
@@ -206,11 +206,11 @@ TEST(Quantity, AReadingThatIsMadeWrongIsToldByTheAudit) {
                              text.substr(end);
   const KnowledgeScenario scenario =
       Weighing("add(Kf, weight(can1) = [0, 1])", "Kv(weight(can1) within 0.05)", {}, domain);
-  EXPECT_EQ(Enact(scenario, 0.42).outcome, EnactmentOutcome::kReached);
+  EXPECT_EQ(Enact(scenario, 0.42).outcome, TrialOutcome::kSucceeded);
   const EnactedTrial wrong = RunTrial(scenario, TreeOf(scenario),
                                       {1, {.masses = {{PartId(0), 0.42}}}}, {.sensing_errors = 1});
   EXPECT_TRUE(wrong.walk.is_flipped);
-  EXPECT_EQ(wrong.outcome, EnactmentOutcome::kFalseClaim);
+  EXPECT_EQ(wrong.outcome, TrialOutcome::kFalseClaim);
   EXPECT_THAT(wrong.reason, HasSubstr("Kv(weight(can1) within 0.05)"));
 }
 

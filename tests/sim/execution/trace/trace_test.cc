@@ -69,7 +69,7 @@ Trace OneOfEach() {
                      StepEnd{plan::StepId(0), "action_1", "pickup(peg, PG1)", SomeMoment(1)},
                      motion, RestRecord{.duration = 0.5, .parts = {{1e-6, 2e-6}}},
                      CollisionRecord{1.5, "arm/forearm", "part/peg"},
-                     ExecutionEnd{.outcome = ExecutionOutcome::kOverload,
+                     ExecutionEnd{.outcome = TrialOutcome::kOverload,
                                   .reason = "too much",
                                   .moment = SomeMoment(2)}}};
 }
@@ -100,8 +100,8 @@ TEST_F(TraceSchema, TellsOfEveryField) {
 
 TEST_F(TraceSchema, HasEveryOutcomeAndStage) {
   Trace trace = OneOfEach();
-  for (int i = 0; i <= static_cast<int>(ExecutionOutcome::kOperatorCalled); ++i) {
-    std::get<ExecutionEnd>(trace.events.back()).outcome = static_cast<ExecutionOutcome>(i);
+  for (int i = 0; i <= static_cast<int>(TrialOutcome::kOperatorCalled); ++i) {
+    std::get<ExecutionEnd>(trace.events.back()).outcome = static_cast<TrialOutcome>(i);
     EXPECT_THAT(schema_.Errors(Lines(trace).back()), IsEmpty());
   }
   for (int i = 0; i <= static_cast<int>(MatingOutcome::kEngineWarning); ++i) {

@@ -66,7 +66,7 @@ TEST_F(Bottles, EveryBranchReachesTheGoal) {
   int number = 0;
   for (const Leaf& leaf : bottle.Leaves()) {
     const EnactedTrial trial = bottle.Run(leaf, ++number);
-    EXPECT_EQ(trial.outcome, EnactmentOutcome::kReached) << leaf.Text() << ": " << trial.reason;
+    EXPECT_EQ(trial.outcome, TrialOutcome::kSucceeded) << leaf.Text() << ": " << trial.reason;
     EXPECT_TRUE(trial.is_goal_true);
     EXPECT_THAT(trial.walk.false_claims, IsEmpty());
     EXPECT_TRUE(leaf.IsOn(trial.walk)) << leaf.Text();
@@ -101,7 +101,7 @@ TEST_F(Bottles, AreLookedAtTogether) {
   const Planned bottles(LookAtBoth());
   ASSERT_EQ(SizeOf(bottles.tree).depth, 1);
   const EnactedTrial trial = bottles.Run(bottles.Leaves().front(), 1);
-  EXPECT_EQ(trial.outcome, EnactmentOutcome::kReached) << trial.reason;
+  EXPECT_EQ(trial.outcome, TrialOutcome::kSucceeded) << trial.reason;
   EXPECT_THAT(trial.walk.false_claims, IsEmpty());
 }
 
@@ -111,7 +111,7 @@ TEST_F(Bottles, WrongSensingIsCaught) {
   const Planned bottle(kOneBottle);
   for (const Leaf& leaf : bottle.Leaves()) {
     const EnactedTrial trial = bottle.Run(leaf, 1, 1);
-    EXPECT_EQ(trial.outcome, EnactmentOutcome::kFalseClaim) << leaf.Text();
+    EXPECT_EQ(trial.outcome, TrialOutcome::kFalseClaim) << leaf.Text();
     ASSERT_FALSE(trial.walk.false_claims.empty());
     EXPECT_EQ(trial.walk.false_claims.front().atom, "isEmptyBottle(bottle)");
   }

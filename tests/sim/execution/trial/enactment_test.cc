@@ -40,7 +40,7 @@ TEST(Enactment, EveryLeafOfTwoCansIsReached) {
         WorldFor(leaves[i], scenario.interpretation, scenario.scenario.problem, random);
     ASSERT_TRUE(world);
     const EnactedTrial trial = RunTrial(scenario, tree, {i + 1, *world}, {});
-    EXPECT_EQ(trial.outcome, EnactmentOutcome::kReached) << trial.reason;
+    EXPECT_EQ(trial.outcome, TrialOutcome::kSucceeded) << trial.reason;
     EXPECT_TRUE(leaves[i].IsOn(trial.walk));
     EXPECT_TRUE(trial.is_goal_true);
     EXPECT_THAT(trial.walk.false_claims, IsEmpty());
@@ -60,7 +60,7 @@ TEST(Enactment, SensingThatErrsIsToldByTheAudit) {
   const KnowledgeScenario scenario = TwoCans();
   const EnactedTrial trial =
       RunTrial(scenario, TreeOf(scenario), {1, kOneFull}, {.sensing_errors = 1});
-  EXPECT_EQ(trial.outcome, EnactmentOutcome::kFalseClaim);
+  EXPECT_EQ(trial.outcome, TrialOutcome::kFalseClaim);
   EXPECT_TRUE(trial.is_goal_true);
   ASSERT_EQ(trial.walk.false_claims.size(), 2u);
   const FalseClaim& first = trial.walk.false_claims.front();
@@ -75,7 +75,7 @@ TEST(Enactment, SensingThatErrsIsToldByTheAudit) {
 TEST(Enactment, AnInitThatIsNotTrueIsToldByTheAudit) {
   const KnowledgeScenario scenario = TwoCans(WithInit("add(Kf, !isSpillable(can1))"));
   const EnactedTrial trial = RunTrial(scenario, TreeOf(scenario), {1, kOneFull}, {});
-  EXPECT_EQ(trial.outcome, EnactmentOutcome::kFalseClaim);
+  EXPECT_EQ(trial.outcome, TrialOutcome::kFalseClaim);
   EXPECT_TRUE(trial.is_goal_true);
   ASSERT_EQ(trial.walk.false_claims.size(), 1u);
   EXPECT_EQ(trial.walk.false_claims.front().step, 0);
@@ -87,7 +87,7 @@ TEST(Enactment, ASpilledCanIsCaught) {
   // The can is full to the brim, and every motion spills it.
   scenario.interpretation.spill->beyond = 1e-5;
   const EnactedTrial trial = RunTrial(scenario, TreeOf(scenario), {1, kOneFull}, {});
-  EXPECT_EQ(trial.outcome, EnactmentOutcome::kSpilled);
+  EXPECT_EQ(trial.outcome, TrialOutcome::kSpilled);
   EXPECT_THAT(trial.spilled, ElementsAre("can1"));  // the other can is not spillable
   EXPECT_TRUE(trial.is_goal_true);
 }
@@ -98,7 +98,7 @@ TEST(Enactment, WhatTheSensorLeavesOpenIsSaid) {
   const KnowledgeScenario scenario = TwoCans({{"error: 0.3", "error: 1"}});
   const HiddenWorld world = {{{PartId(0), 0.255}, {PartId(1), 0.1}}};
   const EnactedTrial trial = RunTrial(scenario, TreeOf(scenario), {1, world}, {});
-  EXPECT_EQ(trial.outcome, EnactmentOutcome::kUncertain);
+  EXPECT_EQ(trial.outcome, TrialOutcome::kUncertain);
   EXPECT_THAT(trial.reason, HasSubstr("isSpillable(can1)"));
   EXPECT_EQ(trial.walk.steps.size(), 6u);  // the can is lifted once and weighed five times
   EXPECT_THAT(trial.walk.false_claims, IsEmpty());
@@ -110,7 +110,7 @@ TEST(Enactment, AGoalMayAskThatWhatIsSensedIsNotKnown) {
       TwoCans(WithGoal("Kw(isSpillable(can1)) & !K(isSpillable(can1)) & !K(!isSpillable(can1))"));
   for (const HiddenWorld& world : {kOneFull, kBothFull}) {
     const EnactedTrial trial = RunTrial(scenario, TreeOf(scenario), {1, world}, {});
-    EXPECT_EQ(trial.outcome, EnactmentOutcome::kReached) << trial.reason;
+    EXPECT_EQ(trial.outcome, TrialOutcome::kSucceeded) << trial.reason;
     ASSERT_EQ(trial.walk.steps.size(), 2u);
     EXPECT_EQ(trial.walk.steps.back().action, "senseWeight(can1)");
   }
@@ -137,10 +137,10 @@ TEST(Enactment, WhatIsCarriedAroundAPostSpillsUnlessItIsKeptUpright) {
     return RunTrial(scenario, TreeOf(scenario), {1, kOneFull}, {});
   };
   const EnactedTrial upright = run({});
-  EXPECT_EQ(upright.outcome, EnactmentOutcome::kReached) << upright.reason;
+  EXPECT_EQ(upright.outcome, TrialOutcome::kSucceeded) << upright.reason;
   EXPECT_LT(upright.greatest_tilt, 5 * kDegree);
   const EnactedTrial any = run({{", upright: 5}", "}"}});
-  EXPECT_EQ(any.outcome, EnactmentOutcome::kSpilled);
+  EXPECT_EQ(any.outcome, TrialOutcome::kSpilled);
   EXPECT_THAT(any.spilled, ElementsAre("can1"));
   EXPECT_THAT(any.collisions, IsEmpty());
 }
@@ -152,7 +152,7 @@ TEST(Enactment, AnArmThatRunsIntoSomethingHasFailed) {
   HiddenWorld world = kOneFull;
   world.fault = Fault{.action = "transferUpright", .part = PartId(2), .way = into_the_way};
   const EnactedTrial trial = RunTrial(scenario, TreeOf(scenario), {1, world}, {});
-  EXPECT_EQ(trial.outcome, EnactmentOutcome::kCollided) << trial.reason;
+  EXPECT_EQ(trial.outcome, TrialOutcome::kCollided) << trial.reason;
   EXPECT_TRUE(trial.IsFailed());
   ASSERT_FALSE(trial.collisions.empty());
   EXPECT_THAT(trial.reason,
@@ -177,7 +177,7 @@ TEST(Enactment, WhatCannotBeReachedStopsTheWalk) {
       {"workcell: two-tables", "workcell: two-tables\nrules: {safe_height: 1500}"},
   });
   const EnactedTrial trial = RunTrial(scenario, TreeOf(scenario), {1, kBothFull}, {});
-  EXPECT_EQ(trial.outcome, EnactmentOutcome::kStopped);
+  EXPECT_EQ(trial.outcome, TrialOutcome::kStopped);
   EXPECT_THAT(trial.reason, HasSubstr("grasp(can1): no grasp of can1 is reachable"));
   EXPECT_THAT(trial.walk.false_claims, IsEmpty());
   EXPECT_FALSE(trial.is_goal_true);

@@ -66,7 +66,7 @@ Vector3 Error(const TrueAndBelieved& pose) {
 
 TEST_F(Figure15Executed, Assembles) {
   const ExecutionEnd& end = trace().end();
-  ASSERT_EQ(end.outcome, ExecutionOutcome::kDone) << end.reason;
+  ASSERT_EQ(end.outcome, TrialOutcome::kSucceeded) << end.reason;
   const domain::Mating& mating = problem().mating(domain::MatingId(0));
   const Pose X_FixedHeld = end.moment.parts[mating.fixed.index()].truth.inverse() *
                            end.moment.parts[mating.held.index()].truth;
@@ -212,7 +212,7 @@ TEST_F(Figure15Executed, AMissedPartIsAFactInTheTrace) {
   EXPECT_FALSE(facts[0]->holds());
   EXPECT_FALSE(facts[0]->pads_touch);
   EXPECT_LT(facts[0]->opening, 0.001);
-  EXPECT_EQ(missed.end().outcome, ExecutionOutcome::kDone);
+  EXPECT_EQ(missed.end().outcome, TrialOutcome::kSucceeded);
   const std::pair<std::string, std::string> in_the_hole("gripper/finger_left", "part/block");
   EXPECT_TRUE(std::ranges::any_of(missed.All<Sample>(), [&](const Sample* sample) {
     return std::ranges::count(sample->moment.contacts, in_the_hole) > 0;
@@ -224,7 +224,7 @@ TEST_F(Figure15Executed, SaysWhereTheArmCannotGo) {
   far.parts[peg().index()].X_WorldPart.translation().x() = 3;
   mujoco::Data data = scene().Start();
   const Trace trace = Execute(far, plan(), scene(), data, {});
-  EXPECT_EQ(trace.end().outcome, ExecutionOutcome::kUnreachable);
+  EXPECT_EQ(trace.end().outcome, TrialOutcome::kUnreachable);
   EXPECT_THAT(trace.end().reason, HasSubstr("action_2: no configuration of the arm reaches (3"));
 }
 
@@ -233,7 +233,7 @@ TEST_F(Figure15Executed, SaysWhereTheArmCannotGo) {
 TEST_F(Figure15Executed, StopsWhenTheWristFeelsTooMuch) {
   mujoco::Data data = scene().Start();
   const Trace trace = Execute(problem(), plan(), scene(), data, {.force_limit = 1});
-  EXPECT_EQ(trace.end().outcome, ExecutionOutcome::kOverload);
+  EXPECT_EQ(trace.end().outcome, TrialOutcome::kOverload);
   EXPECT_THAT(trace.end().reason, HasSubstr("the wrist felt"));
 }
 
@@ -241,7 +241,7 @@ TEST_F(Figure15Executed, WorksWithAWeldToo) {
   const scene::Scene welded(problem(), {.grasp = scene::GraspMode::kWeld});
   mujoco::Data data = welded.Start();
   const Trace trace = Execute(problem(), plan(), welded, data, {});
-  ASSERT_EQ(trace.end().outcome, ExecutionOutcome::kDone) << trace.end().reason;
+  ASSERT_EQ(trace.end().outcome, TrialOutcome::kSucceeded) << trace.end().reason;
   EXPECT_LT(Error(trace.end().moment.parts[peg().index()]).norm(), 2e-4);
 }
 

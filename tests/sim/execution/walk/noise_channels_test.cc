@@ -188,7 +188,7 @@ TEST_F(Channels, AnExecutionErrsAsItsNoiseSays) {
   mujoco::Data data = StartOf(problem(), scene(), noise);
   const Trace trace = Execute(problem(), plan(), scene(), data,
                               {.sample_rate = 0, .noise = noise, .last = kPickup});
-  ASSERT_EQ(trace.end().outcome, ExecutionOutcome::kDone) << trace.end().reason;
+  ASSERT_EQ(trace.end().outcome, TrialOutcome::kSucceeded) << trace.end().reason;
   const Pose error = noise.HandError(kPickup);
   const auto milestones = trace.All<Milestone>();
   ASSERT_EQ(milestones.size(), 3u);

@@ -62,7 +62,7 @@ TEST_F(BesideTheMast, TheUsualTravelRunsIntoIt) {
 
 TEST_F(BesideTheMast, PlannedPathsTouchNothingAndTheGoalIsReached) {
   const Trace trace = Executed(planned());
-  ASSERT_EQ(trace.end().outcome, ExecutionOutcome::kDone) << trace.end().reason;
+  ASSERT_EQ(trace.end().outcome, TrialOutcome::kSucceeded) << trace.end().reason;
   EXPECT_THAT(TouchedMast(trace), IsEmpty());
   const Snapshot& end = trace.end().moment;
   for (std::size_t p = 2; p < problem().parts.size(); ++p) {
@@ -113,7 +113,7 @@ TEST_F(BesideTheMast, APathIsNotFollowedFromAnotherConfiguration) {
                             plan::HomeTool(*problem().workcell)};
     const Progress failure = execution::Run(follow, {}, execution);
     ASSERT_TRUE(failure);
-    EXPECT_EQ(failure->outcome, ExecutionOutcome::kUnreachable);
+    EXPECT_EQ(failure->outcome, TrialOutcome::kUnreachable);
     EXPECT_THAT(failure->reason, HasSubstr("not in the configuration"));
   }
 }

@@ -153,7 +153,7 @@ class Recovering : public testing::Test {
 
 TEST_F(Recovering, NothingIsDoneWhenAllIsWell) {
   const Trace trace = Run(peg_, Vector3::Zero(), {.sample_rate = 0});
-  EXPECT_EQ(trace.end().outcome, ExecutionOutcome::kDone) << trace.end().reason;
+  EXPECT_EQ(trace.end().outcome, TrialOutcome::kSucceeded) << trace.end().reason;
   const auto checks = trace.All<VerificationRecord>();
   ASSERT_EQ(checks.size(), 2u);
   EXPECT_EQ(checks[0]->name, "gripper-opening");
@@ -166,7 +166,7 @@ TEST_F(Recovering, NothingIsDoneWhenAllIsWell) {
 
 TEST_F(Recovering, ASearchFindsWhatThePadsMissed) {
   const Trace trace = Run(peg_, OutOfThePads(30e-3), {.sample_rate = 0, .last = kPickup});
-  ASSERT_EQ(trace.end().outcome, ExecutionOutcome::kDone) << trace.end().reason;
+  ASSERT_EQ(trace.end().outcome, TrialOutcome::kSucceeded) << trace.end().reason;
   const auto checks = trace.All<VerificationRecord>();
   const auto recoveries = trace.All<RecoveryRecord>();
   ASSERT_GE(recoveries.size(), 1u);
@@ -194,7 +194,7 @@ TEST_F(Recovering, ASearchInVainCallsTheOperator) {
   plan_.verifications[0].expected += 0.002;
   plan_.recoveries[0] = Groping(kPickup, "error1", 0.001, 0.001);
   const Trace trace = Run(peg_, Vector3::Zero(), {.sample_rate = 0});
-  EXPECT_EQ(trace.end().outcome, ExecutionOutcome::kOperatorCalled);
+  EXPECT_EQ(trace.end().outcome, TrialOutcome::kOperatorCalled);
   EXPECT_EQ(trace.end().reason, "action_2: error1, and nothing that was tried mended it");
   const auto recoveries = trace.All<RecoveryRecord>();
   ASSERT_EQ(recoveries.size(), 8u) << "one circle of 7 places, and the operator";
@@ -225,7 +225,7 @@ TEST_F(Recovering, NoSearchLeadsTheHandIntoAnotherPart) {
   scene().SetPart(data, peg_,
                   geometry::Translation(Vector3(-0.3, 0, 0)) * scene().TruePose(data, peg_));
   const Trace trace = Execute(problem_, plan_, scene(), data, {.sample_rate = 0, .last = kPickup});
-  EXPECT_EQ(trace.end().outcome, ExecutionOutcome::kOperatorCalled) << trace.end().reason;
+  EXPECT_EQ(trace.end().outcome, TrialOutcome::kOperatorCalled) << trace.end().reason;
   const auto recoveries = trace.All<RecoveryRecord>();
   EXPECT_GT(recoveries.size(), 1u);
   EXPECT_LT(recoveries.size(), 8u) << "some of the circle's 7 places are in the block";
@@ -238,7 +238,7 @@ TEST_F(Recovering, NoSearchLeadsTheHandIntoAnotherPart) {
 TEST_F(Recovering, SomeErrorsCallTheOperatorAtOnce) {
   plan_.verifications[0].expected -= 0.002;
   const Trace trace = Run(peg_, Vector3::Zero(), {.sample_rate = 0});
-  EXPECT_EQ(trace.end().outcome, ExecutionOutcome::kOperatorCalled);
+  EXPECT_EQ(trace.end().outcome, TrialOutcome::kOperatorCalled);
   EXPECT_EQ(trace.end().reason, "action_2: error2");
   const auto recoveries = trace.All<RecoveryRecord>();
   ASSERT_EQ(recoveries.size(), 1u);
@@ -250,13 +250,13 @@ TEST_F(Recovering, AnErrorWithoutARecoveryCallsTheOperator) {
   plan_.verifications[0].expected -= 0.002;
   plan_.recoveries.clear();
   const Trace trace = Run(peg_, Vector3::Zero(), {.sample_rate = 0});
-  EXPECT_EQ(trace.end().outcome, ExecutionOutcome::kOperatorCalled);
+  EXPECT_EQ(trace.end().outcome, TrialOutcome::kOperatorCalled);
   EXPECT_EQ(trace.end().reason, "action_2: error2");
 }
 
 TEST_F(Recovering, WithoutRecoveryTheOperatorIsCalledAtOnce) {
   const Trace trace = Run(peg_, OutOfThePads(30e-3), {.sample_rate = 0, .recovers = false});
-  EXPECT_EQ(trace.end().outcome, ExecutionOutcome::kOperatorCalled);
+  EXPECT_EQ(trace.end().outcome, TrialOutcome::kOperatorCalled);
   EXPECT_EQ(trace.end().reason, "action_2: error1");
   EXPECT_EQ(trace.All<RecoveryRecord>().size(), 1u);
 }
@@ -266,7 +266,7 @@ TEST_F(Recovering, ARetryIsMadeAFewTimes) {
   plan_.verifications[0].expected += 0.002;
   plan_.recoveries[0].strategy = RecoveryStrategy::kRetry;
   const Trace trace = Run(peg_, Vector3::Zero(), {.sample_rate = 0});
-  EXPECT_EQ(trace.end().outcome, ExecutionOutcome::kOperatorCalled);
+  EXPECT_EQ(trace.end().outcome, TrialOutcome::kOperatorCalled);
   const auto recoveries = trace.All<RecoveryRecord>();
   ASSERT_EQ(recoveries.size(), static_cast<std::size_t>(kRetries) + 1);
   ExpectAttempts(trace, plan_.recoveries[0], Vector3::UnitZ());
@@ -280,7 +280,7 @@ TEST_F(Recovering, ARetryIsMadeAFewTimes) {
 TEST_F(Recovering, APegThatStopsAtTheRimIsGropedIn) {
   const domain::Mating& mating = problem_.mating(domain::MatingId(0));
   const Trace trace = Run(mating.fixed, {0.0015, 0.0008, 0}, {.sample_rate = 0});
-  ASSERT_EQ(trace.end().outcome, ExecutionOutcome::kDone) << trace.end().reason;
+  ASSERT_EQ(trace.end().outcome, TrialOutcome::kSucceeded) << trace.end().reason;
   const auto recoveries = trace.All<RecoveryRecord>();
   ASSERT_GE(recoveries.size(), 1u);
   const Vector3 axis =
