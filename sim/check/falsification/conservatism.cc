@@ -225,7 +225,7 @@ class Comparison {
       execution::ExecutorOptions executor;
       executor.sample_rate = 0;
       executor.recovers = false;
-      const Verdict verdict = JudgeNoisyTrial(experiment_, {box, std::move(values)}, executor);
+      const Verdict verdict = JudgeTrial(experiment_, {box, std::move(values)}, executor);
       if (verdict.outcome != TrialOutcome::kSucceeded) return true;
     }
     return false;

@@ -21,7 +21,7 @@ std::optional<Claim> Replayed(const Experiment& experiment, const Claim& claim,
   options.sample_rate = 0;
   options.last = claim.step;
   options.recovers = false;
-  for (Claim& replayed : RunNoisyTrial(experiment, noise, options).claims) {
+  for (Claim& replayed : RunTrial(experiment, noise, options).claims) {
     const bool same =
         replayed.step == claim.step && replayed.about == claim.about && replayed.name == claim.name;
     if (same) return std::move(replayed);

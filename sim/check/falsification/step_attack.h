@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "sim/check/claims/claim.h"
-#include "sim/check/trial/noisy_trial.h"
+#include "sim/check/trial/trial.h"
 #include "sim/execution/walk/step_execution.h"
 
 namespace assay::check {

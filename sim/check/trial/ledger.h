@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/check/trial/noisy_trial.h"
+#include "sim/check/trial/trial.h"
 
 namespace assay::check {
 

@@ -144,7 +144,7 @@ void Film::Take(const std::string& name, const std::string& caption, const mujoc
   close_ups_ = 0;
 }
 
-void Film::TakeStart(const mujoco::Data& data) { Take("start", "start", data, {}); }
+void Film::SeeStart(const mujoco::Data& data) { Take("start", "start", data, {}); }
 
 void Film::TakeStepEnd(const std::string& action, const mujoco::Data& data) {
   ++ended_;

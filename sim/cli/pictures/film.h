@@ -57,10 +57,10 @@ class Film : public execution::Observer {
   Film(const FilmSubject& subject, const std::vector<std::string>& cameras_of_scenario,
        const PictureOptions& options);
 
-  void TakeStart(const mujoco::Data& data);
   // Takes a picture of the end of an action that is not in the plan: "grasp(can1)".
   void TakeStepEnd(const std::string& action, const mujoco::Data& data);
 
+  void SeeStart(const mujoco::Data& data) override;
   void SeeTimestep(const mujoco::Data& data) override;
   void SeeMilestone(const execution::Milestone& milestone, const mujoco::Data& data) override;
   void SeeStepEnd(const execution::StepEnd& end, const mujoco::Data& data) override;

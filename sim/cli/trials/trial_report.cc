@@ -106,12 +106,13 @@ Json FindingsToJson(const std::vector<check::Finding>& findings) {
 
 }  // namespace
 
-std::string ForPeople(const domain::Problem& problem, const plan::Plan& plan, const Trial& trial) {
+std::string ForPeople(const domain::Problem& problem, const plan::Plan& plan,
+                      const check::Trial& trial) {
   return fmt::format("{}\n{}", StepTable(StepRows(problem, plan, trial.trace)),
                      FindingTable(trial.verdict.findings));
 }
 
-Json ToJson(const domain::Problem& problem, const plan::Plan& plan, const Trial& trial) {
+Json ToJson(const domain::Problem& problem, const plan::Plan& plan, const check::Trial& trial) {
   return {{"trial", trial.number},
           {"outcome", execution::Name(trial.verdict.outcome)},
           {"reason", trial.verdict.reason},

@@ -155,7 +155,7 @@ class Enacting {
     if (film) return film->TakeStepEnd(step.action, step.data);
     film.emplace(FilmSubject{scenario_.scenario.problem, kNoPlan, step.scene},
                  scenario_.scenario.simulation.cameras, run_.pictures);
-    film->TakeStart(step.data);
+    film->SeeStart(step.data);
   }
 
   static const plan::Plan kNoPlan;

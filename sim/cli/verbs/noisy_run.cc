@@ -13,7 +13,7 @@
 #include "planner/plan/file/json_layout.h"
 #include "sim/check/claims/noiseless.h"
 #include "sim/check/trial/ledger.h"
-#include "sim/check/trial/noisy_trial.h"
+#include "sim/check/trial/trial.h"
 #include "sim/cli/plans/certificate_text.h"
 #include "sim/cli/program/console.h"
 #include "sim/cli/program/interruption.h"
@@ -27,16 +27,14 @@
 #include "sim/cli/work/output_file.h"
 #include "sim/execution/commands/command_file.h"
 #include "sim/execution/trial/scheduler.h"
-#include "sim/execution/walk/executor.h"
-#include "sim/sense/overhead_camera.h"
 #include "sim/sweep/run/shell.h"
 #include "sim/sweep/store/wilson.h"
 
 namespace assay::cli {
 namespace {
 
-using check::NoisyTrial;
-using check::TrialOutcome;
+using check::Trial;
+using execution::TrialOutcome;
 using Json = nlohmann::ordered_json;
 
 // The results of one trial that are kept.
@@ -72,8 +70,7 @@ class NoisyTrials {
           .InOrder(
               static_cast<std::size_t>(Wanted()),
               [this](std::size_t i) {
-                const int number = run_.only.value_or(static_cast<int>(i) + 1);
-                return RowOf(number, RunOne(number));
+                return RowOf(RunOne(run_.only.value_or(static_cast<int>(i) + 1)));
               },
               [this](std::size_t, NoisyRow row) { Keep(std::move(row)); });
     }
@@ -97,33 +94,29 @@ class NoisyTrials {
                        : noise::Sample(box_, run_.mode, run_.seed, number);
   }
 
-  NoisyTrial RunOne(int number) const {
+  Trial RunOne(int number) const {
     execution::ExecutorOptions options;
-    options.on_timestep = [](const mujoco::Data&) { Interruption::BreakOffIfRequested(); };
-    const bool traces = !run_.folder.empty();
-    if (!traces) options.sample_rate = 0;
-    const noise::Noise noise = NoiseOf(number);
-    if (!run_.camera) return RunNoisyTrial(experiment_, noise, options);
-    // Each trial has a camera of its own, because a renderer belongs to its thread and its scene.
-    const scene::Scene scene(experiment_.problem, execution::TrueScene(experiment_.scene, noise));
-    sense::OverheadCamera camera(scene, experiment_.problem);
-    options.sensor = &camera;
-    return RunNoisyTrial(experiment_, noise, options);
+    options.on_timestep = Interruption::BreakOffAfter;
+    if (run_.folder.empty()) options.sample_rate = 0;
+    Trial trial = RunTrial(experiment_, NoiseOf(number), options,
+                           run_.camera ? check::Sensing::kCamera : check::Sensing::kDrawn);
+    trial.number = number;
+    return trial;
   }
 
   // The ledger of a single trial is in the result, not in a file.
-  void WriteFiles(int number, const NoisyTrial& trial) const {
+  void WriteFiles(const Trial& trial) const {
     std::ostringstream text;
     execution::WriteTrace(trial.trace, text);
-    WriteFile(run_.folder / fmt::format("trace-{}.jsonl", number), text.str());
+    WriteFile(run_.folder / fmt::format("trace-{}.jsonl", trial.number), text.str());
     if (IsSingle()) return;
     const Json ledger = ToJson(check::LedgerOf(experiment_, trial.noise, trial.trace));
-    WriteFile(run_.folder / fmt::format("ledger-{}.json", number), plan::JsonText(ledger));
+    WriteFile(run_.folder / fmt::format("ledger-{}.json", trial.number), plan::JsonText(ledger));
   }
 
-  NoisyRow RowOf(int number, NoisyTrial trial) const {
-    if (!run_.folder.empty()) WriteFiles(number, trial);
-    NoisyRow row = {.number = number,
+  NoisyRow RowOf(Trial trial) const {
+    if (!run_.folder.empty()) WriteFiles(trial);
+    NoisyRow row = {.number = trial.number,
                     .outcome = trial.verdict.outcome,
                     .reason = trial.verdict.reason,
                     .noise = noise::Text(trial.noise),

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "planner/plan/file/json_layout.h"
+#include "sim/check/trial/trial.h"
 #include "sim/cli/options/models_folder.h"
 #include "sim/cli/pictures/film.h"
 #include "sim/cli/plans/plan_text.h"
@@ -14,7 +15,6 @@
 #include "sim/cli/program/verb.h"
 #include "sim/cli/work/output_file.h"
 #include "sim/cli/work/planned_problem.h"
-#include "sim/cli/work/trial.h"
 
 namespace assay::cli {
 namespace render_verb {
@@ -30,16 +30,13 @@ struct Options {
 };
 
 Json ToJson(const Film& film, const execution::ExecutionEnd& end) {
-  return {{"pictures", film.FileNames()},
-          {"outcome", end.OutcomeName()},
-          {"reason", end.reason}};
+  return {{"pictures", film.FileNames()}, {"outcome", end.OutcomeName()}, {"reason", end.reason}};
 }
 
 std::string ForPeople(const Film& film, const execution::ExecutionEnd& end) {
   std::string text = fmt::format("{}\n", fmt::join(film.FileNames(), "\n"));
   if (end.outcome != execution::TrialOutcome::kSucceeded) {
-    text += fmt::format("the execution ended early: {}: {}\n", end.OutcomeName(),
-                        end.reason);
+    text += fmt::format("the execution ended early: {}: {}\n", end.OutcomeName(), end.reason);
   }
   return text;
 }
@@ -54,9 +51,9 @@ ExitCode Execute(const Options& options) {
   const scene::Scene scene(planned.problem, planned.simulation.scene);
   Film film({planned.problem, planned.result.plan, scene}, planned.simulation.cameras,
             options.pictures);
-  const Trial trial = [&] {
+  const check::Trial trial = [&] {
     const Progress progress("executing the plan for " + planned.problem.name);
-    return RunTrial({planned.problem, planned.result.plan, scene}, 1, &film);
+    return check::RunTrial(planned.problem, planned.result.plan, scene, {.observer = &film});
   }();
   film.Write(options.folder);
   const execution::ExecutionEnd& end = trial.trace.end();

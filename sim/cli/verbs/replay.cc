@@ -85,7 +85,7 @@ Again RunAgain(const sweep::PlannedCell& cell, const TrialRecord& stored, Film* 
   const Progress progress(fmt::format("trial {}", stored.trial));
   const noise::Noise noise = sweep::NoiseOf(cell, stored.number);
   const sweep::Preparation& preparation = *cell.preparation;
-  const check::NoisyTrial trial = sweep::Execute(cell, noise, film);
+  const check::Trial trial = sweep::Execute(cell, noise, film);
   const check::Experiment experiment{preparation.scenario.problem, preparation.plan,
                                      preparation.scenario.simulation.scene};
   sweep::TimedTrial timed = sweep::Recorded(preparation.plan, trial);
@@ -105,7 +105,6 @@ Again RunFilmed(const sweep::PlannedCell& cell, const TrialRecord& stored, const
                            execution::TrueScene(scenario.simulation.scene, noise));
   Film film({scenario.problem, cell.preparation->plan, scene}, scenario.simulation.cameras,
             options.pictures);
-  film.TakeStart(execution::StartOf(scenario.problem, scene, noise));
   Again again = RunAgain(cell, stored, &film);
   film.Write(options.folder);
   return again;

@@ -67,7 +67,6 @@ std::string ContactSheetOf(const sweep::Store& store, int number, const Options&
                            execution::TrueScene(scenario.simulation.scene, noise));
   Film film({scenario.problem, cell.preparation->plan, scene}, scenario.simulation.cameras,
             options.picture);
-  film.TakeStart(execution::StartOf(scenario.problem, scene, noise));
   sweep::Execute(cell, noise, &film);
   const TemporaryFolder folder;
   film.Write(folder.path());

@@ -12,6 +12,7 @@
 #include "planner/base/document/quotation.h"
 #include "planner/plan/file/json_layout.h"
 #include "planner/plan/file/plan_file.h"
+#include "sim/check/trial/trial.h"
 #include "sim/cli/options/models_folder.h"
 #include "sim/cli/options/quantity_option.h"
 #include "sim/cli/options/resolver_option.h"
@@ -31,7 +32,6 @@
 #include "sim/cli/verbs/scattered_run.h"
 #include "sim/cli/work/output_file.h"
 #include "sim/cli/work/planned_problem.h"
-#include "sim/cli/work/trial.h"
 #include "sim/execution/interpretation/knowledge_scenario.h"
 #include "sim/execution/trial/scheduler.h"
 #include "sim/sweep/run/shell.h"
@@ -74,10 +74,10 @@ bool IsNoisy(const Options& options) { return options.noise || options.errors; }
 
 // The results of one trial that are kept.
 struct Summary {
-  check::TrialOutcome outcome;
+  execution::TrialOutcome outcome;
   std::string reason;
 
-  bool Succeeded() const { return outcome == check::TrialOutcome::kSucceeded; }
+  bool Succeeded() const { return outcome == execution::TrialOutcome::kSucceeded; }
 };
 
 class Run {
@@ -99,7 +99,7 @@ class Run {
         .InOrder(
             static_cast<std::size_t>(Wanted()),
             [&](std::size_t i) { return RunOne(static_cast<int>(i) + 1, film ? &*film : nullptr); },
-            [this](std::size_t, Trial trial) { Keep(std::move(trial)); });
+            [this](std::size_t, check::Trial trial) { Keep(std::move(trial)); });
     progress_.reset();
     const Json result = Result();
     Json printed = result;
@@ -120,20 +120,23 @@ class Run {
   }
 
   // The film shows the first trial.
-  Trial RunOne(int number, Film* film) const {
-    Trial trial = RunTrial({planned_.problem, planned_.result.plan, scene_}, number,
-                           number == 1 ? film : nullptr);
+  check::Trial RunOne(int number, Film* film) const {
+    execution::ExecutorOptions executor;
+    executor.on_timestep = Interruption::BreakOffAfter;
+    executor.observer = number == 1 ? film : nullptr;
+    check::Trial trial = check::RunTrial(planned_.problem, planned_.result.plan, scene_, executor);
+    trial.number = number;
     if (!options_.folder.empty()) WriteTrace(trial);
     return trial;
   }
 
-  void Keep(Trial trial) {
+  void Keep(check::Trial trial) {
     summaries_[trial.number] = {trial.verdict.outcome, trial.verdict.reason};
     progress_->Tell(fmt::format("{} of {} trials", Trials(), Wanted()));
     if (trial.number == 1) first_ = std::move(trial);
   }
 
-  void WriteTrace(const Trial& trial) const {
+  void WriteTrace(const check::Trial& trial) const {
     std::ostringstream text;
     execution::WriteTrace(trial.trace, text);
     const std::string name =
@@ -207,7 +210,7 @@ class Run {
   const scene::Scene scene_;
   const Stopwatch stopwatch_;
   std::map<int, Summary> summaries_;  // by number
-  std::optional<Trial> first_;
+  std::optional<check::Trial> first_;
   std::unique_ptr<Progress> progress_ = std::make_unique<Progress>("executing the plan");
 };
 

@@ -12,6 +12,7 @@
 #include "planner/assembly/certified_plan.h"
 #include "planner/domain/problem/scatter.h"
 #include "planner/plan/file/json_layout.h"
+#include "sim/check/trial/trial.h"
 #include "sim/cli/plans/table.h"
 #include "sim/cli/program/console.h"
 #include "sim/cli/program/interruption.h"
@@ -19,7 +20,6 @@
 #include "sim/cli/program/stopwatch.h"
 #include "sim/cli/work/output_file.h"
 #include "sim/cli/work/planned_problem.h"
-#include "sim/cli/work/trial.h"
 #include "sim/execution/trial/scheduler.h"
 #include "sim/sweep/run/shell.h"
 
@@ -73,10 +73,14 @@ class Scattering {
     if (!check.flaws.empty()) return {number, "flawed-plan", check.flaws.front().what, actions};
 
     const scene::Scene scene(*problem, scenario_.simulation.scene);
-    const Trial trial = RunTrial({*problem, result.plan, scene}, number, nullptr);
-    const bool succeeded = trial.verdict.outcome == check::TrialOutcome::kSucceeded;
+    execution::ExecutorOptions executor;
+    executor.on_timestep = Interruption::BreakOffAfter;
+    check::Trial trial = check::RunTrial(*problem, result.plan, scene, executor);
+    trial.number = number;
+    const bool succeeded = trial.verdict.outcome == execution::TrialOutcome::kSucceeded;
     if (!run_.folder.empty() && (run_.only || !succeeded)) WriteTrace(trial);
-    return {number, std::string(execution::Name(trial.verdict.outcome)), trial.verdict.reason, actions};
+    return {number, std::string(execution::Name(trial.verdict.outcome)), trial.verdict.reason,
+            actions};
   }
 
   static ScatteredRow WithoutPlan(int number, const plan::PlanResult& result) {
@@ -92,7 +96,7 @@ class Scattering {
                : ScatteredRow{number, "budget", "the planner's budget was spent before an answer"};
   }
 
-  void WriteTrace(const Trial& trial) const {
+  void WriteTrace(const check::Trial& trial) const {
     std::ostringstream text;
     execution::WriteTrace(trial.trace, text);
     WriteFile(run_.folder / fmt::format("trace-{}.jsonl", trial.number), text.str());

@@ -8,7 +8,7 @@ namespace {
 
 // Returns the executor's outcome for an outcome of the mating. Details that only the mating has are
 // in the reason.
-TrialOutcome ExecutionOutcomeOf(MatingOutcome outcome) {
+TrialOutcome TrialOutcomeOf(MatingOutcome outcome) {
   switch (outcome) {
     case MatingOutcome::kDone:
       return TrialOutcome::kSucceeded;
@@ -44,7 +44,7 @@ Progress Run(const FollowStrategy& follow, std::span<const Command>, Execution& 
     end.reason = "the part is no longer in the hand";
   }
   if (end.outcome == MatingOutcome::kDone) return std::nullopt;
-  return Failure{ExecutionOutcomeOf(end.outcome),
+  return Failure{TrialOutcomeOf(end.outcome),
                  fmt::format("{}: {}", Name(end.outcome), end.reason)};
 }
 

@@ -23,18 +23,9 @@ bool CanBeLeft(MatingOutcome error) {
 }  // namespace
 
 MatingOutcome OutcomeOf(TrialOutcome outcome) {
-  switch (outcome) {
-    case TrialOutcome::kOverload:
-      return MatingOutcome::kOverload;
-    case TrialOutcome::kEngineWarning:
-      return MatingOutcome::kEngineWarning;
-    case TrialOutcome::kSucceeded:
-      return MatingOutcome::kDone;
-    case TrialOutcome::kUnreachable:
-    case TrialOutcome::kNotFound:
-    case TrialOutcome::kOperatorCalled:
-      return MatingOutcome::kUnreachable;
-  }
+  if (outcome == TrialOutcome::kSucceeded) return MatingOutcome::kDone;
+  if (outcome == TrialOutcome::kOverload) return MatingOutcome::kOverload;
+  if (outcome == TrialOutcome::kEngineWarning) return MatingOutcome::kEngineWarning;
   return MatingOutcome::kUnreachable;
 }
 

@@ -15,6 +15,7 @@ namespace assay::execution {
 class Observer {
  public:
   virtual ~Observer() = default;
+  virtual void SeeStart(const mujoco::Data& data) = 0;
   virtual void SeeTimestep(const mujoco::Data& data) = 0;  // called after each timestep
   virtual void SeeMilestone(const Milestone& milestone, const mujoco::Data& data) = 0;
   virtual void SeeStepEnd(const StepEnd& end, const mujoco::Data& data) = 0;

@@ -84,6 +84,7 @@ mujoco::Data StartOf(const domain::Problem& problem, const scene::Scene& scene,
 Trace Execute(const domain::Problem& problem, const plan::Plan& plan, const scene::Scene& scene,
               mujoco::Data& data, const ExecutorOptions& options) {
   Execution execution(problem, scene, data, options);
+  if (options.observer != nullptr) options.observer->SeeStart(data);
   const Progress failure = RunPlan(plan, execution);
   ExecutionEnd end{.moment = execution.Now(), .steps = execution.steps()};
   if (failure) {

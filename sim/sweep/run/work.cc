@@ -10,8 +10,6 @@
 #include "sim/check/claims/measure_noise_floor.h"
 #include "sim/check/falsification/attack.h"
 #include "sim/check/falsification/conservatism.h"
-#include "sim/execution/walk/executor.h"
-#include "sim/sense/overhead_camera.h"
 #include "sim/sweep/run/clock.h"
 #include "sim/sweep/run/shell.h"
 #include "sim/sweep/store/recording.h"
@@ -206,22 +204,16 @@ noise::Noise NoiseOf(const PlannedCell& cell, int number) {
   return noise::Sample(cell.preparation->box, ModeOf(cell.cell.noise), cell.cell.seed, number);
 }
 
-check::NoisyTrial Execute(const PlannedCell& cell, const noise::Noise& noise,
-                          execution::Observer* observer) {
+check::Trial Execute(const PlannedCell& cell, const noise::Noise& noise,
+                     execution::Observer* observer) {
   const Preparation& preparation = *cell.preparation;
   const check::Experiment experiment = ExperimentOf(preparation);
   // Verdicts do not use the series of samples.
   execution::ExecutorOptions options;
   options.sample_rate = 0;
   options.observer = observer;
-  if (cell.cell.sensing == Sensing::kDrawn || !Senses(preparation.plan)) {
-    return check::RunNoisyTrial(experiment, noise, options);
-  }
-  // Each trial has its own camera, because a camera belongs to a thread and sees the true world.
-  const scene::Scene scene(experiment.problem, execution::TrueScene(experiment.scene, noise));
-  sense::OverheadCamera camera(scene, experiment.problem);
-  options.sensor = &camera;
-  return check::RunNoisyTrial(experiment, noise, options);
+  const bool looks = cell.cell.sensing == Sensing::kCamera && Senses(preparation.plan);
+  return check::RunTrial(experiment, noise, options, looks ? Sensing::kCamera : Sensing::kDrawn);
 }
 
 Work RealWork(const Sweep& sweep, const domain::ModelPath& models) {

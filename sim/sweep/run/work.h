@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/check/trial/noisy_trial.h"
+#include "sim/check/trial/trial.h"
 #include "sim/noise/error_box.h"
 #include "sim/scenario/scenario.h"
 #include "sim/sweep/run/grid.h"
@@ -61,6 +61,6 @@ Work RealWork(const Sweep& sweep, const domain::ModelPath& models);
 noise::Noise NoiseOf(const PlannedCell& cell, int number);
 
 // Executes a trial with its noise. `observer` observes the execution and may be null.
-check::NoisyTrial Execute(const PlannedCell& cell, const noise::Noise& noise,
-                          execution::Observer* observer);
+check::Trial Execute(const PlannedCell& cell, const noise::Noise& noise,
+                     execution::Observer* observer);
 }  // namespace assay::sweep

@@ -163,7 +163,7 @@ std::string WrongWithoutNoise(const plan::Plan& plan, const check::Noiseless& no
   return fmt::format("{}", fmt::join(lines, "\n"));
 }
 
-TimedTrial Recorded(const plan::Plan& plan, const check::NoisyTrial& trial) {
+TimedTrial Recorded(const plan::Plan& plan, const check::Trial& trial) {
   const execution::ExecutionEnd& end = trial.trace.end();
   const bool warned = end.outcome == execution::TrialOutcome::kEngineWarning;
   TimedTrial timed{.record = {.noise = noise::Text(trial.noise),

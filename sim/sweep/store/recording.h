@@ -5,13 +5,13 @@
 
 #include "sim/check/falsification/attack.h"
 #include "sim/check/falsification/conservatism.h"
-#include "sim/check/trial/noisy_trial.h"
+#include "sim/check/trial/trial.h"
 #include "sim/sweep/store/store.h"
 
 namespace assay::sweep {
 
 // Returns the record of a trial. Its numbers in the sweep are left out.
-TimedTrial Recorded(const plan::Plan& plan, const check::NoisyTrial& trial);
+TimedTrial Recorded(const plan::Plan& plan, const check::Trial& trial);
 
 // Returns what is wrong with the plan without noise, one line for each claim.
 std::string WrongWithoutNoise(const plan::Plan& plan, const check::Noiseless& noiseless,

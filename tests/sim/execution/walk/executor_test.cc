@@ -145,6 +145,11 @@ TEST_F(Figure15Executed, SamplesComeAtTheirRate) {
 // Records what it observes, and checks that each event is observed when it happens.
 class Chronicler : public Observer {
  public:
+  void SeeStart(const mujoco::Data& data) override {
+    EXPECT_EQ(data.time(), 0);
+    EXPECT_EQ(timesteps, 0);
+    ++starts;
+  }
   void SeeTimestep(const mujoco::Data& data) override {
     EXPECT_GT(data.time(), last_time);
     last_time = data.time();
@@ -159,6 +164,7 @@ class Chronicler : public Observer {
     seen.push_back(end.name);
   }
 
+  int starts = 0;
   double last_time = 0;
   std::int64_t timesteps = 0;
   std::vector<std::string> seen;
@@ -169,6 +175,7 @@ TEST_F(Figure15Executed, AnObserverSeesWhatTheTraceHas) {
   Chronicler chronicler;
   const Trace observed = Run({.observer = &chronicler});
   EXPECT_EQ(Text(observed), Text(trace()));
+  EXPECT_EQ(chronicler.starts, 1);
   EXPECT_EQ(chronicler.timesteps, trace().end().steps);
   std::vector<std::string> traced;
   for (const TraceEvent& event : trace().events) {
