@@ -9,15 +9,14 @@
 
 #include "sim/cli/options/quantity.h"
 #include "sim/cli/plans/table.h"
-#include "sim/sweep/run/shell.h"
 #include "sim/sweep/store/wilson.h"
 
 namespace assay::cli {
 namespace {
 
 using execution::EnactedTrial;
-using execution::TrialOutcome;
 using execution::Leaf;
+using execution::TrialOutcome;
 using Json = nlohmann::ordered_json;
 
 // The counts over several trials of one plan tree.
@@ -62,13 +61,7 @@ std::map<std::string, int> Failures(const EnactmentStudy& study) {
 }
 
 std::string ReplayCommand(const EnactmentStudy& study, int number) {
-  std::string command = fmt::format("assay run {}{} --seed {}", sweep::Word(study.scenario),
-                                    study.is_asked_for ? " --tree" : "", study.seed);
-  command += sweep::ModelsOption(study.models);
-  if (study.is_every_leaf) command += " --worlds all";
-  if (study.sensing_errors > 0)
-    command += fmt::format(" --sensing-errors {}", study.sensing_errors);
-  return command + fmt::format(" --trial {}", number);
+  return study.command.Again(study.command.seed.value(), number).Text();
 }
 
 int CountFlipped(const EnactmentStudy& study, bool is_audited) {
@@ -209,7 +202,7 @@ std::string TextOf(const EnactmentStudy& study) {
               ? fmt::format("; the greatest tilt of what can spill was {:.3f} degrees\n",
                             all.greatest_tilt / kDegree)
               : "\n";
-  if (study.sensing_errors > 0) {
+  if (study.command.sensing_errors > 0) {
     text += fmt::format("sensor results were falsified in {} trials; the audit found it in {}\n",
                         CountFlipped(study, false), CountFlipped(study, true));
   }
@@ -219,9 +212,9 @@ std::string TextOf(const EnactmentStudy& study) {
 nlohmann::ordered_json ToJson(const EnactmentStudy& study) {
   const EnactedTally all = TallyOf(study);
   Json json = {{"outcome", study.Failed() == 0 ? "reached" : "failed"},
-               {"scenario", study.scenario},
-               {"seed", study.seed},
-               {"sensing_errors", study.sensing_errors},
+               {"scenario", study.command.input.string()},
+               {"seed", study.command.seed.value()},
+               {"sensing_errors", study.command.sensing_errors},
                {"trials", all.trials},
                {"reached", all.reached},
                {"operator_called", all.called},
@@ -234,12 +227,13 @@ nlohmann::ordered_json ToJson(const EnactmentStudy& study) {
   for (std::size_t i = 0; i < study.leaves.size(); ++i) {
     const Leaf& leaf = study.leaves[i];
     const EnactedTally tally = TallyOf(leaf, study);
-    json["leaves"].push_back({{"outcomes", leaf.Text()},
-                              {"unreachable", study.is_every_leaf ? study.unreachable[i] : ""},
-                              {"trials", tally.trials},
-                              {"reached", tally.reached},
-                              {"operator_called", tally.called},
-                              {"greatest_tilt", tally.greatest_tilt / kDegree}});
+    json["leaves"].push_back(
+        {{"outcomes", leaf.Text()},
+         {"unreachable", study.unreachable.empty() ? "" : study.unreachable[i]},
+         {"trials", tally.trials},
+         {"reached", tally.reached},
+         {"operator_called", tally.called},
+         {"greatest_tilt", tally.greatest_tilt / kDegree}});
   }
   json["replay"] = Json::array();
   json["rows"] = Json::array();

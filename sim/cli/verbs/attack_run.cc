@@ -20,7 +20,6 @@
 #include "sim/cli/work/noise_floor_cache.h"
 #include "sim/cli/work/output_file.h"
 #include "sim/execution/commands/command_file.h"
-#include "sim/sweep/run/shell.h"
 
 namespace assay::cli {
 namespace {
@@ -33,7 +32,7 @@ class AttackReport {
       : run_(run),
         plan_(run.planned.result.plan),
         experiment_{run.planned.problem, plan_, run.planned.simulation.scene,
-                    KeptNoiseFloor(run.planned, run.command)},
+                    KeptNoiseFloor(run.planned, run.command.OfPlan().Text())},
         tally_(plan_) {}
 
   ExitCode Execute() {
@@ -71,7 +70,7 @@ class AttackReport {
 
  private:
   std::string ReplayCommand(const noise::Noise& noise) const {
-    return fmt::format("{} --errors {}", run_.command, sweep::Quoted(noise::Text(noise)));
+    return run_.command.WithErrors(noise::Text(noise)).Text();
   }
 
   Json Result() const {

@@ -44,13 +44,8 @@ class Enacting {
       : run_(run),
         scenario_(scenario),
         tree_(tree),
-        seed_(run.seed.value_or(scenario.scenario.simulation.seed)),
-        study_{.scenario = run.scenario.string(),
-               .models = run.models,
-               .is_asked_for = run.is_tree_asked_for,
-               .seed = seed_,
-               .sensing_errors = run.sensing_errors,
-               .is_every_leaf = run.is_every_leaf,
+        seed_(run.command.seed.value_or(scenario.scenario.simulation.seed)),
+        study_{.command = run.command.Again(seed_, std::nullopt),
                .can_spill = scenario.interpretation.spill.has_value(),
                .leaves = execution::LeavesOf(scenario.interpretation.task, tree, kMostLeaves)} {
     if (study_.leaves.size() == kMostLeaves) {
@@ -89,6 +84,8 @@ class Enacting {
  private:
   static constexpr std::size_t kMostLeaves = 10'000;
 
+  bool IsEveryLeaf() const { return run_.command.worlds == "all"; }
+
   Json Result() const {
     Json json = ToJson(study_);
     if (Interruption::Requested()) json["interrupted"] = true;
@@ -97,7 +94,7 @@ class Enacting {
 
   // With --worlds all, finds the leaves that a hidden world leads to, as indices among all leaves.
   void FindWorlds() {
-    if (!study_.is_every_leaf) return;
+    if (!IsEveryLeaf()) return;
     study_.unreachable.resize(study_.leaves.size());
     for (std::size_t i = 0; i < study_.leaves.size(); ++i) {
       RandomStream random(seed_, "reachable");
@@ -121,7 +118,7 @@ class Enacting {
   }
 
   std::vector<int> Numbers() const {
-    if (run_.trial) return {*run_.trial};
+    if (run_.command.trial) return {*run_.command.trial};
     const int usual = reachable_.empty() ? 1 : static_cast<int>(reachable_.size());
     std::vector<int> numbers(static_cast<std::size_t>(run_.trials.value_or(usual)));
     for (std::size_t i = 0; i < numbers.size(); ++i) numbers[i] = static_cast<int>(i) + 1;
@@ -139,7 +136,7 @@ class Enacting {
   }
 
   EnactedTrial Run(int number, bool is_pictured) const {
-    execution::TrialSettings settings{.seed = seed_, .sensing_errors = run_.sensing_errors};
+    execution::TrialSettings settings{.seed = seed_, .sensing_errors = run_.command.sensing_errors};
     std::optional<Film> film;
     settings.on_step_end = [&](const execution::StepPicture& step) {
       if (is_pictured) Take(step, film);
@@ -220,8 +217,8 @@ contingent::ContingentPlan PlanOf(const execution::Interpretation& interpretatio
 }  // namespace
 
 ExitCode RunContingent(const ContingentRun& run) {
-  const KnowledgeScenario scenario =
-      execution::Load(run.scenario, scenario::FindModels(run.scenario, run.models));
+  const KnowledgeScenario scenario = execution::Load(
+      run.command.input, scenario::FindModels(run.command.input, run.command.models));
   const contingent::ContingentPlan plan = PlanOf(scenario.interpretation);
   if (plan.outcome != Outcome::kFound) return Refuse(scenario.interpretation, plan, run);
   return Enacting(run, scenario, plan.tree).Execute();

@@ -106,28 +106,22 @@ finemotion::StrategyOptions SearchOptions(const Options& options, const domain::
 // Returns the command that repeats a trial when the trial's number is added.
 std::string ReplayCommand(const Options& options) {
   const Options usual;
-  std::string command = fmt::format("assay mate {}", sweep::Word(options.scenario.string()));
-  const auto add = [&](const char* name, const auto& value, const auto& default_value) {
-    if (value != default_value) command += fmt::format(" --{} {}", name, value);
-  };
-  const auto add_given = [&](const char* name, const std::optional<double>& value) {
-    if (value) command += fmt::format(" --{} {}", name, *value);
-  };
-  add_given("displacement", options.displacement_mm);
-  add_given("rotation", options.rotation_deg);
-  add_given("velocity", options.velocity);
-  add_given("clearance", options.clearance_mm);
-  add_given("friction", options.friction);
-  add("beyond", options.beyond, usual.beyond);
+  sweep::CommandLine line("mate", options.scenario);
+  line.AddIfGiven("--displacement", options.displacement_mm);
+  line.AddIfGiven("--rotation", options.rotation_deg);
+  line.AddIfGiven("--velocity", options.velocity);
+  line.AddIfGiven("--clearance", options.clearance_mm);
+  line.AddIfGiven("--friction", options.friction);
+  line.AddUnless(usual.beyond, "--beyond", options.beyond);
   for (const auto& [name, test] : Intersections()) {
-    if (test == options.intersection) add("intersection", name, "exact");
+    if (test == options.intersection) line.AddUnless(std::string("exact"), "--intersection", name);
   }
-  add("seed", options.seed, usual.seed);
-  add("search-seed", options.search_seed, usual.search_seed);
-  add("nodes", options.nodes, usual.nodes);
-  add("grasp", scene::Name(options.grasp), scene::Name(usual.grasp));
-  command += sweep::ModelsOption(options.models);
-  return command + " --trial ";
+  line.AddUnless(usual.seed, "--seed", options.seed);
+  line.AddUnless(usual.search_seed, "--search-seed", options.search_seed);
+  line.AddUnless(usual.nodes, "--nodes", options.nodes);
+  line.AddUnless(scene::Name(usual.grasp), "--grasp", scene::Name(options.grasp));
+  line.AddModels(options.models);
+  return line.text() + " --trial ";
 }
 
 std::vector<int> NumbersOf(const Options& options) {

@@ -27,7 +27,6 @@
 #include "sim/cli/work/output_file.h"
 #include "sim/execution/commands/command_file.h"
 #include "sim/execution/trial/scheduler.h"
-#include "sim/sweep/run/shell.h"
 #include "sim/sweep/store/wilson.h"
 
 namespace assay::cli {
@@ -58,19 +57,21 @@ class NoisyTrials {
   explicit NoisyTrials(const NoisyRun& run)
       : run_(run),
         plan_(run.planned.result.plan),
+        is_camera_(run.command.sensing == "camera"),
         box_(noise::ErrorBox(run.planned.problem, plan_)),
         experiment_{run.planned.problem, plan_, run.planned.simulation.scene,
-                    KeptNoiseFloor(run.planned, run.command)} {}
+                    KeptNoiseFloor(run.planned, run.command.OfPlan().Text())} {}
 
   ExitCode Execute() {
     const Interruption interruption;
-    if (!run_.errors && !run_.only) noiseless_ = check::ExecuteWithoutNoise(experiment_);
+    if (!run_.command.errors && !run_.command.trial)
+      noiseless_ = check::ExecuteWithoutNoise(experiment_);
     if (noiseless_.Holds()) {
       execution::Scheduler(run_.jobs, Interruption::Requested)
           .InOrder(
               static_cast<std::size_t>(Wanted()),
               [this](std::size_t i) {
-                return RowOf(RunOne(run_.only.value_or(static_cast<int>(i) + 1)));
+                return RowOf(RunOne(run_.command.trial.value_or(static_cast<int>(i) + 1)));
               },
               [this](std::size_t, NoisyRow row) { Keep(std::move(row)); });
     }
@@ -86,12 +87,12 @@ class NoisyTrials {
   }
 
  private:
-  int Wanted() const { return run_.only ? 1 : run_.trials; }
+  int Wanted() const { return run_.command.trial ? 1 : run_.trials; }
   bool IsSingle() const { return Wanted() == 1; }
 
   noise::Noise NoiseOf(int number) const {
-    return run_.errors ? NoiseFrom(*run_.errors, run_.planned)
-                       : noise::Sample(box_, run_.mode, run_.seed, number);
+    return run_.command.errors ? NoiseFrom(*run_.command.errors, run_.planned)
+                               : noise::Sample(box_, run_.mode, run_.seed, number);
   }
 
   Trial RunOne(int number) const {
@@ -99,7 +100,7 @@ class NoisyTrials {
     options.on_timestep = Interruption::BreakOffAfter;
     if (run_.folder.empty()) options.sample_rate = 0;
     Trial trial = RunTrial(experiment_, NoiseOf(number), options,
-                           run_.camera ? check::Sensing::kCamera : check::Sensing::kDrawn);
+                           is_camera_ ? check::Sensing::kCamera : check::Sensing::kDrawn);
     trial.number = number;
     return trial;
   }
@@ -150,10 +151,8 @@ class NoisyTrials {
   }
 
   std::string ReplayCommand(int number) const {
-    std::string command = run_.command;
-    if (run_.errors) return fmt::format("{} --errors {}", command, sweep::Quoted(*run_.errors));
-    return fmt::format("{} --noise {}{} --seed {} --trial {}", command, noise::Name(run_.mode),
-                       run_.camera ? " --sensing camera" : "", run_.seed, number);
+    if (run_.command.errors) return run_.command.Text();
+    return run_.command.Again(run_.seed, number).Text();
   }
 
   // Returns the ledger of a single trial.
@@ -183,7 +182,7 @@ class NoisyTrials {
                    {"seed", run_.seed},
                    {"grasp", scene::Name(run_.planned.simulation.scene.grasp)},
                    {"noise", noise::Name(run_.mode)},
-                   {"sensing", run_.camera ? "camera" : "drawn"},
+                   {"sensing", is_camera_ ? "camera" : "drawn"},
                    {"gate", ToJson(plan_, experiment_.gate)},
                    {"rows", Json::array()}};
     if (Interruption::Requested()) result["interrupted"] = true;
@@ -248,6 +247,7 @@ class NoisyTrials {
 
   const NoisyRun& run_;
   const plan::Plan& plan_;
+  const bool is_camera_;  // looks are taken by the camera instead of drawn
   const Stopwatch stopwatch_;
   std::unique_ptr<Progress> progress_ = std::make_unique<Progress>("executing under noise");
   const std::vector<noise::Channel> box_;

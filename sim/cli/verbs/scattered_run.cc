@@ -21,7 +21,6 @@
 #include "sim/cli/work/output_file.h"
 #include "sim/cli/work/planned_problem.h"
 #include "sim/execution/trial/scheduler.h"
-#include "sim/sweep/run/shell.h"
 
 namespace assay::cli {
 namespace {
@@ -47,7 +46,9 @@ class Scattering {
     execution::Scheduler(run_.jobs, Interruption::Requested)
         .InOrder(
             static_cast<std::size_t>(Wanted()),
-            [this](std::size_t i) { return RunOne(run_.only.value_or(static_cast<int>(i) + 1)); },
+            [this](std::size_t i) {
+              return RunOne(run_.command.trial.value_or(static_cast<int>(i) + 1));
+            },
             [this](std::size_t, ScatteredRow row) { Keep(std::move(row)); });
     const Json result = Result();
     Json printed = result;
@@ -60,7 +61,7 @@ class Scattering {
   }
 
  private:
-  int Wanted() const { return run_.only ? 1 : run_.trials; }
+  int Wanted() const { return run_.command.trial ? 1 : run_.trials; }
 
   ScatteredRow RunOne(int number) const {
     RandomStream random(run_.seed, fmt::format("scatter/{}", number));
@@ -78,7 +79,7 @@ class Scattering {
     check::Trial trial = check::RunTrial(*problem, result.plan, scene, executor);
     trial.number = number;
     const bool succeeded = trial.verdict.outcome == execution::TrialOutcome::kSucceeded;
-    if (!run_.folder.empty() && (run_.only || !succeeded)) WriteTrace(trial);
+    if (!run_.folder.empty() && (run_.command.trial || !succeeded)) WriteTrace(trial);
     return {number, std::string(execution::Name(trial.verdict.outcome)), trial.verdict.reason,
             actions};
   }
@@ -121,9 +122,7 @@ class Scattering {
   bool Welds() const { return scenario_.simulation.scene.grasp == scene::GraspMode::kWeld; }
 
   std::string ReplayCommand(int number) const {
-    return fmt::format("assay run {} --scatter --seed {} --trial {}{}{}",
-                       sweep::Word(run_.scenario.string()), run_.seed, number,
-                       Welds() ? " --grasp weld" : "", sweep::ModelsOption(run_.models));
+    return run_.command.Again(run_.seed, number).Text();
   }
 
   Json Result() const {
@@ -135,7 +134,7 @@ class Scattering {
                    {"verdicts", {{"contained", 0}, {"violated", 0}, {"inconclusive", 0}}},
                    {"worst", Json::array()},
                    {"replay", Json::array()},
-                   {"scenario", run_.scenario.string()},
+                   {"scenario", run_.command.input.string()},
                    {"seed", run_.seed},
                    {"grasp", Welds() ? "weld" : "friction"},
                    {"rows", Json::array()}};

@@ -11,7 +11,6 @@
 #include "sim/check/falsification/attack.h"
 #include "sim/check/falsification/conservatism.h"
 #include "sim/sweep/run/clock.h"
-#include "sim/sweep/run/shell.h"
 #include "sim/sweep/store/recording.h"
 
 namespace assay::sweep {
@@ -40,23 +39,21 @@ scenario::Scenario LoadScenario(const Sweep& sweep, const domain::ModelPath& mod
   return scenario;
 }
 
-// Returns the command that makes the plan of a cell again and runs it with errors. Returns an empty
-// text if no options of `assay run` describe the cell.
-std::string RunCommand(const Sweep& sweep, const domain::ModelPath& models, const Cell& cell,
-                       scene::GraspMode grasp_of_scenario) {
+// Returns the command that makes the plan of a cell again, or none if no options of `assay run`
+// describe the cell.
+std::optional<RunCommand> CommandOf(const Sweep& sweep, const domain::ModelPath& models,
+                                    const Cell& cell, scene::GraspMode grasp_of_scenario) {
   const constraint_posting::PlannerOptions planner;
   const constraint_posting::UncertaintyOptions uncertainty;
   const bool usual =
       sweep.partial_plans == planner.partial_plans && sweep.instances == uncertainty.instances;
-  if (cell.clearance || !usual) return "";
-  std::string command = "assay run " + Word(sweep.PathOf(cell.scenario).generic_string());
-  if (cell.propagation != uncertainty::Propagation::kSound) {
-    command += fmt::format(" --propagation {}", Name(cell.propagation));
-  }
-  if (cell.resolvers) command += fmt::format(" --resolvers {}", Name(*cell.resolvers));
-  if (cell.error_scale != 1) command += fmt::format(" --error-scale {}", cell.error_scale);
-  if (cell.grasp != grasp_of_scenario) command += fmt::format(" --grasp {}", Name(cell.grasp));
-  command += ModelsOption(models);
+  if (cell.clearance || !usual) return std::nullopt;
+  RunCommand command{.input = sweep.PathOf(cell.scenario),
+                     .propagation = std::string(Name(cell.propagation)),
+                     .error_scale = cell.error_scale,
+                     .models = models};
+  if (cell.resolvers) command.resolvers = {Name(*cell.resolvers)};
+  if (cell.grasp != grasp_of_scenario) command.grasp = cell.grasp;
   return command;
 }
 
@@ -134,7 +131,7 @@ class Planning {
                                              const check::NoiseFloor* known_gate) const {
     auto preparation = std::make_shared<Preparation>();
     scene::SceneOptions& scene = scenario.simulation.scene;
-    preparation->run_command = RunCommand(sweep_, models_, cell, scene.grasp);
+    preparation->run_command = CommandOf(sweep_, models_, cell, scene.grasp);
     scene.grasp = cell.grasp;
     preparation->box = noise::ErrorBox(scenario.problem, plan);
     preparation->gate = known_gate != nullptr

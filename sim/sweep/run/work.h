@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,7 @@
 #include "sim/noise/error_box.h"
 #include "sim/scenario/scenario.h"
 #include "sim/sweep/run/grid.h"
+#include "sim/sweep/run/run_command.h"
 #include "sim/sweep/store/records.h"
 #include "sim/sweep/store/store.h"
 
@@ -21,7 +23,7 @@ struct Preparation {
   plan::Plan plan;
   std::vector<noise::Channel> box;
   check::NoiseFloor gate;
-  std::string run_command;
+  std::optional<RunCommand> run_command;  // none if `assay run` cannot make the plan
 };
 
 // A cell after planning.

@@ -103,9 +103,8 @@ CounterexampleRecord RecordOf(const plan::Plan& plan, const check::Counterexampl
           .steps = example.steps,
           .replayed = example.replayed,
           .multiple = example.multiple,
-          .replay = attacked.run_command.empty()
-                        ? attacked.replay_command
-                        : fmt::format("{} --errors '{}'", attacked.run_command, noise)};
+          .replay = attacked.run_command ? attacked.run_command->WithErrors(noise).Text()
+                                         : attacked.replay_command};
 }
 
 AttackRecord RecordOf(const plan::Plan& plan, const Attacked& attacked) {
