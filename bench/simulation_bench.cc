@@ -9,7 +9,7 @@
 
 #include "bench/harness/contest.h"
 #include "planner/constraint_posting/posting_planner.h"
-#include "sim/exec/execution/executor.h"
+#include "sim/execution/walk/executor.h"
 #include "sim/scenario/scenario.h"
 
 namespace assay {
@@ -43,9 +43,9 @@ struct Run {
         plan(constraint_posting::MakePlan(scenario.problem, {}).plan),
         scene(scenario.problem, scenario.simulation.scene) {}
 
-  exec::Trace Execute(const exec::ExecutorOptions& options) const {
+  execution::Trace Execute(const execution::ExecutorOptions& options) const {
     mujoco::Data data = scene.Start();
-    return exec::Execute(scenario.problem, plan, scene, data, options);
+    return execution::Execute(scenario.problem, plan, scene, data, options);
   }
 
   void Record() {

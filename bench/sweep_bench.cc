@@ -38,7 +38,7 @@
 #include <vector>
 
 #include "planner/base/check.h"
-#include "sim/exec/execution/executor.h"
+#include "sim/execution/walk/executor.h"
 #include "sim/sweep/run/machine.h"
 #include "sim/sweep/run/runner.h"
 
@@ -185,15 +185,16 @@ Recorder* Recorder::current = nullptr;
 Recording Record(const sweep::PlannedCell& cell, int number) {
   const noise::Noise noise = sweep::NoiseOf(cell, number);
   const scenario::Scenario& scenario = cell.preparation->scenario;
-  const scene::Scene scene(scenario.problem, exec::TrueScene(scenario.simulation.scene, noise));
-  mujoco::Data data = exec::StartOf(scenario.problem, scene, noise);
-  exec::ExecutorOptions options;
+  const scene::Scene scene(scenario.problem,
+                           execution::TrueScene(scenario.simulation.scene, noise));
+  mujoco::Data data = execution::StartOf(scenario.problem, scene, noise);
+  execution::ExecutorOptions options;
   options.sample_rate = 0;
   options.noise = noise;
   Recorder recorder(data);
   options.on_timestep = [&](const mujoco::Data& now) { recorder.EndStep(now); };
-  const exec::Trace trace =
-      exec::Execute(scenario.problem, cell.preparation->plan, scene, data, options);
+  const execution::Trace trace =
+      execution::Execute(scenario.problem, cell.preparation->plan, scene, data, options);
   Recording recording = recorder.Take();
   ASSAY_CHECK(recording.load.steps == trace.end().steps);
   return recording;

@@ -4,7 +4,7 @@
 
 #include "planner/assembly/certified_plan.h"
 #include "sim/check/claims/measure_noise_floor.h"
-#include "sim/check/trial/noisy_trial.h"
+#include "sim/check/trial/trial.h"
 #include "sim/noise/error_box.h"
 #include "sim/noise/sampling.h"
 #include "sim/scenario/scenario.h"
@@ -28,11 +28,11 @@ void WholeTrial(benchmark::State& state, const std::string& name) {
       .plan = plan,
       .scene = scene,
       .gate = check::MeasureNoiseFloor(scenario.problem, plan, scene)};
-  check::NoisyTrial trial;
+  check::Trial trial;
   double simulated = 0;
   for (auto _ : state) {
-    trial = check::RunNoisyTrial(experiment, noise::Sample(box, noise::Mode::kUniform, kSeed, 1),
-                                 {.sample_rate = 0});
+    trial = check::RunTrial(experiment, noise::Sample(box, noise::Mode::kUniform, kSeed, 1),
+                            {.sample_rate = 0});
     simulated += trial.trace.end().moment.time;
   }
   if (trial.verdict.outcome != check::TrialOutcome::kSucceeded) {

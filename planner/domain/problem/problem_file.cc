@@ -106,7 +106,7 @@ ProblemFile::ProblemFile(const Document& scenario, const ModelPath& models,
   }
   ReadSensing(root);
   ReadResolvers(root);
-  // A scenario's `knowledge` section may be its only goal (sim/enact).
+  // A scenario's `knowledge` section may be its only goal (sim/execution).
   const std::optional<Value> goals =
       root.Find("knowledge") ? root.Find("goal") : std::optional(root.At("goal"));
   ReadParts(root.At("parts"));

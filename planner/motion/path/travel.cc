@@ -236,4 +236,13 @@ TravelResult PlanTravel(const domain::Problem& problem, const Surroundings& surr
   return TravelSearch(problem, surroundings, request).Plan();
 }
 
+TravelResult PlanWayHome(const domain::Problem& problem, const Surroundings& surroundings,
+                         const JointVector& from) {
+  const CollisionScene scene(problem, surroundings);
+  PathResult found = FindPath(
+      scene, {.from = from, .to = problem.workcell->home(), .rules = {.clearance = kTravelGap}});
+  if (auto* path = std::get_if<JointPath>(&found)) return std::move(*path);
+  return "no way home: " + std::get<PathFailure>(found).what;
+}
+
 }  // namespace assay::motion

@@ -39,6 +39,11 @@ TravelResult PlanTravel(const domain::Problem& problem, const Surroundings& surr
 
 inline constexpr double kTravelGap = 0.01;  // metres
 
+// Plans a path from the posture to the acting robot's home (FindPath). Arm, hand and held part stay
+// kTravelGap away from everything.
+TravelResult PlanWayHome(const domain::Problem& problem, const Surroundings& surroundings,
+                         const JointVector& from);
+
 // Returns joint values that bring the tool to a pose, the nearest in time to `from` first.
 std::vector<JointVector> PosturesAt(const domain::Workcell& workcell, const Pose& X_WorldTool,
                                     const JointVector& from);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "planner/domain/problem/problem.h"
+#include "planner/plan/data/certificate.h"
 
 namespace assay::plan {
 
@@ -25,5 +26,11 @@ inline bool PadsBearResistance(const domain::Problem& problem) {
 // The distance, in metres, by which a guarded move goes beyond the farthest possible contact. Arm
 // and pads give way by this distance.
 inline constexpr double kBeyondContact = 2e-4;
+
+// Returns how far a guarded move goes beyond the place of expected contact, in metres. It goes
+// until contact must have been made, so that pads that bear less than the resistance slide no
+// farther on the part. It goes no farther than the workcell's guarded travel. `certificate` is that
+// of the step; it is empty if nothing is known.
+double BeyondContact(const domain::Problem& problem, const Certificate& certificate);
 
 }  // namespace assay::plan

@@ -25,7 +25,7 @@ double ShiftBetween(const geometry::Pose& from, const geometry::Pose& to) {
 
 class CertificateCheck {
  public:
-  CertificateCheck(const domain::Problem& problem, const plan::Plan& plan, const exec::Trace& trace,
+  CertificateCheck(const domain::Problem& problem, const plan::Plan& plan, const execution::Trace& trace,
                    const NoiseFloor& gate, plan::StepId first,
                    const std::vector<Measurement>& measurements)
       : problem_(problem),
@@ -55,15 +55,15 @@ class CertificateCheck {
     return steps;
   }
   // Returns how many steps of the trace came to their ends.
-  std::size_t Ended() const { return trace_.All<exec::StepEnd>().size(); }
+  std::size_t Ended() const { return trace_.All<execution::StepEnd>().size(); }
 
   // Assigns each collision to the step on whose way or in whose work it happened. A collision on
   // the way home belongs to the last step.
   void SortCollisions() {
     std::size_t ended = 0;
-    for (const exec::TraceEvent& event : trace_.events) {
-      if (std::holds_alternative<exec::StepEnd>(event)) ++ended;
-      const bool collided = std::holds_alternative<exec::CollisionRecord>(event);
+    for (const execution::TraceEvent& event : trace_.events) {
+      if (std::holds_alternative<execution::StepEnd>(event)) ++ended;
+      const bool collided = std::holds_alternative<execution::CollisionRecord>(event);
       if (collided) collided_.push_back(steps_[std::min(ended, steps_.size() - 1)]);
     }
   }
@@ -87,7 +87,8 @@ class CertificateCheck {
   void CheckStoppedOnTheWay() {
     if (Ended() >= steps_.size()) return;
     step_ = steps_[Ended()];
-    if (trace_.events.empty() || !std::holds_alternative<exec::ExecutionEnd>(trace_.events.back()))
+    if (trace_.events.empty() ||
+        !std::holds_alternative<execution::ExecutionEnd>(trace_.events.back()))
       return;
     CheckClear();
     CheckStopped();
@@ -100,12 +101,12 @@ class CertificateCheck {
   // The error set of a part that the step does not handle stays as it is. So a part that is
   // believed to stay, and is thus not in the hand, must stay.
   void CheckBystanders(const plan::Certificate& certificate, const StepEvents& events) {
-    const exec::Snapshot* const last = events.end != nullptr ? events.end : events.stopped;
+    const execution::Snapshot* const last = events.end != nullptr ? events.end : events.stopped;
     if (certificate.before.empty() || events.poised == nullptr || last == nullptr) return;
     for (std::size_t i = 0; i < last->parts.size(); ++i) {
       const domain::PartId part(i);
-      const exec::TrueAndBelieved& from = events.poised->parts[i];
-      const exec::TrueAndBelieved& to = last->parts[i];
+      const execution::TrueAndBelieved& from = events.poised->parts[i];
+      const execution::TrueAndBelieved& to = last->parts[i];
       if (std::ranges::count(certificate.before, part, &plan::ErrorSet::part) > 0) continue;
       if (from.believed.matrix() != to.believed.matrix()) continue;
       const Claim claim =
@@ -120,7 +121,7 @@ class CertificateCheck {
   }
 
   void CheckSets(Claimed about, const std::vector<plan::ErrorSet>& sets,
-                 const exec::Snapshot& moment) {
+                 const execution::Snapshot& moment) {
     for (const plan::ErrorSet& set : sets) {
       const plan::Action& action = plan_.step(step_).action;
       for (ObservedError& error : ObservedErrors(problem_, action, set, moment)) {
@@ -223,12 +224,12 @@ class CertificateCheck {
   // reaches everything, if the plan was made with assembly::WayConditions. No certificate covers an
   // execution in which the engine's numbers become invalid.
   void CheckStopped() {
-    const auto* end = std::get_if<exec::ExecutionEnd>(&trace_.events.back());
+    const auto* end = std::get_if<execution::ExecutionEnd>(&trace_.events.back());
     if (end == nullptr) return;
     const bool about_it =
-        end->outcome == exec::ExecutionOutcome::kOverload ||
-        end->outcome == exec::ExecutionOutcome::kOperatorCalled ||
-        (end->outcome == exec::ExecutionOutcome::kUnreachable && SaysThatTheArmReaches());
+        end->outcome == execution::TrialOutcome::kOverload ||
+        end->outcome == execution::TrialOutcome::kOperatorCalled ||
+        (end->outcome == execution::TrialOutcome::kUnreachable && SaysThatTheArmReaches());
     if (about_it) AddFailed("comes to its end");
   }
 
@@ -256,7 +257,7 @@ class CertificateCheck {
 
   const domain::Problem& problem_;
   const plan::Plan& plan_;
-  const exec::Trace& trace_;
+  const execution::Trace& trace_;
   const NoiseFloor& gate_;
   const std::vector<Measurement>& measurements_;
   std::vector<plan::StepId> steps_;     // that the trace may contain, in the order of execution
@@ -269,7 +270,7 @@ class CertificateCheck {
 }  // namespace
 
 std::vector<Claim> CheckCertificates(const domain::Problem& problem, const plan::Plan& plan,
-                                     const exec::Trace& trace, const NoiseFloor& gate,
+                                     const execution::Trace& trace, const NoiseFloor& gate,
                                      plan::StepId first,
                                      const std::vector<Measurement>& measurements) {
   return CertificateCheck(problem, plan, trace, gate, first, measurements).Run();

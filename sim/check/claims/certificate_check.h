@@ -5,7 +5,7 @@
 #include "sim/check/claims/claim.h"
 #include "sim/check/claims/noise_floor.h"
 #include "sim/check/measurements/measurement.h"
-#include "sim/exec/execution/trace.h"
+#include "sim/execution/trace/trace.h"
 
 namespace assay::check {
 
@@ -23,7 +23,7 @@ namespace assay::check {
 // `first` is the step in which the trace begins; None means the plan's first step. `measurements`
 // must have one entry for each kind of precondition in the plan.
 std::vector<Claim> CheckCertificates(
-    const domain::Problem& problem, const plan::Plan& plan, const exec::Trace& trace,
+    const domain::Problem& problem, const plan::Plan& plan, const execution::Trace& trace,
     const NoiseFloor& gate, plan::StepId first = plan::StepId::None(),
     const std::vector<Measurement>& measurements = KnownMeasurements());
 

@@ -5,8 +5,8 @@
 
 #include "sim/check/claims/certificate_check.h"
 #include "sim/check/claims/confirmation.h"
-#include "sim/exec/execution/executor.h"
-#include "sim/exec/execution/step_execution.h"
+#include "sim/execution/walk/executor.h"
+#include "sim/execution/walk/step_execution.h"
 #include "sim/mujoco/contact.h"
 
 namespace assay::check {
@@ -22,13 +22,13 @@ class NoiselessExecution {
       : problem_(problem),
         plan_(plan),
         scene_(problem, options),
-        data_(exec::StartOf(problem, scene_, {})),
+        data_(execution::StartOf(problem, scene_, {})),
         execution_(problem, scene_, data_, options_),
         penetrations_(plan.steps.size()) {}
 
   void Run(bool holds_still) {
     for (const plan::StepId id : plan_.ExecutionOrder()) {
-      exec::StepExecution step(plan_, id, execution_);
+      execution::StepExecution step(plan_, id, execution_);
       if (step.Approach()) return;
       if (holds_still) HoldStill(id);
       if (step.Work()) return;
@@ -36,7 +36,7 @@ class NoiselessExecution {
     }
   }
 
-  const exec::Trace& trace() { return execution_.trace(); }
+  const execution::Trace& trace() { return execution_.trace(); }
   double penetration(plan::StepId id) const { return penetrations_[id.index()]; }
   std::vector<Claim> Claims() { return CheckCertificates(problem_, plan_, trace(), {}); }
 
@@ -44,11 +44,11 @@ class NoiselessExecution {
   // The first look follows the larger timesteps of the empty hand's motion, in which contacts are
   // deeper.
   void HoldStill(plan::StepId id) {
-    const exec::Checkpoint checkpoint = execution_.Save();
+    const execution::Checkpoint checkpoint = execution_.Save();
     const double end = data_.time() + kHold;
     do {
       LookForDeepest(penetrations_[id.index()]);
-    } while (data_.time() < end && !execution_.Stay(0, exec::Stepping::kContact));
+    } while (data_.time() < end && !execution_.Stay(0, execution::Stepping::kContact));
     execution_.Restore(checkpoint);
   }
 
@@ -60,10 +60,10 @@ class NoiselessExecution {
 
   const domain::Problem& problem_;
   const plan::Plan& plan_;
-  exec::ExecutorOptions options_ = {.sample_rate = 0};
+  execution::ExecutorOptions options_ = {.sample_rate = 0};
   scene::Scene scene_;
   mujoco::Data data_;
-  exec::Execution execution_;
+  execution::Execution execution_;
   std::vector<double> penetrations_;  // by StepId, metres
 };
 
@@ -76,7 +76,7 @@ void AddComponent(const Claim& coarse, const std::vector<Claim>& fine, StepNoise
 }
 
 // Without noise the hand should be at its commanded pose, so its error is the arm's lag.
-void AddLag(const exec::Snapshot& moment, StepNoiseFloor& gate) {
+void AddLag(const execution::Snapshot& moment, StepNoiseFloor& gate) {
   const geometry::Pose off = moment.tool.believed.inverse() * moment.tool.truth;
   gate.lag = std::max(gate.lag, off.translation().norm());
   gate.lag_turn = std::max(gate.lag_turn, std::abs(Eigen::AngleAxisd(off.rotation()).angle()));
@@ -100,10 +100,10 @@ NoiseFloor MeasureNoiseFloor(const domain::Problem& problem, const plan::Plan& p
   for (const Claim& claim : coarse.Claims()) {
     AddComponent(claim, with_half, gate.steps[claim.step.index()]);
   }
-  for (const exec::Milestone* milestone : coarse.trace().All<exec::Milestone>()) {
+  for (const execution::Milestone* milestone : coarse.trace().All<execution::Milestone>()) {
     AddLag(milestone->moment, gate.steps[milestone->step.index()]);
   }
-  for (const exec::StepEnd* end : coarse.trace().All<exec::StepEnd>()) {
+  for (const execution::StepEnd* end : coarse.trace().All<execution::StepEnd>()) {
     AddLag(end->moment, gate.steps[end->step.index()]);
   }
   return gate;

@@ -4,7 +4,7 @@ namespace assay::check {
 
 Noiseless ExecuteWithoutNoise(const Experiment& experiment) {
   Noiseless noiseless;
-  for (Claim& claim : RunNoisyTrial(experiment, {}, {.sample_rate = 0}).claims) {
+  for (Claim& claim : RunTrial(experiment, {}, {.sample_rate = 0}).claims) {
     if (claim.IsViolated()) {
       noiseless.violated.push_back(std::move(claim));
     } else if (experiment.gate.Hides(claim, experiment.problem.clearance)) {

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "sim/check/claims/claim.h"
-#include "sim/check/trial/noisy_trial.h"
+#include "sim/check/trial/trial.h"
 
 namespace assay::check {
 

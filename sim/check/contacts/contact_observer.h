@@ -48,8 +48,8 @@ struct ObservedContacts {
 };
 
 // Observes which contacts a mating makes, from the engine's contact points (see
-// exec::MotionObserver). Stiff parts that slide on each other do not press all the time: the engine
-// lets them rebound by less than a micrometre, so most samples find no force. A contact is
+// execution::MotionObserver). Stiff parts that slide on each other do not press all the time: the
+// engine lets them rebound by less than a micrometre, so most samples find no force. A contact is
 // therefore made when it is pressed on, and lasts as long as its gap stays below kApart. The way on
 // in the crevice is not observed. All arguments of the constructor must outlive the observer.
 class ContactObserver {

@@ -1,8 +1,5 @@
 #include "sim/check/falsification/attack.h"
 
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
-
 #include <algorithm>
 #include <atomic>
 #include <cmath>
@@ -14,6 +11,7 @@
 #include "sim/check/falsification/attacked_step.h"
 #include "sim/check/falsification/main_effects.h"
 #include "sim/check/falsification/shrink.h"
+#include "sim/execution/trial/scheduler.h"
 #include "sim/noise/sampling.h"
 
 namespace assay::check {
@@ -45,7 +43,7 @@ class Attacker {
   Attacker(const Experiment& experiment, const AttackOptions& options)
       : experiment_(experiment),
         options_(options),
-        arena_(options.jobs),
+        scheduler_(options.jobs),
         box_(noise::ErrorBox(experiment.problem, experiment.plan)),
         worlds_(WorldsOf(experiment, box_)) {
     result_.certificates.resize(experiment.plan.steps.size());
@@ -104,29 +102,23 @@ class Attacker {
   struct Start {
     const AttackedWorld* world;
     noise::Noise noise;
-    std::shared_ptr<const exec::Checkpoint> from;
+    std::shared_ptr<const execution::Checkpoint> from;
   };
 
   bool Stops() const { return options_.stop && options_.stop(); }
 
-  template <class Work>
-  void InParallel(std::size_t count, const Work& work) {
-    arena_.execute([&] { tbb::parallel_for(std::size_t{0}, count, work); });
-  }
-
   void Poise(const std::vector<Start>& starts, AttackedStep& step) {
-    std::vector<Approach> approaches(starts.size());
-    InParallel(starts.size(), [&](std::size_t i) {
-      approaches[i] = step.attack().Poise(*starts[i].world, starts[i].noise, starts[i].from.get());
-    });
-    for (std::size_t i = 0; i < starts.size(); ++i) {
-      Count(approaches[i].claims, starts[i].noise, AttackPhase::kVertices);
-      if (approaches[i].poised) {
-        step.poised().push_back(std::move(*approaches[i].poised));
+    const auto poise = [&](std::size_t i) {
+      return step.attack().Poise(*starts[i].world, starts[i].noise, starts[i].from.get());
+    };
+    scheduler_.InOrder(starts.size(), poise, [&](std::size_t i, Approach approach) {
+      Count(approach.claims, starts[i].noise, AttackPhase::kVertices);
+      if (approach.poised) {
+        step.poised().push_back(std::move(*approach.poised));
       } else {
         ++result_.failed_approaches;
       }
-    }
+    });
   }
 
   void AttackStep(AttackedStep& step, std::int64_t budget) {
@@ -227,21 +219,24 @@ class Attacker {
     const std::size_t at_once = options_.until_violated ? kAtOnce : samples.size();
     for (std::size_t first = 0; first < samples.size() && !IsEnough(step); first += at_once) {
       const std::size_t count = std::min(at_once, samples.size() - first);
-      InParallel(count, [&](std::size_t i) { Try(step, samples[first + i]); });
-      for (std::size_t i = first; i < first + count; ++i) {
-        if (samples[i].was_made) step.samples().push_back(std::move(samples[i]));
-      }
+      const auto attempt = [&](std::size_t i) {
+        return Tried(step, std::move(samples[first + i]));
+      };
+      scheduler_.InOrder(count, attempt, [&](std::size_t, Sample sample) {
+        if (sample.was_made) step.samples().push_back(std::move(sample));
+      });
     }
   }
 
-  void Try(const AttackedStep& step, Sample& sample) {
-    if (Stops()) return;
+  Sample Tried(const AttackedStep& step, Sample sample) {
+    if (Stops()) return sample;
     sample.attempt = step.Attempt(sample);
     sample.was_made = true;
     const std::int64_t made = ++made_;
-    if (!options_.progress) return;
+    if (!options_.progress) return sample;
     const std::lock_guard lock(mutex_);
     options_.progress(made);
+    return sample;
   }
 
   // Searches from the least margins of different claims, with one search for each, side by side.
@@ -256,12 +251,14 @@ class Attacker {
     }
     if (aims.empty() || step.dimensions() == 0) return;
     const std::vector<std::int64_t> counts = Allotted(budget, aims);
-    std::vector<std::vector<Sample>> found(aims.size());
-    InParallel(aims.size(),
-               [&](std::size_t i) { found[i] = Search(step, aims[i], *starts[i], counts[i]); });
-    for (std::vector<Sample>& samples : found) {
-      std::ranges::move(samples, std::back_inserter(step.samples()));
-    }
+    // The searches still read the step's samples while the first ones have ended.
+    std::vector<Sample> found;
+    scheduler_.InOrder(
+        aims.size(), [&](std::size_t i) { return Search(step, aims[i], *starts[i], counts[i]); },
+        [&](std::size_t, std::vector<Sample> samples) {
+          std::ranges::move(samples, std::back_inserter(found));
+        });
+    std::ranges::move(found, std::back_inserter(step.samples()));
   }
 
   // Returns the samples with the least margin of each claim. Claims without width are left out,
@@ -290,8 +287,7 @@ class Attacker {
     if (budget < 1) return samples;
     const std::function<double(const std::vector<double>&)> margin =
         [&](const std::vector<double>& point) {
-          Sample sample{start.start, point, AttackPhase::kLocalSearch, aim.until};
-          Try(step, sample);
+          Sample sample = Tried(step, {start.start, point, AttackPhase::kLocalSearch, aim.until});
           if (!sample.was_made) throw nlopt::forced_stop();
           const Claim* claim = Find(sample.attempt.claims, aim.claim);
           const double value = claim == nullptr ? 1 : Length(*claim);
@@ -355,7 +351,7 @@ class Attacker {
     for (const Sample* sample : chosen) {
       if (starts.size() == kMostStates) break;
       starts.push_back({step.poised()[sample->start].world, sample->attempt.noise,
-                        std::make_shared<const exec::Checkpoint>(*sample->attempt.end)});
+                        std::make_shared<const execution::Checkpoint>(*sample->attempt.end)});
     }
     return starts;
   }
@@ -399,11 +395,12 @@ class Attacker {
       return std::pair(experiment_.plan.step(worst->claim.step).executed, Length(worst->claim));
     });
     const auto count = std::min(violations.size(), static_cast<std::size_t>(options_.shrunk));
-    std::vector<Counterexample> examples(count);
-    InParallel(count, [&](std::size_t i) {
-      examples[i] = Stops() ? AsFound(*violations[i]) : Shrunk(experiment_, *violations[i]);
+    const auto shrink = [&](std::size_t i) {
+      return Stops() ? AsFound(*violations[i]) : Shrunk(experiment_, *violations[i]);
+    };
+    scheduler_.InOrder(count, shrink, [&](std::size_t, Counterexample example) {
+      result_.counterexamples.push_back(std::move(example));
     });
-    result_.counterexamples = std::move(examples);
   }
 
   Counterexample AsFound(const WorstClaim& violation) const {
@@ -414,7 +411,7 @@ class Attacker {
 
   const Experiment& experiment_;
   const AttackOptions& options_;
-  tbb::task_arena arena_;
+  execution::Scheduler scheduler_;
   std::vector<noise::Channel> box_;
   std::vector<AttackedWorld> worlds_;
   std::mutex mutex_;

@@ -1,12 +1,10 @@
 #include "sim/check/falsification/conservatism.h"
 
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
-
 #include <algorithm>
 #include <functional>
 
 #include "planner/uncertainty/preconditions/certify.h"
+#include "sim/execution/trial/scheduler.h"
 #include "sim/noise/sampling.h"
 
 namespace assay::check {
@@ -137,14 +135,16 @@ Threshold FindThreshold(const std::function<bool(double)>& fails, double first, 
   return threshold;
 }
 
-// Thrown to end the comparison of a variable.
+// Thrown to end the comparison of a variable once it was stopped.
 struct Stopped {};
 
 class Comparison {
  public:
-  Comparison(const Experiment& experiment, const ConservatismOptions& options)
+  Comparison(const Experiment& experiment, const ConservatismOptions& options,
+             execution::Scheduler& scheduler)
       : experiment_(experiment),
         options_(options),
+        scheduler_(scheduler),
         box_(noise::ErrorBox(experiment.problem, experiment.plan)) {}
 
   std::vector<std::string> Variables() const {
@@ -158,16 +158,6 @@ class Comparison {
     return variables;
   }
 
-  // Returns the ratio, or nothing if the comparison was stopped.
-  std::optional<ConservatismRatio> UnlessStopped(const std::string& variable) const {
-    try {
-      return Of(variable);
-    } catch (const Stopped&) {
-      return std::nullopt;
-    }
-  }
-
- private:
   ConservatismRatio Of(const std::string& variable) const {
     const auto unproved = [&](double multiple) {
       BreakOffIfStopped();
@@ -189,8 +179,9 @@ class Comparison {
             .broken = FindThreshold(fails, first, options_.greatest, options_.precision).fails};
   }
 
+ private:
   void BreakOffIfStopped() const {
-    if (options_.stop && options_.stop()) throw Stopped();
+    if (scheduler_.Ends()) throw Stopped();
   }
 
   bool Proves(const std::string& variable, double multiple) const {
@@ -231,10 +222,10 @@ class Comparison {
         const Interval& range = box[varied[i]].range;
         values[varied[i]] = corner[i] > 0 ? range.high : range.low;
       }
-      exec::ExecutorOptions executor;
+      execution::ExecutorOptions executor;
       executor.sample_rate = 0;
       executor.recovers = false;
-      const Verdict verdict = JudgeNoisyTrial(experiment_, {box, std::move(values)}, executor);
+      const Verdict verdict = JudgeTrial(experiment_, {box, std::move(values)}, executor);
       if (verdict.outcome != TrialOutcome::kSucceeded) return true;
     }
     return false;
@@ -242,6 +233,7 @@ class Comparison {
 
   const Experiment& experiment_;
   const ConservatismOptions& options_;
+  execution::Scheduler& scheduler_;
   std::vector<Channel> box_;
 };
 
@@ -254,18 +246,14 @@ std::optional<double> ConservatismRatio::ratio() const {
 
 std::vector<ConservatismRatio> Conservatism(const Experiment& experiment,
                                             const ConservatismOptions& options) {
-  const Comparison comparison(experiment, options);
+  execution::Scheduler scheduler(options.jobs, options.stop);
+  const Comparison comparison(experiment, options, scheduler);
   const std::vector<std::string> variables =
       options.variables.empty() ? comparison.Variables() : options.variables;
-  std::vector<std::optional<ConservatismRatio>> found(variables.size());
-  tbb::task_arena(options.jobs).execute([&] {
-    tbb::parallel_for(std::size_t{0}, variables.size(),
-                      [&](std::size_t i) { found[i] = comparison.UnlessStopped(variables[i]); });
-  });
   std::vector<ConservatismRatio> ratios;
-  for (std::optional<ConservatismRatio>& ratio : found) {
-    if (ratio) ratios.push_back(*std::move(ratio));
-  }
+  scheduler.InOrder(
+      variables.size(), [&](std::size_t i) { return comparison.Of(variables[i]); },
+      [&](std::size_t, ConservatismRatio ratio) { ratios.push_back(std::move(ratio)); });
   return ratios;
 }
 

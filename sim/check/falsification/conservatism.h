@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/check/trial/noisy_trial.h"
+#include "sim/check/trial/trial.h"
 
 namespace assay::check {
 
@@ -18,8 +18,8 @@ struct ConservatismOptions {
   double greatest = 64;     // the greatest multiple that is tried
   double precision = 0.25;  // relative precision of the multiples
   std::vector<std::string> variables = {};  // empty: each variable, and all together
-  // Asked before each trial, from any thread. True ends the comparison with the variables that are
-  // done. An empty function never ends it.
+  // Asked before each trial, by one thread at a time. True ends the comparison with the variables
+  // that are done. An empty function never ends it.
   std::function<bool()> stop = {};
 };
 

@@ -17,11 +17,11 @@ noise::Noise Multiple(const noise::Noise& noise, double factor) {
 
 std::optional<Claim> Replayed(const Experiment& experiment, const Claim& claim,
                               const noise::Noise& noise) {
-  exec::ExecutorOptions options;
+  execution::ExecutorOptions options;
   options.sample_rate = 0;
   options.last = claim.step;
   options.recovers = false;
-  for (Claim& replayed : RunNoisyTrial(experiment, noise, options).claims) {
+  for (Claim& replayed : RunTrial(experiment, noise, options).claims) {
     const bool same =
         replayed.step == claim.step && replayed.about == claim.about && replayed.name == claim.name;
     if (same) return std::move(replayed);

@@ -5,7 +5,7 @@
 #include "planner/base/check.h"
 #include "sim/check/claims/certificate_check.h"
 #include "sim/check/claims/confirmation.h"
-#include "sim/exec/execution/executor.h"
+#include "sim/execution/walk/executor.h"
 #include "sim/noise/sampling.h"
 
 namespace assay::check {
@@ -53,46 +53,47 @@ bool StillClaims(const std::vector<Claim>& claims) {
   });
 }
 
-exec::ExecutorOptions QuietOptions(const noise::Noise& noise) {
-  exec::ExecutorOptions options;
+execution::ExecutorOptions QuietOptions(const noise::Noise& noise) {
+  execution::ExecutorOptions options;
   options.sample_rate = 0;
   options.noise = noise;
   options.recovers = false;  // after a recovery nothing is claimed
   return options;
 }
 
-void End(const exec::Progress& failure, exec::Execution& execution) {
-  execution.trace().events.push_back(
-      exec::ExecutionEnd{failure->outcome, failure->reason, execution.Now(), execution.steps()});
+void End(const execution::Progress& failure, execution::Execution& execution) {
+  execution.trace().events.push_back(execution::ExecutionEnd{failure->outcome, failure->reason,
+                                                             execution.Now(), execution.steps()});
 }
 
-double TimeOf(const exec::TraceEvent& event) {
-  if (const auto* milestone = std::get_if<exec::Milestone>(&event)) return milestone->moment.time;
-  if (const auto* end = std::get_if<exec::StepEnd>(&event)) return end->moment.time;
-  if (const auto* end = std::get_if<exec::ExecutionEnd>(&event)) return end->moment.time;
+double TimeOf(const execution::TraceEvent& event) {
+  if (const auto* milestone = std::get_if<execution::Milestone>(&event))
+    return milestone->moment.time;
+  if (const auto* end = std::get_if<execution::StepEnd>(&event)) return end->moment.time;
+  if (const auto* end = std::get_if<execution::ExecutionEnd>(&event)) return end->moment.time;
   ASSAY_CHECK(false, "a trace of a step ends with one of these");
   return 0;
 }
 
-exec::Stage StageOf(Until until) {
+execution::Stage StageOf(Until until) {
   switch (until) {
     case Until::kPoised:
-      return exec::Stage::kPoised;
+      return execution::Stage::kPoised;
     case Until::kReached:
-      return exec::Stage::kReached;
+      return execution::Stage::kReached;
     case Until::kActed:
     case Until::kEnd:
-      return exec::Stage::kActed;
+      return execution::Stage::kActed;
   }
-  return exec::Stage::kActed;
+  return execution::Stage::kActed;
 }
 
 // Returns the trace of a step up to a stage, or nothing if the step did not come there.
-std::optional<exec::Trace> UpTo(Until until, const exec::Trace& trace) {
-  exec::Trace begun{.problem = trace.problem, .parts = trace.parts};
-  for (const exec::TraceEvent& event : trace.events) {
+std::optional<execution::Trace> UpTo(Until until, const execution::Trace& trace) {
+  execution::Trace begun{.problem = trace.problem, .parts = trace.parts};
+  for (const execution::TraceEvent& event : trace.events) {
     begun.events.push_back(event);
-    const auto* milestone = std::get_if<exec::Milestone>(&event);
+    const auto* milestone = std::get_if<execution::Milestone>(&event);
     if (milestone != nullptr && milestone->stage == StageOf(until)) return begun;
   }
   return std::nullopt;
@@ -119,7 +120,7 @@ StepAttack::StepAttack(const Experiment& experiment, plan::StepId step, const no
 
 // The engine's errors add up on the way, so the finer trial is executed from the start as well.
 Approach StepAttack::Poise(const AttackedWorld& world, const noise::Noise& noise,
-                           const exec::Checkpoint* from) const {
+                           const execution::Checkpoint* from) const {
   Approach approach = PoiseIn(world.scene, world, noise, from);
   approach.claims = Confirmed(std::move(approach.claims),
                               [&] { return PoiseIn(world.finer, world, noise, nullptr).claims; });
@@ -127,12 +128,12 @@ Approach StepAttack::Poise(const AttackedWorld& world, const noise::Noise& noise
 }
 
 Approach StepAttack::PoiseIn(const scene::Scene& scene, const AttackedWorld& world,
-                             const noise::Noise& noise, const exec::Checkpoint* from) const {
-  const exec::ExecutorOptions options = QuietOptions(noise);
-  mujoco::Data data = from == nullptr ? exec::StartOf(experiment_.problem, scene, noise)
+                             const noise::Noise& noise, const execution::Checkpoint* from) const {
+  const execution::ExecutorOptions options = QuietOptions(noise);
+  mujoco::Data data = from == nullptr ? execution::StartOf(experiment_.problem, scene, noise)
                                       : mujoco::Data(scene.model());
-  exec::Execution execution(experiment_.problem, scene, data, options);
-  exec::Progress failure;
+  execution::Execution execution(experiment_.problem, scene, data, options);
+  execution::Progress failure;
   if (from != nullptr) {
     execution.Restore(*from);
   } else {
@@ -141,7 +142,7 @@ Approach StepAttack::PoiseIn(const scene::Scene& scene, const AttackedWorld& wor
   Approach approach;
   if (failure) return approach;
   execution.trace().events.clear();
-  exec::StepExecution step(experiment_.plan, step_, execution);
+  execution::StepExecution step(experiment_.plan, step_, execution);
   failure = step.Approach();
   if (failure) End(failure, execution);
   for (Claim& claim : ClaimsOf(execution.trace())) {
@@ -151,12 +152,12 @@ Approach StepAttack::PoiseIn(const scene::Scene& scene, const AttackedWorld& wor
   return approach;
 }
 
-exec::Progress StepAttack::ExecuteStepsBefore(exec::Execution& execution) const {
+execution::Progress StepAttack::ExecuteStepsBefore(execution::Execution& execution) const {
   for (const plan::StepId id : experiment_.plan.ExecutionOrder()) {
     if (id == step_) break;
-    exec::StepExecution step(experiment_.plan, id, execution);
-    if (exec::Progress failure = step.Approach()) return failure;
-    if (exec::Progress failure = step.Work()) return failure;
+    execution::StepExecution step(experiment_.plan, id, execution);
+    if (execution::Progress failure = step.Approach()) return failure;
+    if (execution::Progress failure = step.Work()) return failure;
   }
   return std::nullopt;
 }
@@ -202,19 +203,19 @@ std::vector<Claim> StepAttack::FinerClaims(const PoisedTrial& poised, const nois
 }
 
 StepAttempt StepAttack::AttemptIn(const scene::Scene& scene, const AttackedWorld& world,
-                                  const exec::Checkpoint& from, const noise::Noise& noise,
+                                  const execution::Checkpoint& from, const noise::Noise& noise,
                                   Until until) const {
   StepAttempt attempt{.noise = noise, .claims = {}};
-  const exec::ExecutorOptions options = QuietOptions(noise);
+  const execution::ExecutorOptions options = QuietOptions(noise);
   mujoco::Data data(scene.model());
-  exec::Execution execution(experiment_.problem, scene, data, options);
+  execution::Execution execution(experiment_.problem, scene, data, options);
   execution.Restore(from);
   for (const PartId part : untouched_) {
     scene.SetTableHeight(data, part, noise.TableHeight(part));
     scene.SetPart(data, part, noise.TruePose(part, world.resting[part.index()]));
   }
-  exec::StepExecution step(experiment_.plan, step_, execution);
-  exec::Progress failure = step.TakeUpNoise();
+  execution::StepExecution step(experiment_.plan, step_, execution);
+  execution::Progress failure = step.TakeUpNoise();
   if (!failure) failure = Work(step, until);
   if (failure) End(failure, execution);
   attempt.claims = ClaimsOf(execution.trace());
@@ -227,7 +228,7 @@ StepAttempt StepAttack::AttemptIn(const scene::Scene& scene, const AttackedWorld
   return attempt;
 }
 
-exec::Progress StepAttack::Work(exec::StepExecution& step, Until until) const {
+execution::Progress StepAttack::Work(execution::StepExecution& step, Until until) const {
   switch (until) {
     case Until::kPoised:
       return std::nullopt;
@@ -241,17 +242,17 @@ exec::Progress StepAttack::Work(exec::StepExecution& step, Until until) const {
   return std::nullopt;
 }
 
-std::vector<Claim> StepAttack::ClaimsOf(const exec::Trace& trace) const {
+std::vector<Claim> StepAttack::ClaimsOf(const execution::Trace& trace) const {
   return CheckCertificates(experiment_.problem, experiment_.plan, trace, experiment_.gate, step_);
 }
 
 // A claim is decided at the earliest stage at which the trace up to there gives it the same result.
 std::vector<Decision> StepAttack::DecisionsOn(const std::vector<Claim>& claims,
-                                              const exec::Trace& trace, double start) const {
+                                              const execution::Trace& trace, double start) const {
   const double whole = TimeOf(trace.events.back()) - start;
   std::vector<Decision> decisions(claims.size(), {Until::kEnd, whole});
   for (const Until until : {Until::kActed, Until::kReached, Until::kPoised}) {
-    const std::optional<exec::Trace> begun = UpTo(until, trace);
+    const std::optional<execution::Trace> begun = UpTo(until, trace);
     if (!begun) continue;
     const std::vector<Claim> so_far = ClaimsOf(*begun);
     for (std::size_t i = 0; i < claims.size(); ++i) {
@@ -280,9 +281,9 @@ std::vector<AttackedWorld> WorldsOf(const Experiment& experiment, const std::vec
       const Interval& range = box[of_world[i]].range;
       noise.Set(of_world[i], corner[i] > 0 ? range.high : range.low);
     }
-    const scene::SceneOptions truth = exec::TrueScene(experiment.scene, noise);
+    const scene::SceneOptions truth = execution::TrueScene(experiment.scene, noise);
     scene::Scene scene(experiment.problem, truth);
-    std::vector<geometry::Pose> resting = exec::RestingPoses(experiment.problem, scene);
+    std::vector<geometry::Pose> resting = execution::RestingPoses(experiment.problem, scene);
     worlds.push_back({std::move(scene),
                       {experiment.problem, Finer(truth)},
                       std::move(noise),

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "sim/check/claims/claim.h"
-#include "sim/check/trial/noisy_trial.h"
-#include "sim/exec/execution/step_execution.h"
+#include "sim/check/trial/trial.h"
+#include "sim/execution/walk/step_execution.h"
 
 namespace assay::check {
 
@@ -16,21 +16,21 @@ struct AttackedWorld {
   scene::Scene scene;
   scene::Scene finer;  // the scene with half the timestep
   noise::Noise noise;  // over the box of the whole plan; 0 for values that are drawn later
-  std::vector<geometry::Pose> resting;  // exec::RestingPoses
+  std::vector<geometry::Pose> resting;  // execution::RestingPoses
 };
 
 // A trial with half the timestep all the way from the plan's start to the same step. It is executed
 // when it is first asked for.
 struct FinerTrial {
   std::once_flag once;
-  std::optional<exec::Checkpoint> checkpoint;  // missing if the trial does not come there
+  std::optional<execution::Checkpoint> checkpoint;  // missing if the trial does not come there
 };
 
 // A trial in progress, saved where the tool is poised for a step.
 struct PoisedTrial {
   const AttackedWorld* world = nullptr;
   noise::Noise noise;  // the values that matter up to here
-  exec::Checkpoint checkpoint;
+  execution::Checkpoint checkpoint;
   std::shared_ptr<FinerTrial> finer = std::make_shared<FinerTrial>();
 };
 
@@ -58,7 +58,7 @@ struct StepAttempt {
   std::vector<Decision> decisions = {};
   // The state after the step, if the step came to its end and all assumptions of its claims still
   // hold.
-  std::optional<exec::Checkpoint> end = {};
+  std::optional<execution::Checkpoint> end = {};
 
   bool IsWhole() const { return decisions.size() == claims.size(); }
 };
@@ -75,7 +75,7 @@ class StepAttack {
   // Brings a trial to where this step is poised. The trial begins at `from`, at the end of the step
   // before, or at the start of the plan if `from` is null.
   Approach Poise(const AttackedWorld& world, const noise::Noise& noise,
-                 const exec::Checkpoint* from) const;
+                 const execution::Checkpoint* from) const;
   // Attempts the step up to the stage `until`. `values` are the values of the free channels. An
   // attempt that ends before the step does not make all claims, and some of its claims may still
   // fail later. If one of its claims is violated and the step is not fully proved, the attempt is
@@ -86,16 +86,17 @@ class StepAttack {
  private:
   // `from` is null for the start of the plan.
   Approach PoiseIn(const scene::Scene& scene, const AttackedWorld& world, const noise::Noise& noise,
-                   const exec::Checkpoint* from) const;
-  exec::Progress ExecuteStepsBefore(exec::Execution& execution) const;
+                   const execution::Checkpoint* from) const;
+  execution::Progress ExecuteStepsBefore(execution::Execution& execution) const;
   StepAttempt AttemptIn(const scene::Scene& scene, const AttackedWorld& world,
-                        const exec::Checkpoint& from, const noise::Noise& noise, Until until) const;
+                        const execution::Checkpoint& from, const noise::Noise& noise,
+                        Until until) const;
   std::vector<Claim> FinerClaims(const PoisedTrial& poised, const noise::Noise& noise,
                                  Until until) const;
   bool IsAllProved() const;
-  exec::Progress Work(exec::StepExecution& step, Until until) const;
-  std::vector<Claim> ClaimsOf(const exec::Trace& trace) const;
-  std::vector<Decision> DecisionsOn(const std::vector<Claim>& claims, const exec::Trace& trace,
+  execution::Progress Work(execution::StepExecution& step, Until until) const;
+  std::vector<Claim> ClaimsOf(const execution::Trace& trace) const;
+  std::vector<Decision> DecisionsOn(const std::vector<Claim>& claims, const execution::Trace& trace,
                                     double start) const;
 
   const Experiment& experiment_;

@@ -20,13 +20,13 @@ constexpr double kFirstContact = 0.5;  // of the width
 constexpr double kFirstFinger = -1;    // of half the opening
 
 // Returns the grasp frame of the true part in the frame of the true tool.
-Pose GraspInTool(const MeasuredStep& step, const exec::Snapshot& moment) {
+Pose GraspInTool(const MeasuredStep& step, const execution::Snapshot& moment) {
   return moment.tool.truth.inverse() * step.PartAt(moment) * step.hold().X_PartTool;
 }
 
 // Both contacts lie between the pads when these begin to close.
 std::vector<GeometricMeaning> BetweenFingers(const MeasuredStep& step) {
-  const exec::Snapshot* reached = step.events().reached;
+  const execution::Snapshot* reached = step.events().reached;
   if (reached == nullptr) return {};
   const Pose X_ToolGrasp = GraspInTool(step, *reached);
   std::vector<GeometricMeaning> meanings;
@@ -44,7 +44,7 @@ std::vector<GeometricMeaning> BetweenFingers(const MeasuredStep& step) {
 
 // The inner corners of the open pads lie outside the faces on which the pads close.
 std::vector<GeometricMeaning> FingerClear(const MeasuredStep& step) {
-  const exec::Snapshot* reached = step.events().reached;
+  const execution::Snapshot* reached = step.events().reached;
   if (reached == nullptr) return {};
   const Pose X_GraspTool = GraspInTool(step, *reached).inverse();
   const Vector2& pad = step.gripper().pad_half_extents();
@@ -67,7 +67,7 @@ std::vector<GeometricMeaning> FingerClear(const MeasuredStep& step) {
 std::vector<GeometricMeaning> Fingertip(const MeasuredStep& step) {
   const bool lets_go = std::holds_alternative<plan::Putdown>(step.step().action) ||
                        std::holds_alternative<plan::Assemble>(step.step().action);
-  const exec::Snapshot* reached = step.events().reached;
+  const execution::Snapshot* reached = step.events().reached;
   if (lets_go || reached == nullptr) return {};
   double lowest = kInfinity;
   for (const geometry::Box& box : step.gripper().FingerBoxes(step.OpeningAt(*reached))) {

@@ -30,7 +30,7 @@ class HandDistances {
   double From(std::size_t part) const {
     const StepEvents& events = step_.events();
     double nearest = kInfinity;
-    for (const exec::Snapshot* moment : {events.reached, events.acted, events.stopped}) {
+    for (const execution::Snapshot* moment : {events.reached, events.acted, events.stopped}) {
       if (moment == nullptr) continue;
       const bool is_held = domain::PartId(part) == step_.part();
       nearest = std::min(nearest, is_held ? BesidePads(*moment) : FromHand(part, *moment));
@@ -40,14 +40,14 @@ class HandDistances {
   }
 
  private:
-  double FromHand(std::size_t part, const exec::Snapshot& at) const {
+  double FromHand(std::size_t part, const execution::Snapshot& at) const {
     return geometry::Distance(problem_.workcell->HandShape(step_.OpeningAt(at)), at.tool.truth,
                               problem_.parts[part].model->shape(), at.parts[part].truth);
   }
 
   // Returns the least distance of the open hand from the part along the straight line on which the
   // hand comes to its work or leaves it.
-  double Opened(std::size_t part, const exec::Snapshot& at) const {
+  double Opened(std::size_t part, const execution::Snapshot& at) const {
     const CollisionShape hand = problem_.workcell->HandShape(step_.gripper().max_opening());
     double nearest = kInfinity;
     for (int i = 0; i <= kPlaces; ++i) {
@@ -62,7 +62,7 @@ class HandDistances {
   // Returns the lesser of two distances. The first is the distance of the hand from the part
   // between its pads. The second is the least distance of a finger from boxes of that part; only
   // boxes that stand out of the plane in which the finger's pad should touch are measured.
-  double BesidePads(const exec::Snapshot& at) const {
+  double BesidePads(const execution::Snapshot& at) const {
     const std::vector<Box> fingers = step_.gripper().FingerBoxes(step_.OpeningAt(at));
     double nearest = geometry::Distance(CollisionShape(step_.gripper().HandBoxes()), at.tool.truth,
                                         step_.shape(), step_.PartAt(at));

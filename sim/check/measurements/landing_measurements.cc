@@ -17,7 +17,7 @@ using geometry::Vector3;
 
 // The part meets the table within the guarded travel.
 std::vector<GeometricMeaning> LandingHeight(const MeasuredStep& step) {
-  const exec::Snapshot* reached = step.events().reached;
+  const execution::Snapshot* reached = step.events().reached;
   if (reached == nullptr) return {};
   const Pose& X_WorldPart = std::get<plan::Putdown>(step.step().action).to.X_WorldPart;
   const double table = reached->table_heights[step.part().index()];
@@ -51,7 +51,7 @@ std::vector<GeometricMeaning> Footprint(const MeasuredStep& step) {
 
 // The part does not touch other parts where it is let go.
 std::vector<GeometricMeaning> NeighbourClear(const MeasuredStep& step) {
-  const exec::Snapshot* reached = step.events().reached;
+  const execution::Snapshot* reached = step.events().reached;
   if (reached == nullptr) return {};
   std::vector<GeometricMeaning> meanings;
   for (std::size_t p = 0; p < step.problem().parts.size(); ++p) {

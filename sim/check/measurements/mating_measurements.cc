@@ -19,13 +19,13 @@ constexpr double kBeforeMouth = 1e-3;  // metres
 constexpr int kPlacesOnWay = 16;       // points along the mating motion
 
 // Returns the direction in which the held part is believed to move, in the world frame.
-Vector3 MatingDirection(const MeasuredStep& step, const exec::Snapshot& at) {
+Vector3 MatingDirection(const MeasuredStep& step, const execution::Snapshot& at) {
   const Pose& X_WorldFixed = at.parts[step.mating().fixed.index()].believed;
   return (X_WorldFixed.linear() * step.mating().mating_vector).normalized();
 }
 
 // Returns the true pose of the held part in the fixed part's frame, and its direction of motion.
-Motion MatingMotion(const MeasuredStep& step, const exec::Snapshot& poised) {
+Motion MatingMotion(const MeasuredStep& step, const execution::Snapshot& poised) {
   const Pose X_FixedWorld = poised.parts[step.mating().fixed.index()].truth.inverse();
   return {X_FixedWorld * poised.parts[step.mating().held.index()].truth,
           X_FixedWorld.linear() * MatingDirection(step, poised)};
@@ -33,9 +33,9 @@ Motion MatingMotion(const MeasuredStep& step, const exec::Snapshot& poised) {
 
 // The part reaches its seat within the guarded travel.
 std::vector<GeometricMeaning> Seat(const MeasuredStep& step) {
-  const exec::Snapshot* reached = step.events().reached;
+  const execution::Snapshot* reached = step.events().reached;
   if (reached == nullptr) return {};
-  const exec::TrueAndBelieved& fixed = reached->parts[step.mating().fixed.index()];
+  const execution::TrueAndBelieved& fixed = reached->parts[step.mating().fixed.index()];
   const Pose& X_FixedHeld = step.mating().X_FixedHeld;
   return OfAll(MetOnGuardedWay(step, {.X_WorldExpected = fixed.believed * X_FixedHeld,
                                       .X_WorldEnd = fixed.truth * X_FixedHeld,
@@ -47,7 +47,7 @@ std::vector<GeometricMeaning> Seat(const MeasuredStep& step) {
 // other parts to the end.
 std::vector<GeometricMeaning> PassingClear(const MeasuredStep& step) {
   if (step.events().poised == nullptr) return {};
-  const exec::Snapshot& poised = *step.events().poised;
+  const execution::Snapshot& poised = *step.events().poised;
   const domain::Problem& problem = step.problem();
   const domain::Mating& mating = step.mating();
   double depth = 0;
@@ -130,10 +130,10 @@ struct TipPoses {
   Pose believed;
   Pose truth;
 };
-TipPoses TipAtStart(const MeasuredStep& step, const exec::Snapshot& poised) {
+TipPoses TipAtStart(const MeasuredStep& step, const execution::Snapshot& poised) {
   const plan::Strategy& strategy = *step.step().strategy;
   const Pose X_HandTip = step.hold().X_PartTool.inverse() * strategy.X_HeldTip;
-  const exec::TrueAndBelieved& fixed = poised.parts[step.mating().fixed.index()];
+  const execution::TrueAndBelieved& fixed = poised.parts[step.mating().fixed.index()];
   return {fixed.believed.inverse() * poised.tool.believed * X_HandTip,
           fixed.truth.inverse() * step.PartAt(poised) * strategy.X_HeldTip};
 }

@@ -50,16 +50,16 @@ const domain::Mating& MeasuredStep::mating() const {
   return problem_.mating(std::get<plan::Assemble>(step_.action).mating);
 }
 
-const geometry::Pose& MeasuredStep::PartAt(const exec::Snapshot& moment) const {
+const geometry::Pose& MeasuredStep::PartAt(const execution::Snapshot& moment) const {
   return moment.parts[part_.index()].truth;
 }
 
-double MeasuredStep::OpeningAt(const exec::Snapshot& moment) const {
+double MeasuredStep::OpeningAt(const execution::Snapshot& moment) const {
   return std::clamp(moment.opening, 0.0, gripper().max_opening());
 }
 
 double MetOnGuardedWay(const MeasuredStep& step, const GuardedEnd& end) {
-  const exec::Snapshot& reached = *step.events().reached;
+  const execution::Snapshot& reached = *step.events().reached;
   const Vector3& direction = end.direction;
   const double travel = step.problem().workcell->rules().guarded_travel;
   const Vector3 expected = (end.X_WorldExpected * step.hold().X_PartTool).translation();
@@ -71,7 +71,7 @@ double MetOnGuardedWay(const MeasuredStep& step, const GuardedEnd& end) {
   if (step.events().poised == nullptr || !may_have_slid) {
     return std::min(0.0, travel - std::abs(beyond)) - travel;
   }
-  const exec::Snapshot& poised = *step.events().poised;
+  const execution::Snapshot& poised = *step.events().poised;
   const double way = direction.dot(place - step.PartAt(poised).translation());
   const double expected_way = direction.dot(expected - poised.tool.believed.translation());
   return travel - std::abs(way - expected_way);

@@ -35,7 +35,7 @@ Components InHand(const Pose& X_ToolGrasp) {
           std::atan2(-R(2, 0), R(2, 2))};
 }
 
-Components AtRest(const exec::TrueAndBelieved& part) {
+Components AtRest(const execution::TrueAndBelieved& part) {
   const Vector3 d = part.truth.translation() - part.believed.translation();
   return {d.x(), d.y(), d.z(), YawOf(part.truth.linear() * part.believed.linear().transpose())};
 }
@@ -54,8 +54,8 @@ const plan::Hold& HoldOf(const plan::Action& action) {
 
 std::vector<ObservedError> ObservedErrors(const domain::Problem& problem,
                                           const plan::Action& action, const plan::ErrorSet& set,
-                                          const exec::Snapshot& moment) {
-  const exec::TrueAndBelieved& part = moment.parts[set.part.index()];
+                                          const execution::Snapshot& moment) {
+  const execution::TrueAndBelieved& part = moment.parts[set.part.index()];
   const Components observed =
       set.in_hand ? InHand(moment.tool.believed.inverse() * part.truth * HoldOf(action).X_PartTool)
                   : AtRest(part);

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "planner/plan/data/plan.h"
-#include "sim/exec/execution/trace.h"
+#include "sim/execution/trace/trace.h"
 
 namespace assay::check {
 
@@ -20,7 +20,7 @@ struct ObservedError {
 // the set is to hold.
 std::vector<ObservedError> ObservedErrors(const domain::Problem& problem,
                                           const plan::Action& action, const plan::ErrorSet& set,
-                                          const exec::Snapshot& moment);
+                                          const execution::Snapshot& moment);
 
 // Returns how the action holds its part. The action must not be a look, which holds none.
 const plan::Hold& HoldOf(const plan::Action& action);

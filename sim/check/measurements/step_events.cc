@@ -7,26 +7,28 @@ class Sorter {
  public:
   std::vector<StepEvents> Take() { return std::move(steps_); }
 
-  void operator()(const exec::Milestone& milestone) {
+  void operator()(const execution::Milestone& milestone) {
     if (steps_.empty() || steps_.back().step != milestone.step) {
       steps_.push_back({.step = milestone.step});
     }
     StepEvents& step = steps_.back();
-    const exec::Snapshot*& moment = milestone.stage == exec::Stage::kPoised    ? step.poised
-                                    : milestone.stage == exec::Stage::kReached ? step.reached
-                                                                               : step.acted;
+    const execution::Snapshot*& moment = milestone.stage == execution::Stage::kPoised ? step.poised
+                                         : milestone.stage == execution::Stage::kReached
+                                             ? step.reached
+                                             : step.acted;
     // The tool may be poised a second time, to take up other errors.
-    if (moment == nullptr || milestone.stage == exec::Stage::kPoised) moment = &milestone.moment;
+    if (moment == nullptr || milestone.stage == execution::Stage::kPoised)
+      moment = &milestone.moment;
   }
-  void operator()(const exec::GuardRecord& guard) {
+  void operator()(const execution::GuardRecord& guard) {
     if (!steps_.empty() && !steps_.back().resisted) steps_.back().resisted = guard.resisted;
   }
-  void operator()(const exec::LookRecord& look) {
+  void operator()(const execution::LookRecord& look) {
     if (!steps_.empty()) steps_.back().look = &look;
   }
-  void operator()(const exec::RecoveryRecord&) { steps_.back().recovered = true; }
-  void operator()(const exec::StepEnd& end) { steps_.back().end = &end.moment; }
-  void operator()(const exec::ExecutionEnd& end) {
+  void operator()(const execution::RecoveryRecord&) { steps_.back().recovered = true; }
+  void operator()(const execution::StepEnd& end) { steps_.back().end = &end.moment; }
+  void operator()(const execution::ExecutionEnd& end) {
     if (!steps_.empty() && steps_.back().end == nullptr) steps_.back().stopped = &end.moment;
   }
   void operator()(const auto&) {}
@@ -37,9 +39,9 @@ class Sorter {
 
 }  // namespace
 
-std::vector<StepEvents> EventsByStep(const exec::Trace& trace) {
+std::vector<StepEvents> EventsByStep(const execution::Trace& trace) {
   Sorter sorter;
-  for (const exec::TraceEvent& event : trace.events) std::visit(sorter, event);
+  for (const execution::TraceEvent& event : trace.events) std::visit(sorter, event);
   return sorter.Take();
 }
 

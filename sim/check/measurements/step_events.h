@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "sim/exec/execution/trace.h"
+#include "sim/execution/trace/trace.h"
 
 namespace assay::check {
 
@@ -11,20 +11,20 @@ namespace assay::check {
 // happen.
 struct StepEvents {
   plan::StepId step;
-  const exec::Snapshot* poised = nullptr;  // snapshot before the first attempt
+  const execution::Snapshot* poised = nullptr;  // snapshot before the first attempt
   // Snapshot of the first attempt, where the tool acts.
-  const exec::Snapshot* reached = nullptr;
+  const execution::Snapshot* reached = nullptr;
   // Snapshot of the first attempt, after gripper or sensor acted.
-  const exec::Snapshot* acted = nullptr;
-  const exec::Snapshot* end = nullptr;
+  const execution::Snapshot* acted = nullptr;
+  const execution::Snapshot* end = nullptr;
   // Snapshot where the execution broke off before the step's end.
-  const exec::Snapshot* stopped = nullptr;
-  const exec::LookRecord* look = nullptr;
+  const execution::Snapshot* stopped = nullptr;
+  const execution::LookRecord* look = nullptr;
   std::optional<bool> resisted = {};  // whether the first attempt's guarded move met resistance
   bool recovered = false;             // the step was tried more than once
 };
 
 // Returns the events of all steps that were begun, in the order of execution.
-std::vector<StepEvents> EventsByStep(const exec::Trace& trace);
+std::vector<StepEvents> EventsByStep(const execution::Trace& trace);
 
 }  // namespace assay::check

@@ -13,10 +13,10 @@ bool HasName(const ContactSet& contacts, const std::string& name) {
 }
 
 // A strategy that went on in an error state ends in that same error state, which is counted once.
-std::vector<exec::ErrorState> ErrorStatesOf(const exec::StrategyEnd& end) {
-  std::vector<exec::ErrorState> states = end.recovered;
+std::vector<execution::ErrorState> ErrorStatesOf(const execution::StrategyEnd& end) {
+  std::vector<execution::ErrorState> states = end.recovered;
   states.insert(states.end(), end.ignored.begin(), end.ignored.end());
-  if (end.outcome != exec::MatingOutcome::kDone && end.ignored.empty()) {
+  if (end.outcome != execution::MatingOutcome::kDone && end.ignored.empty()) {
     states.push_back({.outcome = end.outcome,
                       .motion = end.motion,
                       .recognized = end.recognized,
@@ -25,7 +25,7 @@ std::vector<exec::ErrorState> ErrorStatesOf(const exec::StrategyEnd& end) {
   return states;
 }
 
-void Add(const std::optional<exec::RecognizedContact>& recognized,
+void Add(const std::optional<execution::RecognizedContact>& recognized,
          const std::vector<ContactSpan>& bridged, Recognition& recognition) {
   ++recognition.errors;
   if (!recognized) return;
@@ -35,7 +35,7 @@ void Add(const std::optional<exec::RecognizedContact>& recognized,
 
 }  // namespace
 
-bool IsRight(const exec::RecognizedContact& named, const std::vector<ContactSpan>& bridged) {
+bool IsRight(const execution::RecognizedContact& named, const std::vector<ContactSpan>& bridged) {
   const bool is_there = std::ranges::any_of(bridged, [&](const ContactSpan& span) {
     return span.end >= named.time - kBefore && span.start <= named.time &&
            HasName(span.contacts, named.name);
@@ -43,19 +43,19 @@ bool IsRight(const exec::RecognizedContact& named, const std::vector<ContactSpan
   return is_there != named.is_loss;
 }
 
-void Count(const exec::StrategyEnd& end, const std::vector<ContactSpan>& bridged, bool diverged,
-           RecognitionTally& tally) {
-  std::vector<exec::ErrorState> states = ErrorStatesOf(end);
-  std::erase_if(states, [&](const exec::ErrorState& state) {
+void Count(const execution::StrategyEnd& end, const std::vector<ContactSpan>& bridged,
+           bool diverged, RecognitionTally& tally) {
+  std::vector<execution::ErrorState> states = ErrorStatesOf(end);
+  std::erase_if(states, [&](const execution::ErrorState& state) {
     return std::ranges::count(bridged, state.motion, &ContactSpan::motion) == 0;
   });
-  for (const exec::ErrorState& state : states) Add(state.recognized, bridged, tally.states);
+  for (const execution::ErrorState& state : states) Add(state.recognized, bridged, tally.states);
   if (!diverged) {
     tally.needless += static_cast<int>(std::ssize(states));
     return;
   }
   const auto named = std::ranges::find_if(
-      states, [](const exec::ErrorState& state) { return state.recognized.has_value(); });
+      states, [](const execution::ErrorState& state) { return state.recognized.has_value(); });
   Add(named == states.end() ? std::nullopt : named->recognized, bridged, tally.unwanted);
 }
 

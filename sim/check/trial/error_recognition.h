@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "sim/check/contacts/contact_sequence.h"
-#include "sim/exec/control/hybrid_control.h"
+#include "sim/execution/control/hybrid_control.h"
 
 namespace assay::check {
 
@@ -30,12 +30,12 @@ struct RecognitionTally {
 // hundredth of a second before it was felt. If a loss was named, the contact must have been absent
 // then. `bridged` holds spans from Bridged, so that a contact that has just rebounded counts as
 // there.
-bool IsRight(const exec::RecognizedContact& named, const std::vector<ContactSpan>& bridged);
+bool IsRight(const execution::RecognizedContact& named, const std::vector<ContactSpan>& bridged);
 
 // Adds the error states of one trial to `tally`. Error states in motions whose contacts were not
 // observed are left out: on the way on in the crevice no contact is planned. `diverged` says that
 // another contact was made than planned (SequenceComparison::events).
-void Count(const exec::StrategyEnd& end, const std::vector<ContactSpan>& bridged, bool diverged,
-           RecognitionTally& tally);
+void Count(const execution::StrategyEnd& end, const std::vector<ContactSpan>& bridged,
+           bool diverged, RecognitionTally& tally);
 
 }  // namespace assay::check

@@ -62,7 +62,7 @@ Pose Displaced(const Error& error, const Pose& believed) {
 }  // namespace
 
 std::vector<Pose> ExtremePoses(const plan::Action& action, const plan::ErrorSet& set,
-                               const exec::Snapshot& moment, const Sight& sight) {
+                               const execution::Snapshot& moment, const Sight& sight) {
   const auto pose_with = [&](const Error& error) {
     return set.in_hand ? InHand(error, action, moment.tool.believed)
                        : Displaced(error, moment.parts[set.part.index()].believed);

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "planner/plan/data/plan.h"
-#include "sim/exec/execution/trace.h"
+#include "sim/execution/trace/trace.h"
 
 namespace assay::check {
 
@@ -18,6 +18,7 @@ struct Sight {
 // first its low end, then its high end, with all other components at their middle. A component
 // without bounds gives none.
 std::vector<geometry::Pose> ExtremePoses(const plan::Action& action, const plan::ErrorSet& set,
-                                         const exec::Snapshot& moment, const Sight& sight = {});
+                                         const execution::Snapshot& moment,
+                                         const Sight& sight = {});
 
 }  // namespace assay::check

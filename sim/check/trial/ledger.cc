@@ -6,7 +6,7 @@
 #include "planner/base/check.h"
 #include "sim/check/measurements/step_events.h"
 #include "sim/check/trial/tolerance_readings.h"
-#include "sim/exec/execution/executor.h"
+#include "sim/execution/walk/executor.h"
 #include "sim/sense/displacement.h"
 
 namespace assay::check {
@@ -68,13 +68,13 @@ std::optional<double> Difference(const std::optional<double>& to,
 
 class Ledger {
  public:
-  Ledger(const Experiment& experiment, const noise::Noise& noise, const exec::Trace& trace)
+  Ledger(const Experiment& experiment, const noise::Noise& noise, const execution::Trace& trace)
       : experiment_(experiment),
         problem_(experiment.problem),
         noise_(noise),
-        scene_(problem_, exec::TrueScene(experiment.scene, noise)),
-        start_(exec::StartOf(problem_, scene_, noise)),
-        resting_(exec::RestingPoses(problem_, scene_)),
+        scene_(problem_, execution::TrueScene(experiment.scene, noise)),
+        start_(execution::StartOf(problem_, scene_, noise)),
+        resting_(execution::RestingPoses(problem_, scene_)),
         steps_(EventsByStep(trace)) {
     if (!std::ranges::any_of(noise.box(), IsTolerance)) return;
     const scene::Scene said(problem_, experiment.scene);
@@ -128,7 +128,7 @@ class Ledger {
   }
 
   // Returns the snapshot in which the first step is poised: nothing has been touched by then.
-  const exec::Snapshot* FirstMoment() const {
+  const execution::Snapshot* FirstMoment() const {
     return steps_.empty() ? nullptr : steps_.front().poised;
   }
   const StepEvents* Find(plan::StepId step) const {
@@ -138,7 +138,7 @@ class Ledger {
 
   // Returns the displacement from where the part rests without errors. Measured from there, heights
   // and tilts that the engine itself causes drop out.
-  double FromRest(const Channel& channel, const exec::Snapshot& moment) const {
+  double FromRest(const Channel& channel, const execution::Snapshot& moment) const {
     const std::size_t part = channel.part.index();
     return Between(resting_[part], moment.parts[part].truth)[CoordinateOf(channel.effect)];
   }
@@ -147,12 +147,13 @@ class Ledger {
     const Pose& said = problem_.part(channel.part).X_WorldPart;
     const Displacement given = Between(said, scene_.TruePose(start_, channel.part));
     Reading reading{.applied = given[CoordinateOf(channel.effect)]};
-    if (const exec::Snapshot* first = FirstMoment()) reading.measured = FromRest(channel, *first);
+    if (const execution::Snapshot* first = FirstMoment())
+      reading.measured = FromRest(channel, *first);
     return reading;
   }
 
   Reading OfTableAtStart(const Channel& channel) const {
-    const exec::Snapshot* first = FirstMoment();
+    const execution::Snapshot* first = FirstMoment();
     if (first == nullptr) return {};
     return {first->table_heights[channel.part.index()], FromRest(channel, *first)};
   }
@@ -174,7 +175,7 @@ class Ledger {
     domain::Problem alone = problem_;
     alone.parts = {problem_.part(part)};
     alone.parts.front().X_WorldPart = place.X_WorldPart;
-    return exec::RestingPoses(alone, scene::Scene(alone, scene_.options()))
+    return execution::RestingPoses(alone, scene::Scene(alone, scene_.options()))
         .front()
         .translation()
         .z();
@@ -183,7 +184,7 @@ class Ledger {
   Reading OfHand(const Channel& channel) const {
     const StepEvents* step = Find(channel.step);
     if (step == nullptr || step->poised == nullptr) return {};
-    const exec::TrueAndBelieved& tool = step->poised->tool;
+    const execution::TrueAndBelieved& tool = step->poised->tool;
     const Pose told = Pose::Identity();
     const Eigen::Index coordinate = CoordinateOf(channel.effect);
     return {Between(told, noise_.HandError(channel.step))[coordinate],
@@ -193,11 +194,11 @@ class Ledger {
   Reading OfSensor(const Channel& channel) const {
     const StepEvents* step = Find(channel.step);
     if (step == nullptr || step->look == nullptr || !step->look->found) return {};
-    const exec::LookRecord& look = *step->look;
+    const execution::LookRecord& look = *step->look;
     const Eigen::Index coordinate = CoordinateOf(channel.effect);
     Reading reading{.applied = Between(look.measured, look.before.truth)[coordinate]};
     if (step->acted == nullptr) return reading;
-    const exec::TrueAndBelieved& part = step->acted->parts[channel.part.index()];
+    const execution::TrueAndBelieved& part = step->acted->parts[channel.part.index()];
     const bool taken = std::abs(Between(look.measured, part.believed)[coordinate]) < kTaken;
     if (taken) reading.measured = Between(part.believed, part.truth)[coordinate];
     return reading;
@@ -217,7 +218,7 @@ class Ledger {
 }  // namespace
 
 std::vector<LedgerEntry> LedgerOf(const Experiment& experiment, const noise::Noise& noise,
-                                  const exec::Trace& trace) {
+                                  const execution::Trace& trace) {
   return Ledger(experiment, noise, trace).Entries();
 }
 

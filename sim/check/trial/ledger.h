@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/check/trial/noisy_trial.h"
+#include "sim/check/trial/trial.h"
 
 namespace assay::check {
 
@@ -42,6 +42,6 @@ struct LedgerEntry {
 // from a trial with this noise. The trial's world at its start is built again to read values from
 // it.
 std::vector<LedgerEntry> LedgerOf(const Experiment& experiment, const noise::Noise& noise,
-                                  const exec::Trace& trace);
+                                  const execution::Trace& trace);
 
 }  // namespace assay::check

@@ -108,7 +108,7 @@ Finding Released(const Part& part, const GripperState& gripper, const Limits& li
           !gripper.touching && wider >= limits.released};
 }
 
-std::vector<Finding> AtRest(const Part& part, const exec::RestRecord::Speeds& speeds,
+std::vector<Finding> AtRest(const Part& part, const execution::RestRecord::Speeds& speeds,
                             const Limits& limits) {
   return {AtMost(Aspect::kAtRest, "speed of " + part.name, speeds.linear, limits.speed,
                  domain::Dimension::kSpeed),

@@ -5,7 +5,7 @@
 
 #include "planner/domain/problem/problem.h"
 #include "sim/check/trial/limits.h"
-#include "sim/exec/execution/trace.h"
+#include "sim/execution/trace/trace.h"
 
 namespace assay::check {
 
@@ -56,7 +56,7 @@ struct GripperState {
 Finding Released(const domain::Part& part, const GripperState& gripper, const Limits& limits);
 
 // Judges the part's linear and angular speed, in two findings.
-std::vector<Finding> AtRest(const domain::Part& part, const exec::RestRecord::Speeds& speeds,
+std::vector<Finding> AtRest(const domain::Part& part, const execution::RestRecord::Speeds& speeds,
                             const Limits& limits);
 
 // Judges the part against the nearest of the goal's stable poses, in two findings: the tilt from it

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <array>
 
-#include "sim/exec/execution/executor.h"
+#include "sim/execution/walk/executor.h"
 
 namespace assay::check {
 namespace {
@@ -139,7 +139,7 @@ std::optional<Friction> PadFriction(const plan::Plan& plan, const scene::Scene& 
 ToleranceReadings ReadTolerances(const domain::Problem& problem, const plan::Plan& plan,
                                  const scene::Scene& scene) {
   ToleranceReadings readings;
-  mujoco::Data data = exec::StartOf(problem, scene, {});
+  mujoco::Data data = execution::StartOf(problem, scene, {});
   if (!problem.parts.empty()) {
     if (const auto part = FrictionAt(data, scene.Body(PartId(0)), mujoco::BodyId::None())) {
       readings.part_geom = part->of_geom;

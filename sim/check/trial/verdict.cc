@@ -11,11 +11,11 @@ namespace {
 
 using domain::MatingId;
 using domain::Problem;
-using exec::GraspFact;
+using execution::GraspFact;
 
 class Judgement {
  public:
-  Judgement(const Problem& problem, const exec::Trace& trace, const Limits& limits)
+  Judgement(const Problem& problem, const execution::Trace& trace, const Limits& limits)
       : problem_(problem), trace_(trace), limits_(limits), end_(trace.end().moment) {}
 
   std::vector<Finding> Findings() {
@@ -54,7 +54,7 @@ class Judgement {
     left_alone_.push_back(id);
     const domain::Part& part = problem_.part(id);
     findings_.push_back(Released(part, GripperAbout(id), limits_));
-    for (const exec::RestRecord* rest : trace_.All<exec::RestRecord>()) {
+    for (const execution::RestRecord* rest : trace_.All<execution::RestRecord>()) {
       Append(AtRest(part, rest->parts[id.index()], limits_));
     }
   }
@@ -76,9 +76,9 @@ class Judgement {
   }
 
   const Problem& problem_;
-  const exec::Trace& trace_;
+  const execution::Trace& trace_;
   const Limits& limits_;
-  const exec::Snapshot& end_;
+  const execution::Snapshot& end_;
   std::vector<Finding> findings_;
   std::vector<PartId> left_alone_;
 };
@@ -100,32 +100,13 @@ TrialOutcome TrialOutcomeOf(Aspect aspect) {
   return {};
 }
 
-TrialOutcome TrialOutcomeOf(exec::ExecutionOutcome outcome) {
-  switch (outcome) {
-    case exec::ExecutionOutcome::kDone:
-      return TrialOutcome::kSucceeded;
-    case exec::ExecutionOutcome::kUnreachable:
-      return TrialOutcome::kUnreachable;
-    case exec::ExecutionOutcome::kOverload:
-      return TrialOutcome::kOverload;
-    case exec::ExecutionOutcome::kEngineWarning:
-      return TrialOutcome::kEngineWarning;
-    case exec::ExecutionOutcome::kNotFound:
-      return TrialOutcome::kNotFound;
-    case exec::ExecutionOutcome::kOperatorCalled:
-      return TrialOutcome::kOperatorCalled;
-  }
-  ASSAY_CHECK(false, "an outcome that the switch does not know");
-  return {};
-}
-
 std::string Reason(const Finding& finding) {
   const std::string_view unit = domain::SiUnitOf(finding.dimension).name;
   return fmt::format("{}: {:.4g} {}, limit {:.4g} {}", finding.name, finding.value, unit,
                      finding.limit, unit);
 }
 
-std::string Reason(const exec::CollisionRecord& collision) {
+std::string Reason(const execution::CollisionRecord& collision) {
   return fmt::format("at {:.2f} s {} touched {}", collision.time, collision.robot, collision.other);
 }
 
@@ -138,48 +119,15 @@ std::string Reason(const Problem& problem, const GraspFact& fact) {
 
 }  // namespace
 
-std::string_view Name(TrialOutcome outcome) {
-  switch (outcome) {
-    case TrialOutcome::kSucceeded:
-      return "succeeded";
-    case TrialOutcome::kUnreachable:
-      return "unreachable";
-    case TrialOutcome::kOverload:
-      return "overload";
-    case TrialOutcome::kEngineWarning:
-      return "engine-warning";
-    case TrialOutcome::kNotFound:
-      return "not-found";
-    case TrialOutcome::kOperatorCalled:
-      return "operator-called";
-    case TrialOutcome::kCollided:
-      return "collided";
-    case TrialOutcome::kGraspFailed:
-      return "grasp-failed";
-    case TrialOutcome::kNotSeated:
-      return "not-seated";
-    case TrialOutcome::kMisaligned:
-      return "misaligned";
-    case TrialOutcome::kNotLocated:
-      return "not-located";
-    case TrialOutcome::kNotReleased:
-      return "not-released";
-    case TrialOutcome::kNotAtRest:
-      return "not-at-rest";
-  }
-  ASSAY_CHECK(false, "an outcome that the switch does not know");
-  return {};
-}
-
-Verdict Judge(const Problem& problem, const exec::Trace& trace, const Limits& limits) {
+Verdict Judge(const Problem& problem, const execution::Trace& trace, const Limits& limits) {
   Verdict verdict{.findings = Judgement(problem, trace, limits).Findings()};
-  const exec::ExecutionEnd& end = trace.end();
-  if (end.outcome != exec::ExecutionOutcome::kDone) {
-    verdict.outcome = TrialOutcomeOf(end.outcome);
+  const execution::ExecutionEnd& end = trace.end();
+  if (end.outcome != TrialOutcome::kSucceeded) {
+    verdict.outcome = end.outcome;
     verdict.reason = end.reason;
     return verdict;
   }
-  if (const auto collisions = trace.All<exec::CollisionRecord>(); !collisions.empty()) {
+  if (const auto collisions = trace.All<execution::CollisionRecord>(); !collisions.empty()) {
     verdict.outcome = TrialOutcome::kCollided;
     verdict.reason = Reason(*collisions.front());
     return verdict;

@@ -144,7 +144,7 @@ void Film::Take(const std::string& name, const std::string& caption, const mujoc
   close_ups_ = 0;
 }
 
-void Film::TakeStart(const mujoco::Data& data) { Take("start", "start", data, {}); }
+void Film::SeeStart(const mujoco::Data& data) { Take("start", "start", data, {}); }
 
 void Film::TakeStepEnd(const std::string& action, const mujoco::Data& data) {
   ++ended_;
@@ -176,12 +176,12 @@ void Film::SeeTimestep(const mujoco::Data& data) {
   if (mating_) TakeMating(mating_->Look(data), data);
 }
 
-void Film::SeeMilestone(const exec::Milestone& milestone, const mujoco::Data& data) {
+void Film::SeeMilestone(const execution::Milestone& milestone, const mujoco::Data& data) {
   const plan::PlannedStep& step = plan_.step(milestone.step);
-  const bool acted = milestone.stage == exec::Stage::kActed;
+  const bool acted = milestone.stage == execution::Stage::kActed;
   if (const auto* assemble = std::get_if<plan::Assemble>(&step.action)) {
     if (acted) TakeMating(mating_->LookAtRest(data), data);
-    if (milestone.stage != exec::Stage::kPoised) return;
+    if (milestone.stage != execution::Stage::kPoised) return;
     mating_.emplace(problem_, scene_, problem_.mating(assemble->mating), data, size_.aspect());
     mating_step_ = milestone.step;
     return;
@@ -191,7 +191,7 @@ void Film::SeeMilestone(const exec::Milestone& milestone, const mujoco::Data& da
   if (acted && closes) TakeGrasp(step, data);
 }
 
-void Film::SeeStepEnd(const exec::StepEnd& end, const mujoco::Data& data) {
+void Film::SeeStepEnd(const execution::StepEnd& end, const mujoco::Data& data) {
   // After a recovery the part rests in another place than before.
   if (mating_) TakeMating(mating_->LookAtRest(data), data);
   mating_.reset();

@@ -9,7 +9,7 @@
 #include "planner/domain/problem/problem.h"
 #include "planner/plan/data/plan.h"
 #include "sim/cli/pictures/mating_film.h"
-#include "sim/exec/execution/executor.h"
+#include "sim/execution/walk/executor.h"
 #include "sim/render/image.h"
 #include "sim/render/renderer.h"
 #include "sim/scene/scene.h"
@@ -50,20 +50,20 @@ struct PictureSize {
 // Takes the pictures of one trial: its start and the end of each step. The picture of a step's end
 // shows the error sets that the step's certificate predicts, as ghosts. Close-ups show what the
 // hand does on the way: pads that have closed on a part, and matings (MatingFilm).
-class Film : public exec::Observer {
+class Film : public execution::Observer {
  public:
   // Throws EnvironmentError if there is no renderer, and UsageError if there is no such camera. The
   // objects that `subject` refers to must outlive the film.
   Film(const FilmSubject& subject, const std::vector<std::string>& cameras_of_scenario,
        const PictureOptions& options);
 
-  void TakeStart(const mujoco::Data& data);
   // Takes a picture of the end of an action that is not in the plan: "grasp(can1)".
   void TakeStepEnd(const std::string& action, const mujoco::Data& data);
 
+  void SeeStart(const mujoco::Data& data) override;
   void SeeTimestep(const mujoco::Data& data) override;
-  void SeeMilestone(const exec::Milestone& milestone, const mujoco::Data& data) override;
-  void SeeStepEnd(const exec::StepEnd& end, const mujoco::Data& data) override;
+  void SeeMilestone(const execution::Milestone& milestone, const mujoco::Data& data) override;
+  void SeeStepEnd(const execution::StepEnd& end, const mujoco::Data& data) override;
 
   // Writes one file for each picture. The second step's close-ups are "02-action_3-1-before.png"
   // and so on. Its end is "02-action_3.png" by the first camera and "02-action_3-top.png" by

@@ -6,7 +6,7 @@ namespace assay::cli {
 
 std::vector<render::Ghost> GhostsAfter(const domain::Problem& problem,
                                        const plan::PlannedStep& step,
-                                       const exec::Snapshot& moment) {
+                                       const execution::Snapshot& moment) {
   std::vector<render::Ghost> ghosts;
   for (const plan::ErrorSet& set : step.certificate.after) {
     for (const geometry::Pose& pose : check::ExtremePoses(step.action, set, moment)) {

@@ -4,6 +4,10 @@
 
 #include "sim/cli/program/exit_code.h"
 
+namespace assay::mujoco {
+class Data;
+}
+
 namespace assay::cli {
 
 // Thrown inside a trial to end it once an interruption is requested. The trial's result is lost.
@@ -23,6 +27,8 @@ class Interruption {
   // Returns whether an interruption was requested. May be called from any thread.
   static bool Requested();
   static void BreakOffIfRequested();  // throws BrokenOff
+  // Does the same, as a callback after each timestep of an execution.
+  static void BreakOffAfter(const mujoco::Data&) { BreakOffIfRequested(); }
 
   // Returns `code`, or the exit code of the signal if the program was interrupted.
   static ExitCode CodeOr(ExitCode code);

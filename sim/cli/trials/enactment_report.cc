@@ -9,15 +9,14 @@
 
 #include "sim/cli/options/quantity.h"
 #include "sim/cli/plans/table.h"
-#include "sim/sweep/run/shell.h"
 #include "sim/sweep/store/wilson.h"
 
 namespace assay::cli {
 namespace {
 
-using enact::EnactedTrial;
-using enact::EnactmentOutcome;
-using enact::Leaf;
+using execution::EnactedTrial;
+using execution::Leaf;
+using execution::TrialOutcome;
 using Json = nlohmann::ordered_json;
 
 // The counts over several trials of one plan tree.
@@ -29,8 +28,8 @@ struct EnactedTally {
 
   void Add(const EnactedTrial& trial) {
     ++trials;
-    if (trial.outcome == EnactmentOutcome::kReached) ++reached;
-    if (trial.outcome == EnactmentOutcome::kOperator && !trial.IsFailed()) ++called;
+    if (trial.outcome == TrialOutcome::kSucceeded) ++reached;
+    if (trial.outcome == TrialOutcome::kOperatorCalled && !trial.IsFailed()) ++called;
     greatest_tilt = std::max(greatest_tilt, trial.greatest_tilt);
   }
 };
@@ -62,13 +61,7 @@ std::map<std::string, int> Failures(const EnactmentStudy& study) {
 }
 
 std::string ReplayCommand(const EnactmentStudy& study, int number) {
-  std::string command = fmt::format("assay run {}{} --seed {}", sweep::Word(study.scenario),
-                                    study.is_asked_for ? " --tree" : "", study.seed);
-  command += sweep::ModelsOption(study.models);
-  if (study.is_every_leaf) command += " --worlds all";
-  if (study.sensing_errors > 0)
-    command += fmt::format(" --sensing-errors {}", study.sensing_errors);
-  return command + fmt::format(" --trial {}", number);
+  return study.command.Again(study.command.seed.value(), number).Text();
 }
 
 int CountFlipped(const EnactmentStudy& study, bool is_audited) {
@@ -138,12 +131,12 @@ std::string StepTable(const EnactedTrial& trial, const EnactmentStudy& study) {
 }
 
 Json EnactedTrialJson(const EnactedTrial& trial) {
-  Json json = {{"trial", trial.number},      {"outcome", Name(trial.outcome)},
+  Json json = {{"trial", trial.number},      {"outcome", trial.OutcomeName()},
                {"reason", trial.reason},     {"mishap", trial.fault},
                {"goal", trial.is_goal_true}, {"greatest_tilt", trial.greatest_tilt / kDegree},
                {"spilled", trial.spilled},   {"fallen", trial.fallen}};
   json["collisions"] = Json::array();
-  for (const exec::CollisionRecord& collision : trial.collisions) {
+  for (const execution::CollisionRecord& collision : trial.collisions) {
     json["collisions"].push_back(
         {{"time", collision.time}, {"robot", collision.robot}, {"other", collision.other}});
   }
@@ -153,11 +146,11 @@ Json EnactedTrialJson(const EnactedTrial& trial) {
     json["steps"].push_back({{"action", action}, {"end", end}});
   }
   json["branches"] = Json::array();
-  for (const enact::TakenBranch& branch : trial.walk.branches) {
+  for (const execution::TakenBranch& branch : trial.walk.branches) {
     json["branches"].push_back({{"outcome", branch.text}, {"flipped", branch.is_flipped}});
   }
   json["false_claims"] = Json::array();
-  for (const enact::FalseClaim& claim : trial.walk.false_claims) {
+  for (const execution::FalseClaim& claim : trial.walk.false_claims) {
     json["false_claims"].push_back({{"after_step", claim.step},
                                     {"atom", claim.atom},
                                     {"claimed", claim.claimed},
@@ -209,7 +202,7 @@ std::string TextOf(const EnactmentStudy& study) {
               ? fmt::format("; the greatest tilt of what can spill was {:.3f} degrees\n",
                             all.greatest_tilt / kDegree)
               : "\n";
-  if (study.sensing_errors > 0) {
+  if (study.command.sensing_errors > 0) {
     text += fmt::format("sensor results were falsified in {} trials; the audit found it in {}\n",
                         CountFlipped(study, false), CountFlipped(study, true));
   }
@@ -219,9 +212,9 @@ std::string TextOf(const EnactmentStudy& study) {
 nlohmann::ordered_json ToJson(const EnactmentStudy& study) {
   const EnactedTally all = TallyOf(study);
   Json json = {{"outcome", study.Failed() == 0 ? "reached" : "failed"},
-               {"scenario", study.scenario},
-               {"seed", study.seed},
-               {"sensing_errors", study.sensing_errors},
+               {"scenario", study.command.input.string()},
+               {"seed", study.command.seed.value()},
+               {"sensing_errors", study.command.sensing_errors},
                {"trials", all.trials},
                {"reached", all.reached},
                {"operator_called", all.called},
@@ -234,12 +227,13 @@ nlohmann::ordered_json ToJson(const EnactmentStudy& study) {
   for (std::size_t i = 0; i < study.leaves.size(); ++i) {
     const Leaf& leaf = study.leaves[i];
     const EnactedTally tally = TallyOf(leaf, study);
-    json["leaves"].push_back({{"outcomes", leaf.Text()},
-                              {"unreachable", study.is_every_leaf ? study.unreachable[i] : ""},
-                              {"trials", tally.trials},
-                              {"reached", tally.reached},
-                              {"operator_called", tally.called},
-                              {"greatest_tilt", tally.greatest_tilt / kDegree}});
+    json["leaves"].push_back(
+        {{"outcomes", leaf.Text()},
+         {"unreachable", study.unreachable.empty() ? "" : study.unreachable[i]},
+         {"trials", tally.trials},
+         {"reached", tally.reached},
+         {"operator_called", tally.called},
+         {"greatest_tilt", tally.greatest_tilt / kDegree}});
   }
   json["replay"] = Json::array();
   json["rows"] = Json::array();

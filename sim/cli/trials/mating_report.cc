@@ -112,9 +112,9 @@ MatedTally TallyOf(const std::vector<MatedTrial>& trials) {
     if (trial.seated) ++tally.seated;
     tally.redrawn += trial.redrawn;
     if (trial.seated && !trial.result.end.recovered.empty()) ++tally.recovered;
-    ++tally.ends[std::string(exec::Name(trial.result.end.outcome))];
+    ++tally.ends[std::string(execution::Name(trial.result.end.outcome))];
     if (const auto& holding = trial.result.end.holding)
-      ++tally.holdings[std::string(exec::Name(*holding))];
+      ++tally.holdings[std::string(execution::Name(*holding))];
     tally.greatest_force = std::max(tally.greatest_force, trial.result.greatest_force);
   }
   return tally;
@@ -174,22 +174,22 @@ std::string DivergenceText(const check::Divergence& divergence) {
       divergence.observed ? ContactsText(*divergence.observed) : "its end before that");
 }
 
-std::string RecognizedText(const std::optional<exec::RecognizedContact>& recognized) {
+std::string RecognizedText(const std::optional<execution::RecognizedContact>& recognized) {
   if (!recognized) return {};
   return fmt::format("; by its forces {}{}", recognized->is_loss ? "the loss of " : "",
                      recognized->name);
 }
 
-std::string HoldingText(const std::optional<exec::Holding>& holding) {
-  return holding ? fmt::format("; what can hold it: {}", exec::Name(*holding)) : "";
+std::string HoldingText(const std::optional<execution::Holding>& holding) {
+  return holding ? fmt::format("; what can hold it: {}", execution::Name(*holding)) : "";
 }
 
 // Returns a line for each error state that did not end the trial.
-std::string ErrorStatesText(int trial, const std::vector<exec::ErrorState>& states,
+std::string ErrorStatesText(int trial, const std::vector<execution::ErrorState>& states,
                             const char* then) {
   std::string text;
-  for (const exec::ErrorState& state : states) {
-    text += fmt::format("  trial {}: {}: {}{}; {}\n", trial, exec::Name(state.outcome),
+  for (const execution::ErrorState& state : states) {
+    text += fmt::format("  trial {}: {}: {}{}; {}\n", trial, execution::Name(state.outcome),
                         state.reason, RecognizedText(state.recognized), then);
   }
   return text;
@@ -197,11 +197,11 @@ std::string ErrorStatesText(int trial, const std::vector<exec::ErrorState>& stat
 
 // Returns what went wrong in a trial, one event on each line; empty if nothing did.
 std::string MatedTrialText(const MatingStudy& study, const MatedTrial& trial) {
-  const exec::StrategyEnd& end = trial.result.end;
+  const execution::StrategyEnd& end = trial.result.end;
   std::string text = ErrorStatesText(trial.number, end.recovered, "drew back");
   text += ErrorStatesText(trial.number, end.ignored, "went on");
   if (!trial.seated) {
-    text += fmt::format("  trial {}: {}: {}{}{}\n", trial.number, exec::Name(end.outcome),
+    text += fmt::format("  trial {}: {}: {}{}{}\n", trial.number, execution::Name(end.outcome),
                         end.reason, HoldingText(end.holding), RecognizedText(end.recognized));
   }
   if (!Matches(trial)) {
@@ -305,7 +305,7 @@ Json RecognitionJson(const check::RecognitionTally& tally) {
 
 // Returns the contact that an error state was recognized as, and whether it existed in the engine.
 // Null if none was recognized.
-Json RecognizedJson(const std::optional<exec::RecognizedContact>& recognized,
+Json RecognizedJson(const std::optional<execution::RecognizedContact>& recognized,
                     const SequenceRecord& sequence) {
   if (!recognized) return {};
   const auto bridged = check::Bridged(sequence.contacts.spans);
@@ -314,15 +314,16 @@ Json RecognizedJson(const std::optional<exec::RecognizedContact>& recognized,
           {"right", check::IsRight(*recognized, bridged)}};
 }
 
-Json HoldingJson(const std::optional<exec::Holding>& holding) {
-  return holding ? Json(exec::Name(*holding)) : Json();
+Json HoldingJson(const std::optional<execution::Holding>& holding) {
+  return holding ? Json(execution::Name(*holding)) : Json();
 }
 
-Json ErrorStatesJson(const std::vector<exec::ErrorState>& states, const SequenceRecord& sequence) {
+Json ErrorStatesJson(const std::vector<execution::ErrorState>& states,
+                     const SequenceRecord& sequence) {
   Json json = Json::array();
-  for (const exec::ErrorState& state : states) {
+  for (const execution::ErrorState& state : states) {
     json.push_back({{"motion", state.motion + 1},
-                    {"end", exec::Name(state.outcome)},
+                    {"end", execution::Name(state.outcome)},
                     {"reason", state.reason},
                     {"holding", HoldingJson(state.holding)},
                     {"recognized", RecognizedJson(state.recognized, sequence)}});
@@ -336,7 +337,7 @@ Json MatedTrialJson(const MatingStudy& study, const MatedTrial& trial) {
           {"redrawn", trial.redrawn},
           {"covered", study.Covers(trial)},
           {"seated", trial.seated},
-          {"end", exec::Name(trial.result.end.outcome)},
+          {"end", execution::Name(trial.result.end.outcome)},
           {"reason", trial.result.end.reason},
           {"holding", HoldingJson(trial.result.end.holding)},
           {"recognized", RecognizedJson(trial.result.end.recognized, *trial.sequence)},

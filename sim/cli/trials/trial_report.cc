@@ -26,17 +26,17 @@ struct PartOf {
 };
 
 struct StepRow {
-  const exec::StepEnd& end;
+  const execution::StepEnd& end;
   double duration = 0;  // seconds
   Vector3 error;        // true minus believed position of the handled part, metres
 };
 
 std::vector<StepRow> StepRows(const domain::Problem& problem, const plan::Plan& plan,
-                              const exec::Trace& trace) {
+                              const execution::Trace& trace) {
   std::vector<StepRow> rows;
   double start = 0;
-  for (const exec::StepEnd* end : trace.All<exec::StepEnd>()) {
-    const exec::TrueAndBelieved& part =
+  for (const execution::StepEnd* end : trace.All<execution::StepEnd>()) {
+    const execution::TrueAndBelieved& part =
         end->moment.parts[std::visit(PartOf{problem}, plan.step(end->step).action).index()];
     rows.push_back(
         {*end, end->moment.time - start, part.truth.translation() - part.believed.translation()});
@@ -106,14 +106,15 @@ Json FindingsToJson(const std::vector<check::Finding>& findings) {
 
 }  // namespace
 
-std::string ForPeople(const domain::Problem& problem, const plan::Plan& plan, const Trial& trial) {
+std::string ForPeople(const domain::Problem& problem, const plan::Plan& plan,
+                      const check::Trial& trial) {
   return fmt::format("{}\n{}", StepTable(StepRows(problem, plan, trial.trace)),
                      FindingTable(trial.verdict.findings));
 }
 
-Json ToJson(const domain::Problem& problem, const plan::Plan& plan, const Trial& trial) {
+Json ToJson(const domain::Problem& problem, const plan::Plan& plan, const check::Trial& trial) {
   return {{"trial", trial.number},
-          {"outcome", check::Name(trial.verdict.outcome)},
+          {"outcome", execution::Name(trial.verdict.outcome)},
           {"reason", trial.verdict.reason},
           {"simulated", trial.trace.end().moment.time},
           {"steps", StepsToJson(StepRows(problem, plan, trial.trace))},

@@ -19,8 +19,7 @@
 #include "sim/cli/verbs/noisy_run.h"
 #include "sim/cli/work/noise_floor_cache.h"
 #include "sim/cli/work/output_file.h"
-#include "sim/exec/commands/command_file.h"
-#include "sim/sweep/run/shell.h"
+#include "sim/execution/commands/command_file.h"
 
 namespace assay::cli {
 namespace {
@@ -33,7 +32,7 @@ class AttackReport {
       : run_(run),
         plan_(run.planned.result.plan),
         experiment_{run.planned.problem, plan_, run.planned.simulation.scene,
-                    KeptNoiseFloor(run.planned, run.command)},
+                    KeptNoiseFloor(run.planned, run.command.OfPlan().Text())},
         tally_(plan_) {}
 
   ExitCode Execute() {
@@ -71,7 +70,7 @@ class AttackReport {
 
  private:
   std::string ReplayCommand(const noise::Noise& noise) const {
-    return fmt::format("{} --errors {}", run_.command, sweep::Quoted(noise::Text(noise)));
+    return run_.command.WithErrors(noise::Text(noise)).Text();
   }
 
   Json Result() const {
@@ -120,7 +119,7 @@ class AttackReport {
   std::vector<std::string> Actions() const {
     std::vector<std::string> actions;
     for (const plan::PlannedStep& step : plan_.steps) {
-      actions.push_back(exec::Text(run_.planned.problem, step.action));
+      actions.push_back(execution::Text(run_.planned.problem, step.action));
     }
     return actions;
   }

@@ -266,9 +266,11 @@ class Result {
   }
 
   std::string ReplayCommand(const Trial& trial) const {
-    return fmt::format("assay calibrate {} --seed {} --trial {}{}",
-                       sweep::Word(trial.subject->file.string()), trial.subject->seed, trial.number,
-                       sweep::ModelsOption(options_.models));
+    sweep::CommandLine line("calibrate", trial.subject->file);
+    line.Add("--seed", trial.subject->seed);
+    line.Add("--trial", trial.number);
+    line.AddModels(options_.models);
+    return line.text();
   }
 
   static Json Coordinates(const Displacement& displacement) {

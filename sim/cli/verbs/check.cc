@@ -26,8 +26,8 @@
 #include "sim/cli/trials/sweep_report.h"
 #include "sim/cli/work/output_file.h"
 #include "sim/cli/work/planned_problem.h"
-#include "sim/enact/walk/interpretation.h"
-#include "sim/enact/walk/knowledge_scenario.h"
+#include "sim/execution/interpretation/interpretation.h"
+#include "sim/execution/interpretation/knowledge_scenario.h"
 #include "sim/scenario/models_folder.h"
 
 namespace assay::cli {
@@ -58,7 +58,7 @@ Report CheckPart(const Document& document, const fs::path& file, const Options& 
 // A scenario's key `knowledge` does not appear in the report, but is checked.
 Report CheckScenario(const Document& document, const fs::path& file, const Options& options) {
   if (document.root().Find("knowledge")) {
-    enact::Read(document, scenario::FindModels(file, options.models));
+    execution::Read(document, scenario::FindModels(file, options.models));
   }
   const std::vector<domain::Problem> worlds = scenario::ReadWorlds(document, options.models);
   Report report = ReportOn(worlds.front());

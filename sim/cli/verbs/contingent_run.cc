@@ -6,7 +6,6 @@
 #include <filesystem>
 #include <map>
 #include <memory>
-#include <mutex>
 #include <nlohmann/json.hpp>
 #include <optional>
 
@@ -25,16 +24,16 @@
 #include "sim/cli/trees/plan_tree_report.h"
 #include "sim/cli/trials/enactment_report.h"
 #include "sim/cli/work/output_file.h"
-#include "sim/cli/work/trial.h"
-#include "sim/enact/walk/knowledge_scenario.h"
-#include "sim/enact/walk/plan_interpretation.h"
+#include "sim/execution/interpretation/knowledge_scenario.h"
+#include "sim/execution/interpretation/plan_interpretation.h"
+#include "sim/execution/trial/scheduler.h"
 #include "sim/scenario/models_folder.h"
 
 namespace assay::cli {
 namespace {
 
-using enact::EnactedTrial;
-using enact::KnowledgeScenario;
+using execution::EnactedTrial;
+using execution::KnowledgeScenario;
 using Json = nlohmann::ordered_json;
 
 // A scenario's plan tree and its trials.
@@ -45,15 +44,10 @@ class Enacting {
       : run_(run),
         scenario_(scenario),
         tree_(tree),
-        seed_(run.seed.value_or(scenario.scenario.simulation.seed)),
-        study_{.scenario = run.scenario.string(),
-               .models = run.models,
-               .is_asked_for = run.is_tree_asked_for,
-               .seed = seed_,
-               .sensing_errors = run.sensing_errors,
-               .is_every_leaf = run.is_every_leaf,
+        seed_(run.command.seed.value_or(scenario.scenario.simulation.seed)),
+        study_{.command = run.command.Again(seed_, std::nullopt),
                .can_spill = scenario.interpretation.spill.has_value(),
-               .leaves = enact::LeavesOf(scenario.interpretation.task, tree, kMostLeaves)} {
+               .leaves = execution::LeavesOf(scenario.interpretation.task, tree, kMostLeaves)} {
     if (study_.leaves.size() == kMostLeaves) {
       throw UsageError(fmt::format("run: the tree has {} leaves or more", kMostLeaves));
     }
@@ -65,18 +59,16 @@ class Enacting {
 
   ExitCode Execute() {
     const std::vector<int> numbers = Numbers();
-    study_.trials.resize(numbers.size());
     const Interruption interruption;
-    ForEachTrial(static_cast<int>(numbers.size()), run_.jobs, [&](int nth) {
-      const int number = numbers[static_cast<std::size_t>(nth - 1)];
-      const bool is_pictured = nth == 1 && run_.renders;
-      study_.trials[static_cast<std::size_t>(nth - 1)] = Run(number, is_pictured);
-      const std::lock_guard lock(mutex_);
-      progress_->Tell(fmt::format("enacting, {} of {} trials", ++done_, numbers.size()));
-    });
+    execution::Scheduler(run_.jobs, Interruption::Requested)
+        .InOrder(
+            numbers.size(), [&](std::size_t i) { return Run(numbers[i], i == 0 && run_.renders); },
+            [&](std::size_t, EnactedTrial trial) {
+              study_.trials.push_back(std::move(trial));
+              progress_->Tell(
+                  fmt::format("enacting, {} of {} trials", study_.trials.size(), numbers.size()));
+            });
     progress_.reset();
-    // Trials that were not made have the number 0.
-    std::erase_if(study_.trials, [](const EnactedTrial& trial) { return trial.number == 0; });
     study_.seconds = stopwatch_.Seconds();
     const Json printed = Result();
     Json result = printed;
@@ -92,6 +84,8 @@ class Enacting {
  private:
   static constexpr std::size_t kMostLeaves = 10'000;
 
+  bool IsEveryLeaf() const { return run_.command.worlds == "all"; }
+
   Json Result() const {
     Json json = ToJson(study_);
     if (Interruption::Requested()) json["interrupted"] = true;
@@ -100,12 +94,12 @@ class Enacting {
 
   // With --worlds all, finds the leaves that a hidden world leads to, as indices among all leaves.
   void FindWorlds() {
-    if (!study_.is_every_leaf) return;
+    if (!IsEveryLeaf()) return;
     study_.unreachable.resize(study_.leaves.size());
     for (std::size_t i = 0; i < study_.leaves.size(); ++i) {
       RandomStream random(seed_, "reachable");
-      const auto found = enact::FindWorld(study_.leaves[i], scenario_.interpretation,
-                                          scenario_.scenario.problem, random);
+      const auto found = execution::FindWorld(study_.leaves[i], scenario_.interpretation,
+                                              scenario_.scenario.problem, random);
       if (const auto* why = std::get_if<std::string>(&found)) {
         study_.unreachable[i] = *why;
       } else {
@@ -118,13 +112,13 @@ class Enacting {
     }
   }
 
-  std::optional<enact::HiddenWorld> WorldFor(std::size_t leaf, RandomStream& random) const {
-    return enact::WorldFor(study_.leaves[leaf], scenario_.interpretation,
-                           scenario_.scenario.problem, random);
+  std::optional<execution::HiddenWorld> WorldFor(std::size_t leaf, RandomStream& random) const {
+    return execution::WorldFor(study_.leaves[leaf], scenario_.interpretation,
+                               scenario_.scenario.problem, random);
   }
 
   std::vector<int> Numbers() const {
-    if (run_.trial) return {*run_.trial};
+    if (run_.command.trial) return {*run_.command.trial};
     const int usual = reachable_.empty() ? 1 : static_cast<int>(reachable_.size());
     std::vector<int> numbers(static_cast<std::size_t>(run_.trials.value_or(usual)));
     for (std::size_t i = 0; i < numbers.size(); ++i) numbers[i] = static_cast<int>(i) + 1;
@@ -132,33 +126,33 @@ class Enacting {
   }
 
   // With --worlds all, the trials go through the leaves in turn.
-  enact::HiddenWorld WorldOf(int number) const {
+  execution::HiddenWorld WorldOf(int number) const {
     RandomStream random(seed_, fmt::format("hidden world {}", number));
     if (reachable_.empty())
-      return enact::DrawnWorld(scenario_.interpretation.hidden,
-                               scenario_.interpretation.WorldCount(), random);
+      return execution::DrawnWorld(scenario_.interpretation.hidden,
+                                   scenario_.interpretation.WorldCount(), random);
     const std::size_t leaf = reachable_[static_cast<std::size_t>(number - 1) % reachable_.size()];
     return WorldFor(leaf, random).value();
   }
 
   EnactedTrial Run(int number, bool is_pictured) const {
-    enact::TrialSettings settings{.seed = seed_, .sensing_errors = run_.sensing_errors};
+    execution::TrialSettings settings{.seed = seed_, .sensing_errors = run_.command.sensing_errors};
     std::optional<Film> film;
-    settings.on_step_end = [&](const enact::StepPicture& step) {
+    settings.on_step_end = [&](const execution::StepPicture& step) {
       if (is_pictured) Take(step, film);
       Interruption::BreakOffIfRequested();
     };
 
-    EnactedTrial trial = enact::RunTrial(scenario_, tree_, {number, WorldOf(number)}, settings);
+    EnactedTrial trial = execution::RunTrial(scenario_, tree_, {number, WorldOf(number)}, settings);
     if (film) film->Write(run_.folder);
     return trial;
   }
 
-  void Take(const enact::StepPicture& step, std::optional<Film>& film) const {
+  void Take(const execution::StepPicture& step, std::optional<Film>& film) const {
     if (film) return film->TakeStepEnd(step.action, step.data);
     film.emplace(FilmSubject{scenario_.scenario.problem, kNoPlan, step.scene},
                  scenario_.scenario.simulation.cameras, run_.pictures);
-    film->TakeStart(step.data);
+    film->SeeStart(step.data);
   }
 
   static const plan::Plan kNoPlan;
@@ -170,15 +164,13 @@ class Enacting {
   EnactmentStudy study_;
   std::vector<std::size_t> reachable_;
   const Stopwatch stopwatch_;
-  std::mutex mutex_;
-  int done_ = 0;
   std::unique_ptr<Progress> progress_ = std::make_unique<Progress>("enacting");
 };
 
 const plan::Plan Enacting::kNoPlan = {};
 
 // Reports an assembly without a plan in the same form as `assay plan`.
-ExitCode RefuseAssembly(const enact::PlannedWorlds& planned, const ContingentRun& run) {
+ExitCode RefuseAssembly(const execution::PlannedWorlds& planned, const ContingentRun& run) {
   const Json json = {{"outcome", planned.assembly.outcome == Outcome::kNone ? "none" : "budget"},
                      {"plan", ToJson(planned.worlds, planned.assembly)}};
   Print(run.json ? plan::JsonText(json) : Text(planned.worlds, planned.assembly));
@@ -187,7 +179,7 @@ ExitCode RefuseAssembly(const enact::PlannedWorlds& planned, const ContingentRun
 
 // Reports that no plan was found. The actions for which there is no grasp are listed, because they
 // may be the reason.
-ExitCode RefuseKnowledge(const enact::Interpretation& interpretation,
+ExitCode RefuseKnowledge(const execution::Interpretation& interpretation,
                          const contingent::ContingentPlan& plan, const ContingentRun& run) {
   const bool is_none = plan.outcome == Outcome::kNone;
   Json json = {{"outcome", is_none ? "none" : "budget"}, {"not_served", interpretation.unserved}};
@@ -204,14 +196,14 @@ ExitCode RefuseKnowledge(const enact::Interpretation& interpretation,
   return ExitCodeOf(plan.outcome);
 }
 
-ExitCode Refuse(const enact::Interpretation& interpretation, const contingent::ContingentPlan& plan,
-                const ContingentRun& run) {
+ExitCode Refuse(const execution::Interpretation& interpretation,
+                const contingent::ContingentPlan& plan, const ContingentRun& run) {
   if (interpretation.planned) return RefuseAssembly(*interpretation.planned, run);
   return RefuseKnowledge(interpretation, plan, run);
 }
 
 // Returns the tree of an assembly, which is made already, or plans one.
-contingent::ContingentPlan PlanOf(const enact::Interpretation& interpretation) {
+contingent::ContingentPlan PlanOf(const execution::Interpretation& interpretation) {
   if (interpretation.planned) {
     contingent::ContingentPlan plan;
     plan.outcome = interpretation.planned->assembly.outcome;
@@ -225,8 +217,8 @@ contingent::ContingentPlan PlanOf(const enact::Interpretation& interpretation) {
 }  // namespace
 
 ExitCode RunContingent(const ContingentRun& run) {
-  const KnowledgeScenario scenario =
-      enact::Load(run.scenario, scenario::FindModels(run.scenario, run.models));
+  const KnowledgeScenario scenario = execution::Load(
+      run.command.input, scenario::FindModels(run.command.input, run.command.models));
   const contingent::ContingentPlan plan = PlanOf(scenario.interpretation);
   if (plan.outcome != Outcome::kFound) return Refuse(scenario.interpretation, plan, run);
   return Enacting(run, scenario, plan.tree).Execute();

@@ -17,7 +17,7 @@
 #include "sim/cli/trees/plan_tree_report.h"
 #include "sim/cli/work/output_file.h"
 #include "sim/cli/work/planned_problem.h"
-#include "sim/exec/commands/command_file.h"
+#include "sim/execution/commands/command_file.h"
 #include "sim/scene/mjcf.h"
 
 namespace assay::cli {
@@ -68,7 +68,7 @@ ExitCode ExportPlan(const Options& options,
 }
 
 std::string CommandFileText(const domain::Problem& problem, const plan::Plan& plan) {
-  return exec::Text(problem, plan, exec::CommandFileOf(problem, plan));
+  return execution::Text(problem, plan, execution::CommandFileOf(problem, plan));
 }
 
 ExitCode ExportNetwork(const Options& options) {

@@ -17,8 +17,8 @@
 #include "sim/cli/plans/table.h"
 #include "sim/cli/program/console.h"
 #include "sim/cli/program/verb.h"
-#include "sim/enact/meanings/quantity.h"
-#include "sim/enact/skills/skill.h"
+#include "sim/execution/predicates/quantity.h"
+#include "sim/execution/skills/skill.h"
 
 namespace assay::cli {
 namespace list_verb {
@@ -136,10 +136,11 @@ Entries ListWords(const Words& words) {
   return entries;
 }
 
-Entries ListSkills(const domain::ModelPath&) { return ListWords(enact::SkillWords()); }
+Entries ListSkills(const domain::ModelPath&) { return ListWords(execution::SkillWords()); }
 Entries ListMeanings(const domain::ModelPath&) {
-  Entries entries = ListWords(enact::MeaningWords());
-  for (Entry& quantity : ListWords(enact::QuantityWords())) entries.push_back(std::move(quantity));
+  Entries entries = ListWords(execution::MeaningWords());
+  for (Entry& quantity : ListWords(execution::QuantityWords()))
+    entries.push_back(std::move(quantity));
   return entries;
 }
 

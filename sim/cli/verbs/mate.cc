@@ -29,7 +29,7 @@
 #include "sim/cli/work/mating_task.h"
 #include "sim/cli/work/mating_trials.h"
 #include "sim/cli/work/output_file.h"
-#include "sim/cli/work/trial.h"
+#include "sim/execution/trial/scheduler.h"
 #include "sim/sweep/run/shell.h"
 
 namespace assay::cli {
@@ -106,28 +106,22 @@ finemotion::StrategyOptions SearchOptions(const Options& options, const domain::
 // Returns the command that repeats a trial when the trial's number is added.
 std::string ReplayCommand(const Options& options) {
   const Options usual;
-  std::string command = fmt::format("assay mate {}", sweep::Word(options.scenario.string()));
-  const auto add = [&](const char* name, const auto& value, const auto& default_value) {
-    if (value != default_value) command += fmt::format(" --{} {}", name, value);
-  };
-  const auto add_given = [&](const char* name, const std::optional<double>& value) {
-    if (value) command += fmt::format(" --{} {}", name, *value);
-  };
-  add_given("displacement", options.displacement_mm);
-  add_given("rotation", options.rotation_deg);
-  add_given("velocity", options.velocity);
-  add_given("clearance", options.clearance_mm);
-  add_given("friction", options.friction);
-  add("beyond", options.beyond, usual.beyond);
+  sweep::CommandLine line("mate", options.scenario);
+  line.AddIfGiven("--displacement", options.displacement_mm);
+  line.AddIfGiven("--rotation", options.rotation_deg);
+  line.AddIfGiven("--velocity", options.velocity);
+  line.AddIfGiven("--clearance", options.clearance_mm);
+  line.AddIfGiven("--friction", options.friction);
+  line.AddUnless(usual.beyond, "--beyond", options.beyond);
   for (const auto& [name, test] : Intersections()) {
-    if (test == options.intersection) add("intersection", name, "exact");
+    if (test == options.intersection) line.AddUnless(std::string("exact"), "--intersection", name);
   }
-  add("seed", options.seed, usual.seed);
-  add("search-seed", options.search_seed, usual.search_seed);
-  add("nodes", options.nodes, usual.nodes);
-  add("grasp", scene::Name(options.grasp), scene::Name(usual.grasp));
-  command += sweep::ModelsOption(options.models);
-  return command + " --trial ";
+  line.AddUnless(usual.seed, "--seed", options.seed);
+  line.AddUnless(usual.search_seed, "--search-seed", options.search_seed);
+  line.AddUnless(usual.nodes, "--nodes", options.nodes);
+  line.AddUnless(scene::Name(usual.grasp), "--grasp", scene::Name(options.grasp));
+  line.AddModels(options.models);
+  return line.text() + " --trial ";
 }
 
 std::vector<int> NumbersOf(const Options& options) {
@@ -191,23 +185,24 @@ MatingStudy Tried(const Planning& of, const kinematics::JointVector& near, const
   const MatingTrials trials(of.task, of.geometry, of.strategy, settings);
   const check::PlannedContacts contacts = check::PlannedContactsOf(of.plan);
   const std::vector<int> numbers = NumbersOf(options);
-  MatingStudy study{.strategy = std::vector<MatedTrial>(numbers.size()),
-                    .straight = std::vector<MatedTrial>(numbers.size()),
+  MatingStudy study{.strategy = {},
+                    .straight = {},
                     .covered = of.plan.absorbed,
                     .replay = ReplayCommand(options)};
   const Interruption interruption;
-  ForEachTrial(static_cast<int>(numbers.size()), options.jobs, [&](int nth) {
-    const auto i = static_cast<std::size_t>(nth - 1);
-    MatedTrial strategy = trials.RunStrategy(numbers[i], contacts);
-    Interruption::BreakOffIfRequested();
-    study.straight[i] = trials.RunStraight(numbers[i]);
-    study.strategy[i] = std::move(strategy);
-    progress.Tell(fmt::format("mating in physics, trial {} of {}", nth, numbers.size()));
-  });
-  // Trials that were not made have the number 0.
-  for (std::vector<MatedTrial>* made : {&study.strategy, &study.straight}) {
-    std::erase_if(*made, [](const MatedTrial& trial) { return trial.number == 0; });
-  }
+  execution::Scheduler(options.jobs, Interruption::Requested)
+      .InOrder(
+          numbers.size(),
+          [&](std::size_t i) {
+            MatedTrial strategy = trials.RunStrategy(numbers[i], contacts);
+            Interruption::BreakOffIfRequested();
+            return std::pair(std::move(strategy), trials.RunStraight(numbers[i]));
+          },
+          [&](std::size_t i, std::pair<MatedTrial, MatedTrial> made) {
+            study.strategy.push_back(std::move(made.first));
+            study.straight.push_back(std::move(made.second));
+            progress.Tell(fmt::format("mating in physics, trial {} of {}", i + 1, numbers.size()));
+          });
   std::vector<check::SequenceComparison> comparisons;
   for (const MatedTrial& trial : study.strategy) comparisons.push_back(trial.sequence->comparison);
   study.ranking = check::RankMargins(of.geometry.passage, of.plan, of.search.reach, comparisons);

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <map>
 #include <memory>
-#include <mutex>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <vector>
@@ -14,7 +13,7 @@
 #include "planner/plan/file/json_layout.h"
 #include "sim/check/claims/noiseless.h"
 #include "sim/check/trial/ledger.h"
-#include "sim/check/trial/noisy_trial.h"
+#include "sim/check/trial/trial.h"
 #include "sim/cli/plans/certificate_text.h"
 #include "sim/cli/program/console.h"
 #include "sim/cli/program/interruption.h"
@@ -26,22 +25,20 @@
 #include "sim/cli/trials/verdict_tally.h"
 #include "sim/cli/work/noise_floor_cache.h"
 #include "sim/cli/work/output_file.h"
-#include "sim/cli/work/trial.h"
-#include "sim/exec/commands/command_file.h"
-#include "sim/exec/execution/executor.h"
-#include "sim/sense/overhead_camera.h"
-#include "sim/sweep/run/shell.h"
+#include "sim/execution/commands/command_file.h"
+#include "sim/execution/trial/scheduler.h"
 #include "sim/sweep/store/wilson.h"
 
 namespace assay::cli {
 namespace {
 
-using check::NoisyTrial;
-using check::TrialOutcome;
+using check::Trial;
+using execution::TrialOutcome;
 using Json = nlohmann::ordered_json;
 
 // The results of one trial that are kept.
 struct NoisyRow {
+  int number = 0;
   TrialOutcome outcome = TrialOutcome::kSucceeded;
   std::string reason = {};
   std::string noise = {};
@@ -49,6 +46,8 @@ struct NoisyRow {
   int recovered = 0;
   bool operator_called = false;
   bool violated = false;
+  std::vector<check::Claim> claims = {};
+  std::vector<check::LedgerEntry> ledger = {};  // for a single trial
 
   bool Failed() const { return outcome != TrialOutcome::kSucceeded || violated; }
 };
@@ -58,18 +57,23 @@ class NoisyTrials {
   explicit NoisyTrials(const NoisyRun& run)
       : run_(run),
         plan_(run.planned.result.plan),
+        is_camera_(run.command.sensing == "camera"),
         box_(noise::ErrorBox(run.planned.problem, plan_)),
         experiment_{run.planned.problem, plan_, run.planned.simulation.scene,
-                    KeptNoiseFloor(run.planned, run.command)} {}
+                    KeptNoiseFloor(run.planned, run.command.OfPlan().Text())} {}
 
   ExitCode Execute() {
     const Interruption interruption;
-    if (!run_.errors && !run_.only) noiseless_ = check::ExecuteWithoutNoise(experiment_);
+    if (!run_.command.errors && !run_.command.trial)
+      noiseless_ = check::ExecuteWithoutNoise(experiment_);
     if (noiseless_.Holds()) {
-      ForEachTrial(Wanted(), run_.jobs, [this](int nth) {
-        const int number = run_.only.value_or(nth);
-        Keep(number, RunOne(number));
-      });
+      execution::Scheduler(run_.jobs, Interruption::Requested)
+          .InOrder(
+              static_cast<std::size_t>(Wanted()),
+              [this](std::size_t i) {
+                return RowOf(RunOne(run_.command.trial.value_or(static_cast<int>(i) + 1)));
+              },
+              [this](std::size_t, NoisyRow row) { Keep(std::move(row)); });
     }
     progress_.reset();
     const Json result = Result();
@@ -83,62 +87,61 @@ class NoisyTrials {
   }
 
  private:
-  int Wanted() const { return run_.only ? 1 : run_.trials; }
+  int Wanted() const { return run_.command.trial ? 1 : run_.trials; }
   bool IsSingle() const { return Wanted() == 1; }
 
   noise::Noise NoiseOf(int number) const {
-    return run_.errors ? NoiseFrom(*run_.errors, run_.planned)
-                       : noise::Sample(box_, run_.mode, run_.seed, number);
+    return run_.command.errors ? NoiseFrom(*run_.command.errors, run_.planned)
+                               : noise::Sample(box_, run_.mode, run_.seed, number);
   }
 
-  NoisyTrial RunOne(int number) const {
-    exec::ExecutorOptions options;
-    options.on_timestep = [](const mujoco::Data&) { Interruption::BreakOffIfRequested(); };
-    const bool traces = !run_.folder.empty();
-    if (!traces) options.sample_rate = 0;
-    const noise::Noise noise = NoiseOf(number);
-    if (!run_.camera) return RunNoisyTrial(experiment_, noise, options);
-    // Each trial has a camera of its own, because a renderer belongs to its thread and its scene.
-    const scene::Scene scene(experiment_.problem, exec::TrueScene(experiment_.scene, noise));
-    sense::OverheadCamera camera(scene, experiment_.problem);
-    options.sensor = &camera;
-    return RunNoisyTrial(experiment_, noise, options);
+  Trial RunOne(int number) const {
+    execution::ExecutorOptions options;
+    options.on_timestep = Interruption::BreakOffAfter;
+    if (run_.folder.empty()) options.sample_rate = 0;
+    Trial trial = RunTrial(experiment_, NoiseOf(number), options,
+                           is_camera_ ? check::Sensing::kCamera : check::Sensing::kDrawn);
+    trial.number = number;
+    return trial;
   }
 
   // The ledger of a single trial is in the result, not in a file.
-  void WriteFiles(int number, const NoisyTrial& trial) const {
+  void WriteFiles(const Trial& trial) const {
     std::ostringstream text;
-    exec::WriteTrace(trial.trace, text);
-    WriteFile(run_.folder / fmt::format("trace-{}.jsonl", number), text.str());
+    execution::WriteTrace(trial.trace, text);
+    WriteFile(run_.folder / fmt::format("trace-{}.jsonl", trial.number), text.str());
     if (IsSingle()) return;
     const Json ledger = ToJson(check::LedgerOf(experiment_, trial.noise, trial.trace));
-    WriteFile(run_.folder / fmt::format("ledger-{}.json", number), plan::JsonText(ledger));
+    WriteFile(run_.folder / fmt::format("ledger-{}.json", trial.number), plan::JsonText(ledger));
   }
 
-  void Keep(int number, NoisyTrial trial) {
-    if (!run_.folder.empty()) WriteFiles(number, trial);
-    if (IsSingle()) ledger_ = check::LedgerOf(experiment_, trial.noise, trial.trace);
-    const NoisyRow row = {.outcome = trial.verdict.outcome,
-                          .reason = trial.verdict.reason,
-                          .noise = noise::Text(trial.noise),
-                          .errors_signalled = trial.errors_signalled,
-                          .recovered = trial.recovered,
-                          .operator_called = trial.operator_called,
-                          .violated = std::ranges::any_of(trial.claims, &check::Claim::IsViolated)};
-    const std::lock_guard lock(mutex_);
-    claims_.emplace(number, std::move(trial.claims));
-    rows_.emplace(number, row);
+  NoisyRow RowOf(Trial trial) const {
+    if (!run_.folder.empty()) WriteFiles(trial);
+    NoisyRow row = {.number = trial.number,
+                    .outcome = trial.verdict.outcome,
+                    .reason = trial.verdict.reason,
+                    .noise = noise::Text(trial.noise),
+                    .errors_signalled = trial.errors_signalled,
+                    .recovered = trial.recovered,
+                    .operator_called = trial.operator_called,
+                    .violated = std::ranges::any_of(trial.claims, &check::Claim::IsViolated),
+                    .claims = std::move(trial.claims)};
+    if (IsSingle()) row.ledger = check::LedgerOf(experiment_, trial.noise, trial.trace);
+    return row;
+  }
+
+  void Keep(NoisyRow row) {
+    rows_.push_back(std::move(row));
     progress_->Tell(fmt::format("{} of {} trials", rows_.size(), Wanted()));
   }
 
   std::map<std::string, int> Outcomes() const {
     std::map<std::string, int> outcomes;
-    for (const auto& [number, row] : rows_) ++outcomes[std::string(check::Name(row.outcome))];
+    for (const NoisyRow& row : rows_) ++outcomes[std::string(execution::Name(row.outcome))];
     return outcomes;
   }
   int Count(const auto& holds) const {
-    return static_cast<int>(
-        std::ranges::count_if(rows_, [&](const auto& entry) { return holds(entry.second); }));
+    return static_cast<int>(std::ranges::count_if(rows_, holds));
   }
   int Succeeded() const {
     return Count([](const NoisyRow& row) { return row.outcome == TrialOutcome::kSucceeded; });
@@ -148,15 +151,18 @@ class NoisyTrials {
   }
 
   std::string ReplayCommand(int number) const {
-    std::string command = run_.command;
-    if (run_.errors) return fmt::format("{} --errors {}", command, sweep::Quoted(*run_.errors));
-    return fmt::format("{} --noise {}{} --seed {} --trial {}", command, noise::Name(run_.mode),
-                       run_.camera ? " --sensing camera" : "", run_.seed, number);
+    if (run_.command.errors) return run_.command.Text();
+    return run_.command.Again(run_.seed, number).Text();
+  }
+
+  // Returns the ledger of a single trial.
+  std::vector<check::LedgerEntry> Ledger() const {
+    return rows_.empty() ? std::vector<check::LedgerEntry>() : rows_.front().ledger;
   }
 
   VerdictTally Tally() const {
     VerdictTally tally(plan_);
-    for (const auto& [number, claims] : claims_) tally.Add(claims);
+    for (const NoisyRow& row : rows_) tally.Add(row.claims);
     return tally;
   }
 
@@ -176,14 +182,14 @@ class NoisyTrials {
                    {"seed", run_.seed},
                    {"grasp", scene::Name(run_.planned.simulation.scene.grasp)},
                    {"noise", noise::Name(run_.mode)},
-                   {"sensing", run_.camera ? "camera" : "drawn"},
+                   {"sensing", is_camera_ ? "camera" : "drawn"},
                    {"gate", ToJson(plan_, experiment_.gate)},
                    {"rows", Json::array()}};
     if (Interruption::Requested()) result["interrupted"] = true;
-    for (const auto& [number, row] : rows_) {
-      if (row.Failed()) result["replay"].push_back(ReplayCommand(number));
-      result["rows"].push_back({{"trial", number},
-                                {"outcome", check::Name(row.outcome)},
+    for (const NoisyRow& row : rows_) {
+      if (row.Failed()) result["replay"].push_back(ReplayCommand(row.number));
+      result["rows"].push_back({{"trial", row.number},
+                                {"outcome", execution::Name(row.outcome)},
                                 {"reason", row.reason},
                                 {"violated", row.violated},
                                 {"errors_signalled", row.errors_signalled},
@@ -191,14 +197,14 @@ class NoisyTrials {
                                 {"operator_called", row.operator_called},
                                 {"noise", row.noise}});
     }
-    if (IsSingle()) result["ledger"] = ToJson(ledger_);
+    if (IsSingle()) result["ledger"] = ToJson(Ledger());
     return result;
   }
 
   std::vector<std::string> Actions() const {
     std::vector<std::string> actions;
     for (const plan::PlannedStep& step : plan_.steps) {
-      actions.push_back(exec::Text(run_.planned.problem, step.action));
+      actions.push_back(execution::Text(run_.planned.problem, step.action));
     }
     return actions;
   }
@@ -208,13 +214,13 @@ class NoisyTrials {
     text += Text(plan_, experiment_.gate) + "\n";
     if (!noiseless_.Holds()) return text + Text(plan_, noiseless_, experiment_.gate);
     text += Tally().Text(Actions()) + "\n";
-    if (!ledger_.empty()) text += Text(ledger_) + "\n";
+    if (!Ledger().empty()) text += Text(Ledger()) + "\n";
     constexpr int kMostTold = 3;
     int told = 0;
-    for (const auto& [number, row] : rows_) {
+    for (const NoisyRow& row : rows_) {
       if (!row.Failed() || ++told > kMostTold) continue;
-      text += fmt::format("trial {}: {}{}{}\nagain: {}\n", number, check::Name(row.outcome),
-                          row.reason.empty() ? "" : ": ", row.reason, ReplayCommand(number));
+      text += fmt::format("trial {}: {}{}{}\nagain: {}\n", row.number, execution::Name(row.outcome),
+                          row.reason.empty() ? "" : ": ", row.reason, ReplayCommand(row.number));
     }
     if (told > kMostTold) text += fmt::format("and {} more\n", told - kMostTold);
     if (told > 0) text += "\n";
@@ -241,15 +247,13 @@ class NoisyTrials {
 
   const NoisyRun& run_;
   const plan::Plan& plan_;
+  const bool is_camera_;  // looks are taken by the camera instead of drawn
   const Stopwatch stopwatch_;
   std::unique_ptr<Progress> progress_ = std::make_unique<Progress>("executing under noise");
   const std::vector<noise::Channel> box_;
   const check::Experiment experiment_;
   check::Noiseless noiseless_;  // execution before the trials; not used for a single trial
-  std::mutex mutex_;
-  std::map<int, NoisyRow> rows_;  // by number
-  std::map<int, std::vector<check::Claim>> claims_;
-  std::vector<check::LedgerEntry> ledger_;  // for a single trial
+  std::vector<NoisyRow> rows_;  // in the order of their numbers
 };
 
 }  // namespace

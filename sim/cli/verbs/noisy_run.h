@@ -2,27 +2,23 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <optional>
 #include <string>
 
 #include "sim/cli/program/exit_code.h"
 #include "sim/cli/work/planned_problem.h"
 #include "sim/noise/sampling.h"
+#include "sim/sweep/run/run_command.h"
 
 namespace assay::cli {
 
 // Executions of one plan under noise. Each certificate is compared with what truly happened.
 struct NoisyRun {
   const PlannedProblem& planned;
-  std::string command;           // "assay run FILE ...", which makes the same plan
-  std::filesystem::path folder;  // empty: nothing is written
-  noise::Mode mode = noise::Mode::kUniform;
-  // The noise of the only trial, as noise::Text writes it.
-  std::optional<std::string> errors = {};
-  bool camera = false;  // looks are taken by the camera instead of drawn
+  const sweep::RunCommand& command;          // the options that decide what the trials do
+  std::filesystem::path folder;              // empty: nothing is written
+  noise::Mode mode = noise::Mode::kUniform;  // of the errors, unless the command states them
   int trials = 1;
-  int jobs = 1;                  // threads
-  std::optional<int> only = {};  // the number of the one trial to run
+  int jobs = 1;  // threads
   std::uint64_t seed = 0;
   bool json = false;
 };
@@ -36,7 +32,7 @@ noise::Noise NoiseFrom(const std::string& errors, const PlannedProblem& planned)
 // A falsification of one plan (see sim/check/falsification/attack.h).
 struct AttackRun {
   const PlannedProblem& planned;
-  std::string command;
+  const sweep::RunCommand& command;
   std::filesystem::path folder;
   std::int64_t attempts = 1000;
   int jobs = 1;

@@ -26,7 +26,7 @@
 #include "sim/cli/trees/plan_tree_report.h"
 #include "sim/cli/work/output_file.h"
 #include "sim/cli/work/planned_problem.h"
-#include "sim/enact/walk/knowledge_scenario.h"
+#include "sim/execution/interpretation/knowledge_scenario.h"
 #include "sim/scenario/models_folder.h"
 
 namespace assay::cli {
@@ -167,7 +167,7 @@ ExitCode ExecuteKnowledge(const Document& document, const Options& options) {
   RequireTreeOptions(options);
   const Stopwatch stopwatch;
   const domain::ModelPath models = scenario::FindModels(options.input, options.models);
-  enact::KnowledgeScenario scenario = enact::Read(document, models);
+  execution::KnowledgeScenario scenario = execution::Read(document, models);
   ContingentAnswer answer = [&] {
     const Progress progress("planning " + options.input.string());
     return PlanFor(std::move(scenario.interpretation.task), contingent::Wanted::kFirst,

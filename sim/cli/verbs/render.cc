@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "planner/plan/file/json_layout.h"
+#include "sim/check/trial/trial.h"
 #include "sim/cli/options/models_folder.h"
 #include "sim/cli/pictures/film.h"
 #include "sim/cli/plans/plan_text.h"
@@ -14,7 +15,6 @@
 #include "sim/cli/program/verb.h"
 #include "sim/cli/work/output_file.h"
 #include "sim/cli/work/planned_problem.h"
-#include "sim/cli/work/trial.h"
 
 namespace assay::cli {
 namespace render_verb {
@@ -29,15 +29,14 @@ struct Options {
   bool json = false;
 };
 
-Json ToJson(const Film& film, const exec::ExecutionEnd& end) {
-  return {
-      {"pictures", film.FileNames()}, {"outcome", exec::Name(end.outcome)}, {"reason", end.reason}};
+Json ToJson(const Film& film, const execution::ExecutionEnd& end) {
+  return {{"pictures", film.FileNames()}, {"outcome", end.OutcomeName()}, {"reason", end.reason}};
 }
 
-std::string ForPeople(const Film& film, const exec::ExecutionEnd& end) {
+std::string ForPeople(const Film& film, const execution::ExecutionEnd& end) {
   std::string text = fmt::format("{}\n", fmt::join(film.FileNames(), "\n"));
-  if (end.outcome != exec::ExecutionOutcome::kDone) {
-    text += fmt::format("the execution ended early: {}: {}\n", exec::Name(end.outcome), end.reason);
+  if (end.outcome != execution::TrialOutcome::kSucceeded) {
+    text += fmt::format("the execution ended early: {}: {}\n", end.OutcomeName(), end.reason);
   }
   return text;
 }
@@ -52,14 +51,14 @@ ExitCode Execute(const Options& options) {
   const scene::Scene scene(planned.problem, planned.simulation.scene);
   Film film({planned.problem, planned.result.plan, scene}, planned.simulation.cameras,
             options.pictures);
-  const Trial trial = [&] {
+  const check::Trial trial = [&] {
     const Progress progress("executing the plan for " + planned.problem.name);
-    return RunTrial({planned.problem, planned.result.plan, scene}, 1, &film);
+    return check::RunTrial(planned.problem, planned.result.plan, scene, {.observer = &film});
   }();
   film.Write(options.folder);
-  const exec::ExecutionEnd& end = trial.trace.end();
+  const execution::ExecutionEnd& end = trial.trace.end();
   Print(options.json ? plan::JsonText(ToJson(film, end)) : ForPeople(film, end));
-  const bool done = end.outcome == exec::ExecutionOutcome::kDone;
+  const bool done = end.outcome == execution::TrialOutcome::kSucceeded;
   return done ? ExitCode::kDone : ExitCode::kFailed;
 }
 

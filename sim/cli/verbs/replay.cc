@@ -25,7 +25,7 @@
 #include "sim/cli/trials/verdict_tally.h"
 #include "sim/cli/work/output_file.h"
 #include "sim/cli/work/stored_trial.h"
-#include "sim/exec/execution/executor.h"
+#include "sim/execution/walk/executor.h"
 #include "sim/sweep/run/work.h"
 #include "sim/sweep/store/difference.h"
 #include "sim/sweep/store/recording.h"
@@ -85,7 +85,7 @@ Again RunAgain(const sweep::PlannedCell& cell, const TrialRecord& stored, Film* 
   const Progress progress(fmt::format("trial {}", stored.trial));
   const noise::Noise noise = sweep::NoiseOf(cell, stored.number);
   const sweep::Preparation& preparation = *cell.preparation;
-  const check::NoisyTrial trial = sweep::Execute(cell, noise, film);
+  const check::Trial trial = sweep::Execute(cell, noise, film);
   const check::Experiment experiment{preparation.scenario.problem, preparation.plan,
                                      preparation.scenario.simulation.scene};
   sweep::TimedTrial timed = sweep::Recorded(preparation.plan, trial);
@@ -101,10 +101,10 @@ Again RunAgain(const sweep::PlannedCell& cell, const TrialRecord& stored, Film* 
 Again RunFilmed(const sweep::PlannedCell& cell, const TrialRecord& stored, const Options& options) {
   const scenario::Scenario& scenario = cell.preparation->scenario;
   const noise::Noise noise = sweep::NoiseOf(cell, stored.number);
-  const scene::Scene scene(scenario.problem, exec::TrueScene(scenario.simulation.scene, noise));
+  const scene::Scene scene(scenario.problem,
+                           execution::TrueScene(scenario.simulation.scene, noise));
   Film film({scenario.problem, cell.preparation->plan, scene}, scenario.simulation.cameras,
             options.pictures);
-  film.TakeStart(exec::StartOf(scenario.problem, scene, noise));
   Again again = RunAgain(cell, stored, &film);
   film.Write(options.folder);
   return again;

@@ -16,7 +16,7 @@
 #include "sim/cli/program/verb.h"
 #include "sim/cli/work/output_file.h"
 #include "sim/cli/work/stored_trial.h"
-#include "sim/exec/execution/executor.h"
+#include "sim/execution/walk/executor.h"
 #include "sim/report/page/csv.h"
 #include "sim/report/page/page.h"
 #include "sim/report/sections/read_findings.h"
@@ -63,10 +63,10 @@ std::string ContactSheetOf(const sweep::Store& store, int number, const Options&
   const sweep::PlannedCell cell = RestoredCell(store, *trial, options.models);
   const scenario::Scenario& scenario = cell.preparation->scenario;
   const noise::Noise noise = sweep::NoiseOf(cell, trial->number);
-  const scene::Scene scene(scenario.problem, exec::TrueScene(scenario.simulation.scene, noise));
+  const scene::Scene scene(scenario.problem,
+                           execution::TrueScene(scenario.simulation.scene, noise));
   Film film({scenario.problem, cell.preparation->plan, scene}, scenario.simulation.cameras,
             options.picture);
-  film.TakeStart(exec::StartOf(scenario.problem, scene, noise));
   sweep::Execute(cell, noise, &film);
   const TemporaryFolder folder;
   film.Write(folder.path());

@@ -5,7 +5,6 @@
 #include <limits>
 #include <map>
 #include <memory>
-#include <mutex>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <sstream>
@@ -13,6 +12,7 @@
 #include "planner/base/document/quotation.h"
 #include "planner/plan/file/json_layout.h"
 #include "planner/plan/file/plan_file.h"
+#include "sim/check/trial/trial.h"
 #include "sim/cli/options/models_folder.h"
 #include "sim/cli/options/quantity_option.h"
 #include "sim/cli/options/resolver_option.h"
@@ -32,9 +32,9 @@
 #include "sim/cli/verbs/scattered_run.h"
 #include "sim/cli/work/output_file.h"
 #include "sim/cli/work/planned_problem.h"
-#include "sim/cli/work/trial.h"
-#include "sim/enact/walk/knowledge_scenario.h"
-#include "sim/sweep/run/shell.h"
+#include "sim/execution/interpretation/knowledge_scenario.h"
+#include "sim/execution/trial/scheduler.h"
+#include "sim/sweep/run/run_command.h"
 
 namespace assay::cli {
 namespace run_verb {
@@ -43,41 +43,27 @@ using Json = nlohmann::ordered_json;
 namespace fs = std::filesystem;
 
 struct Options {
-  fs::path input;
-  fs::path folder;  // empty: nothing is written
-  domain::ModelPath models;
+  sweep::RunCommand command;  // the options that decide what the trials do
+  fs::path folder;            // empty: nothing is written
   std::optional<int> trials;
   int jobs = 1;
-  std::optional<std::uint64_t> seed;
-  std::optional<scene::GraspMode> grasp;
   PictureOptions pictures;
   bool renders = false;
   bool json = false;
-  bool scatter = false;
-  std::optional<int> trial;          // the only trial to run
-  std::optional<std::string> noise;  // the name of a mode, or "attack"
-  std::optional<std::string> errors;
-  std::string sensing = "drawn";
   std::int64_t attempts = 1000;
   bool conservatism = false;
-  std::string propagation = "sound";
-  double error_scale = 1;
-  std::vector<std::string> resolvers = {};  // empty: the scenario's
-  bool tree = false;
-  std::string worlds = "drawn";
-  double sensing_errors = 0;
   std::vector<const CLI::Option*> of_one_world = {};  // options that plan trees do not have
   std::vector<const CLI::Option*> of_trees = {};
 };
 
-bool IsNoisy(const Options& options) { return options.noise || options.errors; }
+bool IsNoisy(const Options& options) { return options.command.noise || options.command.errors; }
 
 // The results of one trial that are kept.
 struct Summary {
-  check::TrialOutcome outcome;
+  execution::TrialOutcome outcome;
   std::string reason;
 
-  bool Succeeded() const { return outcome == check::TrialOutcome::kSucceeded; }
+  bool Succeeded() const { return outcome == execution::TrialOutcome::kSucceeded; }
 };
 
 class Run {
@@ -85,7 +71,7 @@ class Run {
   Run(const Options& options, const PlannedProblem& planned)
       : options_(options),
         planned_(planned),
-        seed_(options.seed.value_or(planned.simulation.seed)),
+        seed_(options.command.seed.value_or(planned.simulation.seed)),
         scene_(planned.problem, SceneOptions()) {}
 
   ExitCode Execute() {
@@ -95,9 +81,11 @@ class Run {
                    planned_.simulation.cameras, options_.pictures);
     }
     const Interruption interruption;
-    RunTrials({planned_.problem, planned_.result.plan, scene_},
-              {Wanted(), options_.jobs, film ? &*film : nullptr},
-              [this](Trial trial) { Keep(std::move(trial)); });
+    execution::Scheduler(options_.jobs, Interruption::Requested)
+        .InOrder(
+            static_cast<std::size_t>(Wanted()),
+            [&](std::size_t i) { return RunOne(static_cast<int>(i) + 1, film ? &*film : nullptr); },
+            [this](std::size_t, check::Trial trial) { Keep(std::move(trial)); });
     progress_.reset();
     const Json result = Result();
     Json printed = result;
@@ -113,21 +101,30 @@ class Run {
  private:
   scene::SceneOptions SceneOptions() const {
     scene::SceneOptions scene = planned_.simulation.scene;
-    scene.grasp = options_.grasp.value_or(scene.grasp);
+    scene.grasp = options_.command.grasp.value_or(scene.grasp);
     return scene;
   }
 
-  void Keep(Trial trial) {
+  // The film shows the first trial.
+  check::Trial RunOne(int number, Film* film) const {
+    execution::ExecutorOptions executor;
+    executor.on_timestep = Interruption::BreakOffAfter;
+    executor.observer = number == 1 ? film : nullptr;
+    check::Trial trial = check::RunTrial(planned_.problem, planned_.result.plan, scene_, executor);
+    trial.number = number;
     if (!options_.folder.empty()) WriteTrace(trial);
-    const std::lock_guard lock(mutex_);
+    return trial;
+  }
+
+  void Keep(check::Trial trial) {
     summaries_[trial.number] = {trial.verdict.outcome, trial.verdict.reason};
     progress_->Tell(fmt::format("{} of {} trials", Trials(), Wanted()));
     if (trial.number == 1) first_ = std::move(trial);
   }
 
-  void WriteTrace(const Trial& trial) const {
+  void WriteTrace(const check::Trial& trial) const {
     std::ostringstream text;
-    exec::WriteTrace(trial.trace, text);
+    execution::WriteTrace(trial.trace, text);
     const std::string name =
         trial.number == 1 ? "trace.jsonl" : fmt::format("trace-{}.jsonl", trial.number);
     WriteFile(options_.folder / name, text.str());
@@ -144,19 +141,13 @@ class Run {
   std::map<std::string, int> Failures() const {
     std::map<std::string, int> failures;
     for (const auto& [number, summary] : summaries_) {
-      if (!summary.Succeeded()) ++failures[std::string(check::Name(summary.outcome))];
+      if (!summary.Succeeded()) ++failures[std::string(execution::Name(summary.outcome))];
     }
     return failures;
   }
 
   // Returns the command that repeats the failed trials.
-  std::string ReplayCommand() const {
-    std::string command =
-        fmt::format("assay run {} --seed {}", sweep::Word(options_.input.string()), seed_);
-    if (options_.grasp) command += fmt::format(" --grasp {}", scene::Name(*options_.grasp));
-    command += sweep::ModelsOption(options_.models);
-    return command;
-  }
+  std::string ReplayCommand() const { return options_.command.Again(seed_, std::nullopt).Text(); }
 
   Json Result() const {
     const int succeeded = Succeeded();
@@ -198,9 +189,8 @@ class Run {
   const std::uint64_t seed_;
   const scene::Scene scene_;
   const Stopwatch stopwatch_;
-  std::mutex mutex_;
   std::map<int, Summary> summaries_;  // by number
-  std::optional<Trial> first_;
+  std::optional<check::Trial> first_;
   std::unique_ptr<Progress> progress_ = std::make_unique<Progress>("executing the plan");
 };
 
@@ -211,57 +201,44 @@ ExitCode Refuse(const std::string& text, const Json& json, const Options& option
 }
 
 ExitCode ExecuteScattered(const Options& options) {
-  scenario::Scenario scenario = scenario::Load(options.input, options.models);
-  scenario.simulation.scene.grasp = options.grasp.value_or(scenario.simulation.scene.grasp);
-  return RunScattered({.scenario = options.input,
-                       .models = options.models,
+  const sweep::RunCommand& command = options.command;
+  scenario::Scenario scenario = scenario::Load(command.input, command.models);
+  scenario.simulation.scene.grasp = command.grasp.value_or(scenario.simulation.scene.grasp);
+  return RunScattered({.command = command,
                        .folder = options.folder,
                        .trials = options.trials.value_or(1),
                        .jobs = options.jobs,
-                       .only = options.trial,
-                       .seed = options.seed.value_or(scenario.simulation.seed),
+                       .seed = command.seed.value_or(scenario.simulation.seed),
                        .json = options.json},
                       scenario);
 }
 
-bool ChangesThePlan(const Options& options) {
-  return options.propagation != "sound" || options.error_scale != 1 || !options.resolvers.empty();
+bool ChangesThePlan(const sweep::RunCommand& command) {
+  return command.propagation != "sound" || command.error_scale != 1 || !command.resolvers.empty();
 }
 
-PlannedProblem Planned(const Document& document, const Options& options) {
-  if (!ChangesThePlan(options)) return ReadOrMakePlan(document, options.models);
+PlannedProblem Planned(const Document& document, const sweep::RunCommand& command) {
+  if (!ChangesThePlan(command)) return ReadOrMakePlan(document, command.models);
   if (IsPlanFile(document)) {
     throw UsageError(
         "run: --propagation, --resolvers and --error-scale are for scenarios: a plan file has been "
         "planned already");
   }
   constraint_posting::UncertaintyOptions uncertainty;
-  if (options.propagation == "paper") uncertainty.propagation = uncertainty::Propagation::kPaper;
+  if (command.propagation == "paper") uncertainty.propagation = uncertainty::Propagation::kPaper;
   scenario::Overrides overrides;
-  overrides.error_scale = options.error_scale;
-  overrides.resolvers = ResolversFrom(options.resolvers);
-  return MakePlan(document, scenario::Read(document, options.models, overrides), {}, uncertainty);
-}
-
-// Returns the command that makes the same plan again.
-std::string CommandFor(const Options& options) {
-  std::string command = "assay run " + sweep::Word(options.input.string());
-  if (options.propagation != "sound") command += " --propagation " + options.propagation;
-  if (!options.resolvers.empty()) {
-    command += fmt::format(" --resolvers {}", fmt::join(options.resolvers, ","));
-  }
-  if (options.error_scale != 1) command += fmt::format(" --error-scale {}", options.error_scale);
-  if (options.grasp) command += fmt::format(" --grasp {}", scene::Name(*options.grasp));
-  command += sweep::ModelsOption(options.models);
-  return command;
+  overrides.error_scale = command.error_scale;
+  overrides.resolvers = ResolversFrom(command.resolvers);
+  return MakePlan(document, scenario::Read(document, command.models, overrides), {}, uncertainty);
 }
 
 ExitCode ExecuteNoisy(const Options& options, PlannedProblem& planned) {
-  planned.simulation.scene.grasp = options.grasp.value_or(planned.simulation.scene.grasp);
-  const std::uint64_t seed = options.seed.value_or(planned.simulation.seed);
-  if (options.noise == "attack") {
+  const sweep::RunCommand& command = options.command;
+  planned.simulation.scene.grasp = command.grasp.value_or(planned.simulation.scene.grasp);
+  const std::uint64_t seed = command.seed.value_or(planned.simulation.seed);
+  if (command.noise == "attack") {
     return RunAttack({.planned = planned,
-                      .command = CommandFor(options),
+                      .command = command,
                       .folder = options.folder,
                       .attempts = options.attempts,
                       .jobs = options.jobs,
@@ -270,16 +247,13 @@ ExitCode ExecuteNoisy(const Options& options, PlannedProblem& planned) {
                       .json = options.json});
   }
   const auto& names = noise::ModeNames();
-  const auto mode = std::ranges::find(names, options.noise.value_or("none")) - names.begin();
+  const auto mode = std::ranges::find(names, command.noise.value_or("none")) - names.begin();
   return RunNoisy({.planned = planned,
-                   .command = CommandFor(options),
+                   .command = command,
                    .folder = options.folder,
                    .mode = static_cast<noise::Mode>(mode),
-                   .errors = options.errors,
-                   .camera = options.sensing == "camera",
                    .trials = options.trials.value_or(1),
                    .jobs = options.jobs,
-                   .only = options.trial,
                    .seed = seed,
                    .json = options.json});
 }
@@ -304,17 +278,11 @@ void RefuseOptions(const std::vector<const CLI::Option*>& refused, const std::st
 ExitCode ExecuteTree(const Options& options) {
   RefuseOptions(options.of_one_world,
                 fmt::format("is for plans without branches, and the plan for {} is a tree",
-                            Quote(options.input.string())));
-  return RunContingent({.scenario = options.input,
-                        .models = options.models,
-                        .folder = options.folder,
-                        .is_tree_asked_for = options.tree,
+                            Quote(options.command.input.string())));
+  return RunContingent({.command = options.command,
                         .trials = options.trials,
-                        .trial = options.trial,
+                        .folder = options.folder,
                         .jobs = options.jobs,
-                        .seed = options.seed,
-                        .is_every_leaf = options.worlds == "all",
-                        .sensing_errors = options.sensing_errors,
                         .renders = options.renders,
                         .pictures = options.pictures,
                         .json = options.json});
@@ -322,13 +290,13 @@ ExitCode ExecuteTree(const Options& options) {
 
 ExitCode Execute(const Options& options) {
   if (!options.folder.empty()) MakeFolder(options.folder);
-  if (options.scatter) return ExecuteScattered(options);
-  const Document document = Document::Load(options.input);
-  if (!IsPlanFile(document) && (options.tree || enact::NeedsATree(document))) {
+  if (options.command.scatter) return ExecuteScattered(options);
+  const Document document = Document::Load(options.command.input);
+  if (!IsPlanFile(document) && (options.command.tree || execution::NeedsATree(document))) {
     return ExecuteTree(options);
   }
   RefuseOptions(options.of_trees, "is for plan trees; --tree makes one from any scenario");
-  PlannedProblem planned = Planned(document, options);
+  PlannedProblem planned = Planned(document, options.command);
   const plan::PlanResult& result = planned.result;
   Json plan_file = plan::ToJson(result, planned.problem, planned.scenario);
   KeepPlan(planned, plan_file, options);
@@ -336,7 +304,7 @@ ExitCode Execute(const Options& options) {
     return Refuse(Text(planned.problem, result), plan_file, options, ExitCodeOf(result.outcome));
   }
   // Wrong errors are refused before the work that takes time.
-  if (options.errors) NoiseFrom(*options.errors, planned);
+  if (options.command.errors) NoiseFrom(*options.command.errors, planned);
   const plan::CheckReport check =
       planned.plan_file.empty() ? CheckPlan(planned.problem, result.plan) : CheckPlan(planned);
   if (!check.flaws.empty()) {
@@ -350,21 +318,22 @@ ExitCode Execute(const Options& options) {
 void AddNoise(CLI::App& command, Options& options, CLI::Option* scatter) {
   std::vector<std::string> modes = noise::ModeNames();
   modes.push_back("attack");
-  CLI::Option* const noise =
-      command.add_option("--noise", options.noise, "errors in the bounds that the planner assumes")
-          ->check(CLI::IsMember(modes))
-          ->excludes(scatter);
+  CLI::Option* const noise = command
+                                 .add_option("--noise", options.command.noise,
+                                             "errors in the bounds that the planner assumes")
+                                 ->check(CLI::IsMember(modes))
+                                 ->excludes(scatter);
   options.of_one_world = {
       noise,
       command
-          .add_option("--errors", options.errors,
+          .add_option("--errors", options.command.errors,
                       "the errors of the one trial: 'dx_block=0.002 theta_hand@action_2=-0.001', "
                       "metres and radians")
           ->excludes(noise)
           ->excludes(scatter),
       command
           .add_option(
-              "--sensing", options.sensing,
+              "--sensing", options.command.sensing,
               "drawn: within the sensor's promise, as the noise says; camera: from pictures")
           ->check(CLI::IsMember({"drawn", "camera"})),
       command.add_option("--attempts", options.attempts, "of an attack, at single steps")
@@ -372,38 +341,38 @@ void AddNoise(CLI::App& command, Options& options, CLI::Option* scatter) {
       command.add_flag("--conservatism", options.conservatism,
                        "of an attack: how much more noise than is guaranteed breaks the plan"),
       command
-          .add_option("--propagation", options.propagation,
+          .add_option("--propagation", options.command.propagation,
                       "of errors by actions, in planning: sound or paper")
           ->check(CLI::IsMember({"sound", "paper"})),
-      AddResolvers(command, options.resolvers)->excludes(scatter),
+      AddResolvers(command, options.command.resolvers)->excludes(scatter),
       command
-          .add_option("--error-scale", options.error_scale,
+          .add_option("--error-scale", options.command.error_scale,
                       "multiplies all errors, in planning too")
           ->check(Within(domain::kAtLeastZero, domain::kRatio))};
 }
 
 void AddTrees(CLI::App& command, Options& options, CLI::Option* scatter) {
   command
-      .add_flag("--tree", options.tree,
+      .add_flag("--tree", options.command.tree,
                 "execute the plan as a tree: verifications branch, recoveries repeat. Plans that "
                 "need a tree are trees without this option")
       ->excludes(scatter);
   options.of_trees = {
       command
-          .add_option("--worlds", options.worlds,
+          .add_option("--worlds", options.command.worlds,
                       "of a tree: drawn: hidden facts are drawn; all: the trials go through the "
                       "leaves and repeats of the tree in turn")
           ->check(CLI::IsMember({"drawn", "all"}))
           ->capture_default_str(),
       command
-          .add_option("--sensing-errors", options.sensing_errors,
+          .add_option("--sensing-errors", options.command.sensing_errors,
                       "of a tree: the probability with which an observation is made wrong")
           ->check(Within({0, 1}, domain::kRatio))};
 }
 
 Execution Declare(CLI::App& command) {
   const auto options = std::make_shared<Options>();
-  command.add_option("input", options->input, "scenario file, or plan file")->required();
+  command.add_option("input", options->command.input, "scenario file, or plan file")->required();
   CLI::Option* const folder = command.add_option(
       "-o,--output", options->folder, "folder for plan.json, trace.jsonl, result.json, pictures");
   command
@@ -411,15 +380,17 @@ Execution Declare(CLI::App& command) {
                   "how many trials: 1 if left out, with --worlds all one for each leaf")
       ->check(CLI::Range(1, std::numeric_limits<int>::max()));
   command.add_option("--jobs", options->jobs, "how many threads")->check(CLI::Range(1, 1024));
-  command.add_option("--seed", options->seed, "of all that is random; the scenario's if left out")
+  command
+      .add_option("--seed", options->command.seed,
+                  "of all that is random; the scenario's if left out")
       ->check(CLI::NonNegativeNumber);
   static const std::map<std::string, scene::GraspMode> kGraspModes = {
       {"friction", scene::GraspMode::kFriction}, {"weld", scene::GraspMode::kWeld}};
-  CLI::Option* const grasp =
-      command
-          .add_option("--grasp", options->grasp, "how the gripper holds parts: friction or weld")
-          ->transform(CLI::CheckedTransformer(kGraspModes));
-  command.add_option("--trial", options->trial, "run only this one of the trials")
+  CLI::Option* const grasp = command
+                                 .add_option("--grasp", options->command.grasp,
+                                             "how the gripper holds parts: friction or weld")
+                                 ->transform(CLI::CheckedTransformer(kGraspModes));
+  command.add_option("--trial", options->command.trial, "run only this one of the trials")
       ->check(CLI::Range(1, std::numeric_limits<int>::max()));
   command
       .add_flag("--renders", options->renders,
@@ -427,13 +398,13 @@ Execution Declare(CLI::App& command) {
       ->needs(folder);
   AddPictureOptions(command, options->pictures, "--renders");
   CLI::Option* const scatter = command.add_flag(
-      "--scatter", options->scatter,
+      "--scatter", options->command.scatter,
       "in each trial the parts lie at other places, drawn from the seed, and a plan is made anew");
   AddNoise(command, *options, scatter);
   options->of_one_world.push_back(grasp);
   AddTrees(command, *options, scatter);
   command.add_flag("--json", options->json, "print the result as JSON");
-  AddModelsOption(command, options->models);
+  AddModelsOption(command, options->command.models);
   return [options] { return Execute(*options); };
 }
 

@@ -4,7 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <map>
-#include <mutex>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
@@ -13,6 +12,7 @@
 #include "planner/assembly/certified_plan.h"
 #include "planner/domain/problem/scatter.h"
 #include "planner/plan/file/json_layout.h"
+#include "sim/check/trial/trial.h"
 #include "sim/cli/plans/table.h"
 #include "sim/cli/program/console.h"
 #include "sim/cli/program/interruption.h"
@@ -20,8 +20,7 @@
 #include "sim/cli/program/stopwatch.h"
 #include "sim/cli/work/output_file.h"
 #include "sim/cli/work/planned_problem.h"
-#include "sim/cli/work/trial.h"
-#include "sim/sweep/run/shell.h"
+#include "sim/execution/trial/scheduler.h"
 
 namespace assay::cli {
 namespace {
@@ -44,7 +43,13 @@ class Scattering {
 
   ExitCode Execute() {
     const Interruption interruption;
-    ForEachTrial(Wanted(), run_.jobs, [this](int nth) { Keep(RunOne(run_.only.value_or(nth))); });
+    execution::Scheduler(run_.jobs, Interruption::Requested)
+        .InOrder(
+            static_cast<std::size_t>(Wanted()),
+            [this](std::size_t i) {
+              return RunOne(run_.command.trial.value_or(static_cast<int>(i) + 1));
+            },
+            [this](std::size_t, ScatteredRow row) { Keep(std::move(row)); });
     const Json result = Result();
     Json printed = result;
     printed["seconds"] = stopwatch_.Seconds();
@@ -56,7 +61,7 @@ class Scattering {
   }
 
  private:
-  int Wanted() const { return run_.only ? 1 : run_.trials; }
+  int Wanted() const { return run_.command.trial ? 1 : run_.trials; }
 
   ScatteredRow RunOne(int number) const {
     RandomStream random(run_.seed, fmt::format("scatter/{}", number));
@@ -69,10 +74,14 @@ class Scattering {
     if (!check.flaws.empty()) return {number, "flawed-plan", check.flaws.front().what, actions};
 
     const scene::Scene scene(*problem, scenario_.simulation.scene);
-    const Trial trial = RunTrial({*problem, result.plan, scene}, number, nullptr);
-    const bool succeeded = trial.verdict.outcome == check::TrialOutcome::kSucceeded;
-    if (!run_.folder.empty() && (run_.only || !succeeded)) WriteTrace(trial);
-    return {number, std::string(check::Name(trial.verdict.outcome)), trial.verdict.reason, actions};
+    execution::ExecutorOptions executor;
+    executor.on_timestep = Interruption::BreakOffAfter;
+    check::Trial trial = check::RunTrial(*problem, result.plan, scene, executor);
+    trial.number = number;
+    const bool succeeded = trial.verdict.outcome == execution::TrialOutcome::kSucceeded;
+    if (!run_.folder.empty() && (run_.command.trial || !succeeded)) WriteTrace(trial);
+    return {number, std::string(execution::Name(trial.verdict.outcome)), trial.verdict.reason,
+            actions};
   }
 
   static ScatteredRow WithoutPlan(int number, const plan::PlanResult& result) {
@@ -88,22 +97,20 @@ class Scattering {
                : ScatteredRow{number, "budget", "the planner's budget was spent before an answer"};
   }
 
-  void WriteTrace(const Trial& trial) const {
+  void WriteTrace(const check::Trial& trial) const {
     std::ostringstream text;
-    exec::WriteTrace(trial.trace, text);
+    execution::WriteTrace(trial.trace, text);
     WriteFile(run_.folder / fmt::format("trace-{}.jsonl", trial.number), text.str());
   }
 
   void Keep(ScatteredRow row) {
-    const std::lock_guard lock(mutex_);
-    const int number = row.number;
-    rows_.emplace(number, std::move(row));
+    rows_.push_back(std::move(row));
     progress_.Tell(fmt::format("{} of {} trials", rows_.size(), Wanted()));
   }
 
   std::map<std::string, int> Outcomes() const {
     std::map<std::string, int> outcomes;
-    for (const auto& [number, row] : rows_) ++outcomes[row.outcome];
+    for (const ScatteredRow& row : rows_) ++outcomes[row.outcome];
     return outcomes;
   }
   int Succeeded() const {
@@ -115,9 +122,7 @@ class Scattering {
   bool Welds() const { return scenario_.simulation.scene.grasp == scene::GraspMode::kWeld; }
 
   std::string ReplayCommand(int number) const {
-    return fmt::format("assay run {} --scatter --seed {} --trial {}{}{}",
-                       sweep::Word(run_.scenario.string()), run_.seed, number,
-                       Welds() ? " --grasp weld" : "", sweep::ModelsOption(run_.models));
+    return run_.command.Again(run_.seed, number).Text();
   }
 
   Json Result() const {
@@ -129,14 +134,14 @@ class Scattering {
                    {"verdicts", {{"contained", 0}, {"violated", 0}, {"inconclusive", 0}}},
                    {"worst", Json::array()},
                    {"replay", Json::array()},
-                   {"scenario", run_.scenario.string()},
+                   {"scenario", run_.command.input.string()},
                    {"seed", run_.seed},
                    {"grasp", Welds() ? "weld" : "friction"},
                    {"rows", Json::array()}};
     if (Interruption::Requested()) result["interrupted"] = true;
-    for (const auto& [number, row] : rows_) {
-      if (row.outcome != kSucceeded) result["replay"].push_back(ReplayCommand(number));
-      result["rows"].push_back({{"trial", number},
+    for (const ScatteredRow& row : rows_) {
+      if (row.outcome != kSucceeded) result["replay"].push_back(ReplayCommand(row.number));
+      result["rows"].push_back({{"trial", row.number},
                                 {"outcome", row.outcome},
                                 {"reason", row.reason},
                                 {"actions", row.actions}});
@@ -148,10 +153,10 @@ class Scattering {
     Table counts({{"outcome"}, {"trials", Align::kRight}});
     for (const auto& [outcome, count] : Outcomes()) counts.Add({outcome, std::to_string(count)});
     std::string text = counts.Text();
-    for (const auto& [number, row] : rows_) {
+    for (const ScatteredRow& row : rows_) {
       if (row.outcome == kSucceeded) continue;
-      text += fmt::format("\ntrial {}: {}: {}\nagain: {}\n", number, row.outcome, row.reason,
-                          ReplayCommand(number));
+      text += fmt::format("\ntrial {}: {}: {}\nagain: {}\n", row.number, row.outcome, row.reason,
+                          ReplayCommand(row.number));
     }
     text += fmt::format("\n{} of {} trials succeeded\n", Succeeded(), rows_.size());
     text += Interruption::Text(std::ssize(rows_), Wanted());
@@ -162,8 +167,7 @@ class Scattering {
   const ScatteredRun& run_;
   const scenario::Scenario& scenario_;
   const Stopwatch stopwatch_;
-  std::mutex mutex_;
-  std::map<int, ScatteredRow> rows_;  // by number
+  std::vector<ScatteredRow> rows_;  // in the order of their numbers
   Progress progress_;
 };
 

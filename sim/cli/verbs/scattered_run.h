@@ -2,22 +2,20 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <optional>
 
 #include "sim/cli/program/exit_code.h"
 #include "sim/scenario/scenario.h"
+#include "sim/sweep/run/run_command.h"
 
 namespace assay::cli {
 
 // The trials of `assay run --scatter`: one scenario with its parts at other places in each trial,
 // each of which is planned anew.
 struct ScatteredRun {
-  std::filesystem::path scenario;
-  domain::ModelPath models;      // as the user gave them
-  std::filesystem::path folder;  // empty: nothing is written
+  const sweep::RunCommand& command;  // the options that decide what the trials do
+  std::filesystem::path folder;      // empty: nothing is written
   int trials = 1;
-  int jobs = 1;                  // threads
-  std::optional<int> only = {};  // the number of the one trial to run
+  int jobs = 1;  // threads
   std::uint64_t seed = 0;
   bool json = false;
 };

@@ -29,13 +29,14 @@ MatingTrials::MatingTrials(const MatingTask& task, const finemotion::MatingGeome
 MatedTrial MatingTrials::RunStrategy(int number, const check::PlannedContacts& contacts) const {
   const Drawn drawn = DrawnFor(number);
   check::ContactObserver observer(scene_, problem_.mating(assemble_.mating), geometry_, contacts);
-  exec::MatingTrialOptions options;
+  execution::MatingTrialOptions options;
   options.observer = [&observer](const mujoco::Data& data, int motion) {
     Interruption::BreakOffIfRequested();
     observer(data, motion);
   };
-  MatedTrial trial = Told(
-      number, drawn, exec::RunMatingTrial(problem_, scene_, drawn.setting, strategy_, options));
+  MatedTrial trial =
+      Told(number, drawn,
+           execution::RunMatingTrial(problem_, scene_, drawn.setting, strategy_, options));
   const std::vector<check::ContactSpan> bridged = check::Bridged(observer.seen().spans);
   trial.sequence = {observer.seen(), check::StatesOf(bridged), check::Compare(contacts, bridged)};
   return trial;
@@ -43,7 +44,7 @@ MatedTrial MatingTrials::RunStrategy(int number, const check::PlannedContacts& c
 
 MatedTrial MatingTrials::RunStraight(int number) const {
   const Drawn drawn = DrawnFor(number);
-  return Told(number, drawn, exec::RunStraightMating(problem_, scene_, drawn.setting));
+  return Told(number, drawn, execution::RunStraightMating(problem_, scene_, drawn.setting));
 }
 
 MatingTrials::Drawn MatingTrials::DrawnFor(int number) const {
@@ -52,7 +53,7 @@ MatingTrials::Drawn MatingTrials::DrawnFor(int number) const {
                           .hold = assemble_.hold,
                           .X_HeldTip = geometry_.X_HeldTip,
                           .near = settings_.near}};
-  exec::MatingSetting& setting = drawn.setting;
+  execution::MatingSetting& setting = drawn.setting;
   const auto most = settings_.beyond * settings_.errors.pose;
   for (; drawn.redrawn < kMostDraws; ++drawn.redrawn) {
     for (int i = 0; i < 3; ++i) setting.d[i] = random.Uniform(-most[i], most[i]);
@@ -63,7 +64,8 @@ MatingTrials::Drawn MatingTrials::DrawnFor(int number) const {
                                settings_.beyond, kMostDraws));
 }
 
-MatedTrial MatingTrials::Told(int number, const Drawn& drawn, exec::MatingResult result) const {
+MatedTrial MatingTrials::Told(int number, const Drawn& drawn,
+                              execution::MatingResult result) const {
   MatedTrial trial{.number = number, .redrawn = drawn.redrawn, .result = std::move(result)};
   for (int i = 0; i < finemotion::kPoseDimensions; ++i) {
     const double half = settings_.errors.pose[i];

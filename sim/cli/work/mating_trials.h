@@ -8,7 +8,7 @@
 #include "sim/check/contacts/contact_observer.h"
 #include "sim/check/contacts/sequence_comparison.h"
 #include "sim/cli/work/mating_task.h"
-#include "sim/exec/control/mating_trial.h"
+#include "sim/execution/trial/mating_trial.h"
 
 namespace assay::cli {
 
@@ -27,7 +27,7 @@ struct MatedTrial {
   // Number of earlier draws for this trial that were rejected, because no trial can begin with
   // their errors.
   int redrawn = 0;
-  exec::MatingResult result;
+  execution::MatingResult result;
   bool seated = false;
   std::optional<SequenceRecord> sequence = {};  // only with a strategy
 };
@@ -38,12 +38,12 @@ struct MatingTrialSettings {
   double beyond = 1;                    // trials draw errors from a box this many times as wide
   scene::SceneOptions scene = {};
   std::uint64_t seed = 1;
-  kinematics::JointVector near;  // exec::MatingSetting::near
+  kinematics::JointVector near;  // execution::MatingSetting::near
 };
 
 // Executes one mating repeatedly in one scene. Errors are drawn from the seed and the trial's
-// number alone. Errors with which the strategy cannot start (exec::CanStart) are drawn anew. All
-// arguments of the constructor must outlive the object.
+// number alone. Errors with which the strategy cannot start (execution::CanStart) are drawn anew.
+// All arguments of the constructor must outlive the object.
 class MatingTrials {
  public:
   MatingTrials(const MatingTask& task, const finemotion::MatingGeometry& geometry,
@@ -56,11 +56,11 @@ class MatingTrials {
 
  private:
   struct Drawn {
-    exec::MatingSetting setting;
+    execution::MatingSetting setting;
     int redrawn = 0;
   };
   Drawn DrawnFor(int number) const;
-  MatedTrial Told(int number, const Drawn& drawn, exec::MatingResult result) const;
+  MatedTrial Told(int number, const Drawn& drawn, execution::MatingResult result) const;
 
   const domain::Problem& problem_;
   const plan::Assemble& assemble_;

@@ -1,24 +1,14 @@
 #include "sim/sweep/run/runner.h"
 
-#include <tbb/global_control.h>
-#include <tbb/parallel_for.h>
-#include <tbb/parallel_for_each.h>
-#include <tbb/parallel_pipeline.h>
-#include <tbb/task_arena.h>
-
 #include <algorithm>
-#include <exception>
 #include <map>
 #include <mutex>
-#include <optional>
 
+#include "sim/execution/trial/scheduler.h"
 #include "sim/sweep/run/clock.h"
 
 namespace assay::sweep {
 namespace {
-
-// The number of results per thread that may wait for an earlier trial that takes longer.
-constexpr int kWaitingPerThread = 8;
 
 // Collects results and writes them in batches. Only one thread may use it at a time.
 class BatchWriter {
@@ -50,9 +40,6 @@ class BatchWriter {
   Clock::time_point written_ = Clock::now();
 };
 
-// The exception by which the progress callback ends a falsification.
-struct BreakOff {};
-
 class Running {
  public:
   Running(const Sweep& sweep, const Work& work, Store& store, const RunOptions& options)
@@ -60,13 +47,12 @@ class Running {
         store_(store),
         options_(options),
         cells_(Cells(sweep)),
-        attempts_(sweep.attempts) {}
+        attempts_(sweep.attempts),
+        scheduler_(options.jobs, options.stop) {}
 
   RunEnd Execute() {
     FindTrialsToDo();
-    const tbb::global_control threads(tbb::global_control::max_allowed_parallelism, options_.jobs);
-    tbb::task_arena arena(options_.jobs);
-    arena.execute([&] { MakePlans(); });
+    MakePlans();
     std::erase_if(to_do_, [&](int trial) { return !HasPlan(trial); });
     const auto attacks = std::ranges::stable_partition(
         to_do_, [&](int trial) { return CellOf(trial).noise != NoiseKind::kAttack; });
@@ -76,14 +62,14 @@ class Running {
     advance_.attempts = attempts_ * std::ssize(attacks_);
     Tell();
     BatchWriter writer(store_, options_);
-    arena.execute([&] { RunTrials(writer); });
+    RunTrials(writer);
     throughput_.trials = writer.done();
-    arena.execute([&] { RunAttacks(writer); });
+    RunAttacks(writer);
     const int left = static_cast<int>(to_do_.size() + attacks_.size()) - writer.done();
     return {.done = writer.done(),
             .before = before_,
             .left = left,
-            .stopped = stopped_,
+            .stopped = scheduler_.stopped(),
             .throughput = throughput_};
   }
 
@@ -101,11 +87,6 @@ class Running {
   }
 
   const Cell& CellOf(int trial) const { return cells_[PlaceOf(cells_, trial).cell]; }
-
-  bool Stops() {
-    stopped_ = stopped_ || (options_.stop && options_.stop());
-    return stopped_;
-  }
 
   void Tell() const {
     if (options_.tell) options_.tell(advance_);
@@ -138,33 +119,36 @@ class Running {
     const std::vector<std::vector<std::size_t>> groups = CellsByPlan();
     for (const auto& group : groups) advance_.cells += static_cast<int>(group.size());
     Tell();
-    tbb::parallel_for_each(groups, [&](const std::vector<std::size_t>& group) {
-      {
-        const std::lock_guard lock(mutex_);
-        if (Stops()) return;
-      }
-      PlanGroup(group);
-    });
+    scheduler_.AsDone(
+        groups.size(), [&](std::size_t i) { return PlanOf(groups[i]); },
+        [&](std::size_t i, const TimedPlan& planned) { KeepPlan(groups[i], planned); });
   }
+
+  struct TimedPlan {
+    PlannedCell planned;
+    double seconds = 0;
+  };
 
   // Makes one plan for all cells of the group. If the plan of one of them is stored, that plan is
   // restored.
-  void PlanGroup(const std::vector<std::size_t>& group) {
+  TimedPlan PlanOf(const std::vector<std::size_t>& group) const {
     const Clock::time_point start = Clock::now();
     const auto stored = std::ranges::find_if(
         group, [&](std::size_t i) { return stored_.contains(cells_[i].number); });
-    const PlannedCell planned =
-        stored == group.end() ? work_.plan(cells_[group.front()])
+    PlannedCell planned = stored == group.end()
+                              ? work_.plan(cells_[group.front()])
                               : work_.restore(cells_[*stored], stored_.at(cells_[*stored].number));
-    const double seconds = SecondsSince(start);
-    const std::lock_guard lock(mutex_);
+    return {std::move(planned), SecondsSince(start)};
+  }
+
+  void KeepPlan(const std::vector<std::size_t>& group, const TimedPlan& plan) {
     std::vector<CellRecord> added;
     for (const std::size_t i : group) {
-      planned_[i] = ForCell(planned, cells_[i]);
+      planned_[i] = ForCell(plan.planned, cells_[i]);
       if (!stored_.contains(cells_[i].number)) added.push_back(planned_[i].record);
       ++advance_.cells_planned;
     }
-    store_.Add(added, seconds);
+    store_.Add(added, plan.seconds);
     Tell();
   }
 
@@ -202,13 +186,7 @@ class Running {
 
   void RunTrials(BatchWriter& writer) {
     const Clock::time_point start = Clock::now();
-    std::size_t next = 0;
-    const auto hand_out = [&](tbb::flow_control& control) {
-      if (next < to_do_.size() && !Stops()) return to_do_[next++];
-      control.stop();
-      return 0;
-    };
-    const auto keep = [&](TimedTrial timed) {
+    const auto keep = [&](std::size_t, TimedTrial timed) {
       throughput_.steps += timed.record.steps;
       writer.Add(std::move(timed));
       ++advance_.trials_done;
@@ -216,12 +194,8 @@ class Running {
       Tell();
     };
     try {
-      tbb::parallel_pipeline(
-          static_cast<std::size_t>(kWaitingPerThread) * options_.jobs,
-          tbb::make_filter<void, int>(tbb::filter_mode::serial_in_order, hand_out) &
-              tbb::make_filter<int, TimedTrial>(tbb::filter_mode::parallel,
-                                                [&](int trial) { return RunTrial(trial); }) &
-              tbb::make_filter<TimedTrial, void>(tbb::filter_mode::serial_in_order, keep));
+      scheduler_.InOrder(
+          to_do_.size(), [&](std::size_t i) { return RunTrial(to_do_[i]); }, keep);
     } catch (...) {
       writer.Write();
       throw;
@@ -233,60 +207,37 @@ class Running {
   // ---- falsifications
 
   // The falsifications share the threads: a thread that finds no new one to begin helps with
-  // another one. After an error the others are broken off by their progress callbacks. TBB must not
-  // cancel their tasks, because they would take their partial results for complete ones.
+  // another one.
   void RunAttacks(BatchWriter& writer) {
     attacks_started_ = Clock::now();
-    const auto run = [&](std::size_t i) {
-      try {
-        std::optional<TimedTrial> timed = AttackUnlessStopped(attacks_[i]);
-        if (!timed) return;
-        const std::lock_guard lock(mutex_);
-        writer.Add(std::move(*timed));
-        writer.Write();
-      } catch (...) {
-        const std::lock_guard lock(mutex_);
-        if (!error_) error_ = std::current_exception();
-      }
-    };
-    tbb::parallel_for(
-        tbb::blocked_range<std::size_t>(0, attacks_.size(), 1),
-        [&](const tbb::blocked_range<std::size_t>& range) {
-          for (std::size_t i = range.begin(); i < range.end(); ++i) run(i);
-        },
-        tbb::simple_partitioner());
-    if (error_) std::rethrow_exception(error_);
+    scheduler_.AsDone(
+        attacks_.size(), [&](std::size_t i) { return RunAttack(attacks_[i]); },
+        [&](std::size_t, TimedTrial timed) {
+          writer.Add(std::move(timed));
+          writer.Write();
+        });
   }
 
-  // Returns none if the falsification was broken off.
-  std::optional<TimedTrial> AttackUnlessStopped(int trial) {
-    {
-      const std::lock_guard lock(mutex_);
-      if (BreaksOff()) return std::nullopt;
-    }
+  // The exception by which the progress callback ends a falsification.
+  struct BreakOff {};
+
+  TimedTrial RunAttack(int trial) {
     std::int64_t made = 0;
     const auto progress = [&](std::int64_t attempts) {
-      const std::lock_guard lock(mutex_);
-      advance_.attempts_made += std::max(attempts, made) - made;
-      made = std::max(attempts, made);
-      advance_.attack_seconds = SecondsSince(attacks_started_);
-      Tell();
-      if (BreaksOff()) throw BreakOff();
+      {
+        const std::lock_guard lock(mutex_);
+        advance_.attempts_made += std::max(attempts, made) - made;
+        made = std::max(attempts, made);
+        advance_.attack_seconds = SecondsSince(attacks_started_);
+        Tell();
+      }
+      if (scheduler_.Ends()) throw BreakOff();
     };
-    try {
-      const PlannedCell& planned = planned_[PlaceOf(cells_, trial).cell];
-      TimedTrial timed = work_.attack(planned, {.jobs = options_.jobs, .progress = progress});
-      SetNumbers(trial, timed.record);
-      return timed;
-    } catch (...) {
-      // The exception may be another one than BreakOff, because NLopt throws its own.
-      const std::lock_guard lock(mutex_);
-      if (BreaksOff()) return std::nullopt;
-      throw;
-    }
+    const PlannedCell& planned = planned_[PlaceOf(cells_, trial).cell];
+    TimedTrial timed = work_.attack(planned, {.jobs = options_.jobs, .progress = progress});
+    SetNumbers(trial, timed.record);
+    return timed;
   }
-
-  bool BreaksOff() { return error_ != nullptr || Stops(); }
 
   const Work& work_;
   Store& store_;
@@ -298,13 +249,11 @@ class Running {
   int before_ = 0;
   std::map<int, CellRecord> stored_;  // by number of the cell
   std::vector<PlannedCell> planned_;  // by index of the cell
-  // Guards the store, the advance and the reasons to end, while plans and falsifications are made.
-  std::mutex mutex_;
+  execution::Scheduler scheduler_;
+  std::mutex mutex_;  // guards the advance while falsifications are made
   Advance advance_;
   Throughput throughput_;
   Clock::time_point attacks_started_;
-  std::exception_ptr error_;  // the first error of a falsification
-  bool stopped_ = false;
 };
 
 }  // namespace

@@ -15,12 +15,17 @@ std::string Word(const std::string& text) {
   return plain ? text : Quoted(text);
 }
 
-std::string ModelsOption(const domain::ModelPath& models) {
-  std::string option;
+CommandLine::CommandLine(const char* verb, const std::filesystem::path& input)
+    : text_(fmt::format("assay {} {}", verb, Word(input.generic_string()))) {}
+
+void CommandLine::AddFlag(const char* option, bool is_set) {
+  if (is_set) text_ += fmt::format(" {}", option);
+}
+
+void CommandLine::AddModels(const domain::ModelPath& models) {
   for (const std::filesystem::path& folder : models.folders()) {
-    option += " --models " + Word(folder.generic_string());
+    Add("--models", folder.generic_string());
   }
-  return option;
 }
 
 }  // namespace assay::sweep

@@ -10,16 +10,13 @@
 #include "planner/base/document/document.h"
 #include "planner/constraint_posting/uncertainty_phase/uncertainty_phase.h"
 #include "planner/domain/workcell/uncertainty_operations.h"
+#include "sim/check/trial/trial.h"
 #include "sim/noise/sampling.h"
 #include "sim/scene/mjcf.h"
 
 namespace assay::sweep {
 
-// The way in which a sensor of the plan measures in a trial.
-enum class Sensing {
-  kDrawn,   // its error is drawn from the error box, within the promise of the sensor
-  kCamera,  // it finds the parts in rendered pictures
-};
+using check::Sensing;
 
 // The source of the errors in the trials of a cell.
 enum class NoiseKind {

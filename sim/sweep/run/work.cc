@@ -10,10 +10,7 @@
 #include "sim/check/claims/measure_noise_floor.h"
 #include "sim/check/falsification/attack.h"
 #include "sim/check/falsification/conservatism.h"
-#include "sim/exec/execution/executor.h"
-#include "sim/sense/overhead_camera.h"
 #include "sim/sweep/run/clock.h"
-#include "sim/sweep/run/shell.h"
 #include "sim/sweep/store/recording.h"
 
 namespace assay::sweep {
@@ -42,23 +39,21 @@ scenario::Scenario LoadScenario(const Sweep& sweep, const domain::ModelPath& mod
   return scenario;
 }
 
-// Returns the command that makes the plan of a cell again and runs it with errors. Returns an empty
-// text if no options of `assay run` describe the cell.
-std::string RunCommand(const Sweep& sweep, const domain::ModelPath& models, const Cell& cell,
-                       scene::GraspMode grasp_of_scenario) {
+// Returns the command that makes the plan of a cell again, or none if no options of `assay run`
+// describe the cell.
+std::optional<RunCommand> CommandOf(const Sweep& sweep, const domain::ModelPath& models,
+                                    const Cell& cell, scene::GraspMode grasp_of_scenario) {
   const constraint_posting::PlannerOptions planner;
   const constraint_posting::UncertaintyOptions uncertainty;
   const bool usual =
       sweep.partial_plans == planner.partial_plans && sweep.instances == uncertainty.instances;
-  if (cell.clearance || !usual) return "";
-  std::string command = "assay run " + Word(sweep.PathOf(cell.scenario).generic_string());
-  if (cell.propagation != uncertainty::Propagation::kSound) {
-    command += fmt::format(" --propagation {}", Name(cell.propagation));
-  }
-  if (cell.resolvers) command += fmt::format(" --resolvers {}", Name(*cell.resolvers));
-  if (cell.error_scale != 1) command += fmt::format(" --error-scale {}", cell.error_scale);
-  if (cell.grasp != grasp_of_scenario) command += fmt::format(" --grasp {}", Name(cell.grasp));
-  command += ModelsOption(models);
+  if (cell.clearance || !usual) return std::nullopt;
+  RunCommand command{.input = sweep.PathOf(cell.scenario),
+                     .propagation = std::string(Name(cell.propagation)),
+                     .error_scale = cell.error_scale,
+                     .models = models};
+  if (cell.resolvers) command.resolvers = {Name(*cell.resolvers)};
+  if (cell.grasp != grasp_of_scenario) command.grasp = cell.grasp;
   return command;
 }
 
@@ -136,7 +131,7 @@ class Planning {
                                              const check::NoiseFloor* known_gate) const {
     auto preparation = std::make_shared<Preparation>();
     scene::SceneOptions& scene = scenario.simulation.scene;
-    preparation->run_command = RunCommand(sweep_, models_, cell, scene.grasp);
+    preparation->run_command = CommandOf(sweep_, models_, cell, scene.grasp);
     scene.grasp = cell.grasp;
     preparation->box = noise::ErrorBox(scenario.problem, plan);
     preparation->gate = known_gate != nullptr
@@ -177,10 +172,18 @@ TimedTrial RunAttack(const Sweep& sweep, const PlannedCell& cell, const AttackCo
     // The progress callback is called before each trial, too, so that it can break off by throwing.
     const auto tell = [&] {
       if (control.progress) control.progress(result.attempts);
-      return false;
     };
-    ratios = check::Conservatism(experiment,
-                                 {.seed = cell.cell.seed, .jobs = control.jobs, .stop = tell});
+    const auto is_broken_off = [&] {
+      try {
+        tell();
+        return false;
+      } catch (...) {
+        return true;
+      }
+    };
+    ratios = check::Conservatism(
+        experiment, {.seed = cell.cell.seed, .jobs = control.jobs, .stop = is_broken_off});
+    tell();  // throws again if it has broken off the comparison
   }
   TimedTrial timed = Recorded(
       cell.preparation->plan,
@@ -198,22 +201,16 @@ noise::Noise NoiseOf(const PlannedCell& cell, int number) {
   return noise::Sample(cell.preparation->box, ModeOf(cell.cell.noise), cell.cell.seed, number);
 }
 
-check::NoisyTrial Execute(const PlannedCell& cell, const noise::Noise& noise,
-                          exec::Observer* observer) {
+check::Trial Execute(const PlannedCell& cell, const noise::Noise& noise,
+                     execution::Observer* observer) {
   const Preparation& preparation = *cell.preparation;
   const check::Experiment experiment = ExperimentOf(preparation);
   // Verdicts do not use the series of samples.
-  exec::ExecutorOptions options;
+  execution::ExecutorOptions options;
   options.sample_rate = 0;
   options.observer = observer;
-  if (cell.cell.sensing == Sensing::kDrawn || !Senses(preparation.plan)) {
-    return check::RunNoisyTrial(experiment, noise, options);
-  }
-  // Each trial has its own camera, because a camera belongs to a thread and sees the true world.
-  const scene::Scene scene(experiment.problem, exec::TrueScene(experiment.scene, noise));
-  sense::OverheadCamera camera(scene, experiment.problem);
-  options.sensor = &camera;
-  return check::RunNoisyTrial(experiment, noise, options);
+  const bool looks = cell.cell.sensing == Sensing::kCamera && Senses(preparation.plan);
+  return check::RunTrial(experiment, noise, options, looks ? Sensing::kCamera : Sensing::kDrawn);
 }
 
 Work RealWork(const Sweep& sweep, const domain::ModelPath& models) {

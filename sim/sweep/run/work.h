@@ -3,13 +3,15 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "sim/check/trial/noisy_trial.h"
+#include "sim/check/trial/trial.h"
 #include "sim/noise/error_box.h"
 #include "sim/scenario/scenario.h"
 #include "sim/sweep/run/grid.h"
+#include "sim/sweep/run/run_command.h"
 #include "sim/sweep/store/records.h"
 #include "sim/sweep/store/store.h"
 
@@ -21,7 +23,7 @@ struct Preparation {
   plan::Plan plan;
   std::vector<noise::Channel> box;
   check::NoiseFloor gate;
-  std::string run_command;
+  std::optional<RunCommand> run_command;  // none if `assay run` cannot make the plan
 };
 
 // A cell after planning.
@@ -61,6 +63,6 @@ Work RealWork(const Sweep& sweep, const domain::ModelPath& models);
 noise::Noise NoiseOf(const PlannedCell& cell, int number);
 
 // Executes a trial with its noise. `observer` observes the execution and may be null.
-check::NoisyTrial Execute(const PlannedCell& cell, const noise::Noise& noise,
-                          exec::Observer* observer);
+check::Trial Execute(const PlannedCell& cell, const noise::Noise& noise,
+                     execution::Observer* observer);
 }  // namespace assay::sweep

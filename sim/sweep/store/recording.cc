@@ -107,9 +107,8 @@ CounterexampleRecord RecordOf(const plan::Plan& plan, const check::Counterexampl
           .steps = example.steps,
           .replayed = example.replayed,
           .multiple = example.multiple,
-          .replay = attacked.run_command.empty()
-                        ? attacked.replay_command
-                        : fmt::format("{} --errors '{}'", attacked.run_command, noise)};
+          .replay = attacked.run_command ? attacked.run_command->WithErrors(noise).Text()
+                                         : attacked.replay_command};
 }
 
 AttackRecord RecordOf(const plan::Plan& plan, const Attacked& attacked) {
@@ -167,11 +166,11 @@ std::string WrongWithoutNoise(const plan::Plan& plan, const check::Noiseless& no
   return fmt::format("{}", fmt::join(lines, "\n"));
 }
 
-TimedTrial Recorded(const plan::Plan& plan, const check::NoisyTrial& trial) {
-  const exec::ExecutionEnd& end = trial.trace.end();
-  const bool warned = end.outcome == exec::ExecutionOutcome::kEngineWarning;
+TimedTrial Recorded(const plan::Plan& plan, const check::Trial& trial) {
+  const execution::ExecutionEnd& end = trial.trace.end();
+  const bool warned = end.outcome == execution::TrialOutcome::kEngineWarning;
   TimedTrial timed{.record = {.noise = noise::Text(trial.noise),
-                              .outcome = std::string(check::Name(trial.verdict.outcome)),
+                              .outcome = std::string(execution::Name(trial.verdict.outcome)),
                               .reason = trial.verdict.reason,
                               .simulated = end.moment.time,
                               .steps = end.steps,

@@ -1,17 +1,19 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "sim/check/falsification/attack.h"
 #include "sim/check/falsification/conservatism.h"
-#include "sim/check/trial/noisy_trial.h"
+#include "sim/check/trial/trial.h"
+#include "sim/sweep/run/run_command.h"
 #include "sim/sweep/store/store.h"
 
 namespace assay::sweep {
 
 // Returns the record of a trial. Its numbers in the sweep are left out.
-TimedTrial Recorded(const plan::Plan& plan, const check::NoisyTrial& trial);
+TimedTrial Recorded(const plan::Plan& plan, const check::Trial& trial);
 
 // Returns what is wrong with the plan without noise, one line for each claim.
 std::string WrongWithoutNoise(const plan::Plan& plan, const check::Noiseless& noiseless,
@@ -21,10 +23,8 @@ std::string WrongWithoutNoise(const plan::Plan& plan, const check::Noiseless& no
 struct Attacked {
   const check::AttackResult& result;
   const std::vector<check::ConservatismRatio>& ratios;  // empty if they were not measured
-  // The command that runs the plan with errors if "--errors '...'" is appended. Empty if there is
-  // none.
-  std::string run_command;
-  std::string replay_command;  // the command that repeats the falsification
+  std::optional<RunCommand> run_command;  // makes the same plan; none if there is no such command
+  std::string replay_command;             // the command that repeats the falsification
 };
 
 // Returns the record of a falsification as a trial. The trial succeeded if no certificate was

@@ -4,7 +4,7 @@
 #include "planner/assembly/certified_plan.h"
 #include "planner/domain/problem/problem_file.h"
 #include "sim/check/trial/verdict.h"
-#include "sim/exec/execution/executor.h"
+#include "sim/execution/walk/executor.h"
 
 namespace assay::check::collided_trial_test {
 namespace {
@@ -22,8 +22,8 @@ TEST(CollidedTrial, AForearmThatRunsIntoTheMastHasFailed) {
   const scene::Scene scene(problem, {});
   mujoco::Data data = scene.Start();
   const plan::StepId pickup = plan.ExecutionOrder()[1];
-  const exec::Trace trace =
-      exec::Execute(problem, plan, scene, data, {.sample_rate = 0, .last = pickup});
+  const execution::Trace trace =
+      execution::Execute(problem, plan, scene, data, {.sample_rate = 0, .last = pickup});
 
   const Verdict verdict = Judge(problem, trace, {});
   EXPECT_EQ(verdict.outcome, TrialOutcome::kCollided);

@@ -44,10 +44,10 @@ class FeltAssembly : public testing::Test {
     return gate;
   }
 
-  static NoisyTrial Run(const plan::Plan& plan, noise::Mode mode, const NoiseFloor& gate) {
+  static Trial Run(const plan::Plan& plan, noise::Mode mode, const NoiseFloor& gate) {
     const Experiment experiment{certified().problem, plan, {}, gate};
     const auto box = noise::ErrorBox(certified().problem, plan);
-    return RunNoisyTrial(experiment, noise::Sample(box, mode, kSeed, 1), {.sample_rate = 0});
+    return RunTrial(experiment, noise::Sample(box, mode, kSeed, 1), {.sample_rate = 0});
   }
 };
 
@@ -55,7 +55,7 @@ class FeltAssembly : public testing::Test {
 // executions.
 TEST_F(FeltAssembly, SeatsThePartInSpiteOfErrors) {
   ASSERT_TRUE(certified().plan.step(AssembleStep()).strategy);
-  const NoisyTrial trial = Run(certified().plan, noise::Mode::kUniform, Gate());
+  const Trial trial = Run(certified().plan, noise::Mode::kUniform, Gate());
   EXPECT_EQ(trial.verdict.outcome, TrialOutcome::kSucceeded) << trial.verdict.reason;
   std::set<std::string> claimed;
   for (const Claim& claim : trial.claims) {
@@ -84,7 +84,7 @@ TEST_F(FeltAssembly, AFailureTellsHowTheMatingEnded) {
   strategy.motions[0].X_FixedTip = strategy.X_FixedStart;
   strategy.motions[0].X_FixedTip.translation() -=
       0.01 * certified().problem.matings[0].mating_vector.normalized();
-  const NoisyTrial trial = Run(plan, noise::Mode::kNone, {});
+  const Trial trial = Run(plan, noise::Mode::kNone, {});
   EXPECT_EQ(trial.verdict.outcome, TrialOutcome::kOperatorCalled);
   EXPECT_THAT(trial.trace.end().reason, StartsWith(plan.step(AssembleStep()).name));
   EXPECT_THAT(trial.trace.end().reason, HasSubstr("timeout: motion 1: no contact of"));

@@ -11,7 +11,7 @@
 #include "planner/assembly/certified_plan.h"
 #include "planner/base/random.h"
 #include "planner/domain/problem/problem_file.h"
-#include "sim/check/trial/noisy_trial.h"
+#include "sim/check/trial/trial.h"
 #include "sim/noise/error_box.h"
 #include "sim/noise/sampling.h"
 
@@ -136,10 +136,9 @@ Planned PlanFor(const Draw& draw) {
 Verdict AtCorner(const Planned& planned, int corner) {
   const Experiment experiment{planned.problem, planned.plan};
   const auto box = noise::ErrorBox(planned.problem, planned.plan);
-  exec::ExecutorOptions options;
+  execution::ExecutorOptions options;
   options.sample_rate = 0;
-  return RunNoisyTrial(experiment, noise::Sample(box, noise::Mode::kVertices, kSeed, corner),
-                       options)
+  return RunTrial(experiment, noise::Sample(box, noise::Mode::kVertices, kSeed, corner), options)
       .verdict;
 }
 

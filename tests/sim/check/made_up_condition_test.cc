@@ -48,7 +48,7 @@ std::vector<Precondition> HandTurn(const HandWork& work) {
 
 std::vector<GeometricMeaning> MeasureHandTurn(const MeasuredStep& step) {
   if (step.events().reached == nullptr) return {};
-  const exec::TrueAndBelieved& tool = step.events().reached->tool;
+  const execution::TrueAndBelieved& tool = step.events().reached->tool;
   const Eigen::AngleAxisd turn(
       geometry::Matrix3(tool.truth.linear() * tool.believed.linear().transpose()));
   return {{kMeaning, kLimit - turn.angle()}};
@@ -106,7 +106,7 @@ class MadeUpCondition : public testing::Test {
   // Returns what is claimed of a pickup by a hand that is turned by an angle (radians).
   std::vector<Claim> ClaimsOfTurned(double angle) const {
     const auto& action = std::get<plan::Pickup>(pickup().action);
-    exec::Snapshot moment;
+    execution::Snapshot moment;
     const geometry::Pose X_WorldTool = action.from.X_WorldPart * action.hold.X_PartTool;
     moment.tool = {X_WorldTool * geometry::RotationZ(angle), X_WorldTool};
     moment.opening = problem_.workcell->gripper().max_opening();
@@ -114,9 +114,9 @@ class MadeUpCondition : public testing::Test {
       moment.parts.push_back({part.X_WorldPart, part.X_WorldPart});
       moment.table_heights.push_back(0);
     }
-    exec::Trace trace;
-    trace.events.push_back(exec::Milestone{pickup_, exec::Stage::kPoised, moment});
-    trace.events.push_back(exec::Milestone{pickup_, exec::Stage::kReached, moment});
+    execution::Trace trace;
+    trace.events.push_back(execution::Milestone{pickup_, execution::Stage::kPoised, moment});
+    trace.events.push_back(execution::Milestone{pickup_, execution::Stage::kReached, moment});
     std::vector<Claim> claims = CheckCertificates(problem_, plan_, trace, {}, plan::StepId::None(),
                                                   vocabulary_.measurements);
     std::erase_if(claims, [](const Claim& claim) { return claim.name != kHandTurn.name; });

@@ -21,7 +21,7 @@
 #include "sim/check/claims/measure_noise_floor.h"
 #include "sim/check/falsification/attack.h"
 #include "sim/check/falsification/main_effects.h"
-#include "sim/exec/execution/executor.h"
+#include "sim/execution/walk/executor.h"
 #include "sim/noise/sampling.h"
 
 namespace assay::check::mutation_test {
@@ -61,11 +61,11 @@ class TrueErrors {
  private:
   struct Trial {
     noise::Noise noise;
-    exec::Trace trace;
-    std::optional<exec::Trace> finer = {};  // made on demand
+    execution::Trace trace;
+    std::optional<execution::Trace> finer = {};  // made on demand
   };
 
-  std::vector<Claim> ClaimsOf(const plan::Plan& plan, const exec::Trace& trace) const {
+  std::vector<Claim> ClaimsOf(const plan::Plan& plan, const execution::Trace& trace) const {
     return CheckCertificates(experiment_.problem, plan, trace, experiment_.gate);
   }
 
@@ -79,17 +79,17 @@ class TrueErrors {
     return trial;
   }
 
-  exec::Trace Executed(const noise::Noise& noise, const scene::SceneOptions& options) const {
-    exec::ExecutorOptions executor;
+  execution::Trace Executed(const noise::Noise& noise, const scene::SceneOptions& options) const {
+    execution::ExecutorOptions executor;
     executor.noise = noise;
     executor.sample_rate = 0;
     executor.recovers = false;
-    const scene::Scene scene(experiment_.problem, exec::TrueScene(options, noise));
-    mujoco::Data data = exec::StartOf(experiment_.problem, scene, noise);
-    return exec::Execute(experiment_.problem, experiment_.plan, scene, data, executor);
+    const scene::Scene scene(experiment_.problem, execution::TrueScene(options, noise));
+    mujoco::Data data = execution::StartOf(experiment_.problem, scene, noise);
+    return execution::Execute(experiment_.problem, experiment_.plan, scene, data, executor);
   }
 
-  const exec::Trace& WithHalfTheTimestep(Trial& trial) const {
+  const execution::Trace& WithHalfTheTimestep(Trial& trial) const {
     if (!trial.finer) trial.finer = Executed(trial.noise, Finer(experiment_.scene));
     return *trial.finer;
   }

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "sim/check/claims/certificate_check.h"
-#include "sim/exec/execution/executor.h"
+#include "sim/execution/walk/executor.h"
 #include "sim/scene/scene.h"
 #include "tests/sim/check/certified.h"
 
@@ -25,8 +25,8 @@ TEST(SlippingPads, MeetTheSeatWhereThePartStops) {
   ASSERT_EQ(certified.plan.errors, 0);
   const scene::Scene scene(certified.problem, {});
   mujoco::Data data = scene.Start();
-  const exec::Trace trace =
-      exec::Execute(certified.problem, certified.plan, scene, data, {.sample_rate = 0});
+  const execution::Trace trace =
+      execution::Execute(certified.problem, certified.plan, scene, data, {.sample_rate = 0});
   const std::vector<Claim> claims = CheckCertificates(certified.problem, certified.plan, trace, {});
   const auto seat = std::ranges::find(claims, "seat", &Claim::name);
   ASSERT_NE(seat, claims.end());

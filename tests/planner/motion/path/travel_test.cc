@@ -175,5 +175,22 @@ TEST_F(TravelBesideAnArm, LooksAtTheLinesThatFollow) {
   ASSERT_TRUE(std::holds_alternative<std::string>(PlanTravel(problem_, around_, request)));
 }
 
+TEST_F(TravelBesideAnArm, GoesHomeAroundIt) {
+  const TravelResult result =
+      PlanWayHome(problem_, around_, Posture(problem_, Down(-0.15, 0.35, 0.4)));
+  ASSERT_TRUE(std::holds_alternative<JointPath>(result)) << std::get<std::string>(result);
+  const auto& path = std::get<JointPath>(result);
+  EXPECT_TRUE(path.back() == problem_.workcell->home());
+  EXPECT_GE(NearestToTheOther(path), kTravelGap);
+}
+
+TEST_F(TravelBesideAnArm, SaysWhyThereIsNoWayHome) {
+  const TravelResult result =
+      PlanWayHome(problem_, around_, Posture(problem_, Down(-0.05, 0, 0.35)));
+  ASSERT_TRUE(std::holds_alternative<std::string>(result));
+  EXPECT_THAT(std::get<std::string>(result),
+              testing::ContainsRegex("no way home: .* of right are nearer than 10.0 mm"));
+}
+
 }  // namespace
 }  // namespace assay::motion::travel_test

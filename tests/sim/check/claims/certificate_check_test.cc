@@ -5,13 +5,13 @@
 #include <algorithm>
 
 #include "planner/plan/data/condition_table.h"
-#include "tests/sim/exec/figure15.h"
+#include "tests/sim/execution/figure15.h"
 
 namespace assay::check::certificate_check_test {
 namespace {
 
 using domain::PartId;
-using exec::Stage;
+using execution::Stage;
 using geometry::Pose;
 using geometry::Vector3;
 
@@ -19,9 +19,9 @@ using geometry::Vector3;
 class CertificateCheckTest : public testing::Test {
  protected:
   CertificateCheckTest()
-      : problem_(exec::Figure15()),
-        plan_(exec::TwoActions(problem_)),
-        peg_(exec::PartNamed(problem_, "peg")),
+      : problem_(execution::Figure15()),
+        plan_(execution::TwoActions(problem_)),
+        peg_(execution::PartNamed(problem_, "peg")),
         pickup_(std::get<plan::Pickup>(plan_.step(kPickup).action)) {
     plan::Certificate& certificate = plan_.steps[kPickup.index()].certificate;
     const Interval wide = {-0.01, 0.01};
@@ -51,25 +51,26 @@ class CertificateCheckTest : public testing::Test {
     return {.condition = condition, .margin = margin};
   }
   // Returns the snapshot with the peg displaced by `y_of_tool` metres along the tool's y.
-  exec::Snapshot Displaced(double y_of_tool) const {
-    exec::Snapshot moment = moment_;
+  execution::Snapshot Displaced(double y_of_tool) const {
+    execution::Snapshot moment = moment_;
     Pose& truth = moment.parts[peg_.index()].truth;
     truth.translation() += moment.tool.truth.linear().col(1) * y_of_tool;
     return moment;
   }
-  std::vector<Claim> Check(const exec::Snapshot& reached, const exec::Snapshot& end,
+  std::vector<Claim> Check(const execution::Snapshot& reached, const execution::Snapshot& end,
                            bool recovered = false) {
-    exec::Trace trace;
-    trace.events.push_back(exec::Milestone{kPickup, Stage::kPoised, moment_});
-    trace.events.push_back(exec::Milestone{kPickup, Stage::kReached, reached});
-    trace.events.push_back(exec::Milestone{kPickup, Stage::kActed, end});
+    execution::Trace trace;
+    trace.events.push_back(execution::Milestone{kPickup, Stage::kPoised, moment_});
+    trace.events.push_back(execution::Milestone{kPickup, Stage::kReached, reached});
+    trace.events.push_back(execution::Milestone{kPickup, Stage::kActed, end});
     if (recovered) {
-      trace.events.push_back(exec::RecoveryRecord{.time = 0,
-                                                  .step = kPickup,
-                                                  .error = "error1",
-                                                  .strategy = domain::RecoveryStrategy::kRetry});
+      trace.events.push_back(
+          execution::RecoveryRecord{.time = 0,
+                                    .step = kPickup,
+                                    .error = "error1",
+                                    .strategy = domain::RecoveryStrategy::kRetry});
     }
-    trace.events.push_back(exec::StepEnd{kPickup, "action_2", "pickup", end});
+    trace.events.push_back(execution::StepEnd{kPickup, "action_2", "pickup", end});
     return CheckCertificates(problem_, plan_, trace, {});
   }
   static ClaimVerdict Worst(const std::vector<Claim>& claims) {
@@ -88,7 +89,7 @@ class CertificateCheckTest : public testing::Test {
   plan::Plan plan_;
   PartId peg_;
   plan::Pickup pickup_;
-  exec::Snapshot moment_;
+  execution::Snapshot moment_;
 };
 
 TEST_F(CertificateCheckTest, WithoutErrorsAllIsContained) {
@@ -173,41 +174,45 @@ TEST_F(CertificateCheckTest, NothingIsClaimedAfterARecovery) {
 }
 
 TEST_F(CertificateCheckTest, AStepThatIsProvedComesToItsEnd) {
-  exec::Trace trace;
-  trace.events.push_back(exec::Milestone{kPickup, Stage::kPoised, moment_});
-  trace.events.push_back(exec::ExecutionEnd{exec::ExecutionOutcome::kOverload, "", moment_});
+  execution::Trace trace;
+  trace.events.push_back(execution::Milestone{kPickup, Stage::kPoised, moment_});
+  trace.events.push_back(
+      execution::ExecutionEnd{execution::TrialOutcome::kOverload, "", moment_});
   EXPECT_EQ(Worst(CheckCertificates(problem_, plan_, trace, {})), ClaimVerdict::kViolated);
-  trace.events.back() = exec::ExecutionEnd{exec::ExecutionOutcome::kUnreachable, "", moment_};
+  trace.events.back() =
+      execution::ExecutionEnd{execution::TrialOutcome::kUnreachable, "", moment_};
   EXPECT_EQ(Worst(CheckCertificates(problem_, plan_, trace, {})), ClaimVerdict::kContained);
 }
 
 TEST_F(CertificateCheckTest, AStepThatIsStoppedOnItsWayIsTheOneThatDoesNotComeToItsEnd) {
   const std::vector<plan::StepId> order = plan_.ExecutionOrder();
-  const auto stopped = [&](const exec::Trace& trace, plan::StepId first) {
+  const auto stopped = [&](const execution::Trace& trace, plan::StepId first) {
     const std::vector<Claim> claims = CheckCertificates(problem_, plan_, trace, {}, first);
     const Claim& end = Named(claims, Claimed::kAfter, "comes to its end");
     EXPECT_TRUE(end.IsViolated());
     return end.step;
   };
-  exec::Trace trace;
-  trace.events.push_back(exec::ExecutionEnd{exec::ExecutionOutcome::kOverload, "", moment_});
+  execution::Trace trace;
+  trace.events.push_back(
+      execution::ExecutionEnd{execution::TrialOutcome::kOverload, "", moment_});
   EXPECT_EQ(stopped(trace, order[1]), order[1]);
   // Without a first step, the trace is taken to begin with the first step of the plan. Once that
   // step has ended, the next step is the one that is stopped.
   EXPECT_EQ(stopped(trace, plan::StepId::None()), order[0]);
-  trace.events.insert(trace.events.begin(), exec::StepEnd{order[0], "", "", moment_});
-  trace.events.insert(trace.events.begin(), exec::Milestone{order[0], Stage::kPoised, moment_});
+  trace.events.insert(trace.events.begin(), execution::StepEnd{order[0], "", "", moment_});
+  trace.events.insert(trace.events.begin(),
+                      execution::Milestone{order[0], Stage::kPoised, moment_});
   EXPECT_EQ(stopped(trace, plan::StepId::None()), order[1]);
 }
 
 TEST_F(CertificateCheckTest, ACollisionIsAClaimOfTheStepInWhichItHappens) {
   const std::vector<plan::StepId> order = plan_.ExecutionOrder();
-  exec::Trace trace;
-  trace.events.push_back(exec::Milestone{order[0], Stage::kPoised, moment_});
-  trace.events.push_back(exec::StepEnd{order[0], "", "", moment_});
-  trace.events.push_back(exec::CollisionRecord{.time = 0, .robot = "arm", .other = "block"});
-  trace.events.push_back(exec::Milestone{order[1], Stage::kPoised, moment_});
-  trace.events.push_back(exec::StepEnd{order[1], "", "", moment_});
+  execution::Trace trace;
+  trace.events.push_back(execution::Milestone{order[0], Stage::kPoised, moment_});
+  trace.events.push_back(execution::StepEnd{order[0], "", "", moment_});
+  trace.events.push_back(execution::CollisionRecord{.time = 0, .robot = "arm", .other = "block"});
+  trace.events.push_back(execution::Milestone{order[1], Stage::kPoised, moment_});
+  trace.events.push_back(execution::StepEnd{order[1], "", "", moment_});
   const std::vector<Claim> claims = CheckCertificates(problem_, plan_, trace, {});
   const Claim& clear = Named(claims, Claimed::kAfter, "keeps clear of everything else");
   EXPECT_EQ(clear.step, order[1]);
@@ -216,9 +221,9 @@ TEST_F(CertificateCheckTest, ACollisionIsAClaimOfTheStepInWhichItHappens) {
 
 // The pickup handles the peg alone, so the block must stay where it is.
 TEST_F(CertificateCheckTest, APartThatTheStepDoesNotHandleStaysWhereItIs) {
-  const std::size_t block = exec::PartNamed(problem_, "block").index();
+  const std::size_t block = execution::PartNamed(problem_, "block").index();
   const auto shoved = [&](double metres, double radians) {
-    exec::Snapshot end = moment_;
+    execution::Snapshot end = moment_;
     end.parts[block].truth.translation().x() += metres;
     end.parts[block].truth.linear() *= geometry::RotationZ(radians).linear();
     return Check(moment_, end);

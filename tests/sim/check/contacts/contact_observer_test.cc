@@ -8,8 +8,8 @@
 
 #include "planner/finemotion/contacts/contact_finder.h"
 #include "sim/check/contacts/sequence_comparison.h"
-#include "sim/exec/control/mating_trial.h"
-#include "tests/sim/exec/figure15.h"
+#include "sim/execution/trial/mating_trial.h"
+#include "tests/sim/execution/figure15.h"
 
 namespace assay::check::contact_observer_test {
 namespace {
@@ -154,13 +154,14 @@ TEST(ContactObserver, SeesThePlannedContactsWithoutErrors) {
 
   const scene::Scene scene(Square(), {.grasp = scene::GraspMode::kWeld});
   ContactObserver observer(scene, mating, geometry, planned);
-  const exec::MatingSetting setting{
-      .mating = id, .hold = exec::HoldForMating(Square(), id), .X_HeldTip = geometry.X_HeldTip};
-  exec::MatingTrialOptions options;
+  const execution::MatingSetting setting{.mating = id,
+                                         .hold = execution::HoldForMating(Square(), id),
+                                         .X_HeldTip = geometry.X_HeldTip};
+  execution::MatingTrialOptions options;
   options.observer = std::ref(observer);
-  const exec::MatingResult result =
-      exec::RunMatingTrial(Square(), scene, setting, strategy, options);
-  EXPECT_EQ(result.end.outcome, exec::MatingOutcome::kDone) << result.end.reason;
+  const execution::MatingResult result =
+      execution::RunMatingTrial(Square(), scene, setting, strategy, options);
+  EXPECT_EQ(result.end.outcome, execution::MatingOutcome::kDone) << result.end.reason;
 
   EXPECT_GT(observer.seen().points, 20);
   EXPECT_EQ(observer.seen().unmapped, 0) << observer.seen().first_unmapped;

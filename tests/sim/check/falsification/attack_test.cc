@@ -52,7 +52,7 @@ TEST_F(Proved, IsNotFalsifiedAndSucceedsAtCorners) {
   const auto box = noise::ErrorBox(certified_->problem, certified_->plan);
   for (int number = 1; number <= 2; ++number) {
     const noise::Noise noise = noise::Sample(box, noise::Mode::kVertices, kSeed, number);
-    const NoisyTrial trial = RunNoisyTrial(*experiment_, noise, {.sample_rate = 0});
+    const Trial trial = RunTrial(*experiment_, noise, {.sample_rate = 0});
     EXPECT_EQ(trial.verdict.outcome, TrialOutcome::kSucceeded) << trial.verdict.reason;
     EXPECT_EQ(trial.errors_signalled, 0);
   }

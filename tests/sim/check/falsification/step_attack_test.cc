@@ -54,10 +54,10 @@ class PickupAfterALook : public testing::Test {
   // Returns the trial with the part displaced from where it came to rest, as if the engine had
   // erred.
   PoisedTrial Spoiled(PoisedTrial poised, const geometry::Vector3& by) const {
-    exec::ExecutorOptions options;
+    execution::ExecutorOptions options;
     options.noise = poised.noise;
     mujoco::Data data(world().scene.model());
-    exec::Execution execution(certified_->problem, world().scene, data, options);
+    execution::Execution execution(certified_->problem, world().scene, data, options);
     execution.Restore(poised.checkpoint);
     const geometry::Pose truth = world().scene.TruePose(data, part());
     world().scene.SetPart(data, part(), geometry::Translation(by) * truth);

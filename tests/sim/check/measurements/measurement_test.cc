@@ -92,8 +92,8 @@ const plan::PlannedStep& StepOf() {
   return Known().plan.step(FirstStep<Action>(Known().plan));
 }
 
-exec::Snapshot MomentWith(const Pose& X_WorldTool, double opening) {
-  exec::Snapshot moment;
+execution::Snapshot MomentWith(const Pose& X_WorldTool, double opening) {
+  execution::Snapshot moment;
   moment.tool = {X_WorldTool, X_WorldTool};
   moment.opening = opening;
   for (const domain::Part& part : Known().problem.parts) {
@@ -123,7 +123,7 @@ TEST(Measurement, HandClearIsTheHandsDistanceFromAnotherPart) {
   RandomStream random(5, "hand clear");
   int overlaps = 0;
   for (int i = 0; i < 40; ++i) {
-    exec::Snapshot acted = MomentWith(peg.X_WorldPart * hold.X_PartTool, hold.width);
+    execution::Snapshot acted = MomentWith(peg.X_WorldPart * hold.X_PartTool, hold.width);
     Pose& X_WorldBlock = acted.parts[IndexOf(block)].truth;
     X_WorldBlock = acted.tool.truth * Somewhere(0.18, random);
     StepEvents events;
@@ -144,7 +144,7 @@ TEST(Measurement, HandClearLeavesOutWhatThePadsTouch) {
   const plan::Hold& hold = std::get<plan::Pickup>(pickup.action).hold;
   const domain::Part& peg = PartNamed("peg");
   const auto observed = [&](double ahead) {
-    const exec::Snapshot acted = MomentWith(
+    const execution::Snapshot acted = MomentWith(
         peg.X_WorldPart * hold.X_PartTool * geometry::Translation(0, 0, ahead), hold.width);
     StepEvents events;
     events.step = FirstStep<plan::Pickup>(Known().plan);
@@ -170,7 +170,8 @@ TEST(Measurement, PassingClearIsTheWayToTheMouth) {
   const Pose X_WorldSeat = block.X_WorldPart * mating.X_FixedHeld;
   const auto observed = [&](const Vector3& off) {
     const Pose X_WorldPeg = geometry::Translation(off - vector) * X_WorldSeat;
-    exec::Snapshot poised = MomentWith(X_WorldPeg * assemble.hold.X_PartTool, assemble.hold.width);
+    execution::Snapshot poised =
+        MomentWith(X_WorldPeg * assemble.hold.X_PartTool, assemble.hold.width);
     poised.parts[IndexOf(peg)] = {X_WorldPeg, X_WorldPeg};
     StepEvents events;
     events.step = FirstStep<plan::Assemble>(Known().plan);

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/sim/exec/figure15.h"
+#include "tests/sim/execution/figure15.h"
 
 namespace assay::check::observed_error_test {
 namespace {
@@ -14,12 +14,12 @@ using geometry::Vector3;
 class ObservedErrorTest : public testing::Test {
  protected:
   ObservedErrorTest()
-      : problem_(exec::Figure15()),
-        plan_(exec::TwoActions(problem_)),
-        peg_(exec::PartNamed(problem_, "peg")) {
+      : problem_(execution::Figure15()),
+        plan_(execution::TwoActions(problem_)),
+        peg_(execution::PartNamed(problem_, "peg")) {
     moment_.parts.resize(2);
   }
-  exec::TrueAndBelieved& Peg() { return moment_.parts[peg_.index()]; }
+  execution::TrueAndBelieved& Peg() { return moment_.parts[peg_.index()]; }
   double Named(const std::vector<ObservedError>& errors, const std::string& name) const {
     for (const ObservedError& error : errors) {
       if (error.name == name + " of peg") return error.observed;
@@ -31,7 +31,7 @@ class ObservedErrorTest : public testing::Test {
   domain::Problem problem_;
   plan::Plan plan_;
   PartId peg_;
-  exec::Snapshot moment_;
+  execution::Snapshot moment_;
 };
 
 TEST_F(ObservedErrorTest, AtRestItIsDisplacedInTheWorldAndTurnedAboutTheVertical) {

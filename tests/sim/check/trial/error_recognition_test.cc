@@ -5,7 +5,7 @@
 namespace assay::check::error_recognition_test {
 namespace {
 
-using exec::MatingOutcome;
+using execution::MatingOutcome;
 using finemotion::ContactKind;
 
 const ContactKey kWall = {ContactKind::kVertexFace, 3, 1};
@@ -20,14 +20,15 @@ std::vector<ContactSpan> Spans() {
           {2, 3, 4, {}}};
 }
 
-exec::RecognizedContact Made(const ContactKey& key, double time) {
+execution::RecognizedContact Made(const ContactKey& key, double time) {
   return {finemotion::Name(key), false, time};
 }
-exec::RecognizedContact Lost(const ContactKey& key, double time) {
+execution::RecognizedContact Lost(const ContactKey& key, double time) {
   return {finemotion::Name(key), true, time};
 }
 
-exec::ErrorState State(int motion, std::optional<exec::RecognizedContact> recognized = {}) {
+execution::ErrorState State(int motion,
+                            std::optional<execution::RecognizedContact> recognized = {}) {
   return {.outcome = MatingOutcome::kWrongContact, .motion = motion, .recognized = recognized};
 }
 
@@ -45,7 +46,7 @@ TEST(ErrorRecognition, OfALossIsRightIfItWasNotThere) {
 }
 
 TEST(ErrorRecognition, EveryErrorStateOfATrialCounts) {
-  exec::StrategyEnd end;
+  execution::StrategyEnd end;
   RecognitionTally tally;
   Count(end, Spans(), true, tally);
   EXPECT_EQ(tally.states, Recognition{}) << "it was done at the first attempt";
@@ -62,7 +63,7 @@ TEST(ErrorRecognition, EveryErrorStateOfATrialCounts) {
 }
 
 TEST(ErrorRecognition, TheWayInTheCreviceIsLeftOut) {
-  exec::StrategyEnd end;
+  execution::StrategyEnd end;
   end.outcome = MatingOutcome::kJammed;
   end.motion = 3;
   RecognitionTally tally;
@@ -72,7 +73,7 @@ TEST(ErrorRecognition, TheWayInTheCreviceIsLeftOut) {
 
 // The strategy ignores an error state, goes on, and ends in the same state. It counts once.
 TEST(ErrorRecognition, WhatWasIgnoredCountsOnce) {
-  exec::StrategyEnd end;
+  execution::StrategyEnd end;
   end.ignored = {State(0, Made(kWall, 1.2))};
   end.outcome = MatingOutcome::kTimeout;
   end.motion = 1;

@@ -21,10 +21,11 @@ constexpr double kRight = std::numbers::pi / 2;
 
 const domain::PartId kPart(0);
 
-exec::Snapshot MomentWith(const Pose& believed_part, const Pose& believed_tool = Pose::Identity()) {
+execution::Snapshot MomentWith(const Pose& believed_part,
+                               const Pose& believed_tool = Pose::Identity()) {
   // The true poses do not matter.
   const Pose elsewhere = Translation(7, 7, 7);
-  exec::Snapshot moment;
+  execution::Snapshot moment;
   moment.tool = {elsewhere, believed_tool};
   moment.parts = {{elsewhere, believed_part}};
   return moment;
@@ -80,7 +81,7 @@ TEST(ExtremePoses, LeaveTheOtherComponentsAtTheirMiddle) {
 }
 
 TEST(ExtremePoses, AreThoseThatCanBeSeen) {
-  const exec::Snapshot moment = MomentWith(Pose::Identity());
+  const execution::Snapshot moment = MomentWith(Pose::Identity());
   const plan::ErrorSet small =
       SetWith({{&plan::ErrorSet::x, {-0.0001, 0.0001}}, {&plan::ErrorSet::theta, {-0.001, 0.001}}});
   EXPECT_TRUE(ExtremePoses(plan::Sense{}, small, moment).empty());
@@ -124,8 +125,8 @@ TEST(ExtremePoses, AreWhereTheErrorsAreObservedAtTheirEnds) {
   plan::Putdown putdown;
   putdown.hold.X_PartTool = Translation(0.02, 0.01, 0.03) * RotationX(2);
   putdown.to.X_WorldPart = planned;
-  exec::Snapshot moment = MomentWith(Translation(0.001, 0, 0) * planned * RotationZ(0.2),
-                                     Translation(0.3, 0.2, 0.1) * RotationX(3));
+  execution::Snapshot moment = MomentWith(Translation(0.001, 0, 0) * planned * RotationZ(0.2),
+                                          Translation(0.3, 0.2, 0.1) * RotationX(3));
   for (const bool in_hand : {false, true}) {
     plan::ErrorSet set = SetWith({{&plan::ErrorSet::x, {-0.01, 0.02}},
                                   {&plan::ErrorSet::y, {-0.03, 0.04}},

@@ -8,8 +8,8 @@
 #include <numbers>
 #include <set>
 
-#include "sim/exec/execution/executor.h"
-#include "sim/exec/execution/step_execution.h"
+#include "sim/execution/walk/executor.h"
+#include "sim/execution/walk/step_execution.h"
 #include "sim/noise/sampling.h"
 #include "tests/sim/check/certified.h"
 
@@ -44,14 +44,14 @@ struct Case {
 
   // The execution ends with the first error that is signalled. Groping takes long and changes no
   // entry of the ledger.
-  exec::Trace TraceOf(const Noise& noise, plan::StepId last = plan::StepId::None()) const {
+  execution::Trace TraceOf(const Noise& noise, plan::StepId last = plan::StepId::None()) const {
     const domain::Problem& problem = certified.problem;
-    const scene::Scene scene(problem, exec::TrueScene({}, noise));
-    mujoco::Data data = exec::StartOf(problem, scene, noise);
-    return exec::Execute(problem, certified.plan, scene, data,
-                         {.sample_rate = 0, .noise = noise, .recovers = false, .last = last});
+    const scene::Scene scene(problem, execution::TrueScene({}, noise));
+    mujoco::Data data = execution::StartOf(problem, scene, noise);
+    return execution::Execute(problem, certified.plan, scene, data,
+                              {.sample_rate = 0, .noise = noise, .recovers = false, .last = last});
   }
-  std::vector<LedgerEntry> Ledger(const Noise& noise, const exec::Trace& trace) const {
+  std::vector<LedgerEntry> Ledger(const Noise& noise, const execution::Trace& trace) const {
     return LedgerOf(experiment(), noise, trace);
   }
 };
@@ -181,18 +181,18 @@ TEST_F(Alone, EachErrorOfTheHand) {
   const plan::StepId pickup = FirstStep<plan::Pickup>(plan_);
   const domain::Problem& problem = of_.certified.problem;
   const scene::Scene scene(problem, {});
-  mujoco::Data data = exec::StartOf(problem, scene, {});
-  exec::ExecutorOptions options{.sample_rate = 0};
-  exec::Execution poised(problem, scene, data, options);
-  ASSERT_FALSE(exec::StepExecution(plan_, pickup, poised).Approach());
-  const exec::Checkpoint checkpoint = poised.Save();
+  mujoco::Data data = execution::StartOf(problem, scene, {});
+  execution::ExecutorOptions options{.sample_rate = 0};
+  execution::Execution poised(problem, scene, data, options);
+  ASSERT_FALSE(execution::StepExecution(plan_, pickup, poised).Approach());
+  const execution::Checkpoint checkpoint = poised.Save();
   int tried = 0;
   for (std::size_t i = 0; i < of_.box.size(); ++i) {
     if (of_.box[i].step != pickup) continue;
     options.noise = Only(i);
-    exec::Execution execution(problem, scene, data, options);
+    execution::Execution execution(problem, scene, data, options);
     execution.Restore(checkpoint);
-    ASSERT_FALSE(exec::StepExecution(plan_, pickup, execution).TakeUpNoise());
+    ASSERT_FALSE(execution::StepExecution(plan_, pickup, execution).TakeUpNoise());
     ExpectAlone(i, of_.Ledger(options.noise, execution.trace()));
     ++tried;
   }
@@ -202,7 +202,7 @@ TEST_F(Alone, EachErrorOfTheHand) {
 // The measured value comes from the trace. With the trace of another trial it differs from the
 // drawn value.
 TEST_F(Alone, AnErrorThatDoesNothingShows) {
-  const exec::Trace without = of_.TraceOf(of_.None(), plan_.ExecutionOrder().front());
+  const execution::Trace without = of_.TraceOf(of_.None(), plan_.ExecutionOrder().front());
   for (const LedgerEntry& entry : of_.Ledger(of_.Drawn(), without)) {
     if (entry.channel.part.IsNone() || !entry.measured) continue;
     EXPECT_GT(std::abs(entry.drawn), ToleranceOf(entry)) << entry.channel.name;
@@ -214,9 +214,9 @@ TEST_F(Alone, AnErrorThatDoesNothingShows) {
 // used has no effect.
 TEST_F(Alone, WhatASensorTellsIsNotAlwaysBelieved) {
   const plan::StepId look = plan_.ExecutionOrder().front();
-  exec::Trace trace = of_.TraceOf(of_.None(), look);
-  for (exec::TraceEvent& event : trace.events) {
-    auto* record = std::get_if<exec::LookRecord>(&event);
+  execution::Trace trace = of_.TraceOf(of_.None(), look);
+  for (execution::TraceEvent& event : trace.events) {
+    auto* record = std::get_if<execution::LookRecord>(&event);
     if (record != nullptr) record->measured.translation().x() += 0.001;
   }
   int looked = 0;

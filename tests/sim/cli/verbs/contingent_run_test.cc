@@ -28,10 +28,11 @@ TEST(ContingentRun, TrialsAreTheSameAloneAndOnAnyNumberOfThreads) {
 TEST(ContingentRun, AFalseClaimFailsATrialWithTheGoalReached) {
   const Ended ended = Assay({"run", kTwoCans, "--sensing-errors", "1"});
   EXPECT_EQ(ended.code, 12);
-  EXPECT_THAT(ended.out,
-              AllOf(HasSubstr("trial 1: false-claim: after step 2 isSpillable(can1) is claimed"),
-                    HasSubstr("; the goal is true"), HasSubstr("--sensing-errors 1 --trial 1"),
-                    HasSubstr("falsified in 1 trials; the audit found it in 1")));
+  EXPECT_THAT(
+      ended.out,
+      AllOf(HasSubstr("trial 1: false-claim: after step 2 isSpillable(can1) is claimed"),
+            HasSubstr("; the goal is true"), HasSubstr("--sensing-errors 1 --seed 0 --trial 1"),
+            HasSubstr("falsified in 1 trials; the audit found it in 1")));
 }
 
 // The models' folder was given, so the command that repeats the trial must give it as well.
@@ -40,8 +41,8 @@ TEST(ContingentRun, TheCommandThatRepeatsATrialNamesTheModels) {
   const Ended ended =
       Assay({"run", kTwoCans, "--sensing-errors", "1", "--models", models, "--json"});
   EXPECT_EQ(ended.code, 12) << ended.err;
-  EXPECT_EQ(ended.Json()["replay"][0], "assay run " + kTwoCans + " --seed 0 --models " + models +
-                                           " --sensing-errors 1 --trial 1");
+  EXPECT_EQ(ended.Json()["replay"][0], "assay run " + kTwoCans + " --models " + models +
+                                           " --sensing-errors 1 --seed 0 --trial 1");
 }
 
 TEST(ContingentRun, PicturesOfEachStep) {

@@ -127,7 +127,7 @@ TEST(Run, TrialThatFails) {
   EXPECT_EQ(json["failed"].size(), 1);
   EXPECT_NE(json["first"]["reason"], "");
   EXPECT_EQ(json["replay"][0],
-            "assay run " + weak + " --seed 0 --models " + (kTree / "models").string());
+            "assay run " + weak + " --models " + (kTree / "models").string() + " --seed 0");
 }
 
 TEST(Run, ExecutesWhatWasInserted) {

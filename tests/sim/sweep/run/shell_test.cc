@@ -14,5 +14,17 @@ TEST(Shell, WordsAreQuotedWhereTheyNeedIt) {
   EXPECT_EQ(Quoted("a"), "'a'");
 }
 
+TEST(CommandLine, HasTheOptionsThatWereAdded) {
+  CommandLine line("mate", "a b.yaml");
+  line.AddFlag("--json", false);
+  line.AddFlag("--tree", true);
+  line.Add("--errors", std::string("x=1"));
+  line.AddIfGiven("--trial", std::optional<int>());
+  line.AddIfGiven("--seed", std::optional(7));
+  line.AddUnless(1.5, "--beyond", 1.5);
+  line.AddUnless(1.5, "--scale", 0.5);
+  EXPECT_EQ(line.text(), "assay mate 'a b.yaml' --tree --errors 'x=1' --seed 7 --scale 0.5");
+}
+
 }  // namespace
 }  // namespace assay::sweep::shell_test

@@ -59,7 +59,8 @@ class AttackRecording : public ::testing::Test {
                                        .replayed = true,
                                        .multiple = 0.25});
   }
-  TimedTrial Record(const std::string& command = "assay run a.yaml") const {
+  TimedTrial Record(const std::optional<RunCommand>& command = RunCommand{
+                        .input = "a.yaml"}) const {
     return Recorded(plan_, {.result = result_,
                             .ratios = ratios_,
                             .run_command = command,
@@ -138,7 +139,7 @@ TEST_F(AttackRecording, CounterexamplesComeWithTheirCommands) {
                                                domain::Dimension::kLength, 0.75, -0.5, 0.5, -0.25,
                                                0.01, "dx_peg=0.5", 2, true, 0.25,
                                                "assay run a.yaml --errors 'dx_peg=0.5'"}));
-  EXPECT_EQ(Record("").attack->counterexamples[0].replay, "assay replay DB 4");
+  EXPECT_EQ(Record(std::nullopt).attack->counterexamples[0].replay, "assay replay DB 4");
 }
 
 TEST_F(AttackRecording, RatiosAreThereWhereThePlanBroke) {
@@ -152,7 +153,7 @@ TEST_F(AttackRecording, RatiosAreThereWhereThePlanBroke) {
 TEST_F(AttackRecording, DifferencesAreFoundApartFromCommands) {
   AddCounterexample();
   const AttackRecord stored = *Record().attack;
-  EXPECT_THAT(Differences(stored, *Record("assay run ../a.yaml").attack), IsEmpty());
+  EXPECT_THAT(Differences(stored, *Record(RunCommand{.input = "../a.yaml"}).attack), IsEmpty());
   AttackRecord other = stored;
   other.worst[0].observed += 1e-15;
   other.attempts = 9;

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <optional>
+#include <span>
+
+#include "planner/domain/reach/reachability.h"
+#include "planner/plan/data/plan.h"
+
+namespace assay::motion {
+
+// Returns how the arm can take the part at X_WorldPart so that the part stays as upright as
+// possible: by the grasp that comes most from above, is reachable, and leaves room between `others`
+// for the open fingers. Returns none if there is no such grasp.
+std::optional<plan::Hold> MostUprightHold(const domain::Problem& problem, domain::PartId part,
+                                          const geometry::Pose& X_WorldPart,
+                                          std::span<const domain::PlacedPart> others);
+
+}  // namespace assay::motion

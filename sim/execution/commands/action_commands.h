@@ -1,0 +1,75 @@
+#pragma once
+
+#include <vector>
+
+#include "planner/plan/data/pushing.h"
+#include "planner/plan/data/tool_route.h"
+#include "sim/execution/commands/command.h"
+#include "sim/execution/robots/world_model.h"
+
+namespace assay::execution {
+
+using plan::AtSafeHeight;
+using plan::Retreated;
+
+// The commands of one step, in phases: move above, go down a straight line, act, and go up again
+// (Spar, figure 18).
+struct StepCommands {
+  plan::StepId step = {};
+  std::vector<Command> approach = {};  // commands until the tool is poised before or above its work
+  std::vector<Command> advance = {};   // commands until the tool is at its work
+  std::vector<Command> act = {};       // commands at the place of work
+  std::vector<Command> depart = {};    // commands that move the tool away, if the work succeeded
+  // Commands that move the tool back to where it was poised, if the work failed. If there are none,
+  // it is enough that the tool backs off a little.
+  std::vector<Command> withdraw = {};
+
+  // Returns all commands but those of `withdraw`, in the order of execution.
+  std::vector<Command> InOrder() const;
+};
+
+// Returns the commands of a step of a plan, for the believed poses of the parts. Straight lines
+// down and up are vertical. The last piece to a part and the first piece away from it are along the
+// tool's axis, with the workcell's approach distance as length. A part that is put down or mated
+// moves on until it meets resistance, or until it must have met resistance (plan::BeyondContact).
+// The arm comes to the step by the plan's travel. The travel is the usual one, or a path that
+// begins where the previous step left the tool (plan::RouteOf). With a path, the arm does not go up
+// to safe height between the two steps.
+StepCommands CommandsFor(const domain::Problem& problem, const WorldModel& world,
+                         const plan::Plan& plan, plan::StepId step);
+// Returns the command after the last step.
+Command HomingOf(const domain::Problem& problem, const plan::Plan& plan);
+
+// Returns the commands of a step with the usual travel.
+StepCommands CommandsFor(const domain::Problem& problem, const WorldModel& world,
+                         const plan::PlannedStep& step);
+// Return the commands of single actions. `certificate` holds what is known about the step; it is
+// empty if nothing is known. The commands of an assemble clamp the fixed part if it has a fixture
+// (domain::Part::clamp).
+StepCommands CommandsFor(const domain::Problem& problem, const WorldModel& world,
+                         const plan::Pickup& pickup, const plan::Certificate& certificate = {});
+StepCommands CommandsFor(const domain::Problem& problem, const WorldModel& world,
+                         const plan::Putdown& putdown, const plan::Certificate& certificate = {});
+StepCommands CommandsFor(const domain::Problem& problem, const WorldModel& world,
+                         const plan::Assemble& assemble, const plan::Certificate& certificate = {});
+// Returns the commands of a mating by fine motion.
+StepCommands CommandsFor(const domain::Problem& problem, const WorldModel& world,
+                         const plan::Assemble& assemble, const plan::Strategy& strategy);
+// Returns the commands of a look. The arm first goes home, so that it hangs over no part that does
+// not lie there.
+StepCommands CommandsFor(const domain::Problem& problem, const WorldModel& world,
+                         const plan::Sense& sense, const plan::Certificate& certificate = {});
+// Returns the commands of a squeeze. The gripper closes on the part as in a pickup, and releases it
+// in place.
+StepCommands CommandsFor(const domain::Problem& problem, const WorldModel& world,
+                         const plan::Squeeze& squeeze, const plan::Certificate& certificate = {});
+
+// The force at which a guarded move stops. It exceeds what starting and stopping the hand exerts.
+using plan::kResistance;
+
+// Adds commands by which the fixed part's fixture, if it has one, clamps it until the held part is
+// released.
+void ClampFixed(const domain::Problem& problem, const domain::Mating& mating,
+                StepCommands& commands);
+
+}  // namespace assay::execution

@@ -1,0 +1,54 @@
+#include <algorithm>
+#include <cmath>
+
+#include "sim/execution/robots/execution.h"
+
+namespace assay::execution {
+namespace {
+
+constexpr double kClosingSpeed = 0.02;  // m/s of one pad
+// Speed of one pad in m/s, near the width at which it should meet the part.
+constexpr double kTouchSpeed = 0.005;
+// Metres of opening before the expected width, where the touch speed begins.
+constexpr double kTouchMargin = 0.003;
+constexpr double kClosingSettle = 0.05;  // seconds for the arm to settle before closing
+constexpr double kLongest = 10;          // seconds until closing ends in any case
+
+// Closes until the gripper has been still for a while under its full force.
+Progress CloseUntilStill(double expected_width, Execution& execution) {
+  const scene::Scene& scene = execution.scene();
+  mujoco::Data& data = execution.data();
+  double target = scene.Opening(data);
+  double still_since = data.time();
+  const double end = data.time() + kLongest;
+  while (data.time() < end && data.time() < still_since + kFingersStillFor) {
+    const bool near = target < expected_width + kTouchMargin;
+    target = std::max(0.0, target - 2 * (near ? kTouchSpeed : kClosingSpeed) * data.timestep());
+    scene.CommandGripper(data, target);
+    if (Progress failure = execution.Stay(0, Stepping::kContact)) return failure;
+    if (std::abs(scene.OpeningSpeed(data)) > kFingersStill) still_since = data.time();
+  }
+  scene.CommandGripper(data, 0);
+  return execution.Stay(kFingersStillFor, Stepping::kContact);
+}
+
+}  // namespace
+
+Progress Run(const CloseGripper& close, std::span<const Command>, Execution& execution) {
+  const scene::Scene& scene = execution.scene();
+  mujoco::Data& data = execution.data();
+  if (Progress failure = execution.Stay(kClosingSettle, Stepping::kContact)) return failure;
+  if (Progress failure = CloseUntilStill(close.hold.width, execution)) return failure;
+  const GraspFact fact = {.time = data.time(),
+                          .part = close.part,
+                          .expected_width = close.hold.width,
+                          .opening = scene.Opening(data),
+                          .pads_touch = scene.Touching(data, close.part, scene.left_finger()) &&
+                                        scene.Touching(data, close.part, scene.right_finger())};
+  execution.trace().events.push_back(fact);
+  if (fact.pads_touch) scene.AttachPart(data, close.part);
+  execution.world().Take(close.part, close.hold);
+  return std::nullopt;
+}
+
+}  // namespace assay::execution

@@ -1,0 +1,480 @@
+#include "sim/execution/control/hybrid_control.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "sim/execution/control/awaited_contact.h"
+
+namespace assay::execution {
+namespace {
+
+constexpr double kStalled = 0.3;       // seconds without progress along a crevice
+constexpr double kCreviceEnd = 0.002;  // metres to which the end of a crevice is known
+constexpr double kNoWay = 1e-9;        // metres or radians; shorter ways are none
+
+bool CanBeLeft(MatingOutcome error) {
+  return error == MatingOutcome::kJammed || error == MatingOutcome::kWrongContact ||
+         error == MatingOutcome::kTimeout;
+}
+
+}  // namespace
+
+MatingOutcome OutcomeOf(TrialOutcome outcome) {
+  if (outcome == TrialOutcome::kSucceeded) return MatingOutcome::kDone;
+  if (outcome == TrialOutcome::kOverload) return MatingOutcome::kOverload;
+  if (outcome == TrialOutcome::kEngineWarning) return MatingOutcome::kEngineWarning;
+  return MatingOutcome::kUnreachable;
+}
+
+bool LetsGo(const plan::Strategy& strategy, std::size_t motion) {
+  if (motion == 0) return false;
+  const auto names_of = [&](const std::vector<int>& contacts) {
+    std::set<std::string> names;
+    for (const auto& contact : plan::ContactsAt(strategy, contacts)) names.insert(contact.name);
+    return names;
+  };
+  return !std::ranges::includes(names_of(strategy.motions[motion].kept),
+                                names_of(plan::ContactsAfter(strategy.motions[motion - 1])));
+}
+
+HybridControl::HybridControl(const plan::Strategy& strategy, PartId fixed, const ControlLaw& law,
+                             Execution& execution)
+    : strategy_(strategy),
+      law_(law),
+      execution_(execution),
+      fixed_(fixed),
+      arm_(execution, fixed, strategy.X_HeldTip, law) {}
+
+StrategyEnd HybridControl::Run(const MotionObserver& observer) {
+  observer_ = observer;
+  StrategyEnd end;
+  for (attempt_ = 1;; ++attempt_) {
+    X_TipTool_ = arm_.X_TipTool();
+    Ended error = RunOnce();
+    end.ignored = ignored_;
+    in_doubt_ = true;
+    if (!error) return end;
+    if (attempt_ < law_.attempts && CanBeLeft(error->outcome)) {
+      LearnFrom(*error);
+      end.recovered.push_back(*std::move(error));
+      error = DrawBack();
+      if (!error) continue;
+    }
+    end.outcome = error->outcome;
+    end.reason = error->reason;
+    end.motion = error->motion;
+    end.recognized = std::move(error->recognized);
+    end.time = error->time;
+    end.holding = error->holding;
+    return end;
+  }
+}
+
+HybridControl::Ended HybridControl::RunOnce() {
+  for (std::size_t i = 0; i < strategy_.motions.size(); ++i) {
+    motion_ = static_cast<int>(i);
+    Ended error = RunMotion(i);
+    if (error && !error->recognized) error->recognized = Recognized(strategy_.motions[i]);
+    Record(error ? *error : Passed());
+    if (error) return error;
+  }
+  return std::nullopt;
+}
+
+void HybridControl::Record(const ErrorState& end) {
+  execution_.trace().events.push_back(MotionRecord{.time = end.time,
+                                                   .step = execution_.step(),
+                                                   .motion = end.motion,
+                                                   .attempt = attempt_,
+                                                   .outcome = end.outcome,
+                                                   .recognized = end.recognized});
+}
+
+ErrorState HybridControl::Passed() const {
+  ErrorState passed = Error(MatingOutcome::kDone, {});
+  if (!ignored_.empty() && ignored_.back().motion == motion_)
+    passed.recognized = ignored_.back().recognized;
+  return passed;
+}
+
+plan::Strategy HybridControl::Found() const {
+  plan::Strategy found = strategy_;
+  for (plan::StrategyContact& contact : found.contacts) contact.at += Beside(contact);
+  return found;
+}
+
+// Returns the unwanted contact that the forces show. After an ignored error state, the arm is not
+// where the plan expects it. Then the unwanted contact of this error state is returned.
+std::optional<RecognizedContact> HybridControl::Recognized(
+    const plan::StrategyMotion& motion) const {
+  if (!ignored_.empty()) return ignored_.front().recognized;
+  const auto error = Recognize(Found(), motion, felt_.wrench);
+  if (!error) return std::nullopt;
+  return Named(*error, felt_.time);
+}
+
+RecognizedContact HybridControl::Named(const plan::UnwantedContact& unwanted, double time) const {
+  return {Planned(unwanted.contact).name, unwanted.is_loss, time};
+}
+
+HybridControl::Ended HybridControl::CheckState(const plan::StrategyMotion& motion) {
+  const plan::Strategy found = Found();
+  if (IsAsPlanned(found, motion, felt_.wrench)) return std::nullopt;
+  ErrorState wrong =
+      Error(MatingOutcome::kWrongContact, "forces that no contacts of the plan explain");
+  // Two wrenches are examined, because other contacts may have been made after the contact that
+  // ended the motion.
+  for (const Feeling& felt : {first_felt_, felt_}) {
+    if (IsAsPlanned(found, motion, felt.wrench)) continue;
+    const auto unwanted = Recognize(found, motion, felt.wrench);
+    if (!unwanted) continue;
+    wrong.recognized = Named(*unwanted, felt.time);
+    break;
+  }
+  if (attempt_ < law_.attempts) return wrong;
+  in_doubt_ = true;
+  ignored_.push_back(std::move(wrong));
+  return std::nullopt;
+}
+
+HybridControl::Ended HybridControl::DrawBack() {
+  constexpr double kAbove = 0.01;  // metres above the start, where the part can be turned
+  const Vector3 out = WayOut();
+  Pose X_FixedStart = strategy_.X_FixedStart;
+  const Vector3 start = X_FixedStart.translation();
+  arm_.TakeStock();
+  const Vector6 up = law_.contact_speed * Joined(out, Vector3::Zero());
+  while (out.dot(arm_.MeasuredTip().translation() - start) < kAbove) {
+    if (Ended error = Step({.yielding = up + YieldingAcross(up)})) return error;
+    if (arm_.wrench().head<3>().dot(-out) > law_.obstructing_force)
+      return Error(MatingOutcome::kWedged, "the arm cannot draw the part back");
+  }
+  arm_.TakeStock();
+  X_FixedStart.translation() = start + kAbove * out;
+  if (Ended error =
+          MoveAlong(WayTo(X_FixedStart, {law_.free_speed, law_.turning_speed}), Pressed({})))
+    return error;
+  X_FixedStart.translation() = start;
+  return MoveAlong(WayTo(X_FixedStart, {law_.contact_speed, law_.contact_turning_speed}),
+                   Pressed({}));
+}
+
+// Returns the direction opposite to the last motion.
+Vector3 HybridControl::WayOut() const {
+  const auto& motions = strategy_.motions;
+  const Pose& before =
+      motions.size() > 1 ? motions[motions.size() - 2].X_FixedTip : strategy_.X_FixedStart;
+  return (before.translation() - motions.back().X_FixedTip.translation()).normalized();
+}
+
+HybridControl::Way HybridControl::WayTo(const Pose& X_FixedTip, Speed speed) const {
+  const Vector6 twist = TwistBetween(arm_.MeasuredTip(), X_FixedTip);
+  const double length = twist.head<3>().norm() + kNoWay;
+  const double angle = twist.tail<3>().norm() + kNoWay;
+  return {.twist = twist,
+          .rate = std::min(speed.shift / length, speed.turn / angle),
+          .acceleration = std::min(law_.acceleration / length, law_.turning_acceleration / angle)};
+}
+
+HybridControl::Speed HybridControl::SpeedOf(const plan::StrategyMotion& motion) const {
+  if (motion.until || in_doubt_) return {law_.contact_speed, law_.contact_turning_speed};
+  const bool is_free = motion.kept.empty() && !motion.slides;
+  return {is_free ? law_.free_speed : law_.sliding_speed, law_.turning_speed};
+}
+
+double HybridControl::NextRate(const Way& way, double rate, double left) const {
+  const double dt = arm_.timestep();
+  const double braking = std::sqrt(2 * way.acceleration * left);
+  return std::min({way.rate, rate + way.acceleration * dt, braking});
+}
+
+PressedContacts HybridControl::Pressed(std::span<const int> contacts) const {
+  std::vector<plan::StrategyContact> pressed;
+  for (const int index : contacts) {
+    pressed.push_back(Planned(index));
+    pressed.back().at += Beside(pressed.back());
+  }
+  return PressedContacts(pressed);
+}
+
+const plan::StrategyContact& HybridControl::Planned(int contact) const {
+  return strategy_.contacts[static_cast<std::size_t>(contact)];
+}
+
+Vector3 HybridControl::Beside(const plan::StrategyContact& planned) const {
+  const auto found = beside_.find(planned.name);
+  return found == beside_.end() ? Vector3::Zero() : found->second;
+}
+
+void HybridControl::Remember(std::span<const int> contacts, const PressedContacts& pressed) {
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    const auto& planned = Planned(contacts[i]);
+    beside_[planned.name] = pressed.contacts()[i].at - planned.at;
+  }
+}
+
+HybridControl::Ended HybridControl::RunMotion(std::size_t index) {
+  const plan::StrategyMotion& motion = strategy_.motions[index];
+  // The commanded pose of a part that presses on a contact is beyond the contact.
+  if (LetsGo(strategy_, index)) arm_.TakeStock();
+  arm_.Linearize();
+  first_felt_ = {};
+  const Way way = WayTo(motion.X_FixedTip, SpeedOf(motion));
+  if (motion.slides) return Slide(way);
+  if (motion.until) return MoveUntil(motion, way);
+  const PressedContacts kept = Pressed(motion.kept);
+  if (Ended error = MoveAlong(way, kept)) return error;
+  if (Ended error = CheckState(motion)) return error;
+  Believe(kept, motion.X_FixedTip);
+  return std::nullopt;
+}
+
+HybridControl::Ended HybridControl::MoveAlong(const Way& way, const PressedContacts& kept) {
+  constexpr double kEnd = 1e-3;  // fraction of the way that is not worth a timestep
+  double gone = 0;
+  double rate = 0;
+  while (gone < 1 - kEnd) {
+    rate = NextRate(way, rate, 1 - gone);
+    if (Ended error = Step(Hybrid(kept, rate * way.twist))) return error;
+    if (Ended error = CheckObstruction(kept)) return error;
+    gone += arm_.timestep() * rate;
+  }
+  return Settle(kept);
+}
+
+// Moves until the awaited contact is made. If it did not come in an earlier attempt, the errors are
+// greater than they should be. Later attempts therefore go farther.
+HybridControl::Ended HybridControl::MoveUntil(const plan::StrategyMotion& motion, const Way& way) {
+  const std::vector<int> after = plan::ContactsAfter(motion);
+  PressedContacts kept = Pressed(motion.kept);
+  AwaitedContact awaited(static_cast<int>(motion.kept.size()), SeemingForce(motion, kept, way),
+                         law_);
+  const double dt = arm_.timestep();
+  const double latest = 1 + attempt_ * motion.beyond + Slack(*motion.until, way);
+  double gone = 0;
+  double rate = 0;
+  for (double waited = 0; waited < law_.settling;) {
+    rate = gone < latest ? NextRate(way.At(awaited.Pace()), rate, latest - gone) : 0;
+    if (Ended error = Step(Hybrid(kept, rate * way.twist))) return error;
+    const PressedContacts touched = Pressed(after);
+    awaited.Feel(touched.Forces(arm_.wrench()), dt);
+    if (awaited.IsMade()) return Make(motion, way, rate, kept);
+    if (Ended error = CheckObstruction(touched)) return error;
+    if (awaited.IsApart()) {
+      kept.Locate(arm_.wrench(), std::min(1.0, dt / law_.location_filter));
+      Remember(motion.kept, kept);
+    }
+    gone += dt * rate;
+    if (rate == 0) waited += dt;
+  }
+  return Error(MatingOutcome::kTimeout,
+               fmt::format("no contact of {}", Planned(*motion.until).name));
+}
+
+// Kept contacts may slide toward the awaited one. Their friction then is a force that the awaited
+// contact could bear.
+double HybridControl::SeemingForce(const plan::StrategyMotion& motion, const PressedContacts& kept,
+                                   const Way& way) const {
+  constexpr double kRipple = 1.5;  // factor by which pressing forces may exceed their command
+  const Vector6 sliding = Hybrid(kept, way.twist).planned;
+  Vector6 wrench = Vector6::Zero();
+  for (const plan::StrategyContact& contact : kept.contacts()) {
+    const Vector3 along = sliding.head<3>() + sliding.tail<3>().cross(contact.at);
+    const Vector3 force =
+        law_.pressing_force * (contact.normal - strategy_.friction * along.normalized());
+    wrench += Joined(force, contact.at.cross(force));
+  }
+  const double seeming = Pressed(plan::ContactsAfter(motion)).Forces(wrench).tail<1>()[0];
+  return kRipple * std::max(0.0, seeming);
+}
+
+HybridControl::Ended HybridControl::Make(const plan::StrategyMotion& motion, const Way& way,
+                                         double rate, const PressedContacts& kept) {
+  first_felt_ = felt_;
+  if (Ended error = Brake(Hybrid(kept, rate * way.twist))) return error;
+  if (Ended error = Settle(Pressed(plan::ContactsAfter(motion)))) return error;
+  if (Ended error = CheckState(motion)) return error;
+  Believe(kept, motion.X_FixedTip);
+  BelieveMade(*motion.until, motion.X_FixedTip, Hybrid(kept, way.twist).planned);
+  return std::nullopt;
+}
+
+HybridControl::Ended HybridControl::CheckObstruction(const PressedContacts& contacts) {
+  const double force = contacts.Unexplained(arm_.wrench());
+  obstructed_ = force > law_.obstructing_force ? obstructed_ + arm_.timestep() : 0;
+  if (obstructed_ <= law_.obstruction_duration) return std::nullopt;
+  return Error(MatingOutcome::kWrongContact,
+               fmt::format("{:.0f} N that no contact of the plan explains", force));
+}
+
+// Slides along a crevice, in which there is one way to go. The walls guide the part: the hand
+// yields to all forces across the way. Along the way it is slower with more resistance, which gives
+// the walls time to guide it.
+HybridControl::Ended HybridControl::Slide(const Way& way) {
+  const double length = way.twist.norm();
+  const Vector6 direction = way.twist / length;
+  const double dt = arm_.timestep();
+  double gone = 0;
+  double stalled = 0;
+  while (gone < length + kCreviceEnd && stalled < kStalled) {
+    const double resistance = std::max(0.0, -direction.dot(arm_.wrench()));
+    const bool near = in_doubt_ || std::min(gone, length - gone) < law_.seating_length;
+    const double speed = near ? law_.contact_speed : law_.sliding_speed;
+    const double share = std::clamp(1 - resistance / law_.pushing_force, 0.0, 1.0);
+    const Vector6 yielding = share * speed * direction + YieldingAcross(direction);
+    if (Ended error = Step({.yielding = yielding})) return error;
+    gone += dt * direction.dot(arm_.velocity().yielding);
+    stalled = share < 0.02 ? stalled + dt : 0;
+  }
+  if (length - gone < kCreviceEnd) return std::nullopt;
+  return Stuck(direction, length - gone);
+}
+
+// Returns the error state of a stuck part, which is jammed or wedged (Whitney 1982). A wedged part
+// is held between the walls whatever the hand does.
+HybridControl::Ended HybridControl::Stuck(const Vector6& direction, double left) {
+  constexpr double kBack = 0.002;  // metres to draw back
+  ErrorState stuck =
+      Error(MatingOutcome::kJammed, fmt::format("stuck {:.1f} mm before its end", 1e3 * left));
+  stuck.holding = TrueHolding(execution_, fixed_, strategy_.X_HeldTip,
+                              direction.head<3>().normalized(), strategy_.length);
+  const double dt = arm_.timestep();
+  for (double gone = 0; gone < kBack; gone += dt * law_.contact_speed) {
+    if (Ended error = Step({.yielding = -law_.contact_speed * direction})) return error;
+    if (direction.dot(arm_.wrench()) > law_.obstructing_force) {
+      stuck.outcome = MatingOutcome::kWedged;
+      break;
+    }
+  }
+  return stuck;
+}
+
+// Returns how much farther the part may go until the contact is pressed, as a multiple of the way.
+// The parts may be a little farther apart than errors explain.
+double HybridControl::Slack(int contact, const Way& way) const {
+  const auto& awaited = Planned(contact);
+  const Vector6 row = Joined(awaited.normal, awaited.at.cross(awaited.normal));
+  return law_.slack / std::max(law_.slack, -row.dot(way.twist));
+}
+
+// Stops quickly. If the part stopped slowly, it would turn about the contact that it has made, and
+// would lose other contacts.
+HybridControl::Ended HybridControl::Brake(TipMotion motion) {
+  const Vector6 change = arm_.timestep() / law_.braking * motion.planned;
+  for (double time = 0; time < law_.braking; time += arm_.timestep()) {
+    motion.planned -= change;
+    if (Ended error = Step(motion)) return error;
+  }
+  arm_.TakeStock();
+  return std::nullopt;
+}
+
+// Waits until all contacts are pressed on average, but at most five times as long as usual.
+HybridControl::Ended HybridControl::Settle(const PressedContacts& contacts) {
+  const double share = arm_.timestep() / law_.settling;
+  double least = contacts.empty() ? law_.touching_force : 0;  // newtons
+  for (double time = 0; time < 1 || (time < 5 && least < law_.touching_force / 2); time += share) {
+    if (Ended error = Step(Hybrid(contacts, Vector6::Zero()))) return error;
+    if (contacts.empty()) continue;
+    least += 5 * share * (contacts.Forces(arm_.wrench()).minCoeff() - least);
+  }
+  return std::nullopt;
+}
+
+// Removes from the wanted twist the components along the normals of kept contacts. Along these
+// normals, the arm only yields to the force, so the part stays where it is.
+TipMotion HybridControl::Hybrid(const PressedContacts& contacts, const Vector6& wanted) const {
+  if (contacts.empty()) return {.planned = wanted};
+  const PressedContacts::Rows& rows = contacts.rows();
+  const Eigen::VectorXd excess =
+      contacts.Forces(arm_.wrench()) - Eigen::VectorXd::Constant(rows.rows(), law_.pressing_force);
+  const Vector6 yielding = law_.relaxation * arm_.compliance() * rows.transpose() * excess;
+  const Eigen::VectorXd opens = rows * yielding;
+  const double most = std::max(
+      {1.0, opens.maxCoeff() / law_.yielding_speed, -opens.minCoeff() / law_.seeking_speed});
+  return {wanted - contacts.Opening(rows * wanted), yielding / most};
+}
+
+Vector6 HybridControl::YieldingAcross(const Vector6& direction) const {
+  const auto across = [&](const Vector6& v) -> Vector6 {
+    return v - direction * direction.dot(v) / direction.squaredNorm();
+  };
+  return across(law_.relaxation * arm_.compliance() * across(arm_.wrench()));
+}
+
+void HybridControl::Believe(const PressedContacts& kept, const Pose& X_FixedTip) {
+  const Vector6 off = TwistBetween(X_FixedTip, arm_.MeasuredTip());
+  arm_.Correct(-kept.Opening(kept.rows() * off));
+}
+
+// Corrects the believed pose of the tip along the way on which the contact was made. The contact
+// shows how far the tip had really come on this way.
+void HybridControl::BelieveMade(int contact, const Pose& X_FixedTip, const Vector6& along) {
+  const auto& made = Planned(contact);
+  const Vector6 row = Joined(made.normal, made.at.cross(made.normal));
+  arm_.Correct(-row.dot(TwistBetween(X_FixedTip, arm_.MeasuredTip())) / row.dot(along) * along);
+}
+
+// Returns the unwanted contact of the error state. If the awaited contact has not come and forces
+// show nothing else, it is the loss of that contact.
+const plan::UnwantedContact* HybridControl::UnwantedIn(const ErrorState& error) const {
+  const plan::StrategyMotion& motion = strategy_.motions[static_cast<std::size_t>(error.motion)];
+  const auto is_it = [&](const plan::UnwantedContact& unwanted) {
+    if (const auto& recognized = error.recognized)
+      return Planned(unwanted.contact).name == recognized->name &&
+             unwanted.is_loss == recognized->is_loss;
+    return error.outcome == MatingOutcome::kTimeout && unwanted.contact == motion.until;
+  };
+  const auto found = std::ranges::find_if(motion.unwanted, is_it);
+  return found == motion.unwanted.end() ? nullptr : &*found;
+}
+
+void HybridControl::LearnFrom(const ErrorState& error) {
+  const plan::UnwantedContact* unwanted = UnwantedIn(error);
+  if (unwanted == nullptr) return;
+  if (unwanted->likely) BelieveLikely(*unwanted->likely);
+  if (!unwanted->is_loss)
+    BelieveUnwanted(strategy_.motions[static_cast<std::size_t>(error.motion)], *unwanted);
+}
+
+// Corrects the believed pose by the likely errors. They refer to the believed pose at the start of
+// the attempt, which has turned with the hand since.
+void HybridControl::BelieveLikely(const plan::TipError& likely) {
+  arm_.Believe(X_TipTool_);
+  const geometry::Matrix3 turn =
+      arm_.MeasuredTip().linear() * strategy_.X_FixedStart.linear().transpose();
+  arm_.Correct(Joined(turn * likely.d, turn * likely.w));
+}
+
+void HybridControl::BelieveUnwanted(const plan::StrategyMotion& motion,
+                                    const plan::UnwantedContact& unwanted) {
+  const PressedContacts touching = Pressed(plan::ContactsInError(motion, unwanted));
+  Eigen::VectorXd gaps =
+      // The gaps at the believed pose.
+      touching.rows() * TwistBetween(motion.X_FixedTip, arm_.MeasuredTip());
+  gaps.tail<1>()[0] += unwanted.gap;
+  arm_.Correct(-touching.Opening(gaps));
+}
+
+HybridControl::Ended HybridControl::Step(const TipMotion& motion) {
+  if (Progress failure = arm_.Step(motion))
+    return Error(OutcomeOf(failure->outcome), failure->reason);
+  felt_.wrench +=
+      std::min(1.0, arm_.timestep() / law_.recognition_filter) * (arm_.wrench() - felt_.wrench);
+  felt_.time = arm_.data().time();
+  if (observer_) observer_(arm_.data(), motion_);
+  return std::nullopt;
+}
+
+ErrorState HybridControl::Error(MatingOutcome outcome, std::string reason) const {
+  return {.outcome = outcome,
+          .reason = fmt::format("motion {}: {}", motion_ + 1, reason),
+          .motion = motion_,
+          .recognized = {},
+          .time = arm_.data().time()};
+}
+
+}  // namespace assay::execution

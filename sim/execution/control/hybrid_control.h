@@ -1,0 +1,182 @@
+#pragma once
+
+#include <functional>
+#include <map>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "planner/plan/data/strategy.h"
+#include "sim/execution/control/holding.h"
+#include "sim/execution/control/mating_outcome.h"
+#include "sim/execution/control/pressed_contacts.h"
+#include "sim/execution/control/recognition.h"
+#include "sim/execution/control/soft_arm.h"
+
+namespace assay::execution {
+
+MatingOutcome OutcomeOf(TrialOutcome outcome);
+
+// A contact state that the plan does not have, or from which its motion cannot go on.
+struct ErrorState {
+  MatingOutcome outcome = MatingOutcome::kDone;
+  std::string reason = {};
+  int motion = 0;  // index of the motion in which it occurred
+  // Missing if the plan does not know this error state.
+  std::optional<RecognizedContact> recognized = {};
+  double time = 0;  // when it occurred, simulated seconds
+  // The way in which a stuck part is held by the contacts that the engine has at that time. Control
+  // does not know these contacts.
+  std::optional<Holding> holding = {};
+};
+
+struct StrategyEnd {
+  MatingOutcome outcome = MatingOutcome::kDone;
+  std::string reason = {};                 // empty if the strategy is done
+  int motion = 0;                          // index of the motion in which it ended
+  std::vector<ErrorState> recovered = {};  // error states that the arm left again
+  // Error states of the last attempt, in which the arm went on.
+  std::vector<ErrorState> ignored = {};
+  std::optional<RecognizedContact> recognized = {};
+  double time = 0;  // when it ended, simulated seconds
+  std::optional<Holding> holding = {};
+};
+
+// Called after each timestep with the simulation and the index of the motion.
+using MotionObserver = std::function<void(const mujoco::Data&, int)>;
+
+// Returns whether a contact that touches after the previous motion is not kept in this motion. Each
+// motion plans its contacts at places of its own, so two contacts are the same if their names are.
+bool LetsGo(const plan::Strategy& strategy, std::size_t motion);
+
+// Executes strategies by hybrid control of position and force (Dakin and Popplestone, section 2).
+// In each contact state the arm moves along the tangents as planned and along the normals as the
+// forces require. Contacts are thus kept although their places are not known exactly.
+//
+// The arm is rigid and takes positions as commands, so force control is an admittance: the arm
+// yields with a velocity in proportion to the excess of force. The yielding becomes part of the
+// commanded position and is not undone later.
+//
+// After each motion, control decides whether the wrench can come from the planned contact state
+// (recognition.h). If it is not, or if the motion cannot go on, the arm is in an error state: it
+// draws back and starts again. It keeps what contacts have shown about the tip's pose. A recognized
+// unwanted contact shows more, since the plan has the mean of the errors that lead to it. That mean
+// is believed first, then the nearest errors for which the touching contacts touch. In the last
+// attempt the arm goes on as long as it can, because parts that touch otherwise than planned often
+// still enter.
+class HybridControl {
+ public:
+  // The part in the execution's hand follows the strategy, relative to `fixed`. The tool must be
+  // where the strategy starts. All arguments must outlive this object.
+  HybridControl(const plan::Strategy& strategy, PartId fixed, const ControlLaw& law,
+                Execution& execution);
+
+  StrategyEnd Run(const MotionObserver& observer = {});
+
+ private:
+  // A straight way, as a twist about the tip in the fixed part's axes (metres and radians). Rates
+  // are in ways per second.
+  struct Way {
+    Vector6 twist = Vector6::Zero();
+    double rate = 0;          // greatest rate, ways / s
+    double acceleration = 0;  // ways / s^2
+
+    Way At(double pace) const { return {twist, pace * rate, acceleration}; }
+  };
+  using Ended = std::optional<ErrorState>;  // none if the motion goes on
+  // The wrench on the arm, averaged over time.
+  struct Feeling {
+    Vector6 wrench = Vector6::Zero();
+    double time = 0;
+  };
+
+  Ended RunOnce();
+  void Record(const ErrorState& end);
+  ErrorState Passed() const;  // returns kDone, with the recognized error state if any
+  // Returns the strategy with its contacts where they were found.
+  plan::Strategy Found() const;
+  std::optional<RecognizedContact> Recognized(const plan::StrategyMotion& motion) const;
+  RecognizedContact Named(const plan::UnwantedContact& unwanted, double time) const;
+  // Checks that the wrench after the motion can come from the planned contact state.
+  Ended CheckState(const plan::StrategyMotion& motion);
+  // Draws the part out of the hole, and to where the strategy starts.
+  Ended DrawBack();
+  Vector3 WayOut() const;
+
+  struct Speed {
+    double shift = 0;  // m/s
+    double turn = 0;   // rad/s
+  };
+  // Returns the way from the tip's measured pose to X_FixedTip, with at most this speed.
+  Way WayTo(const Pose& X_FixedTip, Speed speed) const;
+  Speed SpeedOf(const plan::StrategyMotion& motion) const;
+  // Returns the rate of the next timestep, if the fraction `left` of the way is left.
+  double NextRate(const Way& way, double rate, double left) const;
+  const plan::StrategyContact& Planned(int contact) const;
+  // Returns the contacts where they were found.
+  PressedContacts Pressed(std::span<const int> contacts) const;
+  Vector3 Beside(const plan::StrategyContact& planned) const;
+  void Remember(std::span<const int> contacts, const PressedContacts& pressed);
+
+  Ended RunMotion(std::size_t index);
+  Ended MoveAlong(const Way& way, const PressedContacts& kept);
+  Ended MoveUntil(const plan::StrategyMotion& motion, const Way& way);
+  // Returns the force in newtons that friction of the kept contacts may seem to put on the awaited
+  // one.
+  double SeemingForce(const plan::StrategyMotion& motion, const PressedContacts& kept,
+                      const Way& way) const;
+  Ended Slide(const Way& way);
+  Ended Stuck(const Vector6& direction, double left);
+  double Slack(int contact, const Way& way) const;
+  Ended Brake(TipMotion motion);
+  // Ends a motion whose awaited contact was made on the way, with this contact and the kept ones
+  // pressed.
+  Ended Make(const plan::StrategyMotion& motion, const Way& way, double rate,
+             const PressedContacts& kept);
+  Ended Settle(const PressedContacts& contacts);
+  Ended Step(const TipMotion& motion);
+
+  // Returns the motion that presses on the contacts and otherwise follows `wanted`.
+  TipMotion Hybrid(const PressedContacts& contacts, const Vector6& wanted) const;
+  // Returns the motion that yields to all forces but those along this direction.
+  Vector6 YieldingAcross(const Vector6& direction) const;
+  // Returns an error state if forces that contacts do not explain last longer than an impact.
+  Ended CheckObstruction(const PressedContacts& contacts);
+
+  // Correct the believed pose of the tip from contacts, which show it better than the hand does.
+  // After a motion, kept contacts are where the plan has them. A contact that was made on the way
+  // `along` is there too.
+  void Believe(const PressedContacts& kept, const Pose& X_FixedTip);
+  void BelieveMade(int contact, const Pose& X_FixedTip, const Vector6& along);
+  // Corrects the believed pose of the tip from an error state. The tip is near the mean of the
+  // errors that lead to that state, and the touching contacts touch.
+  void LearnFrom(const ErrorState& error);
+  const plan::UnwantedContact* UnwantedIn(const ErrorState& error) const;  // null if none is known
+  void BelieveLikely(const plan::TipError& likely);
+  void BelieveUnwanted(const plan::StrategyMotion& motion, const plan::UnwantedContact& unwanted);
+
+  ErrorState Error(MatingOutcome outcome, std::string reason) const;
+
+  const plan::Strategy& strategy_;
+  const ControlLaw& law_;
+  Execution& execution_;
+  PartId fixed_;
+  SoftArm arm_;
+  MotionObserver observer_;
+  Pose X_TipTool_;  // the tip's believed pose in the hand at the start of the attempt
+  // The contacts' distances from their planned places, by name.
+  std::map<std::string, Vector3> beside_;
+  double obstructed_ = 0;            // seconds of obstruction without interruption
+  std::vector<ErrorState> ignored_;  // error states of the last attempt, as in StrategyEnd
+  // There was an error state, so anything may be hit. Nothing is then faster than a motion to a
+  // contact.
+  bool in_doubt_ = false;
+  Feeling felt_;
+  // Wrench when the awaited contact was made; other contacts may have followed it.
+  Feeling first_felt_;
+  int attempt_ = 1;
+  int motion_ = 0;
+};
+
+}  // namespace assay::execution

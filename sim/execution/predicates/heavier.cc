@@ -1,0 +1,48 @@
+#include <cmath>
+#include <limits>
+
+#include "planner/domain/problem/units.h"
+#include "sim/execution/predicates/meaning.h"
+
+namespace assay::execution {
+namespace {
+
+class Heavier : public Meaning {
+ public:
+  explicit Heavier(double mass) : mass_(mass) {}
+
+  std::string Lacks(const Roles& roles) const override { return roles.part.IsNone() ? "part" : ""; }
+  bool IsTrue(const Truth& truth, const Roles& roles) const override {
+    return truth.scene.TrueMass(roles.part) > mass_;
+  }
+  bool IsTold() const override { return true; }
+  std::optional<bool> Told(const Readings& readings, const Roles& roles) const override {
+    const auto found = readings.masses.find(roles.part);
+    if (found == readings.masses.end()) return std::nullopt;
+    const auto& [value, error] = found->second;
+    if (std::abs(value - mass_) <= error) return std::nullopt;
+    return value > mass_;
+  }
+  void Narrow(HiddenKinds& kinds, bool wanted) const override {
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    const Interval heavier = {std::nextafter(mass_, kInfinity), kInfinity};
+    KeepMasses(wanted ? heavier : Interval{0, mass_}, kinds);
+  }
+
+ private:
+  double mass_;  // kg
+};
+
+}  // namespace
+
+const MeaningWord kHeavier = {
+    .name = "heavier",
+    .summary = "the part's mass is more than `than`, kg; told by weighing",
+    .read = [](const Value& map, const MeaningContext&) -> std::unique_ptr<const Meaning> {
+      map.AllowOnly({"is", "than"});
+      return std::make_unique<Heavier>(
+          domain::ReadWithin(map.At("than"), domain::kKilograms, {0.001, 10}));
+    },
+};
+
+}  // namespace assay::execution

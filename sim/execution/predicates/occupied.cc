@@ -1,0 +1,31 @@
+#include "sim/execution/predicates/meaning.h"
+
+namespace assay::execution {
+namespace {
+
+class Occupied : public Meaning {
+ public:
+  std::string Lacks(const Roles& roles) const override {
+    return roles.place == nullptr ? "place" : "";
+  }
+  bool IsTrue(const Truth& truth, const Roles& roles) const override {
+    int standing = 0;
+    for (int i = 0; i < truth.scene.part_count(); ++i) {
+      standing += truth.StandsAt(PartId(i), *roles.place);
+    }
+    return standing >= roles.place->room;
+  }
+};
+
+}  // namespace
+
+const MeaningWord kOccupied = {
+    .name = "occupied",
+    .summary = "as many parts stand within the place as find room there",
+    .read = [](const Value& map, const MeaningContext&) -> std::unique_ptr<const Meaning> {
+      map.AllowOnly({"is"});
+      return std::make_unique<Occupied>();
+    },
+};
+
+}  // namespace assay::execution

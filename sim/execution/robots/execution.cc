@@ -1,0 +1,274 @@
+#include "sim/execution/robots/execution.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "planner/domain/part/part_model.h"
+#include "planner/motion/path/carrying.h"
+#include "sim/execution/control/straight_line.h"
+
+namespace assay::execution {
+namespace {
+
+// Forces of stiff contacts jump from step to step, so only a force that lasts stops the arm.
+constexpr double kForceFilter = 0.02;  // time constant of the force that stops the arm, seconds
+constexpr double kPeakFilter = 0.002;  // time constant of the greatest force, seconds
+// Time constant of the force that ends a guarded move, seconds.
+constexpr double kTouchFilter = 0.001;
+constexpr double kBrakeTime = 0.002;  // seconds from slow motion to rest
+
+std::vector<std::pair<std::string, std::string>> ContactPairs(const mujoco::Data& data) {
+  std::set<std::pair<std::string, std::string>> pairs;
+  for (const mujoco::Contact& contact : mujoco::Contacts(data)) {
+    const std::string a = data.model().Name(contact.body_a);
+    const std::string b = data.model().Name(contact.body_b);
+    pairs.insert(std::minmax(a, b));
+  }
+  return {pairs.begin(), pairs.end()};
+}
+
+Trace EmptyTrace(const domain::Problem& problem) {
+  Trace trace{.problem = problem.name};
+  for (const domain::Part& part : problem.parts) trace.parts.push_back(part.name);
+  return trace;
+}
+
+// Returns the trajectory, slowed down as far as a part in the hand requires.
+JointTrajectory AsCarried(const JointTrajectory& asked, const domain::Problem& problem,
+                          const WorldModel& world) {
+  if (world.held().IsNone()) return asked;
+  const Vector3& center = problem.part(world.held()).model->mass().center;
+  return motion::Carrying(asked, *problem.workcell, world.hold().X_PartTool.inverse() * center);
+}
+
+}  // namespace
+
+Execution::Execution(const domain::Problem& problem, const scene::Scene& scene, mujoco::Data& data,
+                     const ExecutorOptions& options)
+    : problem_(problem),
+      scene_(scene),
+      data_(data),
+      options_(options),
+      servo_(scene),
+      world_(problem),
+      collisions_(scene),
+      trace_(EmptyTrace(problem)),
+      commanded_{scene.ArmPosition(data), JointVector::Zero()},
+      force_limit_(options.force_limit) {}
+
+Pose Execution::BelievedTool() const {
+  return ToolAt(*problem_.workcell, commanded_.q) * hand_error_.inverse();
+}
+
+Pose Execution::MeasuredTool() const {
+  return ToolAt(*problem_.workcell, scene_.ArmPosition(data_)) * hand_error_.inverse();
+}
+
+motion::Surroundings Execution::BelievedSurroundings() const {
+  motion::Surroundings around{.opening = scene_.Opening(data_)};
+  for (int i = 0; i < world_.part_count(); ++i) {
+    const PartId part(i);
+    if (part != world_.held()) around.parts.push_back({part, world_.PartPose(part)});
+  }
+  if (!world_.held().IsNone()) {
+    around.held = motion::HeldPart{world_.held(), world_.hold().X_PartTool};
+  }
+  const domain::Workcell& workcell = *problem_.workcell;
+  for (std::size_t i = 0; i < workcell.robots().size(); ++i) {
+    const domain::RobotId robot(i);
+    if (robot == workcell.acting()) continue;
+    around.robots.push_back(
+        {robot, scene_.ArmPosition(data_, robot), scene_.Opening(data_, robot)});
+  }
+  return around;
+}
+
+void Execution::Place(const JointVector& q) {
+  scene_.SetArm(data_, q);
+  commanded_ = {q, JointVector::Zero()};
+}
+
+Snapshot Execution::Now() const {
+  const Pose X_WorldTool = BelievedTool();
+  Snapshot now{.time = data_.time(),
+               .tool = {scene_.ToolPose(data_), X_WorldTool},
+               .opening = scene_.Opening(data_),
+               .wrist = scene_.WristWrench(data_),
+               .contacts = ContactPairs(data_)};
+  for (int i = 0; i < world_.part_count(); ++i) {
+    now.parts.push_back(
+        {scene_.TruePose(data_, PartId(i)), world_.PartPose(PartId(i), X_WorldTool)});
+    now.table_heights.push_back(scene_.TableHeight(data_, PartId(i)));
+  }
+  return now;
+}
+
+// Moves in joint space to the nearest joint values that bring the tool there.
+Progress Execution::TakeUpHandError(const Pose& error) {
+  const domain::Workcell& workcell = *problem_.workcell;
+  const Pose X_WorldTool = BelievedTool() * error;
+  hand_error_ = error;
+  const auto nearest = motion::NearestPosture(workcell, X_WorldTool, commanded_.q);
+  if (!nearest) return Failure{TrialOutcome::kUnreachable, "the arm cannot take up an error"};
+  const JointTrajectory way =
+      motion::SynchronizedMove(commanded_.q, *nearest, motion::RatesOf(workcell));
+  return Follow(way, way.duration());
+}
+
+// The arm has the commanded state at the beginning of each timestep. After the timestep it is
+// therefore where the trajectory is one timestep later.
+Progress Execution::Follow(const JointTrajectory& asked, double fine_from) {
+  const JointTrajectory trajectory = AsCarried(asked, problem_, world_);
+  if (asked.duration() > 0) fine_from *= trajectory.duration() / asked.duration();
+  double time = 0;
+  while (time < trajectory.duration()) {
+    SetStepping(time < fine_from ? Stepping::kFree : Stepping::kContact);
+    time += data_.timestep();
+    if (Progress failure = StepTo(trajectory.At(time))) return failure;
+  }
+  return std::nullopt;
+}
+
+// Resistance is a force that was not there before the move. Once stiff bodies touch, it grows by
+// newtons in each timestep, so a light filter against ripple suffices. The arm brakes along its
+// line. If each joint stopped in its own time, the joints would drag aside what the hand presses
+// on. At the end the servos are commanded to hold the arm where it is, so that it stops pressing.
+Progress Execution::Follow(const JointTrajectory& trajectory, double fine_from,
+                           const Guarded& guarded) {
+  const double before = scene_.WristWrench(data_).force.dot(guarded.direction);
+  double resistance = 0;
+  double time = 0;
+  double rate = 1;  // rate at which the trajectory's time passes
+  while (time < trajectory.duration() && rate > 0) {
+    SetStepping(time < fine_from ? Stepping::kFree : Stepping::kContact);
+    if (rate < 1 || resistance >= guarded.force)
+      rate = std::max(0.0, rate - data_.timestep() / kBrakeTime);
+    time += rate * data_.timestep();
+    const JointState along = trajectory.At(time);
+    if (Progress failure = StepTo({along.q, rate * along.qd})) return failure;
+    const double against = before - scene_.WristWrench(data_).force.dot(guarded.direction);
+    resistance += std::min(1.0, data_.timestep() / kTouchFilter) * (against - resistance);
+  }
+  const bool stopped = rate < 1;
+  if (stopped) TakeStock();
+  trace_.events.push_back(GuardRecord{data_.time(), stopped, BelievedTool()});
+  return std::nullopt;
+}
+
+Progress Execution::Stay(double seconds, Stepping stepping) {
+  SetStepping(stepping);
+  const JointState rest{commanded_.q, JointVector::Zero()};
+  const double end = data_.time() + seconds;
+  do {
+    if (Progress failure = StepTo(rest)) return failure;
+  } while (data_.time() < end);
+  return std::nullopt;
+}
+
+// A held part creeps in the pads by an amount that grows with the timestep, whatever the friction.
+// Large timesteps are therefore for the empty hand.
+void Execution::SetStepping(Stepping stepping) {
+  const double fine = scene_.options().timestep;
+  const bool free = stepping == Stepping::kFree && world_.held().IsNone();
+  data_.SetTimestep(free ? std::max(fine, options_.free_timestep) : fine);
+}
+
+bool Execution::IsInHand() const {
+  if (world_.held().IsNone()) return false;
+  return scene_.Touching(data_, world_.held(), scene_.left_finger()) ||
+         scene_.Touching(data_, world_.held(), scene_.right_finger());
+}
+
+void Execution::TakeStock() { commanded_ = {scene_.ArmPosition(data_), JointVector::Zero()}; }
+
+Checkpoint Execution::Save() const {
+  return {data_.Save(), world_, commanded_, felt_, hand_error_};
+}
+
+void Execution::Restore(const Checkpoint& checkpoint) {
+  data_.Restore(checkpoint.state);
+  world_ = checkpoint.world;
+  commanded_ = checkpoint.commanded;
+  felt_ = checkpoint.felt;
+  hand_error_ = checkpoint.hand_error;
+  // The samples that were due until here have been taken.
+  samples_ = 0;
+  while (options_.sample_rate > 0 && data_.time() >= samples_ / options_.sample_rate) ++samples_;
+}
+
+// The servo's law is linear in its command. If the command is a state between the arm's own and the
+// wanted one, the servo behaves as if its gains were lower. Damping is scaled by the root of the
+// stiffness, so the arm is as well damped as before. The accelerations by which the arm yields to
+// forces get no feedforward torques. Most of these torques would accelerate the motors, and the
+// touched bodies would return them as forces.
+Progress Execution::StepSoftly(const JointState& next, const JointVector& qdd, double share) {
+  SetStepping(Stepping::kContact);
+  const JointVector q = scene_.ArmPosition(data_);
+  const JointVector qd = scene_.ArmVelocity(data_);
+  const double damping = std::sqrt(share);
+  servo_.Command(data_, {q + share * (next.q - q), qd + damping * (next.qd - qd)}, qdd, Carried());
+  return Advance(next);
+}
+
+Progress Execution::StepTo(const JointState& next) {
+  const JointVector qdd = (next.qd - commanded_.qd) / data_.timestep();
+  servo_.Command(data_, commanded_, qdd, Carried());
+  return Advance(next);
+}
+
+Progress Execution::Advance(const JointState& next) {
+  data_.Step();
+  commanded_ = next;
+  ++steps_;
+  if (options_.on_timestep) options_.on_timestep(data_);
+  if (options_.observer != nullptr) options_.observer->SeeTimestep(data_);
+  SampleIfDue();
+  RecordCollisions();
+  return Watch();
+}
+
+// Returns the held part's weight as far as the wrist feels it. The table, or the part on which it
+// is put, may carry the rest.
+scene::Load Execution::Carried() const {
+  if (world_.held().IsNone()) return {};
+  const geometry::MassProperties& mass = problem_.part(world_.held()).model->mass();
+  const double weight = mass.mass * scene::kGravity;
+  return {.force = {0, 0, std::clamp(felt_.z(), -weight, 0.0)},
+          .at = world_.PartPose(world_.held(), scene_.ToolPose(data_)) * mass.center};
+}
+
+void Execution::SampleIfDue() {
+  if (options_.sample_rate <= 0 || data_.time() < samples_ / options_.sample_rate) return;
+  trace_.events.push_back(Sample{Now()});
+  ++samples_;
+}
+
+void Execution::RecordCollisions() {
+  for (const Collision& collision : collisions_.Look(data_, world_.held())) {
+    trace_.events.push_back(CollisionRecord{data_.time(), data_.model().Name(collision.robot),
+                                            data_.model().Name(collision.other)});
+  }
+}
+
+Progress Execution::Watch() {
+  if (data_.HasWarnings()) {
+    const mujoco::EngineWarning warning = data_.Warnings().front();
+    return Failure{TrialOutcome::kEngineWarning,
+                   fmt::format("{} ({} times)", warning.text, warning.count)};
+  }
+  const Vector3 force = scene_.WristWrench(data_).force;
+  felt_ += std::min(1.0, data_.timestep() / kForceFilter) * (force - felt_);
+  peak_ += std::min(1.0, data_.timestep() / kPeakFilter) * (force - peak_);
+  greatest_force_ = std::max(greatest_force_, peak_.norm());
+  if (felt_.norm() <= force_limit_) return std::nullopt;
+  const Vector3 p = 1e3 * scene_.ToolPose(data_).translation();
+  return Failure{TrialOutcome::kOverload,
+                 fmt::format("the wrist felt {:.0f} N, more than {:.0f} N, with the tool at "
+                             "({:.1f}, {:.1f}, {:.1f}) mm",
+                             felt_.norm(), force_limit_, p.x(), p.y(), p.z())};
+}
+
+}  // namespace assay::execution

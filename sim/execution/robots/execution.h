@@ -1,0 +1,154 @@
+#pragma once
+
+#include <optional>
+#include <span>
+
+#include "planner/motion/clear/collision_scene.h"
+#include "planner/motion/path/joint_trajectory.h"
+#include "sim/execution/robots/collision_watch.h"
+#include "sim/execution/robots/executor_options.h"
+#include "sim/execution/robots/world_model.h"
+#include "sim/scene/servo.h"
+
+namespace assay::execution {
+
+using kinematics::JointState;
+using kinematics::JointVector;
+using motion::JointTrajectory;
+
+// The reason why an execution cannot go on.
+struct Failure {
+  TrialOutcome outcome;
+  std::string reason;
+};
+using Progress = std::optional<Failure>;  // none if the execution goes on
+
+// The length of timesteps.
+enum class Stepping {
+  kContact,  // the scene's own timestep
+  kFree,     // ExecutorOptions::free_timestep, if the hand is empty
+};
+
+// A snapshot of an execution, from which another execution of the same plan in the same scene can
+// go on.
+struct Checkpoint {
+  mujoco::State state;
+  WorldModel world;
+  JointState commanded;
+  Vector3 felt = Vector3::Zero();
+  Pose hand_error = Pose::Identity();
+};
+
+// The execution of a plan: the simulation, the last command to the arm, the world model and the
+// trace.
+class Execution {
+ public:
+  Execution(const domain::Problem& problem, const scene::Scene& scene, mujoco::Data& data,
+            const ExecutorOptions& options);
+
+  const domain::Problem& problem() const { return problem_; }
+  const scene::Scene& scene() const { return scene_; }
+  const ExecutorOptions& options() const { return options_; }
+  mujoco::Data& data() { return data_; }
+  WorldModel& world() { return world_; }
+  const WorldModel& world() const { return world_; }
+  Trace& trace() { return trace_; }
+
+  const JointVector& commanded() const { return commanded_.q; }
+  // Returns the tool's pose as the hand believes it: where it was last commanded to go.
+  Pose BelievedTool() const;
+  // Returns the tool's pose by the joints' own sensors.
+  Pose MeasuredTool() const;
+  // Returns the arm's surroundings: parts at their believed poses, and other robots by their
+  // joints' sensors.
+  motion::Surroundings BelievedSurroundings() const;
+  Snapshot Now() const;
+  std::int64_t steps() const { return steps_; }  // number of the engine's steps so far
+  // Returns the greatest force at the wrist so far, in newtons, that lasted for some milliseconds.
+  double greatest_force() const { return greatest_force_; }
+
+  // Sets the arm to these joint values, at rest. It jumps there, for the start of a trial.
+  void Place(const JointVector& q);
+  // Sets the force at the wrist, in newtons, above which the arm stops.
+  void LimitForce(double newtons) { force_limit_ = newtons; }
+  double force_limit() const { return force_limit_; }
+  // Returns whether a finger touches the part that the hand is believed to hold.
+  bool IsInHand() const;
+  // Sets the hand's error (noise::Noise::HandError).
+  void SetHandError(const Pose& error) { hand_error_ = error; }
+  const Pose& hand_error() const { return hand_error_; }
+  // Sets the hand's error, and moves the hand to the pose that it then believes to have.
+  Progress TakeUpHandError(const Pose& error);
+  // Returns the true pose of the tool when it is commanded to X_WorldTool.
+  Pose Erring(const Pose& X_WorldTool) const { return X_WorldTool * hand_error_; }
+  // Sets the parts that the hand may touch from here on (CollisionWatch).
+  void Handle(std::vector<PartId> parts, HeldTouches held = HeldTouches::kAnything) {
+    collisions_.Handle(std::move(parts), held);
+  }
+  void SetStep(plan::StepId step) { step_ = step; }
+  plan::StepId step() const { return step_; }
+
+  // Follows the trajectory, with small timesteps from `fine_from` (seconds after its start) on.
+  Progress Follow(const JointTrajectory& trajectory, double fine_from);
+  // Follows the trajectory until the arm feels the force (newtons) against `direction`. The arm
+  // then rests where it is.
+  struct Guarded {
+    double force = 0;
+    Vector3 direction = Vector3::Zero();
+  };
+  Progress Follow(const JointTrajectory& trajectory, double fine_from, const Guarded& guarded);
+  // Keeps the arm at its last command, for at least one timestep.
+  Progress Stay(double seconds, Stepping stepping);
+  // Executes one small timestep with soft servos, so that what touches the hand can move it.
+  // `share` is the fraction of the servos' usual stiffness. `qdd` is the planned acceleration, so
+  // that the arm does not lag.
+  Progress StepSoftly(const JointState& next, const JointVector& qdd, double share);
+
+  // Sets the last command to the arm's measured state.
+  void TakeStock();
+
+  Checkpoint Save() const;
+  void Restore(const Checkpoint& checkpoint);
+
+ private:
+  void SetStepping(Stepping stepping);
+  // Executes one timestep that leads the arm to this state. It adds to the trace's series and
+  // checks force and engine.
+  Progress StepTo(const JointState& next);
+  // Executes the timestep after the servos have their commands.
+  Progress Advance(const JointState& next);
+  scene::Load Carried() const;
+  void SampleIfDue();
+  void RecordCollisions();
+  Progress Watch();
+
+  const domain::Problem& problem_;
+  const scene::Scene& scene_;
+  mujoco::Data& data_;
+  const ExecutorOptions& options_;
+  scene::JointServo servo_;
+  WorldModel world_;
+  CollisionWatch collisions_;
+  Trace trace_;
+  JointState commanded_;
+  Pose hand_error_ = Pose::Identity();
+  plan::StepId step_;
+  int samples_ = 0;
+  std::int64_t steps_ = 0;
+  Vector3 felt_ = Vector3::Zero();  // low-pass filtered wrist force
+  Vector3 peak_ = Vector3::Zero();  // wrist force with a shorter filter
+  double greatest_force_ = 0;
+  double force_limit_;
+};
+
+// Execute the commands (one file for each). `rest` holds the commands that follow in the same step.
+Progress Run(const MoveAtSafeHeight& move, std::span<const Command> rest, Execution& execution);
+Progress Run(const FollowPath& follow, std::span<const Command> rest, Execution& execution);
+Progress Run(const MoveStraight& move, std::span<const Command> rest, Execution& execution);
+Progress Run(const OpenGripper& open, std::span<const Command> rest, Execution& execution);
+Progress Run(const CloseGripper& close, std::span<const Command> rest, Execution& execution);
+Progress Run(const Look& look, std::span<const Command> rest, Execution& execution);
+Progress Run(const Clamp& clamp, std::span<const Command> rest, Execution& execution);
+Progress Run(const FollowStrategy& follow, std::span<const Command> rest, Execution& execution);
+
+}  // namespace assay::execution

@@ -1,0 +1,81 @@
+#include "sim/execution/robots/robots.h"
+
+#include <algorithm>
+
+#include "planner/motion/path/joint_trajectory.h"
+#include "planner/motion/path/travel.h"
+
+namespace assay::execution {
+
+Robots::Robots(const domain::Problem& problem, const scene::Scene& scene, mujoco::Data& data,
+               const ExecutorOptions& options)
+    : options_(options),
+      free_timestep_(options.free_timestep),
+      acting_(problem.workcell->acting()) {
+  for (std::size_t i = 0; i < problem.workcell->robots().size(); ++i) {
+    const RobotId robot(i);
+    auto member = std::make_unique<Member>(
+        Member{domain::WorkedBy(problem, robot), scene.WorkedBy(robot), nullptr});
+    member->execution = std::make_unique<Execution>(member->problem, member->scene, data, options_);
+    members_.push_back(std::move(member));
+  }
+}
+
+bool Robots::HoldsBesides(RobotId robot) const {
+  return std::ranges::any_of(members_, [&](const auto& member) {
+    return member != members_[robot.index()] && !member->execution->world().held().IsNone();
+  });
+}
+
+// A part in the hand of `from` is passed on at the pose in which that hand holds it.
+void Robots::Tell(const Execution& from, Execution& to) const {
+  for (int i = 0; i < from.world().part_count(); ++i) {
+    const domain::PartId part(i);
+    if (part == to.world().held()) continue;
+    to.world().Believe(part, from.world().PartPose(part, from.BelievedTool()));
+  }
+}
+
+Progress Robots::TakeOver(RobotId robot) {
+  if (robot.IsNone() || robot == acting_) return std::nullopt;
+  if (Progress failure = GoHome()) return failure;
+  Tell(acting(), *members_[robot.index()]->execution);
+  acting_ = robot;
+  // Large timesteps let a part creep between the pads of a hand, even of a hand at rest.
+  options_.free_timestep = HoldsBesides(robot) ? 0 : free_timestep_;
+  return std::nullopt;
+}
+
+Progress Robots::GoHome() {
+  Execution& execution = acting();
+  const motion::TravelResult found = motion::PlanWayHome(
+      execution.problem(), execution.BelievedSurroundings(), execution.commanded());
+  if (const auto* why = std::get_if<std::string>(&found)) {
+    return Failure{TrialOutcome::kUnreachable, *why};
+  }
+  const motion::JointTrajectory way = motion::AlongPath(
+      std::get<motion::JointPath>(found), motion::RatesOf(*execution.problem().workcell));
+  return execution.Follow(way, way.duration());
+}
+
+std::vector<domain::PartId> Robots::Held() const {
+  std::vector<domain::PartId> parts;
+  for (const auto& member : members_) {
+    const domain::PartId part = member->execution->world().held();
+    if (!part.IsNone()) parts.push_back(part);
+  }
+  return parts;
+}
+
+std::vector<CollisionRecord> Robots::Collisions() const {
+  std::vector<CollisionRecord> collisions;
+  for (const auto& member : members_) {
+    for (const auto* collision : member->execution->trace().All<CollisionRecord>()) {
+      collisions.push_back(*collision);
+    }
+  }
+  std::ranges::stable_sort(collisions, {}, &CollisionRecord::time);
+  return collisions;
+}
+
+}  // namespace assay::execution

@@ -1,0 +1,190 @@
+#pragma once
+
+#include <cstdint>
+#include <iosfwd>
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "planner/plan/data/plan.h"
+#include "sim/execution/control/mating_outcome.h"
+#include "sim/execution/robots/world_model.h"
+#include "sim/execution/trial/trial_outcome.h"
+#include "sim/scene/scene.h"
+
+namespace assay::execution {
+
+// A true pose in the simulation, and the believed pose; world frame.
+struct TrueAndBelieved {
+  Pose truth;
+  Pose believed;
+};
+
+// The world at one time.
+struct Snapshot {
+  double time = 0;  // simulated seconds since the start
+  TrueAndBelieved tool;
+  std::vector<TrueAndBelieved> parts = {};  // by PartId
+  std::vector<double> table_heights = {};   // under each part, metres; believed to be 0
+  double opening = 0;                       // metres between the pads
+  scene::Wrench wrist;                      // Scene::WristWrench
+  // Names of bodies that touch. Each pair occurs once and is in alphabetical order.
+  std::vector<std::pair<std::string, std::string>> contacts = {};
+};
+
+// One of a series of snapshots at equal intervals.
+struct Sample {
+  Snapshot moment;
+};
+
+// The result of closing the gripper. A failed grasp is recorded like any other, and the execution
+// goes on.
+struct GraspFact {
+  double time = 0;
+  PartId part;
+  double expected_width = 0;  // metres
+  double opening = 0;         // metres, after closing
+  bool pads_touch = false;    // both pads touch the part
+  // True if pads_touch and the opening is the expected width, to kGraspTolerance.
+  bool holds() const;
+};
+inline constexpr double kGraspTolerance = 0.001;  // metres
+
+// The measurement of a part by a sensor, world frame.
+struct LookRecord {
+  double time = 0;
+  PartId part;
+  std::string sensor;
+  bool found = true;
+  Pose measured;  // measured pose, if the part was found
+  TrueAndBelieved before;
+  Pose believed;  // believed pose after the look
+};
+
+// The end of a guarded move.
+struct GuardRecord {
+  double time = 0;
+  bool resisted = false;  // whether the tool met resistance before the end of its way
+  Pose tool;              // the believed pose of the tool
+};
+
+// An unwanted contact of a strategy (plan::UnwantedContact) that forces show to be made or lost.
+struct RecognizedContact {
+  std::string name;  // for example "vertex 8 on face 6"
+  bool is_loss = false;
+  double time = 0;  // when the contact was felt
+};
+
+// The end of a motion of a strategy.
+struct MotionRecord {
+  double time = 0;
+  plan::StepId step;
+  int motion = 0;   // index of the motion in the strategy
+  int attempt = 1;  // number of the attempt at the strategy, from 1
+  MatingOutcome outcome = MatingOutcome::kDone;
+  // The contact or loss that caused the error state. Missing if there was no error state, or if the
+  // plan does not know the error state. If the outcome is kDone, this error state was ignored in
+  // the last attempt.
+  std::optional<RecognizedContact> recognized = {};
+};
+
+// The stages of a step.
+enum class Stage {
+  kPoised,   // the tool is before or above its work
+  kReached,  // the tool is where it acts: the pads beside the part, the held part down or seated
+  kActed,    // the pads are closed, or the sensor has looked
+};
+std::string_view Name(Stage stage);  // for example "poised"
+
+struct Milestone {
+  plan::StepId step;
+  Stage stage;
+  Snapshot moment;
+};
+
+// The measurement of a verification (Spar, figure 11).
+struct VerificationRecord {
+  double time = 0;
+  plan::StepId step;
+  std::string name;
+  double measured = 0;  // metres
+  double expected = 0;
+  double tolerance = 0;
+  std::string error;  // the signalled error, or empty
+};
+
+// A reaction to an error (Spar, figure 12).
+struct RecoveryRecord {
+  double time = 0;
+  plan::StepId step;
+  std::string error;
+  domain::RecoveryStrategy strategy;
+  int attempt = 0;                   // number of the attempt, from 1; 0 for a call of the operator
+  Vector3 offset = Vector3::Zero();  // offset of the place that is tried, world frame, metres
+};
+
+// The end of a step (Spar, figure 17).
+struct StepEnd {
+  plan::StepId step;
+  std::string name;    // for example "action_3"
+  std::string action;  // for example "putdown(block, on-back)"
+  Snapshot moment;
+};
+
+// The motion of each part in the last half second, after the last command.
+struct RestRecord {
+  double duration = 0;  // seconds
+  struct Speeds {
+    double linear = 0;   // greatest speed, m/s
+    double angular = 0;  // greatest speed, rad/s
+  };
+  std::vector<Speeds> parts = {};  // by PartId
+};
+
+// A robot touched something that it should not (CollisionWatch). Each pair of bodies occurs once,
+// by name.
+struct CollisionRecord {
+  double time = 0;
+  std::string robot;  // for example "arm/forearm", or "part/can1" for a held part
+  std::string other;  // for example "part/brick"
+};
+
+// The end of an execution of a plan, which is not judged yet.
+struct ExecutionEnd {
+  TrialOutcome outcome = TrialOutcome::kSucceeded;
+  std::string reason = {};  // empty if every command was executed
+  Snapshot moment;
+  std::int64_t steps = 0;  // number of the engine's steps
+
+  // Returns the outcome's name in files: "done" if every command was executed.
+  std::string_view OutcomeName() const;
+};
+
+using TraceEvent = std::variant<Sample, GraspFact, LookRecord, GuardRecord, MotionRecord, Milestone,
+                                VerificationRecord, RecoveryRecord, StepEnd, RestRecord,
+                                CollisionRecord, ExecutionEnd>;
+
+// All records of one execution, in the order of time.
+struct Trace {
+  std::string problem;
+  std::vector<std::string> parts = {};  // names of the parts, by PartId
+  std::vector<TraceEvent> events = {};
+
+  template <class Event>
+  std::vector<const Event*> All() const {
+    std::vector<const Event*> found;
+    for (const TraceEvent& event : events) {
+      if (const auto* e = std::get_if<Event>(&event)) found.push_back(e);
+    }
+    return found;
+  }
+  const ExecutionEnd& end() const { return std::get<ExecutionEnd>(events.back()); }
+};
+
+// Writes one JSON object per line (trace.schema.json): first a header, then the events. Equal
+// traces give equal bytes.
+void WriteTrace(const Trace& trace, std::ostream& out);
+
+}  // namespace assay::execution

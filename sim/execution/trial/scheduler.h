@@ -1,0 +1,70 @@
+#pragma once
+
+#include <cstddef>
+#include <exception>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <utility>
+
+namespace assay::execution {
+
+// Runs numbered pieces of work, such as trials, on several threads (oneTBB). Pieces are begun in
+// the order of their indices, the first one on the calling thread, so that an interrupted run has
+// made the first ones. Results are kept by one thread at a time, so that keeping them needs no
+// lock.
+//
+// No more pieces are begun once `stop` has said so, or once a piece of work or keeping its result
+// has thrown. Pieces that take long ask Ends, and end by throwing anything. What a piece throws
+// after a stop is dropped, with its result. The first other exception is thrown again when the
+// pieces that were begun have ended, and no result is kept after it.
+class Scheduler {
+ public:
+  // `stop` is asked before each piece, by one thread at a time; empty: nothing stops the work.
+  explicit Scheduler(int threads, std::function<bool()> stop = {});
+  ~Scheduler();
+  Scheduler(const Scheduler&) = delete;
+  Scheduler& operator=(const Scheduler&) = delete;
+
+  // Calls work(i) for each i below `count`, and keep(i, result) with the results in the order of
+  // the indices. What is kept does not depend on the number of threads.
+  template <class Work, class Keep>
+  void InOrder(std::size_t count, const Work& work, const Keep& keep) {
+    Run(count, Order::kOfIndices, Kept(work, keep));
+  }
+  // Calls the same functions, but keeps each result as soon as it is there.
+  template <class Work, class Keep>
+  void AsDone(std::size_t count, const Work& work, const Keep& keep) {
+    Run(count, Order::kOfEnds, Kept(work, keep));
+  }
+
+  // Returns whether no more pieces are begun. Any thread may call it.
+  bool Ends();
+  // Returns whether `stop` has stopped the work that was run before.
+  bool stopped() const { return stopped_; }
+
+ private:
+  enum class Order { kOfIndices, kOfEnds };
+  using KeepResult = std::function<void()>;
+  using Piece = std::function<KeepResult(std::size_t)>;  // makes the result and returns its keeping
+
+  template <class Work, class Keep>
+  static Piece Kept(const Work& work, const Keep& keep) {
+    return [&work, &keep](std::size_t i) -> KeepResult {
+      auto result = std::make_shared<decltype(work(i))>(work(i));
+      return [&keep, i, result] { keep(i, std::move(*result)); };
+    };
+  }
+  void Run(std::size_t count, Order order, const Piece& piece);
+  bool EndsNow();
+  bool Failed();
+
+  struct Threads;
+  std::unique_ptr<Threads> threads_;
+  std::function<bool()> stop_;
+  std::mutex mutex_;  // guards the members below
+  bool stopped_ = false;
+  std::exception_ptr error_;  // the first one
+};
+
+}  // namespace assay::execution

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <string_view>
+
+namespace assay::execution {
+
+// The outcome of executing a plan or a plan tree.
+enum class TrialOutcome {
+  kSucceeded,  // the execution came to its end; of a judged trial: and every goal holds
+
+  // The execution did not come to its end.
+  kUnreachable,     // the arm cannot follow a way that the plan asks for
+  kOverload,        // the wrist felt more force than allowed, and the arm stopped
+  kEngineWarning,   // the engine's numbers cannot be trusted, so the trial proves nothing
+  kNotFound,        // a sensor did not see the part that it was to find
+  kOperatorCalled,  // a person takes over: the plan says so, or no recovery mended an error
+
+  // A tree was not walked to a leaf.
+  kStopped,    // a skill could not be done
+  kUncertain,  // sensing left a branch open
+  kEndless,    // the walk reached no leaf within its greatest number of actions
+
+  // A judged trial came to its end and failed.
+  kFalseClaim,   // something that a tree claimed to know was false, even if the goal is true
+  kCollided,     // an arm touched something, or a hand or a held part touched what it must not
+  kGraspFailed,  // a goal does not hold, and before that a grasp had failed
+  kNotSeated,    // a held part is not all the way in
+  kMisaligned,   // a held part is in, but off to the side, tilted or turned
+  kNotLocated,   // a part does not rest in a stable pose that a goal names
+  kNotReleased,  // a part is still in the hand
+  kNotAtRest,    // a part still moves
+  kSpilled,      // a part was tilted further than is allowed
+  kFallen,       // a part does not rest in the stable pose of the start
+  kMissed,       // the goal of a tree is not true
+};
+std::string_view Name(TrialOutcome outcome);  // "grasp-failed"
+
+}  // namespace assay::execution

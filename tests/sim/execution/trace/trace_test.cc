@@ -1,0 +1,198 @@
+#include "sim/execution/trace/trace.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/sim/execution/trace/trace_schema.h"
+
+namespace assay::execution::trace_test {
+namespace {
+
+using Json = nlohmann::json;
+using testing::IsEmpty;
+using testing::Not;
+
+Snapshot SomeMoment(double time) {
+  return {.time = time,
+          .tool = {geometry::Translation(0.1, 0.2, 0.3) * geometry::RotationX(3.5),
+                   geometry::Translation(0.1, 0.2, 0.31)},
+          .parts = {{geometry::Translation(1, 2, 3), Pose::Identity()}},
+          .table_heights = {0.002},
+          .opening = 0.05,
+          .wrist = {.force = {1, 2, 3}, .torque = {4, 5, 6}},
+          .contacts = {{"part/peg", "world"}}};
+}
+
+LookRecord SomeLook(bool found) {
+  return {.time = 0.75,
+          .part = PartId(0),
+          .sensor = "overhead-camera",
+          .found = found,
+          .measured = geometry::Translation(1, 2, 5),
+          .before = {Pose::Identity(), geometry::Translation(1, 2, 3)},
+          .believed = geometry::Translation(1, 2, 4)};
+}
+
+Trace OneOfEach() {
+  const VerificationRecord check = {.time = 0.8,
+                                    .step = plan::StepId(2),
+                                    .name = "gripper-opening",
+                                    .measured = 0,
+                                    .expected = 0.05,
+                                    .tolerance = 0.001,
+                                    .error = "error1"};
+  const RecoveryRecord recovery = {.time = 0.9,
+                                   .step = plan::StepId(2),
+                                   .error = "error1",
+                                   .strategy = domain::RecoveryStrategy::kGropingSearch,
+                                   .attempt = 3,
+                                   .offset = {0.003, 0, 0}};
+  const MotionRecord motion = {.time = 1.5,
+                               .step = plan::StepId(1),
+                               .motion = 3,
+                               .attempt = 2,
+                               .outcome = MatingOutcome::kWrongContact,
+                               .recognized = RecognizedContact{"vertex 8 on face 6", false}};
+  return {.problem = "test",
+          .parts = {"peg"},
+          .events = {Sample{SomeMoment(0)},
+                     GraspFact{.time = 0.5,
+                               .part = PartId(0),
+                               .expected_width = 0.05,
+                               .opening = 0.0512,
+                               .pads_touch = true},
+                     SomeLook(true), SomeLook(false),
+                     GuardRecord{0.76, true, geometry::Translation(1, 2, 6)},
+                     Milestone{plan::StepId(2), Stage::kReached, SomeMoment(0.78)}, check, recovery,
+                     StepEnd{plan::StepId(0), "action_1", "pickup(peg, PG1)", SomeMoment(1)},
+                     motion, RestRecord{.duration = 0.5, .parts = {{1e-6, 2e-6}}},
+                     CollisionRecord{1.5, "arm/forearm", "part/peg"},
+                     ExecutionEnd{.outcome = TrialOutcome::kOverload,
+                                  .reason = "too much",
+                                  .moment = SomeMoment(2)}}};
+}
+
+class TraceSchema : public testing::Test {
+ protected:
+  TraceSchema() : schema_(TraceSchemaFile()) {}
+
+  oracle::JsonSchema schema_;
+};
+
+TEST_F(TraceSchema, EveryLineFollowsIt) {
+  const std::vector<Json> lines = Lines(OneOfEach());
+  ASSERT_EQ(lines.size(), 14u);
+  for (const Json& line : lines) EXPECT_THAT(schema_.Errors(line), IsEmpty()) << line.dump(2);
+}
+
+// Each kind of line has only fields that the schema describes.
+TEST_F(TraceSchema, TellsOfEveryField) {
+  for (const Json& line : Lines(OneOfEach())) {
+    const std::string kind = line.value("kind", "header");
+    const Json fields = TraceSchemaFile()["definitions"][kind]["properties"];
+    for (const auto& [name, value] : line.items()) {
+      EXPECT_TRUE(fields.contains(name)) << kind << "/" << name;
+    }
+  }
+}
+
+TEST_F(TraceSchema, HasEveryOutcomeAndStage) {
+  Trace trace = OneOfEach();
+  for (int i = 0; i <= static_cast<int>(TrialOutcome::kOperatorCalled); ++i) {
+    std::get<ExecutionEnd>(trace.events.back()).outcome = static_cast<TrialOutcome>(i);
+    EXPECT_THAT(schema_.Errors(Lines(trace).back()), IsEmpty());
+  }
+  for (int i = 0; i <= static_cast<int>(MatingOutcome::kEngineWarning); ++i) {
+    trace.events = {
+        MotionRecord{.step = plan::StepId(0), .outcome = static_cast<MatingOutcome>(i)}};
+    EXPECT_THAT(schema_.Errors(Lines(trace).back()), IsEmpty());
+  }
+  for (const Stage stage : {Stage::kPoised, Stage::kReached, Stage::kActed}) {
+    trace.events = {Milestone{plan::StepId(0), stage, SomeMoment(0)}};
+    EXPECT_THAT(schema_.Errors(Lines(trace).back()), IsEmpty());
+  }
+}
+
+TEST_F(TraceSchema, RefusesWhatIsMissing) {
+  const std::vector<Json> lines = Lines(OneOfEach());
+  for (const Json& line : lines) {
+    for (const auto& [name, value] : line.items()) {
+      Json less = line;
+      less.erase(name);
+      EXPECT_THAT(schema_.Errors(less), Not(IsEmpty())) << name << " of " << line.dump(2);
+    }
+  }
+}
+
+TEST(TraceTest, SaysWhatItWasGiven) {
+  const std::vector<Json> lines = Lines(OneOfEach());
+  EXPECT_EQ(lines[0]["parts"], Json::parse(R"(["peg"])"));
+  EXPECT_EQ(lines[1]["parts"]["peg"]["true"]["position"], Json::parse("[1.0, 2.0, 3.0]"));
+  EXPECT_EQ(lines[1]["table_heights"], Json::parse("[0.002]"));
+  EXPECT_EQ(lines[1]["contacts"], Json::parse(R"([["part/peg", "world"]])"));
+  EXPECT_EQ(lines[1]["wrist"]["torque"], Json::parse("[4.0, 5.0, 6.0]"));
+  EXPECT_EQ(lines[2]["holds"], false);
+  EXPECT_EQ(lines[9]["action"], "pickup(peg, PG1)");
+  EXPECT_EQ(lines[12]["other"], "part/peg");
+  EXPECT_EQ(lines[13]["outcome"], "overload");
+}
+
+TEST(TraceTest, SaysWhatSensorsTold) {
+  const std::vector<Json> lines = Lines(OneOfEach());
+  EXPECT_EQ(lines[3]["sensor"], "overhead-camera");
+  EXPECT_EQ(lines[3]["before"]["believed"]["position"], Json::parse("[1.0, 2.0, 3.0]"));
+  EXPECT_EQ(lines[3]["measured"]["position"], Json::parse("[1.0, 2.0, 5.0]"));
+  EXPECT_EQ(lines[3]["believed"]["position"], Json::parse("[1.0, 2.0, 4.0]"));
+  EXPECT_EQ(lines[4]["found"], false);
+  EXPECT_FALSE(lines[4].contains("measured"));
+  EXPECT_EQ(lines[5]["resisted"], true);
+  EXPECT_EQ(lines[5]["tool"]["position"], Json::parse("[1.0, 2.0, 6.0]"));
+}
+
+TEST(TraceTest, SaysWhatWasVerifiedAndDone) {
+  const std::vector<Json> lines = Lines(OneOfEach());
+  EXPECT_EQ(lines[6]["stage"], "reached");
+  EXPECT_EQ(lines[6]["step"], 2);
+  EXPECT_EQ(lines[7]["name"], "gripper-opening");
+  EXPECT_EQ(lines[7]["error"], "error1");
+  EXPECT_EQ(lines[8]["strategy"], "groping-search");
+  EXPECT_EQ(lines[8]["attempt"], 3);
+  EXPECT_EQ(lines[8]["offset"], Json::parse("[0.003, 0.0, 0.0]"));
+}
+
+TEST(TraceTest, SaysHowMotionsEnded) {
+  const Json line = Lines(OneOfEach())[10];
+  EXPECT_EQ(line["kind"], "motion");
+  EXPECT_EQ(line["step"], 1);
+  EXPECT_EQ(line["motion"], 4) << "numbered from 1";
+  EXPECT_EQ(line["attempt"], 2);
+  EXPECT_EQ(line["outcome"], "wrong-contact");
+  EXPECT_EQ(line["recognized"]["contact"], "vertex 8 on face 6");
+  EXPECT_EQ(line["recognized"]["loss"], false);
+}
+
+// A rotation has two quaternions, and the trace has the one with w >= 0. The example is 3.5 rad
+// about x, which is -2.78 rad.
+TEST(TraceTest, QuaternionsAreUnique) {
+  const Json quaternion = Lines(OneOfEach())[1]["tool"]["true"]["quaternion"];
+  EXPECT_NEAR(quaternion[0].get<double>(), -std::cos(1.75), 1e-12);
+  EXPECT_NEAR(quaternion[1].get<double>(), -std::sin(1.75), 1e-12);
+}
+
+TEST(GraspFactTest, HoldsUpToItsTolerance) {
+  GraspFact fact{
+      .time = 0, .part = PartId(0), .expected_width = 0.05, .opening = 0.0509, .pads_touch = true};
+  EXPECT_TRUE(fact.holds());
+  fact.opening = 0.0511;
+  EXPECT_FALSE(fact.holds());
+  fact.opening = 0.0489;
+  EXPECT_FALSE(fact.holds());
+  fact.opening = 0.05;
+  fact.pads_touch = false;
+  EXPECT_FALSE(fact.holds());
+}
+
+}  // namespace
+}  // namespace assay::execution::trace_test
