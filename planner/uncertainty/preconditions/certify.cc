@@ -4,11 +4,12 @@
 #include <cmath>
 #include <optional>
 
+#include "planner/algebra/expression/nodes.h"
 #include "planner/algebra/expression/text.h"
 #include "planner/algebra/methods/glance.h"
-#include "planner/algebra/numeric/interval_arithmetic.h"
 #include "planner/base/check.h"
 #include "planner/domain/mating/shaft_fit.h"
+#include "planner/numeric/interval_arithmetic.h"
 #include "planner/plan/data/condition_kind.h"
 #include "planner/uncertainty/errors/mating_end.h"
 #include "planner/uncertainty/errors/release.h"
@@ -381,8 +382,7 @@ plan::ErrorSet ErrorSetOf(const UncertainWorld& world, PartId part, const Transf
           .x = world.TightRangeOf(offset[0]),
           .y = world.TightRangeOf(offset[1]),
           .z = world.TightRangeOf(offset[2]),
-          .theta = algebra::operator+(world.TightRangeOf(world.held().skew),
-                                      world.problem().gripper_error.theta),
+          .theta = world.TightRangeOf(world.held().skew) + world.problem().gripper_error.theta,
           .tip = world.TightRangeOf(world.held().tip),
           .twist = world.TightRangeOf(world.held().twist)};
 }
