@@ -16,8 +16,10 @@
 #include "bench/workloads/measured_expressions.h"
 #include "bench/workloads/transform_chains.h"
 #include "planner/algebra/bounds/bounds.h"
+#include "planner/algebra/expression/evaluation.h"
+#include "planner/algebra/expression/nodes.h"
 #include "planner/algebra/expression/simplify.h"
-#include "planner/algebra/numeric/interval_arithmetic.h"
+#include "planner/numeric/interval_arithmetic.h"
 #ifdef ASSAY_PEER_BOOST_INTERVAL
 #include "bench/peers/boost_interval.h"
 #endif

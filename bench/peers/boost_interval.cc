@@ -4,6 +4,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "planner/algebra/expression/nodes.h"
 #include "planner/base/check.h"
 
 namespace assay::peers {
@@ -88,35 +89,20 @@ class BoostInterval::EvaluationIn : public Evaluation {
   }
 
   void Carry(const Step& step, Number& value) const {
-    switch (step.op) {
-      case Operator::kConstant:
-      case Operator::kVariable:
-        return;
-      case Operator::kSum:
-        value = values_[step.operands[0]];
-        for (std::size_t i = 1; i < step.operands.size(); ++i) value += values_[step.operands[i]];
-        return;
-      case Operator::kProduct:
-        value = values_[step.operands[0]];
-        for (std::size_t i = 1; i < step.operands.size(); ++i) value *= values_[step.operands[i]];
-        return;
-      case Operator::kPower:
-        value = numeric::pow(values_[step.operands[0]], step.exponent);
-        return;
-      case Operator::kSin:
-        value = numeric::sin(values_[step.operands[0]]);
-        return;
-      case Operator::kCos:
-        value = numeric::cos(values_[step.operands[0]]);
-        return;
-      case Operator::kQuotient:
-      case Operator::kSqrt:
-      case Operator::kAbs:
-      case Operator::kMin:
-      case Operator::kMax:
-        break;
+    if (step.op == Operator::kConstant || step.op == Operator::kVariable) return;
+    value = values_[step.operands[0]];
+    if (step.op == Operator::kSum) {
+      for (std::size_t i = 1; i < step.operands.size(); ++i) value += values_[step.operands[i]];
+    } else if (step.op == Operator::kProduct) {
+      for (std::size_t i = 1; i < step.operands.size(); ++i) value *= values_[step.operands[i]];
+    } else if (step.op == Operator::kPower) {
+      value = numeric::pow(value, step.exponent);
+    } else if (step.op == Operator::kSin) {
+      value = numeric::sin(value);
+    } else {
+      ASSAY_CHECK(step.op == Operator::kCos, "not an operation of chains of transforms");
+      value = numeric::cos(value);
     }
-    ASSAY_CHECK(false, "not an operation of chains of transforms");
   }
 
   std::vector<Step> steps_;

@@ -13,7 +13,7 @@ using finemotion::ForwardProjection;
 using finemotion::HalfSpace;
 using finemotion::kPoseDimensions;
 using finemotion::PrimitiveContact;
-using finemotion::Zonotope;
+using geometry::Zonotope;
 
 namespace {
 
@@ -35,18 +35,18 @@ Eigen::VectorXd RandomVector(int size, double reach, RandomStream& random) {
   return v;
 }
 
-Zonotope AtRest(Eigen::Index dimension) {
+geometry::Zonotope AtRest(Eigen::Index dimension) {
   return {Eigen::VectorXd::Zero(dimension), Eigen::MatrixXd(dimension, 0)};
 }
 
-Zonotope RandomStart(StartShape shape, int dimension, RandomStream& random) {
+geometry::Zonotope RandomStart(StartShape shape, int dimension, RandomStream& random) {
   const Eigen::VectorXd center = RandomVector(dimension, 1, random);
   if (shape == StartShape::kBox) {
     Eigen::VectorXd half(dimension);
     for (double& entry : half) entry = random.Uniform(0.05, 1);
-    return Zonotope::Box(center - half, center + half);
+    return geometry::Zonotope::Box(center - half, center + half);
   }
-  Zonotope start{center, Eigen::MatrixXd(dimension, dimension + 2)};
+  geometry::Zonotope start{center, Eigen::MatrixXd(dimension, dimension + 2)};
   for (auto generator : start.generators.colwise()) {
     generator = RandomVector(dimension, 0.4, random);
   }
@@ -54,8 +54,8 @@ Zonotope RandomStart(StartShape shape, int dimension, RandomStream& random) {
 }
 
 // Returns a random velocity. Tolerances do not move.
-Zonotope RandomVelocity(int errors, int dimension, RandomStream& random) {
-  Zonotope velocity = AtRest(dimension);
+geometry::Zonotope RandomVelocity(int errors, int dimension, RandomStream& random) {
+  geometry::Zonotope velocity = AtRest(dimension);
   velocity.center.head<kPoseDimensions>() = RandomVector(kPoseDimensions, 1, random);
   velocity.generators.setZero(dimension, errors);
   for (auto generator : velocity.generators.colwise()) {
@@ -112,7 +112,8 @@ std::vector<JudgedProjection> ReadProjections(const std::filesystem::path& file)
       judged.given.contact.limits.push_back(ReadRow(text, dimension));
     }
     const Eigen::VectorXd low = ReadVector(text, dimension);
-    judged.given.projection = {Zonotope::Box(low, ReadVector(text, dimension)), AtRest(dimension)};
+    judged.given.projection = {geometry::Zonotope::Box(low, ReadVector(text, dimension)),
+                               AtRest(dimension)};
     ASSAY_CHECK(text, "{} ends early", file.string());
   }
   return all;

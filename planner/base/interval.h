@@ -3,7 +3,7 @@
 namespace assay {
 
 // A closed interval of numbers with low <= high. An end may be infinite. Outward-rounded arithmetic
-// is in planner/algebra/numeric/interval_arithmetic.h.
+// is in planner/numeric/interval_arithmetic.h.
 struct Interval {
   double low = 0;
   double high = 0;

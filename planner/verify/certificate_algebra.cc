@@ -6,6 +6,7 @@
 #include <cctype>
 #include <limits>
 
+#include "planner/algebra/expression/parse.h"
 #include "planner/algebra/expression/text.h"
 #include "planner/base/document/input_error.h"
 

@@ -9,6 +9,8 @@
 #include <variant>
 
 #include "planner/algebra/bounds/bounds.h"
+#include "planner/algebra/expression/evaluation.h"
+#include "planner/algebra/expression/nodes.h"
 #include "planner/algebra/methods/glance.h"
 #include "planner/plan/data/condition_table.h"
 #include "planner/uncertainty/errors/tip_error.h"

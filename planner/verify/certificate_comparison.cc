@@ -6,6 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "planner/algebra/expression/evaluation.h"
 #include "planner/assembly/way_conditions.h"
 #include "planner/base/random.h"
 #include "planner/constraint_posting/uncertainty_phase/verification.h"

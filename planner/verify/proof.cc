@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "planner/algebra/bounds/sensitivity.h"
+#include "planner/algebra/expression/evaluation.h"
 #include "planner/algebra/expression/simplify.h"
 #include "planner/algebra/expression/text.h"
 

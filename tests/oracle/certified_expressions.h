@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "planner/algebra/expression/expression.h"
+#include "planner/algebra/expression/parse.h"
 #include "planner/algebra/expression/text.h"
 #include "planner/plan/data/certificate.h"
 

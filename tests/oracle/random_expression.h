@@ -5,9 +5,10 @@
 #include <string>
 #include <vector>
 
+#include "planner/algebra/expression/evaluation.h"
 #include "planner/algebra/linear/constraint_set.h"
-#include "planner/algebra/numeric/interval_arithmetic.h"
 #include "planner/base/random.h"
+#include "planner/numeric/interval_arithmetic.h"
 
 // Random expressions without structure, with all operators.
 namespace assay::oracle {

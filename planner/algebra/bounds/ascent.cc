@@ -4,8 +4,8 @@
 #include <cmath>
 #include <utility>
 
-#include "planner/algebra/numeric/interval_arithmetic.h"
-#include "planner/algebra/numeric/positive_definite.h"
+#include "planner/numeric/interval_arithmetic.h"
+#include "planner/numeric/positive_definite.h"
 
 namespace assay::algebra {
 namespace {
@@ -47,9 +47,9 @@ class Ascent {
   }
 
   // Returns the negated second derivatives with respect to the free variables, scaled.
-  SymmetricMatrix Curvature() {
+  numeric::SymmetricMatrix Curvature() {
     const int n = static_cast<int>(free_.size());
-    SymmetricMatrix curvature;
+    numeric::SymmetricMatrix curvature;
     curvature.Reset(n);
     if (n > kMostVariablesForNewton) return curvature;
     for (int i = 0; i < n; ++i) {
@@ -63,7 +63,7 @@ class Ascent {
   }
 
   bool Improve() {
-    const SymmetricMatrix curvature = Curvature();
+    const numeric::SymmetricMatrix curvature = Curvature();
     std::vector<double> slope;
     double steepest = 0;
     for (int variable : free_) {
@@ -72,7 +72,7 @@ class Ascent {
     }
     if (!(steepest > kNegligible * (1 + std::abs(value_)))) return false;
     for (double damping = 0; damping <= 1e6; damping = std::max(damping * 8, 1e-3)) {
-      SymmetricMatrix damped = curvature;
+      numeric::SymmetricMatrix damped = curvature;
       for (int i = 0; i < damped.size(); ++i) damped(i, i) += damping * steepest;
       if (!FactorPositiveDefinite(damped)) continue;
       std::vector<double> step = slope;

@@ -10,10 +10,11 @@
 #include <string_view>
 
 #include "planner/algebra/expression/name.h"
+#include "planner/algebra/expression/parse.h"
 #include "planner/algebra/expression/text.h"
-#include "planner/algebra/numeric/interval_arithmetic.h"
 #include "planner/base/document/document.h"
 #include "planner/base/document/input_file.h"
+#include "planner/numeric/interval_arithmetic.h"
 
 namespace assay::algebra {
 namespace {

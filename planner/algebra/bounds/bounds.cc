@@ -9,6 +9,7 @@
 #include "planner/algebra/bounds/branch_and_bound.h"
 #include "planner/algebra/bounds/feasible_ascent.h"
 #include "planner/algebra/forms/normal_form.h"
+#include "planner/algebra/forms/normalization.h"
 #include "planner/algebra/linear/linear_part.h"
 #include "planner/algebra/linear/linear_program.h"
 #include "planner/algebra/linear/sup_inf.h"
@@ -18,8 +19,8 @@
 #include "planner/algebra/methods/termwise.h"
 #include "planner/algebra/multiaffine/multiaffine_form.h"
 #include "planner/algebra/multiaffine/multiaffine_search.h"
-#include "planner/algebra/numeric/interval_arithmetic.h"
 #include "planner/base/check.h"
+#include "planner/numeric/interval_arithmetic.h"
 
 namespace assay::algebra {
 namespace {

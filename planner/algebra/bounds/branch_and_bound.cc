@@ -10,7 +10,7 @@
 #include "planner/algebra/bounds/feasible_ascent.h"
 #include "planner/algebra/methods/centred.h"
 #include "planner/algebra/methods/monotone.h"
-#include "planner/algebra/numeric/interval_arithmetic.h"
+#include "planner/numeric/interval_arithmetic.h"
 
 namespace assay::algebra {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "planner/algebra/numeric/interval_arithmetic.h"
+#include "planner/numeric/interval_arithmetic.h"
 
 namespace assay::algebra {
 namespace {

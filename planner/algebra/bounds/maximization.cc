@@ -4,9 +4,13 @@
 #include <map>
 #include <utility>
 
+#include "planner/algebra/expression/evaluation.h"
 #include "planner/algebra/expression/index_map.h"
-#include "planner/algebra/numeric/interval_arithmetic.h"
+#include "planner/algebra/expression/nodes.h"
+#include "planner/algebra/forms/compiler.h"
+#include "planner/algebra/forms/normalization.h"
 #include "planner/base/check.h"
+#include "planner/numeric/interval_arithmetic.h"
 
 namespace assay::algebra {
 namespace {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "planner/algebra/forms/compiled_form.h"
+#include "planner/algebra/forms/normal_form.h"
 #include "planner/algebra/linear/constraint_set.h"
 
 namespace assay::algebra {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "planner/algebra/numeric/interval_arithmetic.h"
+#include "planner/numeric/interval_arithmetic.h"
 
 namespace assay::algebra {
 

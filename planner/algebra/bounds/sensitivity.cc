@@ -4,7 +4,8 @@
 #include <cmath>
 #include <optional>
 
-#include "planner/algebra/numeric/interval_arithmetic.h"
+#include "planner/algebra/expression/nodes.h"
+#include "planner/numeric/interval_arithmetic.h"
 
 namespace assay::algebra {
 namespace {

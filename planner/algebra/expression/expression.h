@@ -2,7 +2,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <map>
 #include <memory>
 #include <optional>
 #include <span>
@@ -10,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "planner/algebra/operators/operator.h"
 #include "planner/base/check.h"
 #include "planner/base/id.h"
 #include "planner/base/interval.h"
@@ -18,23 +18,9 @@ namespace assay::algebra {
 
 using VariableId = Id<struct BoundedVariableTag>;  // identifies a variable of one ExpressionPool
 
-enum class Operator : std::uint8_t {
-  kConstant,
-  kVariable,
-  kSum,       // two or more operands
-  kProduct,   // two or more operands
-  kPower,     // operand ^ exponent(); the exponent is an integer other than 0 and 1
-  kQuotient,  // operand 0 / operand 1
-  kSin,
-  kCos,
-  kSqrt,
-  kAbs,
-  kMin,  // two operands
-  kMax,  // two operands
-};
-
 class ExpressionPool;
-class KeptNormalForms;  // defined in normal_form.cc
+class KeptNormalForms;  // defined in normalization.cc
+class NodeMarks;        // defined in node_marks.h
 
 // An immutable expression over the bounded variables of a pool. It is a value and cheap to copy.
 // The pool stores equal sub-expressions once (hash-consing), so that == is structural and takes
@@ -58,7 +44,7 @@ class Expression {
   Operator op() const;
   double constant() const;      // only for kConstant
   VariableId variable() const;  // only for kVariable
-  int exponent() const;         // only for kPower
+  int exponent() const;         // 0 unless the expression is a power
   std::span<const Expression> operands() const;
 
   bool IsConstant() const { return op() == Operator::kConstant; }
@@ -92,12 +78,14 @@ class Expression {
 // The record that a pool stores for one expression.
 struct StoredNode {
   Operator op = Operator::kConstant;
-  bool may_be_undefined = false;
-  int number = 0;       // the variable's number, or the exponent of a power
+  const Expression* operands = nullptr;
   double constant = 0;  // only for kConstant
-  std::span<const Expression> operands = {};
+  int number = 0;       // the variable's number, or the exponent of a power
+  std::uint32_t operand_count : 31 = 0;
+  bool may_be_undefined : 1 = false;
 };
 
+// The operations. Each of them is defined in the file of its operator (planner/algebra/operators).
 Expression operator-(const Expression& a);
 Expression operator+(const Expression& a, const Expression& b);
 Expression operator-(const Expression& a, const Expression& b);
@@ -116,7 +104,8 @@ Expression Product(std::span<const Expression> factors);  // returns 1 for no fa
 // Owns expressions and the bounded variables in them. It is single-threaded and not copyable.
 class ExpressionPool {
  public:
-  ExpressionPool();
+  // `further_operators` are those that Parse knows by name besides the built-in ones.
+  explicit ExpressionPool(std::vector<Operator> further_operators = {});
   ~ExpressionPool();
   ExpressionPool(const ExpressionPool&) = delete;
   ExpressionPool& operator=(const ExpressionPool&) = delete;
@@ -134,44 +123,32 @@ class ExpressionPool {
   std::optional<VariableId> Find(std::string_view name) const;
   int node_count() const;
 
+  // The operators beyond the built-in ones that texts over this pool may name.
+  std::span<const Operator> further_operators() const { return further_operators_; }
+
+  // Returns the stored expression that is equal to the node, and adds it if there is none. The
+  // operands must be expressions of this pool. Only the rules of operators call this, since they
+  // decide which nodes there may be.
+  Expression Store(const StoredNode& node);
+
+  // Memory that operations and walks use again and again.
+  std::vector<Expression>& scratch_operands();
+  NodeMarks& marks();
+
   // Returns null until KeepNormalForms has been called.
   KeptNormalForms* kept_normal_forms() const { return kept_normal_forms_.get(); }
 
  private:
   friend class Expression;
   friend void KeepNormalForms(ExpressionPool& pool);
-  friend struct NodeAccess;  // used by the operations (expression.cc)
   struct Storage;
   Expression At(int node) { return {this, node}; }
 
   std::vector<StoredNode> nodes_;     // indexed by Expression::index
   std::unique_ptr<Storage> storage_;  // hash table, operands and variables
   std::shared_ptr<KeptNormalForms> kept_normal_forms_;
+  std::vector<Operator> further_operators_;
 };
-
-// Returns the distinct sub-expressions of e, by increasing index. Operands precede the expressions
-// that they stand in, and e itself is last. A loop over them takes time proportional to the stored
-// size of e, however deep e is and however often its parts occur.
-std::vector<Expression> NodesOf(const Expression& e);
-std::size_t NodeCount(const Expression& e);
-
-// Applies the operator to its operands. There is at least one operand, and there are as many as the
-// operator takes. The exponent matters only for a power.
-Expression Apply(Operator op, std::span<const Expression> operands, int exponent = 0);
-
-// Returns the variables that occur in e, by increasing number.
-std::vector<VariableId> VariablesOf(const Expression& e);
-
-// Returns e with all variables of the map replaced simultaneously.
-Expression Substitute(const Expression& e, const std::map<VariableId, Expression>& replacements);
-
-// Returns the value of e at a point, which is indexed by VariableId. It is computed in doubles and
-// not rounded outward. The value is NaN where a square root or a quotient has no real value.
-double Evaluate(const Expression& e, std::span<const double> point);
-
-// Returns an interval that contains every value of e over a box, which is indexed by VariableId. It
-// is computed by interval arithmetic on the expression as it is stored.
-Interval Evaluate(const Expression& e, std::span<const Interval> box);
 
 inline const StoredNode& Expression::node() const { return pool_->nodes_[node_]; }
 
@@ -190,14 +167,11 @@ inline VariableId Expression::variable() const {
   return VariableId(node().number);
 }
 
-inline int Expression::exponent() const {
-  ASSAY_CHECK(op() == Operator::kPower);
-  return node().number;
-}
+inline int Expression::exponent() const { return op() == Operator::kPower ? node().number : 0; }
 
 inline std::span<const Expression> Expression::operands() const {
   if (pool_ == nullptr) return {};
-  return node().operands;
+  return {node().operands, node().operand_count};
 }
 
 inline bool Expression::MayBeUndefined() const {

@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "planner/algebra/expression/intern_table.h"
+#include "planner/base/intern_table.h"
 
 namespace assay::algebra {
 

@@ -1,6 +1,7 @@
 #include "planner/algebra/expression/simplify.h"
 
 #include "planner/algebra/forms/normal_form.h"
+#include "planner/algebra/forms/normalization.h"
 
 namespace assay::algebra {
 

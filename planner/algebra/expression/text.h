@@ -2,17 +2,15 @@
 
 #include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "planner/algebra/expression/expression.h"
-#include "planner/base/document/input_error.h"
 
 namespace assay::algebra {
 
 // Returns e as text, for example "2 + 3*cos(tg)*dx^2 - min(x, sqrt(y))/4". Each number is written
-// with enough digits to be read back as the same double. Parse(Text(e)) == e holds in the same pool
-// if the numbers are finite and Parse accepts the nesting and the exponents.
+// with enough digits to be read back as the same double. Parse(Text(e)) == e (parse.h) holds in the
+// same pool if the numbers are finite and Parse accepts the nesting and the exponents.
 std::string Text(const Expression& e);
 
 // The texts of several expressions of one pool. A sub-expression that occurs more than once is
@@ -23,27 +21,5 @@ struct SharedTexts {
   std::vector<std::string> expressions;  // as many as the given expressions
 };
 SharedTexts TextsOf(std::span<const Expression> expressions);
-
-// Tells whether the text stands in its file character by character on one line (kAsInFile). If so,
-// errors name the column. Otherwise (escapes, a text folded from several lines) errors name the
-// place of the whole text, and the number of the character within it.
-enum class Layout { kAsInFile, kOther };
-
-// Reads an expression over the pool's variables. The grammar is:
-//   sum     = ["-"] product { ("+" | "-") product }
-//   product = factor { ("*" | "/") factor }
-//   factor  = ["-"] atom [ "^" integer ]                   -x^2 = -(x^2); integer from -100 to 100
-//   atom    = number ["deg"] | name | "#" place | name "(" sum {"," sum} ")" | "(" sum ")"
-// "N deg" is the double N * pi / 180, with each operation rounded to nearest. It is not an interval
-// that encloses the exact angle. "#3" is the expression at place 3 of `shared`, counted from 0.
-// `place` is where the text begins in its file. Throws InputError, with the place in the text, for
-// unknown names (the nearest known name is given), for more than 200 levels of nesting, and for
-// numbers that are not finite.
-Expression Parse(std::string_view text, ExpressionPool& pool, const FilePlace& place,
-                 Layout layout = Layout::kAsInFile, std::span<const Expression> shared = {});
-
-// Reads the texts of SharedTexts::shared and returns their expressions in the same order.
-std::vector<Expression> ParseShared(std::span<const std::string> shared, ExpressionPool& pool,
-                                    const FilePlace& place);
 
 }  // namespace assay::algebra

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "planner/algebra/forms/compiled_form.h"
+#include "planner/algebra/operators/operator_rule.h"
 
 namespace assay::algebra {
 
@@ -36,8 +37,12 @@ class Derivatives {
   using Step = CompiledForm::Step;
 
   Number ValueOf(const Step& step, std::span<const Number> place);
-  Number Slope(const Step& step, int index) const;      // for a step with one operand
-  Number Curvature(const Step& step, int index) const;  // for a step with one operand
+  void NoteDefinedness(const Step& step);
+  // For the step of a function. `operand`, i and j are 0 or 1.
+  FunctionPlace<Number> PlaceOf(const Step& step, int index) const;
+  Number Slope(int index, int operand) const;
+  Number Curvature(int index, int i, int j) const;
+  Number ChangeOfAdjoint(int index, int operand) const;
   void PropagateTangent(int variable);
   void PropagateAdjoint(int index);
   void PropagateAdjointTangent(int index);

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <bit>
 
-#include "planner/algebra/numeric/nearest_interval.h"
+#include "planner/numeric/nearest_interval.h"
 
 namespace assay::algebra {
 namespace {
@@ -168,6 +168,6 @@ const std::vector<Number>& NestedEvaluation<Number>::SlopesAlong(const NestedFor
 }
 
 template class NestedEvaluation<double>;
-template class NestedEvaluation<NearestInterval>;
+template class NestedEvaluation<numeric::NearestInterval>;
 
 }  // namespace assay::algebra

@@ -38,24 +38,7 @@ enum class AtomArguments {
   kRounded,  // always simplified, so that the normal form is not rigorous
 };
 
-// Returns the normal form of e. A product is expanded only if the result has at most `most_terms`
-// terms and the expansion takes at most 100 * `most_terms` multiplications of terms.
-NormalForm NormalFormOf(const Expression& e, int most_terms = 20'000,
-                        AtomArguments arguments = AtomArguments::kExact);
-
 // Returns true if the coefficient may be 0 and differs from 0 only because numbers were rounded.
 bool IsRoundingAlone(const Interval& coefficient);
-
-// From this call on, sub-expressions that the pool's expressions share are expanded once, and their
-// normal forms are kept, up to a limit. This pays for many expressions with common parts. It does
-// not change any normal form.
-void KeepNormalForms(ExpressionPool& pool);
-
-// Returns ToExpression of the normal form with rounded arguments, without building that form.
-Expression SimplifiedExpression(const Expression& e, int most_terms);
-
-// Writes a normal form as an expression with the midpoints of its coefficients. A term for which
-// IsRoundingAlone holds is left out.
-Expression ToExpression(const NormalForm& form);
 
 }  // namespace assay::algebra

@@ -4,8 +4,8 @@
 #include <limits>
 #include <utility>
 
-#include "planner/algebra/numeric/interval_arithmetic.h"
 #include "planner/base/check.h"
+#include "planner/numeric/interval_arithmetic.h"
 
 namespace assay::algebra {
 
@@ -226,7 +226,7 @@ std::optional<Polynomial> PolynomialAlgebra::PowerOfTerm(const Term& a, int n, B
   }
   std::optional<Polynomial> result = Reduced(factors, budget);
   if (!result) return std::nullopt;
-  const Interval coefficient = algebra::Power(a.coefficient, n);
+  const Interval coefficient = assay::Power(a.coefficient, n);
   for (Term& term : *result) term.coefficient = term.coefficient * coefficient;
   return result;
 }

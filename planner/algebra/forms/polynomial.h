@@ -6,7 +6,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "planner/algebra/expression/intern_table.h"
+#include "planner/base/intern_table.h"
 #include "planner/base/interval.h"
 
 namespace assay::algebra {

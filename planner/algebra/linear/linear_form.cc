@@ -2,12 +2,12 @@
 
 namespace assay::algebra {
 
-Rational LinearForm::CoefficientOf(ColumnId column) const {
+numeric::Rational LinearForm::CoefficientOf(ColumnId column) const {
   const auto found = coefficients.find(column);
-  return found == coefficients.end() ? Rational() : found->second;
+  return found == coefficients.end() ? numeric::Rational() : found->second;
 }
 
-void LinearForm::Add(ColumnId column, const Rational& coefficient) {
+void LinearForm::Add(ColumnId column, const numeric::Rational& coefficient) {
   if (coefficient.IsZero()) return;
   const auto [place, is_new] = coefficients.emplace(column, coefficient);
   if (is_new) return;
@@ -23,7 +23,7 @@ LinearForm LinearForm::Without(ColumnId column) const {
 
 LinearForm FormOf(ColumnId column) { return {.coefficients = {{column, 1}}, .constant = {}}; }
 
-LinearForm operator-(const LinearForm& a) { return Rational(-1) * a; }
+LinearForm operator-(const LinearForm& a) { return numeric::Rational(-1) * a; }
 
 LinearForm operator+(const LinearForm& a, const LinearForm& b) {
   LinearForm sum = a;
@@ -34,7 +34,7 @@ LinearForm operator+(const LinearForm& a, const LinearForm& b) {
 
 LinearForm operator-(const LinearForm& a, const LinearForm& b) { return a + -b; }
 
-LinearForm operator*(const Rational& r, const LinearForm& a) {
+LinearForm operator*(const numeric::Rational& r, const LinearForm& a) {
   if (r.IsZero()) return {};
   LinearForm product = a;
   for (auto& [column, coefficient] : product.coefficients) coefficient = r * coefficient;

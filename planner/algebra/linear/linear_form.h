@@ -2,8 +2,8 @@
 
 #include <map>
 
-#include "planner/algebra/numeric/rational.h"
 #include "planner/base/id.h"
+#include "planner/numeric/rational.h"
 
 namespace assay::algebra {
 
@@ -12,12 +12,12 @@ using ColumnId = Id<struct LinearColumnTag>;
 
 // The linear form r1*v1 + r2*v2 + ... + constant, in exact rational numbers.
 struct LinearForm {
-  std::map<ColumnId, Rational> coefficients = {};  // none is 0
-  Rational constant = {};
+  std::map<ColumnId, numeric::Rational> coefficients = {};  // none is 0
+  numeric::Rational constant = {};
 
   bool IsConstant() const { return coefficients.empty(); }
-  Rational CoefficientOf(ColumnId column) const;
-  void Add(ColumnId column, const Rational& coefficient);
+  numeric::Rational CoefficientOf(ColumnId column) const;
+  void Add(ColumnId column, const numeric::Rational& coefficient);
   LinearForm Without(ColumnId column) const;
 
   auto operator<=>(const LinearForm&) const = default;
@@ -27,6 +27,6 @@ LinearForm FormOf(ColumnId column);
 LinearForm operator-(const LinearForm& a);
 LinearForm operator+(const LinearForm& a, const LinearForm& b);
 LinearForm operator-(const LinearForm& a, const LinearForm& b);
-LinearForm operator*(const Rational& r, const LinearForm& a);
+LinearForm operator*(const numeric::Rational& r, const LinearForm& a);
 
 }  // namespace assay::algebra

@@ -2,83 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <unordered_map>
+
+#include "planner/algebra/forms/normalization.h"
+#include "planner/algebra/linear/linear_reader.h"
 
 namespace assay::algebra {
-namespace {
-
-using OptionalForm = std::optional<LinearForm>;
-
-// Reads each sub-expression once, however often it occurs.
-class LinearReader {
- public:
-  const OptionalForm& Read(const Expression& e) {
-    if (const auto known = known_.find(e.index()); known != known_.end() && e.index() >= 0) {
-      return known->second;
-    }
-    return known_[e.index()] = ReadNew(e);
-  }
-
- private:
-  OptionalForm ReadNew(const Expression& e) {
-    switch (e.op()) {
-      case Operator::kConstant:
-        if (!std::isfinite(e.constant())) return std::nullopt;
-        return LinearForm{.constant = e.constant()};
-      case Operator::kVariable:
-        return FormOf(ColumnId(e.variable().index()));
-      case Operator::kSum:
-        return ReadSum(e);
-      case Operator::kProduct:
-        return ReadProduct(e);
-      case Operator::kQuotient:
-        return ReadQuotient(e);
-      case Operator::kPower:
-      case Operator::kSin:
-      case Operator::kCos:
-      case Operator::kSqrt:
-      case Operator::kAbs:
-      case Operator::kMin:
-      case Operator::kMax:
-        return std::nullopt;
-    }
-    return std::nullopt;
-  }
-
-  OptionalForm ReadSum(const Expression& e) {
-    LinearForm sum;
-    for (const Expression& operand : e.operands()) {
-      const OptionalForm& form = Read(operand);
-      if (!form) return std::nullopt;
-      for (const auto& [column, coefficient] : form->coefficients) sum.Add(column, coefficient);
-      sum.constant = sum.constant + form->constant;
-    }
-    return sum;
-  }
-
-  OptionalForm ReadProduct(const Expression& e) {
-    LinearForm product{.constant = 1};
-    for (const Expression& operand : e.operands()) {
-      const OptionalForm& form = Read(operand);
-      if (!form || (!form->IsConstant() && !product.IsConstant())) return std::nullopt;
-      product = form->IsConstant() ? form->constant * product : product.constant * *form;
-    }
-    return product;
-  }
-
-  OptionalForm ReadQuotient(const Expression& e) {
-    const OptionalForm divisor = Read(e.operands()[1]);
-    if (!divisor || !divisor->IsConstant() || divisor->constant.IsZero()) return std::nullopt;
-    const OptionalForm& dividend = Read(e.operands()[0]);
-    if (!dividend) return std::nullopt;
-    return Rational(1) / divisor->constant * *dividend;
-  }
-
-  std::unordered_map<int, OptionalForm> known_;  // indexed by an expression's index
-};
-
-}  // namespace
-
 bool IsNumber(const Interval& coefficient) {
   return coefficient.low == coefficient.high && std::isfinite(coefficient.low);
 }

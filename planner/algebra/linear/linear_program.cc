@@ -56,14 +56,15 @@ class Dictionary {
   }
 
   static void Replace(ColumnId column, const LinearForm& by, LinearForm& in) {
-    const Rational coefficient = in.CoefficientOf(column);
+    const numeric::Rational coefficient = in.CoefficientOf(column);
     if (!coefficient.IsZero()) in = in.Without(column) + coefficient * by;
   }
 
   void Pivot(ColumnId leaving, ColumnId entering) {
     const LinearForm row = basic_.extract(leaving).mapped();
-    const Rational pivot = row.CoefficientOf(entering);
-    const LinearForm solved = (Rational(1) / pivot) * (FormOf(leaving) - row.Without(entering));
+    const numeric::Rational pivot = row.CoefficientOf(entering);
+    const LinearForm solved =
+        (numeric::Rational(1) / pivot) * (FormOf(leaving) - row.Without(entering));
     for (auto& [slack, form] : basic_) Replace(entering, solved, form);
     Replace(entering, solved, objective_);
     basic_.emplace(entering, solved);
@@ -92,11 +93,11 @@ class Dictionary {
   // Returns the basic slack that is the first to reach 0 as the entering slack grows.
   std::optional<ColumnId> Tightest(ColumnId entering) const {
     std::optional<ColumnId> tightest;
-    Rational least;
+    numeric::Rational least;
     for (const auto& [slack, form] : basic_) {
-      const Rational slope = form.CoefficientOf(entering);
+      const numeric::Rational slope = form.CoefficientOf(entering);
       if (slope.Sign() >= 0) continue;
-      const Rational room = form.constant / -slope;
+      const numeric::Rational room = form.constant / -slope;
       if (tightest && room >= least) continue;
       tightest = slack;
       least = room;

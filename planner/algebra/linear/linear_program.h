@@ -9,7 +9,7 @@ namespace assay::algebra {
 // The greatest value of a linear form.
 struct LinearOptimum {
   enum class Kind { kFinite, kUnbounded, kContradiction } kind = Kind::kContradiction;
-  Rational value = {};  // only for kFinite
+  numeric::Rational value = {};  // only for kFinite
 };
 
 // Maximizes `objective` over all points, with coordinates of any sign, at which each form of

@@ -3,9 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "planner/algebra/expression/evaluation.h"
+#include "planner/algebra/expression/nodes.h"
+#include "planner/algebra/forms/normalization.h"
+#include "planner/algebra/linear/atom_relations.h"
 #include "planner/algebra/linear/linear_part.h"
-#include "planner/algebra/numeric/interval_arithmetic.h"
+#include "planner/algebra/linear/linear_reader.h"
+#include "planner/algebra/operators/operator_rule.h"
 #include "planner/base/check.h"
+#include "planner/numeric/interval_arithmetic.h"
 
 namespace assay::algebra {
 namespace {
@@ -110,20 +116,25 @@ ColumnId LinearRelaxation::ColumnOf(const Factors& factors) {
 }
 
 void LinearRelaxation::TieToOperands(ColumnId column, const Expression& atom) {
-  const auto at_most = [&](const LinearForm& form, const Expression& bound) {
-    if (const auto upper = UpperForm(bound)) AddRow(form - *upper);
+  class Ties : public AtomRelations {
+   public:
+    Ties(LinearRelaxation& relaxation, LinearForm form)
+        : relaxation_(relaxation), form_(std::move(form)) {}
+    void IsAtMost(const Expression& bound) override { Add(form_, bound); }
+    void NegatedIsAtMost(const Expression& bound) override { Add(-form_, bound); }
+
+   private:
+    void Add(const LinearForm& form, const Expression& bound) {
+      if (const auto upper = relaxation_.UpperForm(bound)) relaxation_.AddRow(form - *upper);
+    }
+
+    LinearRelaxation& relaxation_;
+    LinearForm form_;
   };
-  const LinearForm form = FormOf(column);
-  if (atom.op() == Operator::kMin) {
-    for (const Expression& operand : atom.operands()) at_most(form, operand);
-  }
-  if (atom.op() == Operator::kMax) {
-    for (const Expression& operand : atom.operands()) at_most(-form, -operand);
-  }
-  if (atom.op() == Operator::kAbs) {
-    at_most(-form, atom.operands()[0]);
-    at_most(-form, -atom.operands()[0]);
-  }
+  const auto relate = atom.op().rule().relate;
+  if (relate == nullptr) return;
+  Ties ties(*this, FormOf(column));
+  relate(ties, atom);
 }
 
 void LinearRelaxation::TieToKept(ColumnId column, const Factors& factors) {
@@ -142,9 +153,9 @@ void LinearRelaxation::TieToKept(ColumnId column, const Factors& factors) {
 // K. Multiplies both sides by K, which reverses the inequality where K is negative.
 void LinearRelaxation::TieToKept(ColumnId column, const LeastOf& sup_of_rest, int side,
                                  ColumnId kept) {
-  const Rational sign(SignOf(RangeOf(kept)));
+  const numeric::Rational sign(SignOf(RangeOf(kept)));
   for (const LinearForm& form : sup_of_rest.Forms()) {
-    AddRow(sign * (Rational(side) * FormOf(column) - Times(kept, form)));
+    AddRow(sign * (numeric::Rational(side) * FormOf(column) - Times(kept, form)));
   }
 }
 
@@ -206,31 +217,14 @@ Interval LinearRelaxation::RangeOfProduct(const Factors& factors) {
 }
 
 Interval LinearRelaxation::RangeOfAtom(const Expression& atom) {
-  const auto operand = [&](int i) { return RangeOf(atom.operands()[i]); };
-  switch (atom.op()) {
-    case Operator::kVariable:
-      return RangeOfVariable(atom.variable());
-    case Operator::kPower:
-      return Power(operand(0), atom.exponent());
-    case Operator::kSin:
-      return Sin(operand(0));
-    case Operator::kCos:
-      return Cos(operand(0));
-    case Operator::kSqrt:
-      return Sqrt(operand(0));
-    case Operator::kAbs:
-      return Abs(operand(0));
-    case Operator::kMin:
-      return Min(operand(0), operand(1));
-    case Operator::kMax:
-      return Max(operand(0), operand(1));
-    case Operator::kConstant:
-    case Operator::kSum:  // a sum that was too long to be expanded
-    case Operator::kProduct:
-    case Operator::kQuotient:
-      return RangeAsItStands(atom);
-  }
-  return kWholeLine;
+  if (atom.op() == Operator::kVariable) return RangeOfVariable(atom.variable());
+  const OperatorRule& rule = atom.op().rule();
+  // A sum that was too long to be expanded is an atom, too.
+  const bool is_unexpanded = rule.expand != nullptr && atom.op() != Operator::kPower;
+  if (atom.IsConstant() || is_unexpanded) return RangeAsItStands(atom);
+  std::vector<Interval> operands;
+  for (const Expression& operand : atom.operands()) operands.push_back(RangeOf(operand));
+  return rule.range(operands, atom.exponent());
 }
 
 Interval LinearRelaxation::RangeAsItStands(const Expression& e) {

@@ -4,9 +4,9 @@
 #include <utility>
 
 #include "planner/algebra/linear/linear_program.h"
-#include "planner/algebra/numeric/interval_arithmetic.h"
 #include "planner/base/budget.h"
 #include "planner/base/check.h"
+#include "planner/numeric/interval_arithmetic.h"
 
 namespace assay::algebra {
 namespace {
@@ -24,9 +24,9 @@ struct SignedColumn {
 
 LeastOf SuppOfSigned(SignedColumn x, const LinearForm& y) {
   // Solves x <= b*x + rest for x.
-  const Rational b = Rational(x.sign) * y.CoefficientOf(x.column);
+  const numeric::Rational b = numeric::Rational(x.sign) * y.CoefficientOf(x.column);
   const LinearForm rest = y.Without(x.column);
-  if (b < 1) return LeastOf((Rational(1) / (Rational(1) - b)) * rest);
+  if (b < 1) return LeastOf((numeric::Rational(1) / (numeric::Rational(1) - b)) * rest);
   const bool is_false = b == 1 && rest.IsConstant() && rest.constant.Sign() < 0;
   return is_false ? LeastOf::Contradiction() : LeastOf();
 }
@@ -43,7 +43,7 @@ class Recursion {
   Recursion(const std::vector<LinearForm>& rows, int most_steps) : budget_(most_steps) {
     for (const LinearForm& row : rows) {
       for (const auto& [column, coefficient] : row.coefficients) {
-        const LinearForm rest = (Rational(-1) / Abs(coefficient)) * row.Without(column);
+        const LinearForm rest = (numeric::Rational(-1) / Abs(coefficient)) * row.Without(column);
         upper_[{column, coefficient.Sign()}].Add(rest);
       }
     }
@@ -61,7 +61,7 @@ class Recursion {
     if (bound.IsContradiction()) return bound;
     LeastOf sup;
     for (const LinearForm& b : bound.Forms()) {
-      const Rational r = j.CoefficientOf(v) + b.CoefficientOf(v);
+      const numeric::Rational r = j.CoefficientOf(v) + b.CoefficientOf(v);
       sup.Add(SupOfMultiple(r, v, b.Without(v), keep));
       if (Exhausted()) return {};
     }
@@ -77,7 +77,8 @@ class Recursion {
   }
 
   // Returns SUP of r*v + rest, where only v is not kept.
-  LeastOf SupOfMultiple(const Rational& r, ColumnId v, const LinearForm& rest, const Keep& keep) {
+  LeastOf SupOfMultiple(const numeric::Rational& r, ColumnId v, const LinearForm& rest,
+                        const Keep& keep) {
     if (r.IsZero()) return LeastOf(rest);
     const LeastOf& of_column = SupOfColumn({v, r.Sign()}, keep);
     if (of_column.IsContradiction()) return of_column;
@@ -196,7 +197,7 @@ LeastOf LinearSupInf::SupOfAlone(const LinearForm& j) const {
     const auto places = places_.find(column);
     if (places == places_.end()) return {};
     for (const std::size_t row : places->second) {
-      const Rational r = rows_[row].CoefficientOf(column);
+      const numeric::Rational r = rows_[row].CoefficientOf(column);
       if (r.Sign() != coefficient.Sign()) continue;
       ends.Add(LinearForm{.constant = -coefficient * rows_[row].constant / r});
     }

@@ -26,7 +26,8 @@ class LeastOf {
   std::vector<LinearForm> Forms() const;  // in a fixed order; all have different coefficients
 
  private:
-  std::map<std::map<ColumnId, Rational>, Rational> forms_;  // coefficients and least constant
+  std::map<std::map<ColumnId, numeric::Rational>, numeric::Rational>
+      forms_;  // coefficients and least constant
   bool is_contradiction_ = false;
 };
 

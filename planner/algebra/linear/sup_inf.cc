@@ -4,9 +4,11 @@
 #include <cmath>
 #include <optional>
 
+#include "planner/algebra/expression/evaluation.h"
 #include "planner/algebra/linear/linear_part.h"
 #include "planner/algebra/linear/linear_relaxation.h"
-#include "planner/algebra/numeric/interval_arithmetic.h"
+#include "planner/algebra/operators/operator_rule.h"
+#include "planner/numeric/interval_arithmetic.h"
 
 namespace assay::algebra {
 namespace {
@@ -25,18 +27,15 @@ class Answer {
       return side == Side::kSup ? range.high : range.low;
     }
     if (relaxation_.IsKept(j)) return j;
-    if (j.op() != Operator::kMin && j.op() != Operator::kMax) return Symbolic(j, side);
-    return Choose(j.op(), Of(j.operands()[0], side), Of(j.operands()[1], side));
+    if (!j.op().rule().passes_bounds_through) return Symbolic(j, side);
+    std::vector<Expression> bounds;
+    for (const Expression& operand : j.operands()) bounds.push_back(Of(operand, side));
+    return Apply(j.op(), bounds);
   }
 
  private:
-  static Expression Choose(Operator op, const Expression& a, const Expression& b) {
-    return op == Operator::kMin ? Min(a, b) : Max(a, b);
-  }
-
   // INF(J) is -SUP(-J), the greatest of the negated forms.
   Expression Symbolic(const Expression& j, Side side) {
-    const Operator choice = side == Side::kSup ? Operator::kMin : Operator::kMax;
     const double none = side == Side::kSup ? kInfinity : -kInfinity;
     const LeastOf sup = relaxation_.Sup(side == Side::kSup ? j : -j);
     if (sup.IsContradiction()) return -none;
@@ -44,7 +43,11 @@ class Answer {
     for (const LinearForm& form : WithoutIdleNumber(sup)) {
       const std::optional<Expression> bound = Rounded(side == Side::kSup ? form : -form, side);
       if (!bound) continue;
-      answer = answer ? Choose(choice, *answer, *bound) : *bound;
+      if (!answer) {
+        answer = *bound;
+      } else {
+        answer = side == Side::kSup ? Min(*answer, *bound) : Max(*answer, *bound);
+      }
     }
     return answer.value_or(none);
   }
@@ -80,7 +83,7 @@ class Answer {
         const Interval& range = relaxation_.RangeOf(column);
         const double greatest = std::max(std::abs(range.low), std::abs(range.high));
         if (!std::isfinite(greatest)) return std::nullopt;
-        const Rational error = Abs(coefficient - coefficient.Nearest()) * greatest;
+        const numeric::Rational error = Abs(coefficient - coefficient.Nearest()) * greatest;
         slack.constant = slack.constant + (side == Side::kSup ? error : -error);
         sum = sum + coefficient.Nearest() * product;
       }

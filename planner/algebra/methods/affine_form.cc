@@ -3,8 +3,10 @@
 #include <cmath>
 
 #include "planner/algebra/bounds/probe.h"
+#include "planner/algebra/expression/nodes.h"
+#include "planner/algebra/forms/compiler.h"
 #include "planner/algebra/methods/glance.h"
-#include "planner/algebra/numeric/interval_arithmetic.h"
+#include "planner/numeric/interval_arithmetic.h"
 
 namespace assay::algebra {
 namespace {

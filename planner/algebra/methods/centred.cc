@@ -5,8 +5,8 @@
 #include <optional>
 
 #include "planner/algebra/bounds/ascent.h"
-#include "planner/algebra/numeric/interval_arithmetic.h"
-#include "planner/algebra/numeric/positive_definite.h"
+#include "planner/numeric/interval_arithmetic.h"
+#include "planner/numeric/positive_definite.h"
 
 namespace assay::algebra {
 namespace {
@@ -83,7 +83,7 @@ double TangentUpperBound(Probe& probe, std::span<const Interval> box, std::span<
 }
 
 bool IsConcave(Probe& probe, std::span<const int> variables) {
-  SymmetricMatrix centre, deviation;
+  numeric::SymmetricMatrix centre, deviation;
   centre.Reset(static_cast<int>(variables.size()));
   deviation.Reset(centre.size());
   for (int i = 0; i < centre.size(); ++i) {

@@ -3,9 +3,12 @@
 #include <algorithm>
 
 #include "planner/algebra/bounds/ascent.h"
+#include "planner/algebra/expression/evaluation.h"
+#include "planner/algebra/expression/nodes.h"
+#include "planner/algebra/forms/compiler.h"
 #include "planner/algebra/methods/centred.h"
 #include "planner/algebra/methods/monotone.h"
-#include "planner/algebra/numeric/interval_arithmetic.h"
+#include "planner/numeric/interval_arithmetic.h"
 
 namespace assay::algebra {
 namespace {

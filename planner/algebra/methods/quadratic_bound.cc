@@ -11,7 +11,7 @@ constexpr int kSweeps = 4;
 
 }  // namespace
 
-void QuadraticBound::SetCurvature(const SymmetricMatrix& curvature, double error,
+void QuadraticBound::SetCurvature(const numeric::SymmetricMatrix& curvature, double error,
                                   std::span<const double> widths) {
   const int n = curvature.size();
   widths_.assign(widths.begin(), widths.end());

@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "planner/algebra/numeric/positive_definite.h"
+#include "planner/numeric/positive_definite.h"
 
 namespace assay::algebra {
 
@@ -15,7 +15,8 @@ class QuadraticBound {
   // Sets the box and the upper bound of the matrices. `widths` are the widths of the box. No matrix
   // is greater than `curvature` in the order of definiteness. Each entry of `curvature` may be off
   // by up to `error`.
-  void SetCurvature(const SymmetricMatrix& curvature, double error, std::span<const double> widths);
+  void SetCurvature(const numeric::SymmetricMatrix& curvature, double error,
+                    std::span<const double> widths);
 
   // Returns true if all of the matrices are negative definite.
   bool IsConcave() const { return shift_ == 0; }
@@ -30,7 +31,7 @@ class QuadraticBound {
   double Slope(int i) const;
 
   // These matrices are in units of the box's widths. matrix_ is the negated curvature.
-  SymmetricMatrix matrix_, shifted_, deviation_;
+  numeric::SymmetricMatrix matrix_, shifted_, deviation_;
   double shift_ = 0;  // added to the diagonal, it makes matrix_ positive definite
   std::vector<double> widths_, slopes_, place_;
 };

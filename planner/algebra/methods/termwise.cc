@@ -1,18 +1,21 @@
 #include "planner/algebra/methods/termwise.h"
 
+#include "planner/algebra/expression/evaluation.h"
 #include "planner/algebra/expression/index_map.h"
-#include "planner/algebra/numeric/interval_arithmetic.h"
+#include "planner/algebra/operators/operator_rule.h"
+#include "planner/numeric/interval_arithmetic.h"
 
 namespace assay::algebra {
 namespace {
 
-// The common atoms, a variable and its sine or cosine, are evaluated directly for speed.
+// The common atoms, a variable and a function of one variable, are evaluated directly for speed.
 Interval RangeOfAtom(const Expression& atom, std::span<const Interval> box) {
   if (atom.op() == Operator::kVariable) return box[atom.variable().index()];
-  const bool is_wave = atom.op() == Operator::kSin || atom.op() == Operator::kCos;
-  if (!is_wave || atom.operands()[0].op() != Operator::kVariable) return Evaluate(atom, box);
-  const Interval& angle = box[atom.operands()[0].variable().index()];
-  return atom.op() == Operator::kSin ? Sin(angle) : Cos(angle);
+  if (atom.operands().size() != 1 || atom.operands()[0].op() != Operator::kVariable) {
+    return Evaluate(atom, box);
+  }
+  const Interval& x = box[atom.operands()[0].variable().index()];
+  return atom.op().rule().range({&x, 1}, atom.exponent());
 }
 
 }  // namespace

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "planner/algebra/multiaffine/multiaffine_point.h"
-#include "planner/algebra/numeric/positive_definite.h"
+#include "planner/numeric/positive_definite.h"
 
 namespace assay::algebra {
 
@@ -42,8 +42,8 @@ class MultiaffineAscent {
   std::vector<int> movable_;   // angles whose slopes do not hold them at an end
   std::vector<double> slope_;  // the slopes of the movable angles
   std::vector<double> step_;
-  SymmetricMatrix curvature_;  // the negated second derivatives
-  SymmetricMatrix damped_;
+  numeric::SymmetricMatrix curvature_;  // the negated second derivatives
+  numeric::SymmetricMatrix damped_;
 };
 
 }  // namespace assay::algebra

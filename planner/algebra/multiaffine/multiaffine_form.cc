@@ -5,7 +5,7 @@
 #include <map>
 #include <utility>
 
-#include "planner/algebra/numeric/interval_arithmetic.h"
+#include "planner/numeric/interval_arithmetic.h"
 
 namespace assay::algebra {
 namespace {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "planner/algebra/numeric/nearest_interval.h"
+#include "planner/numeric/nearest_interval.h"
 
 namespace assay::algebra {
 
@@ -25,7 +25,7 @@ struct Sector {
 };
 Sector AngleBetween(double low, double high);
 
-NearestInterval Cosines(const Sector& angle);
-NearestInterval Sines(const Sector& angle);
+numeric::NearestInterval Cosines(const Sector& angle);
+numeric::NearestInterval Sines(const Sector& angle);
 
 }  // namespace assay::algebra

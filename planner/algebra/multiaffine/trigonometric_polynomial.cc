@@ -82,7 +82,7 @@ class ExponentialSum {
 };
 
 Sector SumOfTurns(const std::array<signed char, TrigonometricPolynomial::kMostAngles>& turns,
-                  double phase, std::span<const NearestInterval> box) {
+                  double phase, std::span<const numeric::NearestInterval> box) {
   double low = phase;
   double high = phase;
   for (std::size_t i = 0; i < box.size(); ++i) {
@@ -126,7 +126,7 @@ bool TrigonometricPolynomial::Assign(const NestedForm& form, std::span<const int
 }
 
 void WaveEvaluation::Enter(const TrigonometricPolynomial& sum,
-                           std::span<const NearestInterval> box) {
+                           std::span<const numeric::NearestInterval> box) {
   const int n = sum.angle_count_;
   range_ = sum.constant_;
   greatest_curvature_.Reset(n);
@@ -135,8 +135,8 @@ void WaveEvaluation::Enter(const TrigonometricPolynomial& sum,
   for (const TrigonometricPolynomial::Wave& wave : sum.waves_) {
     const Sector sector =
         SumOfTurns(wave.turns, wave.phase, box.first(static_cast<std::size_t>(n)));
-    const NearestInterval value = wave.amplitude * Cosines(sector);
-    const NearestInterval slope = -wave.amplitude * Sines(sector);
+    const numeric::NearestInterval value = wave.amplitude * Cosines(sector);
+    const numeric::NearestInterval slope = -wave.amplitude * Sines(sector);
     range_ += value;
     for (int i = 0; i < n; ++i) {
       const signed char turn = wave.turns[static_cast<std::size_t>(i)];

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "planner/algebra/forms/nested_form.h"
-#include "planner/algebra/numeric/nearest_interval.h"
-#include "planner/algebra/numeric/positive_definite.h"
+#include "planner/numeric/nearest_interval.h"
+#include "planner/numeric/positive_definite.h"
 
 namespace assay::algebra {
 
@@ -47,20 +47,20 @@ class TrigonometricPolynomial {
 // rounded to nearest.
 class WaveEvaluation {
  public:
-  void Enter(const TrigonometricPolynomial& sum, std::span<const NearestInterval> box);
+  void Enter(const TrigonometricPolynomial& sum, std::span<const numeric::NearestInterval> box);
 
-  const NearestInterval& range() const { return range_; }
-  const NearestInterval& Slope(int angle) const { return slopes_[angle]; }
+  const numeric::NearestInterval& range() const { return range_; }
+  const numeric::NearestInterval& Slope(int angle) const { return slopes_[angle]; }
   double LeastCurvature(int angle) const { return least_curvature_[angle]; }
   // An upper bound of the matrices of second derivatives in the box: its difference from any of
   // them is positive semidefinite. The matrix of one term is -amplitude * cosine * turns turns^T.
-  const SymmetricMatrix& greatest_curvature() const { return greatest_curvature_; }
+  const numeric::SymmetricMatrix& greatest_curvature() const { return greatest_curvature_; }
 
  private:
-  NearestInterval range_;
-  std::array<NearestInterval, TrigonometricPolynomial::kMostAngles> slopes_;
+  numeric::NearestInterval range_;
+  std::array<numeric::NearestInterval, TrigonometricPolynomial::kMostAngles> slopes_;
   std::array<double, TrigonometricPolynomial::kMostAngles> least_curvature_ = {};
-  SymmetricMatrix greatest_curvature_;
+  numeric::SymmetricMatrix greatest_curvature_;
 };
 
 }  // namespace assay::algebra

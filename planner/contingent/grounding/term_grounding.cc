@@ -4,9 +4,9 @@
 
 #include <utility>
 
-#include "planner/algebra/numeric/interval_arithmetic.h"
 #include "planner/base/document/input_error.h"
 #include "planner/contingent/language/decimal.h"
+#include "planner/numeric/interval_arithmetic.h"
 
 namespace assay::contingent {
 namespace {
@@ -99,7 +99,7 @@ GroundSum TermGrounding::SumOf(const Term& term, const Bindings& bindings) {
     sum = SumOf(term.arguments[0], bindings);
     const GroundSum right = SumOf(term.arguments[1], bindings);
     const Interval& added = right.constant;
-    sum.constant = EnclosingSum(sum.constant, is_sum ? added : algebra::operator-(added));
+    sum.constant = EnclosingSum(sum.constant, is_sum ? added : -(added));
     for (const auto& [function, sign] : right.functions) {
       sum.functions.emplace_back(function, is_sum ? sign : -sign);
     }

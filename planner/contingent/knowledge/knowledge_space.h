@@ -85,7 +85,7 @@ class KnowledgeSpace {
   KnowledgeBase knowledge_;
   Budget& budget_;
   std::deque<KnowledgeState> states_;
-  algebra::InternTable ids_;
+  InternTable ids_;
   std::unordered_map<StateId, Expansion> expansions_;
   const bool asks_for_ignorance_;
   std::string doubt_;  // the latest doubt, empty if there is none

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "planner/algebra/numeric/interval_arithmetic.h"
 #include "planner/contingent/language/decimal.h"
+#include "planner/numeric/interval_arithmetic.h"
 
 namespace assay::contingent {
 namespace {
@@ -54,7 +54,7 @@ Range NumberKnowledge::SumOf(const GroundSum& sum, const KnowledgeState& state) 
   for (const auto& [function, sign] : sum.functions) {
     const Range& range = RangeOf(function, state);
     const Interval interval{range.low, range.high};
-    total = EnclosingSum(total, sign > 0 ? interval : algebra::operator-(interval));
+    total = EnclosingSum(total, sign > 0 ? interval : -(interval));
     result.excludes_low |= sign > 0 ? range.excludes_low : range.excludes_high;
     result.excludes_high |= sign > 0 ? range.excludes_high : range.excludes_low;
     result.is_outer |= range.is_outer;
@@ -66,7 +66,7 @@ Range NumberKnowledge::SumOf(const GroundSum& sum, const KnowledgeState& state) 
 
 void NumberKnowledge::Forget(KnowledgeState& state, FunctionId function) const {
   layout_.SetSensed(state, function, false);
-  MutableRangeOf(function, state) = {.low = -algebra::kInfinity, .high = algebra::kInfinity};
+  MutableRangeOf(function, state) = {.low = -kInfinity, .high = kInfinity};
 }
 
 void NumberKnowledge::Unsettle(KnowledgeState& state, FunctionId function,

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "planner/algebra/numeric/interval_arithmetic.h"
 #include "planner/contingent/language/decimal.h"
+#include "planner/numeric/interval_arithmetic.h"
 
 namespace assay::contingent {
 namespace {
@@ -74,7 +74,7 @@ void NumberMarks::Use(const GroundTask& task, const GroundChange& change) {
   const bool is_forgotten = change.kind == GroundChange::Kind::kForgetNumber;
   if (!is_forgotten && change.kind != GroundChange::Kind::kAssign) return;
   Assignment assignment{.to = task.functions[change.function.index()].slot,
-                        .added = is_forgotten ? algebra::kWholeLine : change.sum.constant,
+                        .added = is_forgotten ? kWholeLine : change.sum.constant,
                         .from = {}};
   for (const auto& [function, sign] : change.sum.functions) {
     assignment.from.emplace_back(task.functions[function.index()].slot, sign);
@@ -93,7 +93,7 @@ void NumberMarks::Use(const GroundTask& task, const Bound& bound) {
 Interval NumberMarks::ReachOf(const Assignment& assignment) const {
   Interval sum = assignment.added;
   for (const auto& [slot, sign] : assignment.from) {
-    sum = EnclosingSum(sum, sign > 0 ? reach_[slot] : algebra::operator-(reach_[slot]));
+    sum = EnclosingSum(sum, sign > 0 ? reach_[slot] : -(reach_[slot]));
   }
   return sum;
 }
@@ -106,12 +106,12 @@ void NumberMarks::FindReach() {
     has_grown = false;
     for (const Assignment& assignment : assignments_) {
       Interval& reach = reach_[assignment.to];
-      const Interval sum = algebra::Hull(reach, ReachOf(assignment));
+      const Interval sum = Hull(reach, ReachOf(assignment));
       if (sum == reach) continue;
       has_grown = true;
       const bool is_for_ever = round > reach_.size();
-      if (sum.low < reach.low) reach.low = is_for_ever ? -algebra::kInfinity : sum.low;
-      if (sum.high > reach.high) reach.high = is_for_ever ? algebra::kInfinity : sum.high;
+      if (sum.low < reach.low) reach.low = is_for_ever ? -kInfinity : sum.low;
+      if (sum.high > reach.high) reach.high = is_for_ever ? kInfinity : sum.high;
     }
   }
 }

@@ -8,10 +8,10 @@ namespace {
 std::uint64_t HashOfNode(const PlanNode& node) {
   std::uint64_t hash = static_cast<std::uint64_t>(node.kind);
   for (const int index : {node.action.index(), node.formula.index(), node.function.index()}) {
-    hash = algebra::MixedHash(hash, static_cast<std::uint64_t>(index));
+    hash = MixedHash(hash, static_cast<std::uint64_t>(index));
   }
   for (const NodeId child : node.children) {
-    hash = algebra::MixedHash(hash, static_cast<std::uint64_t>(child.index()));
+    hash = MixedHash(hash, static_cast<std::uint64_t>(child.index()));
   }
   return hash;
 }

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "planner/algebra/expression/intern_table.h"
+#include "planner/base/intern_table.h"
 #include "planner/contingent/tree/plan_tree.h"
 
 namespace assay::contingent {
@@ -18,7 +18,7 @@ class NodeTable {
 
  private:
   std::vector<PlanNode> nodes_;
-  algebra::InternTable ids_;
+  InternTable ids_;
 };
 
 }  // namespace assay::contingent

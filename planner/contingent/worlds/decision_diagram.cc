@@ -11,7 +11,7 @@ namespace {
 constexpr std::size_t kComputedPlaces = 1U << 17U;
 
 std::uint64_t Hash(std::uint64_t a, std::uint64_t b, std::uint64_t c) {
-  return algebra::MixedHash(algebra::MixedHash(algebra::MixedHash(1, a), b), c);
+  return MixedHash(MixedHash(MixedHash(1, a), b), c);
 }
 
 bool ByVariable(const Assignment& a, const Assignment& b) {

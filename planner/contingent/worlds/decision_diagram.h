@@ -6,7 +6,7 @@
 #include <unordered_set>
 #include <vector>
 
-#include "planner/algebra/expression/intern_table.h"
+#include "planner/base/intern_table.h"
 
 namespace assay::contingent {
 
@@ -81,7 +81,7 @@ class DecisionDiagrams {
                       std::unordered_map<Diagram, Diagram>& done);
 
   std::vector<Node> nodes_;
-  algebra::InternTable unique_;
+  InternTable unique_;
   // A cache of IfThenElse. Each place holds the last result that was stored there.
   std::vector<Computed> computed_;
   std::unordered_map<Diagram, std::vector<Assignment>> essential_;

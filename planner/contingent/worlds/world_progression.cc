@@ -5,15 +5,15 @@
 #include <set>
 #include <utility>
 
-#include "planner/algebra/numeric/interval_arithmetic.h"
 #include "planner/contingent/language/decimal.h"
 #include "planner/contingent/language/two_values.h"
+#include "planner/numeric/interval_arithmetic.h"
 
 namespace assay::contingent {
 namespace {
 
 // A placeholder for a forgotten number, before it is replaced by every possible number.
-constexpr Number kForgotten = {.value = algebra::kInfinity};
+constexpr Number kForgotten = {.value = kInfinity};
 
 bool Compare(const Number& number, Relation relation, double value) {
   const Number with{value};
@@ -350,7 +350,7 @@ void WorldProgression::OpenForgotten(int slot, Worlds& worlds) const {
   if (forgotten == worlds.end()) return;
   const std::set<World> different(forgotten, worlds.end());
   worlds.erase(forgotten, worlds.end());
-  for (const Number& value : marks_.In({-algebra::kInfinity, algebra::kInfinity}, slot)) {
+  for (const Number& value : marks_.In({-kInfinity, kInfinity}, slot)) {
     for (const World& world : different) {
       worlds.push_back(world);
       worlds.back().numbers[slot] = value;

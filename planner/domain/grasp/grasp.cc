@@ -11,8 +11,8 @@
 
 #include "planner/base/check.h"
 #include "planner/domain/grasp/hand_clearance.h"
-#include "planner/domain/grasp/planar_region.h"
 #include "planner/domain/part/exposed_faces.h"
+#include "planner/geometry/planar_region.h"
 
 namespace assay::domain {
 namespace {
@@ -33,16 +33,16 @@ struct FacePair {
   FaceId second;
   double width = 0;   // metres between them
   Pose X_PartMiddle;  // frame midway; z is the outward normal of the first, x and y are its x and y
-  Patches region;     // points that are on both faces, seen along z
+  geometry::Patches region;  // points that are on both faces, seen along z
 };
 
 // Returns the surface of a face that pads may touch. Walls of holes are left out: holes are for
 // other parts, so a hand does not reach into them.
-Patches Graspable(const PartModel& part, FaceId id) {
-  Patches patches = part.faces()[id.index()].patches;
+geometry::Patches Graspable(const PartModel& part, FaceId id) {
+  geometry::Patches patches = part.faces()[id.index()].patches;
   for (const Feature& feature : part.features()) {
     for (const Wall& wall : feature.walls) {
-      if (wall.face == id) patches = Without(patches, wall.outline);
+      if (wall.face == id) patches = geometry::Without(patches, wall.outline);
     }
   }
   return patches;
@@ -55,7 +55,7 @@ std::optional<FacePair> PairUp(std::span<const Face> faces, FaceId a, FaceId b, 
   const Pose X_FirstSecond = first.X_PartFace.inverse() * second.X_PartFace;
   const double width = -X_FirstSecond.translation().z();
   if (width <= kEqual || width > widest + kEqual) return std::nullopt;
-  Patches seen;
+  geometry::Patches seen;
   for (const Polygon& patch : second.patches) {
     std::vector<Vector2> corners;
     for (const Vector2& p : patch) {
@@ -63,7 +63,7 @@ std::optional<FacePair> PairUp(std::span<const Face> faces, FaceId a, FaceId b, 
     }
     seen.push_back(geometry::Hull2(corners));
   }
-  Patches region = Common(first.patches, seen);
+  geometry::Patches region = geometry::Common(first.patches, seen);
   if (region.empty()) return std::nullopt;
   const Pose X_PartMiddle = first.X_PartFace * geometry::Translation(0, 0, -width / 2);
   return FacePair{a, b, width, X_PartMiddle, std::move(region)};
@@ -92,8 +92,9 @@ struct Spot {
 // The region of a pair of faces on which pads can be: a convex outline without convex gaps.
 class PadRegion {
  public:
-  explicit PadRegion(const Patches& region) : outline_(Hull(region)), gaps_({outline_}) {
-    for (const Polygon& patch : region) gaps_ = Without(gaps_, patch);
+  explicit PadRegion(const geometry::Patches& region)
+      : outline_(geometry::Hull(region)), gaps_({outline_}) {
+    for (const Polygon& patch : region) gaps_ = geometry::Without(gaps_, patch);
   }
 
   // Returns a lower bound on a point's distance from the border of the region; negative outside.
@@ -143,7 +144,7 @@ class PadRegion {
   }
 
   Polygon outline_;
-  Patches gaps_;
+  geometry::Patches gaps_;
 };
 
 // Returns the positions inside the region on a grid through the region's centroid, and the position
@@ -156,7 +157,7 @@ std::vector<Spot> SpotsOf(const FacePair& pair, const PadRegion& room, const Vec
     spots.push_back({p, (p - mass_center).norm(), clearance});
   };
   add(mass_center);
-  const Vector2 origin = Centroid(pair.region);
+  const Vector2 origin = geometry::Centroid(pair.region);
   const Eigen::AlignedBox2d bounds = room.Bounds();
   const Vector2 below = ((bounds.min() - origin) / kGridStep).array().ceil();
   const Vector2 above = ((bounds.max() - origin) / kGridStep).array().floor();

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "planner/domain/grasp/box_shadow.h"
+#include "planner/geometry/box_shadow.h"
 
 namespace assay::domain {
 
@@ -37,7 +37,7 @@ void HandClearance::Add(const std::vector<Box>& gripper_boxes, Moment moment, do
     const Vector3 high = bounds.max().array() - allowance;
     if ((low.array() >= high.array()).any()) continue;
     for (const Box& part_box : part_boxes_) {
-      geometry::Polygon shadow = ShadowBetween(part_box, low.y(), high.y());
+      geometry::Polygon shadow = geometry::ShadowBetween(part_box, low.y(), high.y());
       if (shadow.size() < 3) continue;
       encounters_.push_back({moment, {low.x(), low.z()}, {high.x(), high.z()}, std::move(shadow)});
     }

@@ -6,8 +6,8 @@
 #include <limits>
 
 #include "planner/base/check.h"
-#include "planner/domain/grasp/box_shadow.h"
-#include "planner/domain/grasp/planar_region.h"
+#include "planner/geometry/box_shadow.h"
+#include "planner/geometry/planar_region.h"
 
 namespace assay::domain {
 namespace {
@@ -29,7 +29,7 @@ bool InPlane(const Face& face, const Vector3& normal, double offset) {
 }
 
 Polygon CrossSection(const Box& box, const Face& face, double height) {
-  return ShadowBetween(box.Transformed(face.X_PartFace.inverse()), height, height);
+  return geometry::ShadowBetween(box.Transformed(face.X_PartFace.inverse()), height, height);
 }
 
 Face EmptyFace(const Side& side) {
@@ -74,19 +74,19 @@ double Breadth(const Polygon& polygon) {
 }
 
 // Returns the union of the sides without the areas that boxes cover.
-Patches Exposed(const Plane& plane, std::span<const Box> boxes) {
+geometry::Patches Exposed(const Plane& plane, std::span<const Box> boxes) {
   std::vector<Polygon> covers;
   for (const Box& box : boxes) {
     Polygon cover = CrossSection(box, plane.face, kProbe);
     if (cover.size() >= 3) covers.push_back(std::move(cover));
   }
-  Patches exposed;
+  geometry::Patches exposed;
   for (const Polygon& side : plane.sides) {
-    Patches fresh = {side};
-    for (const Polygon& cover : covers) fresh = Without(fresh, cover);
+    geometry::Patches fresh = {side};
+    for (const Polygon& cover : covers) fresh = geometry::Without(fresh, cover);
     for (const Polygon& earlier : plane.sides) {
       if (&earlier == &side) break;
-      fresh = Without(fresh, earlier);
+      fresh = geometry::Without(fresh, earlier);
     }
     const auto is_broad = [](const Polygon& patch) { return Breadth(patch) > kNarrowest; };
     std::ranges::copy_if(fresh, std::back_inserter(exposed), is_broad);
@@ -149,8 +149,8 @@ Polygon OnFace(const Face& face, std::span<const Vector3> points) {
 
 bool IsOpen(const Face& face, const Polygon& outline, std::span<const Box> boxes) {
   return std::ranges::none_of(boxes, [&](const Box& box) {
-    return Meets({outline}, CrossSection(box, face, kProbe)) ||
-           Meets({outline}, CrossSection(box, face, -kProbe));
+    return geometry::Meets({outline}, CrossSection(box, face, kProbe)) ||
+           geometry::Meets({outline}, CrossSection(box, face, -kProbe));
   });
 }
 

@@ -8,10 +8,10 @@
 #include <span>
 
 #include "planner/base/check.h"
-#include "planner/domain/grasp/planar_region.h"
 #include "planner/domain/part/compute_stable_poses.h"
 #include "planner/domain/part/exposed_faces.h"
 #include "planner/domain/problem/name.h"
+#include "planner/geometry/planar_region.h"
 
 namespace assay::domain {
 namespace {
@@ -95,11 +95,11 @@ FaceId ExposedFaceOf(const PartModel& model, const Side& side) {
   const FaceId id = FindFace(model.faces(), side.normal, side.offset);
   if (id.IsNone()) return id;
   const Face& face = model.faces()[id.index()];
-  return Meets(face.patches, OnFace(face, side.corners)) ? id : FaceId::None();
+  return geometry::Meets(face.patches, OnFace(face, side.corners)) ? id : FaceId::None();
 }
 
 Vector3 CentroidOf(const Face& face) {
-  const Vector2 center = Centroid(face.patches);
+  const Vector2 center = geometry::Centroid(face.patches);
   return face.X_PartFace * Vector3(center.x(), center.y(), 0);
 }
 

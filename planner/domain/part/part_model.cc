@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "planner/domain/grasp/planar_region.h"
+#include "planner/geometry/planar_region.h"
 
 namespace assay::domain {
 namespace {
@@ -27,7 +27,7 @@ const Feature* PartModel::FindFeature(FeatureNumber number) const {
 
 std::vector<FeatureNumber> PartModel::FeaturesUnder(FaceId face,
                                                     const geometry::Polygon& region) const {
-  const bool touched = Meets(faces_[face.index()].patches, region);
+  const bool touched = geometry::Meets(faces_[face.index()].patches, region);
   std::vector<FeatureNumber> numbers;
   for (const Feature& feature : features_) {
     const bool has_face = std::ranges::find(feature.faces, face) != feature.faces.end();

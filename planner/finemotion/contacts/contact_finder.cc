@@ -276,7 +276,7 @@ class Linearizer {
     }
     AddNearest(contact, [&](Index which) {
       const Vector3 outward = with_face.Turned(region.sides[which].outward);
-      SmallVector row = Row(with_vertex.part.sign * outward, contact.at);
+      numeric::SmallVector row = Row(with_vertex.part.sign * outward, contact.at);
       Tolerances(row) = Along(vertex.shift, with_vertex.TurnedBack(outward)) - region.shifts[which];
       return row;
     });
@@ -450,7 +450,7 @@ class Linearizer {
     AddNearest(contact, [&](Index which) {
       const Edge& edge = which < 2 ? edge_a : edge_b;
       const double sign = which % 2 == 0 ? -1 : 1;
-      SmallVector row = EdgeRow(sign * slides[which / 2], contact.at, edge_a, edge_b);
+      numeric::SmallVector row = EdgeRow(sign * slides[which / 2], contact.at, edge_a, edge_b);
       Tolerances(row) -= sign * edge.end_shifts[which % 2];
       return row;
     });
@@ -458,9 +458,9 @@ class Linearizer {
 
   // Returns the row for a motion of the moving edge's line against the stationary one's, measured
   // along `direction`.
-  SmallVector EdgeRow(const Vector3& direction, const Vector3& r, const Edge& moving,
-                      const Edge& stationary) const {
-    SmallVector row = Row(direction, r);
+  numeric::SmallVector EdgeRow(const Vector3& direction, const Vector3& r, const Edge& moving,
+                               const Edge& stationary) const {
+    numeric::SmallVector row = Row(direction, r);
     Tolerances(row) =
         Along(moving.shift, moving_.TurnedBack(direction)) - Along(stationary.shift, direction);
     return row;
@@ -471,15 +471,15 @@ class Linearizer {
   }
 
   // Returns the row direction . (d + w x r), with zeros for the tolerances.
-  SmallVector Row(const Vector3& direction, const Vector3& r) const {
-    SmallVector row(dimensions_);
+  numeric::SmallVector Row(const Vector3& direction, const Vector3& r) const {
+    numeric::SmallVector row(dimensions_);
     row.head<3>() = direction;
     row.segment<3>(3) = r.cross(direction);
     Tolerances(row).setZero();
     return row;
   }
 
-  Eigen::Ref<Eigen::VectorXd> Tolerances(SmallVector& row) const {
+  Eigen::Ref<Eigen::VectorXd> Tolerances(numeric::SmallVector& row) const {
     return row.tail(dimensions_ - kPoseDimensions);
   }
 

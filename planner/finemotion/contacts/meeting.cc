@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "planner/base/check.h"
-#include "planner/finemotion/graph/nearest_point.h"
 #include "planner/finemotion/graph/projection_image.h"
+#include "planner/geometry/nearest_point.h"
 
 namespace assay::finemotion {
 
@@ -105,14 +105,14 @@ Meeting Meet(const ForwardProjection& projection, const PrimitiveContact& contac
   ProjectionImage image(projection, contact);
   image.ForgetZeros();
   const double margin = WithPoints(image, [&]<int K>(const ImagePoints<K>& points) {
-    return NearestPoint<K, 1, ImagePoints<K>>(points, tolerance).Distance();
+    return geometry::NearestPoint<K, 1, ImagePoints<K>>(points, tolerance).Distance();
   });
   return {.meets = margin == 0, .margin = margin};
 }
 
 bool Meets(const ProjectionImage& image, double tolerance) {
   return WithPoints(image, [&]<int K>(const ImagePoints<K>& points) {
-    return !NearestPoint<K, 1, ImagePoints<K>>(points, tolerance).IsApart();
+    return !geometry::NearestPoint<K, 1, ImagePoints<K>>(points, tolerance).IsApart();
   });
 }
 

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "planner/finemotion/contacts/generalized_point.h"
 #include "planner/finemotion/contacts/polyhedron.h"
-#include "planner/finemotion/numeric/generalized_point.h"
-#include "planner/finemotion/numeric/small_vector.h"
+#include "planner/numeric/small_vector.h"
 
 namespace assay::finemotion {
 
@@ -29,7 +29,7 @@ struct ModelTolerance {
 
 // The half-space of points z with a . z <= b.
 struct HalfSpace {
-  SmallVector a;
+  numeric::SmallVector a;
   double b = 0;
 
   double Excess(const GeneralizedPoint& z) const { return a.dot(z) - b; }
@@ -44,8 +44,8 @@ struct PrimitiveContact {
   ContactKind kind = ContactKind::kVertexFace;
   int moving = 0;  // index of the feature in its polyhedron
   int stationary = 0;
-  SmallVector row;    // gap = offset + row . z
-  double offset = 0;  // the gap at the critical point, metres
+  numeric::SmallVector row;  // gap = offset + row . z
+  double offset = 0;         // the gap at the critical point, metres
   // The contact lies inside all of these half-spaces. Only the nearest ends of a feature are kept,
   // so there are mostly at most 4, as in the paper. There are more only if a face or an edge is
   // narrower than the reach of the search.

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "planner/base/check.h"
-#include "planner/finemotion/numeric/orthogonal_decomposition.h"
+#include "planner/numeric/orthogonal_decomposition.h"
 
 namespace assay::finemotion {
 
@@ -67,7 +67,7 @@ class Shifts {
         outward(row, column) = std::ranges::count(tolerance.faces, face) > 0 ? 1 : 0;
       }
     }
-    return ShortestLeastSquares(normals, outward, kSameDirection);
+    return numeric::ShortestLeastSquares(normals, outward, kSameDirection);
   }
 
  private:

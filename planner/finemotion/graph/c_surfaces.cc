@@ -7,7 +7,7 @@
 #include <span>
 #include <utility>
 
-#include "planner/finemotion/numeric/nonnegative_least_squares.h"
+#include "planner/numeric/nonnegative_least_squares.h"
 
 namespace assay::finemotion {
 
@@ -88,7 +88,7 @@ bool CSurfaces::StopsAtOthers(const Limit& limit, int surface) const {
   }
   gaps.conservativeResize(Eigen::NoChange, count);
   const Gap excess = there((Gap() << limit.a, -limit.b).finished());
-  const Eigen::VectorXd multiples = NonnegativeLeastSquares(gaps, -excess);
+  const Eigen::VectorXd multiples = numeric::NonnegativeLeastSquares(gaps, -excess);
   return count > 0 && (gaps * multiples + excess).cwiseAbs().maxCoeff() < kSameSurface;
 }
 

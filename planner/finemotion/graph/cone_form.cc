@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "planner/base/check.h"
-#include "planner/finemotion/numeric/orthogonal_decomposition.h"
+#include "planner/numeric/orthogonal_decomposition.h"
 
 namespace assay::finemotion {
 
@@ -37,7 +37,7 @@ class IndependentRows {
   // i-th, and 1 along the i-th.
   Eigen::MatrixXd Dual() const {
     const Eigen::MatrixXd triangular = rows_ * basis_;
-    return basis_ * InverseOfLowerTriangular(triangular);
+    return basis_ * numeric::InverseOfLowerTriangular(triangular);
   }
 
   const Eigen::MatrixXd& basis() const { return basis_; }
@@ -72,7 +72,7 @@ ConeForm ConeFormOf(const Eigen::MatrixXd& rows, const Eigen::VectorXd& values,
   const Eigen::MatrixXd dual = independent.Dual();
   form.characteristic_point = dual * independent.values();
   form.rays = -dual.rightCols(dual.cols() - equations).colwise().normalized();
-  form.tangents = OrthogonalComplement(independent.basis());
+  form.tangents = numeric::OrthogonalComplement(independent.basis());
   CheckRowsAgree(rows, values, form.characteristic_point);
   return form;
 }

@@ -12,7 +12,7 @@
 #include "planner/base/random.h"
 #include "planner/finemotion/graph/c_surfaces.h"
 #include "planner/finemotion/graph/cone_form.h"
-#include "planner/finemotion/numeric/orthogonal_decomposition.h"
+#include "planner/numeric/orthogonal_decomposition.h"
 
 namespace assay::finemotion {
 
@@ -93,7 +93,8 @@ Facet FacetOf(const CSurfaces& surfaces, const SurfaceSet& set) {
   for (Index i = 0; i < facet.surfaces.size(); ++i) {
     normals.col(static_cast<Eigen::Index>(i)) = surfaces.Row(facet.surfaces[i]);
   }
-  const IndependentColumns independent = IndependentColumnsOf(normals, kDependentRow);
+  const numeric::IndependentColumns independent =
+      numeric::IndependentColumnsOf(normals, kDependentRow);
   facet.tangents = independent.complement;
   for (const int column : independent.columns)
     facet.independent.push_back(facet.surfaces[static_cast<Index>(column)]);

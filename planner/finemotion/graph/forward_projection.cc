@@ -53,19 +53,20 @@ GeneralizedPoint ForwardProjection::Farthest(const Eigen::VectorXd& a) const {
 // A motion from z at velocity v0 + e is on the surface after some time s. The projection P along v0
 // leaves that point where it is and removes s v0. So the point is P z + s (linear part of P) e. The
 // time s is at most that of the farthest start at the slowest approach.
-Zonotope RegionAtContact(const ForwardProjection& projection, const PrimitiveContact& contact) {
-  const Zonotope& start = projection.start;
-  const Zonotope& velocity = projection.velocity;
+geometry::Zonotope RegionAtContact(const ForwardProjection& projection,
+                                   const PrimitiveContact& contact) {
+  const geometry::Zonotope& start = projection.start;
+  const geometry::Zonotope& velocity = projection.velocity;
   const double slowest = -velocity.Support(contact.row);
   ASSAY_CHECK(slowest > 0, "a motion does not approach the surface");
   const double farthest = contact.offset + start.Support(contact.row);
   const double longest = std::clamp(farthest / slowest, 0.0, projection.time);
 
   const AlongVelocity onto = OntoSurface(contact, velocity.center);
-  const Zonotope hits{onto.linear * start.center + onto.offset,
-                      Images(onto.linear, start.generators)};
-  const Zonotope spread{Eigen::VectorXd::Zero(start.center.size()),
-                        Images(longest * onto.linear, velocity.generators)};
+  const geometry::Zonotope hits{onto.linear * start.center + onto.offset,
+                                Images(onto.linear, start.generators)};
+  const geometry::Zonotope spread{Eigen::VectorXd::Zero(start.center.size()),
+                                  Images(longest * onto.linear, velocity.generators)};
   return Sum(hits, spread);
 }
 

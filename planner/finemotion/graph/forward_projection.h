@@ -1,7 +1,7 @@
 #pragma once
 
 #include "planner/finemotion/contacts/primitive_contact.h"
-#include "planner/finemotion/numeric/zonotope.h"
+#include "planner/geometry/zonotope.h"
 
 namespace assay::finemotion {
 
@@ -10,8 +10,8 @@ namespace assay::finemotion {
 // <= s <= time } (Dakin and Popplestone, section 4 and figure 12). The velocity components of model
 // errors are 0, since these do not move. The projection is convex, since the velocities are.
 struct ForwardProjection {
-  Zonotope start;
-  Zonotope velocity;
+  geometry::Zonotope start;
+  geometry::Zonotope velocity;
   double time = 0;
 
   double Support(const Eigen::VectorXd& a) const;
@@ -22,6 +22,7 @@ struct ForwardProjection {
 // contact's C-surface (R_1 of the paper, section 4). It is tight in the start, and to first order
 // in the errors of the velocity. Every velocity in `velocity` must approach the surface, which is
 // checked.
-Zonotope RegionAtContact(const ForwardProjection& projection, const PrimitiveContact& contact);
+geometry::Zonotope RegionAtContact(const ForwardProjection& projection,
+                                   const PrimitiveContact& contact);
 
 }  // namespace assay::finemotion

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "planner/base/check.h"
-#include "planner/finemotion/numeric/nonnegative_least_squares.h"
+#include "planner/numeric/nonnegative_least_squares.h"
 
 namespace assay::finemotion {
 namespace {
@@ -37,7 +37,7 @@ double DistanceOfMeans(const Rays& a, const Rays& b) {
   Eigen::MatrixXd columns(kPoseDimensions + 1, a.cols() + b.cols());
   columns << a, -b, Eigen::RowVectorXd::Ones(a.cols()), Eigen::RowVectorXd::Zero(b.cols());
   const Eigen::VectorXd one = Eigen::VectorXd::Unit(kPoseDimensions + 1, kPoseDimensions);
-  const Eigen::VectorXd x = NonnegativeLeastSquares(columns, one);
+  const Eigen::VectorXd x = numeric::NonnegativeLeastSquares(columns, one);
   const double least = (columns * x - one).squaredNorm();
   return least < 1 ? std::sqrt(least / (1 - least)) : 1;
 }
@@ -92,7 +92,7 @@ double Separation(const Wrench& wrench, const ForceSignature& signature, double 
   const Eigen::VectorXd direction = Compared(wrench, length);
   const Eigen::MatrixXd rays = Compared(signature.rays, length);
   if (rays.cols() == 0) return 1;
-  return (rays * NonnegativeLeastSquares(rays, direction) - direction).norm();
+  return (rays * numeric::NonnegativeLeastSquares(rays, direction) - direction).norm();
 }
 
 double Separation(const ForceSignature& a, const ForceSignature& b, double length) {

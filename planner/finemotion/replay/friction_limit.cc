@@ -1,8 +1,8 @@
 #include "planner/finemotion/replay/friction_limit.h"
 
-#include "planner/finemotion/numeric/nonnegative_least_squares.h"
-#include "planner/finemotion/numeric/orthogonal_decomposition.h"
 #include "planner/finemotion/replay/force_signature.h"
+#include "planner/numeric/nonnegative_least_squares.h"
+#include "planner/numeric/orthogonal_decomposition.h"
 #include "planner/plan/data/strategy.h"
 
 namespace assay::finemotion {
@@ -28,9 +28,9 @@ bool CanHold(const std::vector<PrimitiveContact>& kept,
   signature.rays.bottomRows<3>() /= plan::kTurnLever;
   normals.bottomRows<3>() /= plan::kTurnLever;
   Eigen::MatrixXd columns(n + 1, signature.rays.cols());
-  columns << ShortestLeastSquares(normals, signature.rays), power;
+  columns << numeric::ShortestLeastSquares(normals, signature.rays), power;
   const Eigen::VectorXd against = -Eigen::VectorXd::Unit(n + 1, n);
-  return (columns * NonnegativeLeastSquares(columns, against) - against).norm() < kHeld;
+  return (columns * numeric::NonnegativeLeastSquares(columns, against) - against).norm() < kHeld;
 }
 
 double FrictionLimit(const std::vector<PrimitiveContact>& kept,

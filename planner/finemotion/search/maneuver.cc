@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "planner/finemotion/numeric/orthogonal_decomposition.h"
+#include "planner/numeric/orthogonal_decomposition.h"
 
 namespace assay::finemotion {
 
@@ -79,7 +79,7 @@ std::optional<PoseChange> Complied(const std::vector<const PrimitiveContact*>& k
       normals.row(i) = contact.normal;
       rates[i] = contact.normal.dot(d) + contact.row.segment<3>(3).dot(w);
     }
-    const Vector3 change = ShortestLeastSquares(normals, -rates);
+    const Vector3 change = numeric::ShortestLeastSquares(normals, -rates);
     if ((normals * change + rates).norm() > 1e-9) return std::nullopt;
     d += change;
   }

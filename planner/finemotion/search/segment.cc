@@ -7,7 +7,7 @@
 
 #include "planner/finemotion/contacts/meeting.h"
 #include "planner/finemotion/graph/projection_image.h"
-#include "planner/finemotion/numeric/orthogonal_decomposition.h"
+#include "planner/numeric/orthogonal_decomposition.h"
 
 namespace assay::finemotion {
 
@@ -28,7 +28,7 @@ constexpr Eigen::Index kFewErrors = 12;
 // The changes of a row's value that are due to the errors of the start, one number for each error.
 using ErrorParts = Eigen::VectorXd;
 
-ErrorParts PartsOf(const SmallVector& row, const PoseChanges& errors,
+ErrorParts PartsOf(const numeric::SmallVector& row, const PoseChanges& errors,
                    const Eigen::VectorXd& tolerances) {
   ErrorParts parts = errors.transpose() * row.head<kPoseDimensions>();
   const Eigen::Index t = tolerances.size();
@@ -37,7 +37,7 @@ ErrorParts PartsOf(const SmallVector& row, const PoseChanges& errors,
 }
 
 // Returns the sum of the sizes of the parts that PartsOf computes.
-double SumOfParts(const SmallVector& row, const PoseChanges& errors,
+double SumOfParts(const numeric::SmallVector& row, const PoseChanges& errors,
                   const Eigen::VectorXd& tolerances) {
   const PoseChange pose = row.head<kPoseDimensions>();
   const Eigen::Index t = tolerances.size();
@@ -259,7 +259,7 @@ class Checker {
   }
 
   // Returns the row's range as seen from the end of the motion.
-  RowRange RangeOf(const SmallVector& row, const PoseChanges& errors) const {
+  RowRange RangeOf(const numeric::SmallVector& row, const PoseChanges& errors) const {
     const auto pose = row.head<kPoseDimensions>();
     RowRange range;
     range.motion = pose.dot(command_.displacement);
@@ -269,7 +269,7 @@ class Checker {
     return range;
   }
 
-  ErrorParts PartsOf(const SmallVector& row, const PoseChanges& errors) const {
+  ErrorParts PartsOf(const numeric::SmallVector& row, const PoseChanges& errors) const {
     return finemotion::PartsOf(row, errors, belief_.tolerances);
   }
 
@@ -551,7 +551,7 @@ TestComparison& TestComparison::operator+=(const TestComparison& other) {
   return *this;
 }
 
-double ErrorOf(const SmallVector& row, const Belief& belief) {
+double ErrorOf(const numeric::SmallVector& row, const Belief& belief) {
   return SumOfParts(row, belief.errors, belief.tolerances);
 }
 
@@ -567,7 +567,7 @@ PoseChange Closing(const std::vector<const PrimitiveContact*>& contacts, const P
     gaps[i] = contact.offset + rows.row(i).dot(z);
   }
   rows.rightCols<3>() /= radius;
-  closing = ShortestLeastSquares(rows, -gaps);
+  closing = numeric::ShortestLeastSquares(rows, -gaps);
   closing.tail<3>() /= radius;
   return closing;
 }

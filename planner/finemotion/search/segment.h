@@ -28,7 +28,7 @@ struct Belief {
 };
 
 // Returns how much errors can change the value of a row.
-double ErrorOf(const SmallVector& row, const Belief& belief);
+double ErrorOf(const numeric::SmallVector& row, const Belief& belief);
 
 Pose Displaced(const Pose& X_StationaryMoving, const PoseChange& z);
 // Returns the change that displaces `from` to `to`.

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "planner/finemotion/numeric/orthogonal_decomposition.h"
 #include "planner/finemotion/replay/force_signature.h"
+#include "planner/numeric/orthogonal_decomposition.h"
 
 namespace assay::finemotion {
 
@@ -195,7 +195,7 @@ double SequenceSearch::GuidanceOf(const Node& node) const {
   errors.bottomRows<3>() *= problem_.options.radius;
   using Spread = Eigen::Matrix<double, kPoseDimensions, kPoseDimensions>;
   const Spread spread = errors * errors.transpose();
-  const auto thick = std::ranges::count_if(EigenvaluesOfSymmetric(spread),
+  const auto thick = std::ranges::count_if(numeric::EigenvaluesOfSymmetric(spread),
                                            [](double e) { return e > kThin * kThin; });
   const Maneuvering& here = ManeuveringAt(node.point);
   const double turn = here.ToUpright(node.belief.X_StationaryMoving).norm();

@@ -10,7 +10,7 @@
 #include <span>
 
 #include "planner/domain/reach/reachability.h"
-#include "planner/plan/check/box_overlap.h"
+#include "planner/geometry/box_overlap.h"
 #include "planner/plan/check/pad_contact.h"
 #include "planner/plan/check/resting_balance.h"
 #include "planner/plan/check/straight_reach.h"
@@ -40,7 +40,7 @@ struct Handling {
 
 struct Obstacle {
   std::string name;
-  std::vector<Box> boxes;  // world
+  std::vector<geometry::Box> boxes;  // world
 };
 
 namespace {
@@ -70,34 +70,35 @@ struct HandlingOf {
 // The boxes of one moving thing at the samples of its motion.
 struct Sweep {
   std::string mover;
-  std::vector<std::vector<Box>> samples;  // world
+  std::vector<std::vector<geometry::Box>> samples;  // world
 };
 
-Sweep SweepAlong(const std::string& mover, const std::vector<Box>& boxes,
+Sweep SweepAlong(const std::string& mover, const std::vector<geometry::Box>& boxes,
                  std::span<const Pose> poses) {
   Sweep sweep{mover, {}};
-  for (const Pose& X_WorldMover : poses) sweep.samples.push_back(Moved(boxes, X_WorldMover));
+  for (const Pose& X_WorldMover : poses)
+    sweep.samples.push_back(geometry::Moved(boxes, X_WorldMover));
   return sweep;
 }
 
-std::vector<Box> HandAt(const kinematics::Gripper& gripper, double opening) {
-  std::vector<Box> boxes = gripper.HandBoxes();
+std::vector<geometry::Box> HandAt(const kinematics::Gripper& gripper, double opening) {
+  std::vector<geometry::Box> boxes = gripper.HandBoxes();
   std::ranges::copy(gripper.FingerBoxes(opening), std::back_inserter(boxes));
   return boxes;
 }
 
 double DeepestOverlap(const Sweep& sweep, const Obstacle& obstacle) {
   double deepest = 0;
-  for (const std::vector<Box>& sample : sweep.samples) {
-    deepest = std::max(deepest, OverlapDepth(sample, obstacle.boxes));
+  for (const std::vector<geometry::Box>& sample : sweep.samples) {
+    deepest = std::max(deepest, geometry::OverlapDepth(sample, obstacle.boxes));
   }
   return deepest;
 }
 
 double LowestOf(const Sweep& sweep) {
   double lowest = std::numeric_limits<double>::infinity();
-  for (const std::vector<Box>& sample : sweep.samples) {
-    lowest = std::min(lowest, LowestPoint(sample));
+  for (const std::vector<geometry::Box>& sample : sweep.samples) {
+    lowest = std::min(lowest, geometry::LowestPoint(sample));
   }
   return lowest;
 }
@@ -140,7 +141,7 @@ class ActionChecker::Examination {
       const PartState& state = before.parts[i];
       if (PartId(i) == handling_.part || state.status == PartStatus::kHeld) continue;
       const domain::Part& other = problem_.parts[i];
-      obstacles_.push_back({other.name, Moved(other.model->boxes(), state.X_WorldPart)});
+      obstacles_.push_back({other.name, geometry::Moved(other.model->boxes(), state.X_WorldPart)});
     }
   }
 
@@ -212,8 +213,8 @@ class ActionChecker::Examination {
 
   void ExamineOwn(const Putdown& putdown) {
     const Pose& X_WorldPart = putdown.to.X_WorldPart;
-    const std::vector<Box> boxes = Moved(part().model->boxes(), X_WorldPart);
-    const double lowest = LowestPoint(boxes);
+    const std::vector<geometry::Box> boxes = geometry::Moved(part().model->boxes(), X_WorldPart);
+    const double lowest = geometry::LowestPoint(boxes);
     if (!(std::abs(lowest) <= kRounding)) {
       Report("the lowest point of {} is {:.4g} mm above the table, not on it", part().name,
              lowest * 1e3);

@@ -31,8 +31,9 @@ PadContact ContactOf(const Hold& hold, const Vector2& half, double side) {
   return contact;
 }
 
-bool IsInAny(std::span<const Box> boxes, const Vector3& p, double tolerance) {
-  return std::ranges::any_of(boxes, [&](const Box& box) { return box.Contains(p, tolerance); });
+bool IsInAny(std::span<const geometry::Box> boxes, const Vector3& p, double tolerance) {
+  return std::ranges::any_of(boxes,
+                             [&](const geometry::Box& box) { return box.Contains(p, tolerance); });
 }
 
 // Returns whether p is inside a convex polygon, farther than kSeam from its rim.
@@ -90,7 +91,7 @@ std::array<PadContact, 2> PadContactsOf(const Hold& hold, const Vector2& pad_hal
   return {ContactOf(hold, pad_half_extents, 1), ContactOf(hold, pad_half_extents, -1)};
 }
 
-int PointsOffSurface(const PadContact& contact, std::span<const Box> part) {
+int PointsOffSurface(const PadContact& contact, std::span<const geometry::Box> part) {
   return static_cast<int>(std::ranges::count_if(contact.points, [&](const Vector3& p) {
     return !IsInAny(part, p - kProbe * contact.normal, kSeam) ||
            IsInAny(part, p + kProbe * contact.normal, 0);

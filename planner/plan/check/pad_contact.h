@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "planner/domain/part/part_model.h"
-#include "planner/plan/check/box_overlap.h"
+#include "planner/geometry/box_overlap.h"
 #include "planner/plan/data/plan.h"
 
 namespace assay::plan {
@@ -25,7 +25,7 @@ std::array<PadContact, 2> PadContactsOf(const Hold& hold,
 // Returns how many points of the contact are not on the surface of the boxes' union. At a point on
 // the surface, there is one of the part's boxes 10 micrometres further into the part, and none 10
 // micrometres out of it.
-int PointsOffSurface(const PadContact& contact, std::span<const Box> part);
+int PointsOffSurface(const PadContact& contact, std::span<const geometry::Box> part);
 
 // Returns whether the contact touches or covers a feature (its faces, or the mouth of a hole). The
 // test uses the points of the pad's grid and the corners of the feature. Points on the rims do not

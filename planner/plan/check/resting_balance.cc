@@ -30,7 +30,7 @@ std::vector<double> GridLines(std::span<const Vector3> corners, int axis) {
 
 }  // namespace
 
-Vector3 CenterOfMass(std::span<const Box> boxes) {
+Vector3 CenterOfMass(std::span<const geometry::Box> boxes) {
   const std::vector<Vector3> corners = CornersOf(boxes);
   const std::array<std::vector<double>, 3> lines = {GridLines(corners, 0), GridLines(corners, 1),
                                                     GridLines(corners, 2)};
@@ -42,8 +42,8 @@ Vector3 CenterOfMass(std::span<const Box> boxes) {
         const Vector3 low(lines[0][i - 1], lines[1][j - 1], lines[2][k - 1]);
         const Vector3 high(lines[0][i], lines[1][j], lines[2][k]);
         const Vector3 middle = (low + high) / 2;
-        const bool filled =
-            std::ranges::any_of(boxes, [&](const Box& box) { return box.Contains(middle, 0); });
+        const bool filled = std::ranges::any_of(
+            boxes, [&](const geometry::Box& box) { return box.Contains(middle, 0); });
         if (!filled) continue;
         volume += (high - low).prod();
         moment += (high - low).prod() * middle;
@@ -53,9 +53,9 @@ Vector3 CenterOfMass(std::span<const Box> boxes) {
   return moment / volume;
 }
 
-std::vector<Vector3> CornersOf(std::span<const Box> boxes) {
+std::vector<Vector3> CornersOf(std::span<const geometry::Box> boxes) {
   std::vector<Vector3> corners;
-  for (const Box& box : boxes) {
+  for (const geometry::Box& box : boxes) {
     for (const Vector3& corner : box.Corners()) corners.push_back(corner);
   }
   return corners;

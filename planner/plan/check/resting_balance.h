@@ -3,17 +3,17 @@
 #include <span>
 #include <vector>
 
+#include "planner/geometry/box_overlap.h"
 #include "planner/geometry/polygon.h"
-#include "planner/plan/check/box_overlap.h"
 
 namespace assay::plan {
 
 // Returns the centre of mass of a union of boxes of one density, with overlaps counted once. It
 // sums cells between all coordinates of corners. The result is exact if the boxes are aligned with
 // the axes of their frame, and otherwise to about a hundredth of their extent.
-geometry::Vector3 CenterOfMass(std::span<const Box> boxes);
+geometry::Vector3 CenterOfMass(std::span<const geometry::Box> boxes);
 
-std::vector<geometry::Vector3> CornersOf(std::span<const Box> boxes);
+std::vector<geometry::Vector3> CornersOf(std::span<const geometry::Box> boxes);
 
 // Returns the points within 1 micrometre of the plane z = 0.
 std::vector<geometry::Vector3> TouchingTable(std::span<const geometry::Vector3> points);

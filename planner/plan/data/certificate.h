@@ -101,7 +101,7 @@ struct Resolution {
 struct Certificate {
   // Input error sets: all variables of the preconditions.
   std::vector<ErrorVariable> variables = {};
-  // Expressions that the preconditions share, each once. planner/algebra/expression/text.h reads
+  // Expressions that the preconditions share, each once. planner/algebra/expression/parse.h reads
   // them.
   std::vector<std::string> shared = {};
   std::vector<ErrorSet> before = {};  // input error sets of the parts that the step handles

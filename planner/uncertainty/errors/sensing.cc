@@ -3,14 +3,11 @@
 #include <array>
 
 #include "planner/algebra/expression/simplify.h"
-#include "planner/algebra/numeric/interval_arithmetic.h"
 #include "planner/base/check.h"
+#include "planner/numeric/interval_arithmetic.h"
 
 namespace assay::uncertainty {
 namespace {
-
-using algebra::operator+;
-using algebra::operator-;
 
 // Replaces `error` by a new variable if the promise is narrower. The believed pose shifts by the
 // difference, because the part stays where it is.
@@ -25,7 +22,7 @@ void Measure(UncertainWorld& world, PartId part, const plan::ErrorKind& kind,
 }  // namespace
 
 bool TakesOver(const Interval& known, const Interval& promise) {
-  return algebra::Width(promise) < algebra::Width(known);
+  return Width(promise) < Width(known);
 }
 
 void ApplySensing(UncertainWorld& world, PartId part, const std::string& sensor) {

@@ -8,11 +8,14 @@
 #include <set>
 
 #include "planner/algebra/bounds/bounds.h"
+#include "planner/algebra/expression/evaluation.h"
+#include "planner/algebra/expression/nodes.h"
 #include "planner/algebra/expression/simplify.h"
 #include "planner/algebra/forms/normal_form.h"
+#include "planner/algebra/forms/normalization.h"
 #include "planner/algebra/methods/affine_form.h"
-#include "planner/algebra/numeric/interval_arithmetic.h"
 #include "planner/domain/part/part_model.h"
+#include "planner/numeric/interval_arithmetic.h"
 
 namespace assay::uncertainty {
 namespace {
@@ -99,7 +102,6 @@ Expression UncertainWorld::DrawTableHeight(PartId part) {
 Expression UncertainWorld::Condensed(const Expression& e, const plan::ErrorKind& rest,
                                      PartId part) {
   if (propagation_ == Propagation::kPaper || algebra::NodeCount(e) <= kMostNodes) return e;
-  using algebra::operator+;
   std::optional<algebra::AffineForm> form =
       variables_->first_order.Affine(e, constraints().box, kNegligible);
   if (!form) form = algebra::AffineFormOf(e, constraints().box, kNegligible);

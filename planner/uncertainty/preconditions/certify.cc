@@ -5,10 +5,11 @@
 #include <optional>
 #include <utility>
 
+#include "planner/algebra/expression/nodes.h"
 #include "planner/algebra/expression/text.h"
 #include "planner/algebra/methods/glance.h"
-#include "planner/algebra/numeric/interval_arithmetic.h"
 #include "planner/base/check.h"
+#include "planner/numeric/interval_arithmetic.h"
 #include "planner/uncertainty/errors/release.h"
 #include "planner/uncertainty/errors/sensing.h"
 #include "planner/uncertainty/errors/squeezing.h"
@@ -361,8 +362,7 @@ plan::ErrorSet ErrorSetOf(const UncertainWorld& world, PartId part, const Transf
           .x = world.TightRangeOf(offset[0]),
           .y = world.TightRangeOf(offset[1]),
           .z = world.TightRangeOf(offset[2]),
-          .theta = algebra::operator+(world.TightRangeOf(world.held().skew),
-                                      world.problem().gripper_error.theta),
+          .theta = world.TightRangeOf(world.held().skew) + world.problem().gripper_error.theta,
           .tip = world.TightRangeOf(world.held().tip),
           .twist = world.TightRangeOf(world.held().twist)};
 }

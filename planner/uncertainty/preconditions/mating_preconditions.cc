@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "planner/algebra/expression/simplify.h"
-#include "planner/algebra/numeric/interval_arithmetic.h"
 #include "planner/base/check.h"
 #include "planner/domain/mating/shaft_fit.h"
+#include "planner/numeric/interval_arithmetic.h"
 #include "planner/plan/data/not_covered.h"
 #include "planner/uncertainty/errors/mating_end.h"
 #include "planner/uncertainty/preconditions/precondition.h"
@@ -14,7 +14,6 @@
 namespace assay::uncertainty {
 namespace {
 
-using algebra::kInfinity;
 using domain::kUnitProduct;
 using domain::ShaftFit;
 using domain::SideWall;

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "planner/finemotion/numeric/nonnegative_least_squares.h"
+#include "planner/numeric/nonnegative_least_squares.h"
 #include "sim/mujoco/contact.h"
 
 namespace assay::check {
@@ -61,7 +61,7 @@ Eigen::VectorXd Shares(const std::vector<Candidate>& candidates) {
   Eigen::MatrixXd a(4, std::ssize(candidates));
   for (Eigen::Index i = 0; i < a.cols(); ++i)
     a.col(i) << candidates[static_cast<std::size_t>(i)].at, kSum;
-  return finemotion::NonnegativeLeastSquares(a, Eigen::Vector4d(0, 0, 0, kSum));
+  return numeric::NonnegativeLeastSquares(a, Eigen::Vector4d(0, 0, 0, kSum));
 }
 
 // Returns whether the contact exists with a gap of at most `most` metres, and lies past none of its

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "planner/algebra/numeric/interval_arithmetic.h"
 #include "planner/base/random.h"
+#include "planner/numeric/interval_arithmetic.h"
 #include "tests/oracle/linear_program.h"
 
 namespace assay::algebra {

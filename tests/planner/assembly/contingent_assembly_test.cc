@@ -10,13 +10,13 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "planner/algebra/numeric/interval_arithmetic.h"
 #include "planner/contingent/format/pks_file.h"
 #include "planner/contingent/grounding/grounding.h"
 #include "planner/contingent/knowledge/knowledge_base.h"
 #include "planner/contingent/search/contingent_planner.h"
 #include "planner/contingent/tree/tree_check.h"
 #include "planner/contingent/tree/tree_file.h"
+#include "planner/numeric/interval_arithmetic.h"
 #include "tests/planner/constraint_posting/scenarios.h"
 #include "tests/scratch_file.h"
 
@@ -266,7 +266,7 @@ TEST(ContingentAssembly, APickupForgetsThePoseAndItsIntervals) {
   ASSERT_TRUE(taken);
   EXPECT_TRUE(knowledge.layout().IsUndetermined(*taken, lying));
   EXPECT_FALSE(knowledge.layout().IsSensed(*taken, dx));
-  EXPECT_EQ(taken->ranges[task.functions[dx.index()].slot].high, algebra::kInfinity);
+  EXPECT_EQ(taken->ranges[task.functions[dx.index()].slot].high, kInfinity);
   EXPECT_FALSE(knowledge.Holds(look.precondition, *taken));
 }
 

@@ -4,6 +4,7 @@
 
 #include "bench/pick_and_place.h"
 #include "planner/algebra/bounds/bounds.h"
+#include "planner/algebra/expression/nodes.h"
 #include "planner/uncertainty/preconditions/certify.h"
 #include "tests/oracle/certified_expressions.h"
 

@@ -6,8 +6,8 @@
 #include <numbers>
 
 #include "planner/algebra/linear/sup_inf.h"
-#include "planner/algebra/numeric/interval_arithmetic.h"
 #include "planner/base/document/input_error.h"
+#include "planner/numeric/interval_arithmetic.h"
 
 namespace assay::algebra::bound_file_test {
 namespace {

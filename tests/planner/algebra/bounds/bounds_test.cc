@@ -1,4 +1,5 @@
 #include "planner/algebra/bounds/bounds.h"
+#include "planner/algebra/expression/evaluation.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -9,7 +10,7 @@
 #include "bench/workloads/measured_expressions.h"
 #include "bench/workloads/transform_chains.h"
 #include "planner/algebra/linear/sup_inf.h"
-#include "planner/algebra/numeric/interval_arithmetic.h"
+#include "planner/numeric/interval_arithmetic.h"
 #include "tests/oracle/dense_search.h"
 #include "tests/oracle/random_expression.h"
 

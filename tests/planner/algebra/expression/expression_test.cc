@@ -1,4 +1,6 @@
 #include "planner/algebra/expression/expression.h"
+#include "planner/algebra/expression/evaluation.h"
+#include "planner/algebra/expression/nodes.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -7,7 +9,7 @@
 #include <cmath>
 #include <span>
 
-#include "planner/algebra/numeric/interval_arithmetic.h"
+#include "planner/numeric/interval_arithmetic.h"
 #include "tests/planner/algebra/random_expression.h"
 
 namespace assay::algebra::expression_test {

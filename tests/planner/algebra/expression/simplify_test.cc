@@ -1,4 +1,6 @@
 #include "planner/algebra/expression/simplify.h"
+#include "planner/algebra/expression/evaluation.h"
+#include "planner/algebra/expression/parse.h"
 
 #include <gtest/gtest.h>
 

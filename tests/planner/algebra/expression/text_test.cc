@@ -1,4 +1,5 @@
 #include "planner/algebra/expression/text.h"
+#include "planner/algebra/expression/parse.h"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>

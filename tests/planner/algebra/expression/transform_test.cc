@@ -1,4 +1,7 @@
 #include "planner/algebra/expression/transform.h"
+#include "planner/algebra/expression/evaluation.h"
+#include "planner/algebra/expression/parse.h"
+#include "planner/algebra/forms/normalization.h"
 
 #include <gtest/gtest.h>
 

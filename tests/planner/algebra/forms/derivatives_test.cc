@@ -1,4 +1,6 @@
 #include "planner/algebra/forms/derivatives.h"
+#include "planner/algebra/forms/compiler.h"
+#include "planner/algebra/forms/normalization.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +10,7 @@
 #include "planner/algebra/bounds/probe.h"
 #include "planner/algebra/methods/centred.h"
 #include "planner/algebra/methods/monotone.h"
-#include "planner/algebra/numeric/interval_arithmetic.h"
+#include "planner/numeric/interval_arithmetic.h"
 #include "tests/oracle/random_expression.h"
 
 namespace assay::algebra::derivatives_test {

@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "planner/algebra/numeric/nearest_interval.h"
 #include "planner/base/random.h"
+#include "planner/numeric/nearest_interval.h"
 
 namespace assay::algebra::nested_form_test {
 namespace {
@@ -124,14 +124,14 @@ TEST(NestedForm, RangesHoldTheValuesAndSlopesInTheBox) {
   for (int i = 0; i < 100; ++i) {
     const Terms terms = RandomTerms(random);
     const NestedForm form = Nested(terms);
-    std::vector<NearestInterval> box;
+    std::vector<numeric::NearestInterval> box;
     for (const double x : RandomPlace(random)) box.emplace_back(x, x + random.Uniform());
-    NestedEvaluation<NearestInterval> evaluation;
-    const NearestInterval range = evaluation.Value(form, box);
-    const std::vector<NearestInterval> slopes = evaluation.Slopes(form, box);
+    NestedEvaluation<numeric::NearestInterval> evaluation;
+    const numeric::NearestInterval range = evaluation.Value(form, box);
+    const std::vector<numeric::NearestInterval> slopes = evaluation.Slopes(form, box);
     for (int sample = 0; sample < 20; ++sample) {
       std::vector<double> place;
-      for (const NearestInterval& x : box) place.push_back(random.Uniform(x.low, x.high));
+      for (const numeric::NearestInterval& x : box) place.push_back(random.Uniform(x.low, x.high));
       EXPECT_LE(range.low, Sum(terms, place) + kRounding);
       EXPECT_GE(range.high, Sum(terms, place) - kRounding);
       const int atom = random.Index(kAtoms);

@@ -1,4 +1,7 @@
 #include "planner/algebra/forms/normal_form.h"
+#include "planner/algebra/expression/evaluation.h"
+#include "planner/algebra/forms/normalization.h"
+#include "planner/algebra/forms/sum_writer.h"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -12,7 +15,7 @@
 
 #include "planner/algebra/expression/simplify.h"
 #include "planner/algebra/expression/text.h"
-#include "planner/algebra/numeric/interval_arithmetic.h"
+#include "planner/numeric/interval_arithmetic.h"
 #include "tests/oracle/random_expression.h"
 #include "tests/planner/algebra/random_expression.h"
 

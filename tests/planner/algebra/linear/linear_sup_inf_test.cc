@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "planner/algebra/linear/linear_program.h"
-#include "planner/algebra/numeric/interval_arithmetic.h"
 #include "planner/base/random.h"
+#include "planner/numeric/interval_arithmetic.h"
 #include "tests/planner/algebra/random_linear_programs.h"
 
 namespace assay::algebra::linear_sup_inf_test {
@@ -17,7 +17,8 @@ using testing::ElementsAre;
 
 const ColumnId kX(0), kY(1), kZ(2);
 
-LinearForm Form(const std::map<ColumnId, Rational>& coefficients, const Rational& constant) {
+LinearForm Form(const std::map<ColumnId, numeric::Rational>& coefficients,
+                const numeric::Rational& constant) {
   return {.coefficients = coefficients, .constant = constant};
 }
 
@@ -140,7 +141,7 @@ TEST(LinearSupInf, SumsAreExact) {
   const std::vector<LinearForm> rows = {Form({{kY, 1}, {kX, -1}}, 0), Form({{kY, 1}, {kX, 2}}, -4),
                                         Form({{kX, -1}}, 0), Form({{kX, 1}}, -2)};
   EXPECT_THAT(LinearSupInf(rows, 1'000'000).Sup(Form({{kX, 1}, {kY, 1}}, 0), {}).Forms(),
-              ElementsAre(Form({}, Rational(8) / 3)));
+              ElementsAre(Form({}, numeric::Rational(8) / 3)));
 }
 
 // Where the rows hold, each kept bound bounds the form. The answer contains only kept columns.

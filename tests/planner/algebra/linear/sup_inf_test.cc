@@ -1,4 +1,6 @@
 #include "planner/algebra/linear/sup_inf.h"
+#include "planner/algebra/expression/evaluation.h"
+#include "planner/algebra/expression/nodes.h"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -7,8 +9,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "planner/algebra/numeric/interval_arithmetic.h"
 #include "planner/base/random.h"
+#include "planner/numeric/interval_arithmetic.h"
 #include "tests/planner/algebra/random_linear_programs.h"
 
 namespace assay::algebra::sup_inf_test {

@@ -1,11 +1,12 @@
 #include "planner/algebra/methods/affine_form.h"
+#include "planner/algebra/expression/nodes.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "planner/algebra/linear/sup_inf.h"
-#include "planner/algebra/numeric/interval_arithmetic.h"
+#include "planner/numeric/interval_arithmetic.h"
 #include "tests/oracle/dense_search.h"
 #include "tests/oracle/random_expression.h"
 

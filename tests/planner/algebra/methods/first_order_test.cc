@@ -6,7 +6,7 @@
 
 #include "planner/algebra/bounds/bounds.h"
 #include "planner/algebra/linear/sup_inf.h"
-#include "planner/algebra/numeric/interval_arithmetic.h"
+#include "planner/numeric/interval_arithmetic.h"
 #include "tests/oracle/dense_search.h"
 #include "tests/oracle/random_expression.h"
 

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "planner/algebra/bounds/bounds.h"
-#include "planner/algebra/numeric/interval_arithmetic.h"
+#include "planner/numeric/interval_arithmetic.h"
 #include "tests/oracle/dense_search.h"
 #include "tests/oracle/random_expression.h"
 

@@ -9,8 +9,8 @@
 namespace assay::algebra::quadratic_bound_test {
 namespace {
 
-SymmetricMatrix Matrix(const std::vector<std::vector<double>>& lower) {
-  SymmetricMatrix matrix;
+numeric::SymmetricMatrix Matrix(const std::vector<std::vector<double>>& lower) {
+  numeric::SymmetricMatrix matrix;
   matrix.Reset(static_cast<int>(lower.size()));
   for (std::size_t i = 0; i < lower.size(); ++i) {
     for (std::size_t j = 0; j <= i; ++j) {
@@ -20,7 +20,7 @@ SymmetricMatrix Matrix(const std::vector<std::vector<double>>& lower) {
   return matrix;
 }
 
-double Quadratic(const SymmetricMatrix& m, const std::vector<double>& x) {
+double Quadratic(const numeric::SymmetricMatrix& m, const std::vector<double>& x) {
   double sum = 0;
   for (int i = 0; i < m.size(); ++i) {
     for (int j = 0; j < m.size(); ++j) {
@@ -31,7 +31,7 @@ double Quadratic(const SymmetricMatrix& m, const std::vector<double>& x) {
 }
 
 TEST(PositiveDefinite, FactorsAndSolves) {
-  SymmetricMatrix m = Matrix({{4}, {2, 3}});
+  numeric::SymmetricMatrix m = Matrix({{4}, {2, 3}});
   ASSERT_TRUE(FactorPositiveDefinite(m));
   std::vector<double> b = {2, 5};
   SolveFactored(m, b);
@@ -40,12 +40,12 @@ TEST(PositiveDefinite, FactorsAndSolves) {
 }
 
 TEST(PositiveDefinite, RefusesWhatIsNot) {
-  SymmetricMatrix m = Matrix({{1}, {2, 1}});
+  numeric::SymmetricMatrix m = Matrix({{1}, {2, 1}});
   EXPECT_FALSE(FactorPositiveDefinite(m));
 }
 
 TEST(PositiveDefinite, DeviationsCount) {
-  const SymmetricMatrix centre = Matrix({{1}, {0.5, 1}});
+  const numeric::SymmetricMatrix centre = Matrix({{1}, {0.5, 1}});
   EXPECT_TRUE(IsSurelyPositiveDefinite(centre, Matrix({{0.1}, {0.1, 0.1}})));
   // The matrix [[0.8, 0.8], [0.8, 0.8]] is within these deviations.
   EXPECT_FALSE(IsSurelyPositiveDefinite(centre, Matrix({{0.2}, {0.3, 0.2}})));
@@ -58,7 +58,7 @@ TEST(QuadraticBound, NoPointIsHigher) {
   int concave = 0;
   for (int i = 0; i < 500; ++i) {
     const int n = 1 + random.Index(4);
-    SymmetricMatrix curvature;
+    numeric::SymmetricMatrix curvature;
     curvature.Reset(n);
     std::vector<double> widths, slopes;
     for (int j = 0; j < n; ++j) {

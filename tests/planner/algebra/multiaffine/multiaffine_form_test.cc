@@ -1,4 +1,5 @@
 #include "planner/algebra/multiaffine/multiaffine_form.h"
+#include "planner/algebra/forms/normalization.h"
 
 #include <gtest/gtest.h>
 

@@ -61,8 +61,8 @@ struct Products {
   }
 };
 
-std::vector<NearestInterval> RandomBox(double widest, RandomStream& random) {
-  std::vector<NearestInterval> box;
+std::vector<numeric::NearestInterval> RandomBox(double widest, RandomStream& random) {
+  std::vector<numeric::NearestInterval> box;
   for (int i = 0; i < kAngles; ++i) {
     const double low = random.Uniform(-4, 4);
     box.emplace_back(low, low + random.Uniform(0, widest));
@@ -70,9 +70,9 @@ std::vector<NearestInterval> RandomBox(double widest, RandomStream& random) {
   return box;
 }
 
-Point Within(const std::vector<NearestInterval>& box, RandomStream& random) {
+Point Within(const std::vector<numeric::NearestInterval>& box, RandomStream& random) {
   Point point;
-  for (const NearestInterval& x : box) point.push_back(random.Uniform(x.low, x.high));
+  for (const numeric::NearestInterval& x : box) point.push_back(random.Uniform(x.low, x.high));
   return point;
 }
 
@@ -90,7 +90,7 @@ TEST(TrigonometricPolynomial, HasTheValuesOfTheProducts) {
     const TrigonometricPolynomial sum = WavesOf(products);
     const Point point = Within(RandomBox(0, random), random);
     WaveEvaluation evaluation;
-    evaluation.Enter(sum, std::vector<NearestInterval>(point.begin(), point.end()));
+    evaluation.Enter(sum, std::vector<numeric::NearestInterval>(point.begin(), point.end()));
     EXPECT_NEAR(evaluation.range().low, products.At(point), kRounding);
     EXPECT_NEAR(evaluation.range().high, products.At(point), kRounding);
   }
@@ -100,7 +100,7 @@ TEST(TrigonometricPolynomial, RangesHoldValuesSlopesAndCurvatures) {
   RandomStream random(2, "wave ranges");
   for (int i = 0; i < 200; ++i) {
     const Products products(random);
-    const std::vector<NearestInterval> box = RandomBox(i % 2 == 0 ? 0.3 : 2, random);
+    const std::vector<numeric::NearestInterval> box = RandomBox(i % 2 == 0 ? 0.3 : 2, random);
     WaveEvaluation evaluation;
     evaluation.Enter(WavesOf(products), box);
     for (int sample = 0; sample < 20; ++sample) {
@@ -122,10 +122,10 @@ TEST(TrigonometricPolynomial, NoDirectionBendsMoreThanTheGreatestCurvature) {
   RandomStream random(3, "wave curvature");
   for (int i = 0; i < 100; ++i) {
     const Products products(random);
-    const std::vector<NearestInterval> box = RandomBox(0.5, random);
+    const std::vector<numeric::NearestInterval> box = RandomBox(0.5, random);
     WaveEvaluation evaluation;
     evaluation.Enter(WavesOf(products), box);
-    const SymmetricMatrix& greatest = evaluation.greatest_curvature();
+    const numeric::SymmetricMatrix& greatest = evaluation.greatest_curvature();
     for (int sample = 0; sample < 20; ++sample) {
       const Point direction = {random.Uniform(-1, 1), random.Uniform(-1, 1), random.Uniform(-1, 1)};
       double most = 0;
@@ -148,7 +148,7 @@ TEST(TrigonometricPolynomial, KnowsSumsOfAngles) {
   TrigonometricPolynomial sum;
   ASSERT_TRUE(sum.Assign(form, std::vector<int>{0, 2}));
   WaveEvaluation evaluation;
-  evaluation.Enter(sum, std::vector<NearestInterval>{{0.1, 0.4}, {0.2, 0.3}});
+  evaluation.Enter(sum, std::vector<numeric::NearestInterval>{{0.1, 0.4}, {0.2, 0.3}});
   EXPECT_NEAR(evaluation.range().low, std::cos(0.7), kRounding);
   EXPECT_NEAR(evaluation.range().high, std::cos(0.3), kRounding);
 }

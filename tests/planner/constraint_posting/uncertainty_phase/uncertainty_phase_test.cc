@@ -1,4 +1,5 @@
 #include "planner/constraint_posting/uncertainty_phase/uncertainty_phase.h"
+#include "planner/algebra/expression/evaluation.h"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -13,9 +14,9 @@
 #include <tuple>
 
 #include "planner/algebra/bounds/bounds.h"
-#include "planner/algebra/numeric/interval_arithmetic.h"
 #include "planner/base/random.h"
 #include "planner/constraint_posting/resolvers/squeezing_resolver.h"
+#include "planner/numeric/interval_arithmetic.h"
 #include "planner/plan/check/checker.h"
 #include "planner/plan/data/coverage.h"
 #include "planner/plan/file/plan_file.h"
@@ -367,7 +368,7 @@ TEST_P(AugmentedPlans, CarryCertificatesThatCanBeProvedAnew) {
       std::vector<Interval> corner = box.box;
       for (const auto& [name, value] : claim.worst) {
         const algebra::VariableId id = *pool.Find(name);
-        EXPECT_TRUE(algebra::Contains(pool.bounds(id), value));
+        EXPECT_TRUE(Contains(pool.bounds(id), value));
         corner[id.index()] = {value, value};
       }
       const Interval value = algebra::Evaluate(e, corner);

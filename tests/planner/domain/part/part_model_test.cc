@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "planner/domain/grasp/planar_region.h"
 #include "planner/domain/part/exposed_faces.h"
 #include "planner/domain/part/part_file.h"
+#include "planner/geometry/planar_region.h"
 #include "tests/oracle/random_pose.h"
 #include "tests/planner/domain/parts.h"
 

@@ -138,7 +138,7 @@ PrimitiveContact Floor(int dimension, const std::vector<HalfSpace>& limits = {})
   return contact;
 }
 
-ForwardProjection Resting(const Zonotope& start) {
+ForwardProjection Resting(const geometry::Zonotope& start) {
   const Eigen::Index n = start.center.size();
   return {start, {Eigen::VectorXd::Zero(n), Eigen::MatrixXd(n, 0)}};
 }
@@ -224,7 +224,7 @@ TEST(Meet, MarginIsHomogeneous) {
     ProjectionAndContact given = RandomProjection(RandomModel(random), random);
     const Meeting before = Meet(given.projection, given.contact);
     constexpr double kUnit = 1e-3;
-    for (Zonotope* z : {&given.projection.start, &given.projection.velocity}) {
+    for (geometry::Zonotope* z : {&given.projection.start, &given.projection.velocity}) {
       z->center *= kUnit;
       z->generators *= kUnit;
     }
@@ -237,7 +237,7 @@ TEST(Meet, MarginIsHomogeneous) {
 }
 
 // Returns the image (gap, excesses) of the points that are reached at time s.
-Zonotope ImageAt(double s, const ProjectionAndContact& given) {
+geometry::Zonotope ImageAt(double s, const ProjectionAndContact& given) {
   const auto& [projection, contact] = given;
   Eigen::MatrixXd rows(1 + contact.limits.size(), contact.row.size());
   Eigen::VectorXd offset(rows.rows());
@@ -247,7 +247,7 @@ Zonotope ImageAt(double s, const ProjectionAndContact& given) {
     rows.row(i + 1) = contact.limits[i].a;
     offset[i + 1] = -contact.limits[i].b;
   }
-  Zonotope moved = projection.velocity;
+  geometry::Zonotope moved = projection.velocity;
   moved.center *= s;
   moved.generators *= s;
   return Mapped(rows, offset, Sum(projection.start, moved));
@@ -261,7 +261,7 @@ Eigen::VectorXd Outside(Eigen::VectorXd y) {
 
 // Returns the least norm by coordinate descent over the factors of the generators. The square of
 // the norm is convex and smooth, so that the descent reaches the global minimum.
-double LeastNormByDescent(const Zonotope& image) {
+double LeastNormByDescent(const geometry::Zonotope& image) {
   constexpr int kMostRounds = 20000;
   Eigen::VectorXd y = image.center;
   Eigen::VectorXd factors = Eigen::VectorXd::Zero(image.generators.cols());
@@ -308,7 +308,8 @@ TEST(Meet, MarginIsTheDistance) {
 }
 
 TEST(Meet, MarginsByHand) {
-  const Zonotope cube = Zonotope::Box(Eigen::Vector3d(2, -1, 4), Eigen::Vector3d(3, 1, 5));
+  const geometry::Zonotope cube =
+      geometry::Zonotope::Box(Eigen::Vector3d(2, -1, 4), Eigen::Vector3d(3, 1, 5));
   const HalfSpace left{.a = Eigen::Vector3d(1, 0, 0), .b = -1};  // x <= -1
   EXPECT_NEAR(Meet(Resting(cube), Floor(3)).margin, 4, kTolerance);
   EXPECT_NEAR(Meet(Resting(cube), Floor(3, {left})).margin, 5, kTolerance);  // distances of 4 and 3
@@ -325,11 +326,13 @@ TEST(Meet, MarginsByHand) {
 
 TEST(Meet, WhatIsNearerThanTheToleranceMeets) {
   for (const double gap : {0.0, 1e-12, 9e-10, -9e-10}) {
-    const Zonotope cube = Zonotope::Box(Eigen::Vector3d(0, 0, std::min(gap, gap - 1)),
-                                        Eigen::Vector3d(1, 1, gap < 0 ? gap : gap - 1 + 1));
+    const geometry::Zonotope cube =
+        geometry::Zonotope::Box(Eigen::Vector3d(0, 0, std::min(gap, gap - 1)),
+                                Eigen::Vector3d(1, 1, gap < 0 ? gap : gap - 1 + 1));
     EXPECT_TRUE(Meet(Resting(cube), Floor(3)).meets) << gap;
   }
-  const Zonotope above = Zonotope::Box(Eigen::Vector3d(0, 0, 1e-6), Eigen::Vector3d(1, 1, 1));
+  const geometry::Zonotope above =
+      geometry::Zonotope::Box(Eigen::Vector3d(0, 0, 1e-6), Eigen::Vector3d(1, 1, 1));
   EXPECT_FALSE(Meet(Resting(above), Floor(3)).meets);
   EXPECT_TRUE(Meet(Resting(above), Floor(3), 1e-5).meets);
 }
@@ -339,7 +342,7 @@ TEST(Meet, WhatIsNearerThanTheToleranceMeets) {
 TEST(Meet, SurvivesDegenerateImages) {
   const HalfSpace right{.a = Eigen::Vector3d(-1, 0, 0), .b = 0};
   const HalfSpace twice{.a = Eigen::Vector3d(-2, 0, 0), .b = 0};
-  const Zonotope point{Eigen::Vector3d::Zero(), Eigen::MatrixXd(3, 0)};
+  const geometry::Zonotope point{Eigen::Vector3d::Zero(), Eigen::MatrixXd(3, 0)};
   EXPECT_TRUE(Meet(Resting(point), Floor(3, {right, twice})).meets);
 
   ForwardProjection sliding = Resting({Eigen::Vector3d(-1, 0, 0), Eigen::MatrixXd(3, 0)});
@@ -350,7 +353,7 @@ TEST(Meet, SurvivesDegenerateImages) {
   EXPECT_NEAR(Meet(sliding, Floor(3, {right, twice})).margin, std::sqrt(0.25 * 0.25 * 5),
               kTolerance);
 
-  Zonotope flat{Eigen::Vector3d(0, 0, 1), Eigen::MatrixXd::Zero(3, 3)};
+  geometry::Zonotope flat{Eigen::Vector3d(0, 0, 1), Eigen::MatrixXd::Zero(3, 3)};
   flat.generators.row(0).setConstant(0.5);
   EXPECT_NEAR(Meet(Resting(flat), Floor(3, {right, twice})).margin, 1, kTolerance);
 }
@@ -363,8 +366,8 @@ TEST(Meet, TakesMoreLimitsThanTheUsualFour) {
   }
   const auto at = [](double x, double y) {
     const Eigen::Vector3d p(x, y, 0);
-    return Resting(
-        Zonotope::Box(p - Eigen::Vector3d::Constant(0.5), p + Eigen::Vector3d::Constant(0.5)));
+    return Resting(geometry::Zonotope::Box(p - Eigen::Vector3d::Constant(0.5),
+                                           p + Eigen::Vector3d::Constant(0.5)));
   };
   EXPECT_TRUE(Meet(at(1.49, 0), Floor(3, limits)).meets);
   EXPECT_FALSE(Meet(at(1.51, 0), Floor(3, limits)).meets);
@@ -376,8 +379,8 @@ TEST(Meet, MarginShrinksAsErrorsGrow) {
   RandomStream random(kSeed, "ladder");
   for (int trial = 0; trial < 500; ++trial) {
     ProjectionAndContact given = RandomProjection(RandomModel(random), random);
-    const Zonotope start = given.projection.start;
-    const Zonotope velocity = given.projection.velocity;
+    const geometry::Zonotope start = given.projection.start;
+    const geometry::Zonotope velocity = given.projection.velocity;
     double margin = Meet(given.projection, given.contact).margin;
     for (const double factor : {1.25, 1.5, 2.0, 3.0, 4.0}) {
       given.projection.start = Scaled(start, factor);
@@ -392,8 +395,8 @@ TEST(Meet, MarginShrinksAsErrorsGrow) {
 // The argument of Dakin and Popplestone in section 4 fails for two limits. A triangle (a point that
 // moves with an error) times a square meets the corner of the contact only with its inside.
 TEST(MeetAtAnEdge, MissesWhatOnlyTheInsideMeets) {
-  ForwardProjection triangle =
-      Resting(Zonotope::Box(Eigen::Vector4d(-1, -1, -1, -1), Eigen::Vector4d(-1, -1, 1, 1)));
+  ForwardProjection triangle = Resting(
+      geometry::Zonotope::Box(Eigen::Vector4d(-1, -1, -1, -1), Eigen::Vector4d(-1, -1, 1, 1)));
   triangle.velocity = {Eigen::Vector4d(1.25, 1.25, 0, 0), Eigen::Vector4d(0.75, -0.75, 0, 0)};
   triangle.time = 1;
   const HalfSpace right{.a = Eigen::Vector4d(-1, 0, 0, 0)};
@@ -402,7 +405,8 @@ TEST(MeetAtAnEdge, MissesWhatOnlyTheInsideMeets) {
   EXPECT_FALSE(MeetAtAnEdge(triangle, Floor(4, {right, ahead})));
   EXPECT_TRUE(MeetAtAnEdge(triangle, Floor(4, {right})));
 
-  const Zonotope cube = Zonotope::Box(-Eigen::Vector3d::Ones(), Eigen::Vector3d::Ones());
+  const geometry::Zonotope cube =
+      geometry::Zonotope::Box(-Eigen::Vector3d::Ones(), Eigen::Vector3d::Ones());
   const HalfSpace strip_begin{.a = Eigen::Vector3d(-1, 0, 0), .b = 0.25};
   const HalfSpace strip_end{.a = Eigen::Vector3d(1, 0, 0), .b = 0.25};
   EXPECT_TRUE(Meet(Resting(cube), Floor(3, {strip_begin, strip_end})).meets);
@@ -444,14 +448,16 @@ TEST(MeetAtAnEdge, FindsEdgesOfEachKind) {
   EXPECT_FALSE(MeetAtAnEdge(falling, Floor(3, {{Eigen::Vector3d(1, 0, 0), -1.5}})));
   falling.time = 0.99;
   EXPECT_FALSE(MeetAtAnEdge(falling, Floor(3)));
-  const Zonotope point{Eigen::Vector3d::Zero(), Eigen::MatrixXd(3, 0)};
+  const geometry::Zonotope point{Eigen::Vector3d::Zero(), Eigen::MatrixXd(3, 0)};
   EXPECT_TRUE(MeetAtAnEdge(Resting(point), Floor(3)));
-  const Zonotope needle{Eigen::Vector3d::Zero(), Eigen::Vector3d(1, 1, 1)};  // the start is an edge
+  const geometry::Zonotope needle{Eigen::Vector3d::Zero(),
+                                  Eigen::Vector3d(1, 1, 1)};  // the start is an edge
   EXPECT_TRUE(MeetAtAnEdge(Resting(needle), Floor(3)));
 }
 
 TEST(MeetDeathTest, RowsOfAnotherDimensionAreABrokenInvariant) {
-  const Zonotope cube = Zonotope::Box(-Eigen::Vector3d::Ones(), Eigen::Vector3d::Ones());
+  const geometry::Zonotope cube =
+      geometry::Zonotope::Box(-Eigen::Vector3d::Ones(), Eigen::Vector3d::Ones());
   EXPECT_DEATH(Meet(Resting(cube), Floor(4)), "size");
   EXPECT_DEATH(Meet(Resting(cube), Floor(3, {{Eigen::Vector4d(1, 0, 0, 0), 0}})), "size");
 }

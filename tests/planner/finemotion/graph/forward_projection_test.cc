@@ -8,7 +8,7 @@
 
 #include "bench/workloads/projections.h"
 #include "planner/finemotion/contacts/meeting.h"
-#include "tests/planner/finemotion/corners.h"
+#include "tests/planner/geometry/corners.h"
 
 namespace assay::finemotion::forward_projection_test {
 namespace {
@@ -46,7 +46,7 @@ Eigen::VectorXd Supports(const Region& region, const Eigen::MatrixXd& directions
 // Returns a factor of a generator. It is an end of its range as often as a value in between.
 double RandomFactor(RandomStream& random) { return std::clamp(random.Uniform(-2, 2), -1.0, 1.0); }
 
-Eigen::VectorXd Sample(const Zonotope& region, RandomStream& random) {
+Eigen::VectorXd Sample(const geometry::Zonotope& region, RandomStream& random) {
   Eigen::VectorXd z = region.center;
   for (const auto generator : region.generators.colwise()) z += RandomFactor(random) * generator;
   return z;
@@ -120,7 +120,7 @@ TEST(ForwardProjection, SupportIsThatOfItsFarthestPointAndGrowsWithTime) {
 ProjectionAndContact RandomApproaching(RandomStream& random) {
   ProjectionAndContact given = RandomMoving(random);
   given.projection.time *= 5;
-  Zonotope& velocity = given.projection.velocity;
+  geometry::Zonotope& velocity = given.projection.velocity;
   if (given.contact.row.dot(velocity.center) > 0) velocity.center *= -1;
   const double speed = -given.contact.row.dot(velocity.center);
   const double error = velocity.Support(given.contact.row) + speed;
@@ -133,7 +133,7 @@ TEST(RegionAtContact, HoldsWhereSampledMotionsHitTheSurface) {
   int hits = 0;
   for (int trial = 0; trial < 500; ++trial) {
     const auto [projection, contact] = RandomApproaching(random);
-    const Zonotope region = RegionAtContact(projection, contact);
+    const geometry::Zonotope region = RegionAtContact(projection, contact);
     const Eigen::MatrixXd directions = RandomDirections(region.center.size(), random);
     const Eigen::VectorXd supports = Supports(region, directions);
     const double scale = supports.cwiseAbs().maxCoeff();
@@ -154,7 +154,7 @@ TEST(RegionAtContact, LiesInTheSurface) {
   RandomStream random(kSeed, "surface");
   for (int trial = 0; trial < 200; ++trial) {
     const auto [projection, contact] = RandomApproaching(random);
-    const Zonotope region = RegionAtContact(projection, contact);
+    const geometry::Zonotope region = RegionAtContact(projection, contact);
     const double scale = region.generators.cwiseAbs().sum();
     EXPECT_NEAR(region.Support(contact.row), -contact.offset, kRounding * scale);
     EXPECT_NEAR(-region.Support(-contact.row), -contact.offset, kRounding * scale);
@@ -168,7 +168,7 @@ TEST(RegionAtContact, IsTightInTheStart) {
     auto [projection, contact] = RandomApproaching(random);
     projection.velocity = Scaled(projection.velocity, 0);
     projection.start.generators.conservativeResize(Eigen::NoChange, 6);
-    const Zonotope region = RegionAtContact(projection, contact);
+    const geometry::Zonotope region = RegionAtContact(projection, contact);
     const Eigen::VectorXd& v = projection.velocity.center;
     const Eigen::VectorXd a = RandomVector(region.center.size(), random);
     double farthest = -std::numeric_limits<double>::infinity();
@@ -186,10 +186,10 @@ TEST(RegionAtContact, OfAFallingCube) {
   PrimitiveContact floor;
   floor.row = Eigen::Vector3d(0, 0, 1);
   ForwardProjection falling;
-  falling.start = Zonotope::Box(Eigen::Vector3d(-1, -2, 3), Eigen::Vector3d(1, 2, 5));
+  falling.start = geometry::Zonotope::Box(Eigen::Vector3d(-1, -2, 3), Eigen::Vector3d(1, 2, 5));
   falling.velocity = {Eigen::Vector3d(1, 0, -1), Eigen::Vector3d(0, 0.25, 0)};
   falling.time = 10;
-  const Zonotope region = RegionAtContact(falling, floor);
+  const geometry::Zonotope region = RegionAtContact(falling, floor);
   EXPECT_EQ(region.generators.cols(), 4);
   EXPECT_DOUBLE_EQ(region.Support(Eigen::Vector3d(1, 0, 0)), 6);
   EXPECT_DOUBLE_EQ(region.Support(Eigen::Vector3d(-1, 0, 0)), -2);
@@ -204,7 +204,7 @@ TEST(RegionAtContactDeathTest, EveryMotionMustApproach) {
   PrimitiveContact floor;
   floor.row = Eigen::Vector3d(0, 0, 1);
   ForwardProjection sliding;
-  sliding.start = Zonotope::Box(Eigen::Vector3d(0, 0, 1), Eigen::Vector3d(1, 1, 2));
+  sliding.start = geometry::Zonotope::Box(Eigen::Vector3d(0, 0, 1), Eigen::Vector3d(1, 1, 2));
   sliding.velocity = {Eigen::Vector3d(1, 0, -1), Eigen::Vector3d(0, 0, 1.5)};
   sliding.time = 1;
   EXPECT_DEATH(RegionAtContact(sliding, floor), "does not approach");

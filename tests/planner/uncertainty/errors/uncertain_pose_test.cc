@@ -1,4 +1,5 @@
 #include "planner/uncertainty/errors/uncertain_pose.h"
+#include "planner/algebra/expression/evaluation.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,5 @@
 #include "planner/uncertainty/errors/world_tree.h"
+#include "planner/algebra/expression/nodes.h"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <span>
+
+#include "planner/algebra/expression/expression.h"
+
+namespace assay::algebra {
+
+// The rules by which sums and products fold their numbers, and the neutral number that they leave
+// out.
+struct Folding {
+  Operator op;
+  double neutral = 0;
+  bool is_absorbed_by_zero = false;
+};
+
+// Returns the sum or product of the operands. Numbers are folded where that is exact, neutral ones
+// are left out, and short sums in a sum (products in a product) are flattened.
+Expression Combined(const Folding& folding, std::span<const Expression> operands);
+
+}  // namespace assay::algebra

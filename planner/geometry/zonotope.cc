@@ -1,0 +1,42 @@
+#include "planner/geometry/zonotope.h"
+
+#include "planner/base/check.h"
+
+namespace assay::geometry {
+
+Zonotope Zonotope::Box(const Eigen::VectorXd& low, const Eigen::VectorXd& high) {
+  ASSAY_CHECK(low.size() == high.size() && (low.array() <= high.array()).all());
+  Zonotope box{(low + high) / 2,
+               Eigen::MatrixXd::Zero(low.size(), (low.array() < high.array()).count())};
+  Eigen::Index column = 0;
+  for (Eigen::Index i = 0; i < low.size(); ++i) {
+    if (low[i] < high[i]) box.generators(i, column++) = (high[i] - low[i]) / 2;
+  }
+  return box;
+}
+
+double Zonotope::Support(const Eigen::VectorXd& a) const {
+  return a.dot(center) + (generators.transpose() * a).lpNorm<1>();
+}
+
+Eigen::VectorXd Zonotope::Farthest(const Eigen::VectorXd& a) const {
+  const Eigen::VectorXd rises = generators.transpose() * a;
+  return center + generators * rises.cwiseSign();
+}
+
+Zonotope Mapped(const Eigen::MatrixXd& linear, const Eigen::VectorXd& offset, const Zonotope& of) {
+  return {linear * of.center + offset, linear * of.generators};
+}
+
+Zonotope Sum(const Zonotope& a, const Zonotope& b) {
+  Zonotope sum{a.center + b.center,
+               Eigen::MatrixXd(a.center.size(), a.generators.cols() + b.generators.cols())};
+  sum.generators << a.generators, b.generators;
+  return sum;
+}
+
+Zonotope Scaled(const Zonotope& region, double factor) {
+  return {region.center, factor * region.generators};
+}
+
+}  // namespace assay::geometry

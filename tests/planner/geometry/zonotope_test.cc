@@ -1,0 +1,97 @@
+#include "planner/geometry/zonotope.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "planner/base/random.h"
+#include "tests/planner/geometry/corners.h"
+
+namespace assay::geometry::zonotope_test {
+namespace {
+
+constexpr double kRounding = 1e-12;
+
+Eigen::MatrixXd RandomMatrix(int rows, int columns, RandomStream& random) {
+  Eigen::MatrixXd m(rows, columns);
+  for (double& entry : m.reshaped()) entry = random.Uniform(-1, 1);
+  return m;
+}
+
+Eigen::VectorXd RandomVector(int size, RandomStream& random) {
+  return RandomMatrix(size, 1, random);
+}
+
+Zonotope RandomZonotope(int dimension, int generators, RandomStream& random) {
+  return {RandomVector(dimension, random), RandomMatrix(dimension, generators, random)};
+}
+
+TEST(Zonotope, BoxHasTheBoxesCornersAndNoGeneratorWhereItIsFlat) {
+  const Zonotope box = Zonotope::Box(Eigen::Vector3d(-1, 2, 0), Eigen::Vector3d(3, 2, 0.5));
+  EXPECT_EQ(box.generators.cols(), 2);
+  EXPECT_EQ(box.Farthest(Eigen::Vector3d(1, 1, -1)), Eigen::Vector3d(3, 2, 0));
+  EXPECT_EQ(box.Farthest(Eigen::Vector3d(-1, 1, 1)), Eigen::Vector3d(-1, 2, 0.5));
+  EXPECT_DOUBLE_EQ(box.Support(Eigen::Vector3d(2, 1, -4)), 8);
+}
+
+TEST(Zonotope, SupportIsTheGreatestOverTheCorners) {
+  RandomStream random(7, "support");
+  for (int trial = 0; trial < 200; ++trial) {
+    const Zonotope z = RandomZonotope(4, 6, random);
+    const Eigen::VectorXd a = RandomVector(4, random);
+    double greatest = a.dot(z.center);
+    for (const Eigen::VectorXd& corner : Corners(z)) greatest = std::max(greatest, a.dot(corner));
+    EXPECT_NEAR(z.Support(a), greatest, kRounding);
+    EXPECT_NEAR(a.dot(z.Farthest(a)), greatest, kRounding);
+  }
+}
+
+TEST(Zonotope, SupportOfASumIsTheSum) {
+  RandomStream random(7, "sum");
+  for (int trial = 0; trial < 200; ++trial) {
+    const Zonotope a = RandomZonotope(7, 5, random);
+    const Zonotope b = RandomZonotope(7, 3, random);
+    const Eigen::VectorXd direction = RandomVector(7, random);
+    EXPECT_NEAR(Sum(a, b).Support(direction), a.Support(direction) + b.Support(direction),
+                kRounding);
+  }
+}
+
+TEST(Zonotope, SupportOfAnImageIsThatInTheTransposedDirection) {
+  RandomStream random(7, "image");
+  for (int trial = 0; trial < 200; ++trial) {
+    const Zonotope z = RandomZonotope(7, 9, random);
+    const Eigen::MatrixXd linear = RandomMatrix(3, 7, random);
+    const Eigen::VectorXd offset = RandomVector(3, random);
+    const Eigen::VectorXd direction = RandomVector(3, random);
+    EXPECT_NEAR(Mapped(linear, offset, z).Support(direction),
+                z.Support(linear.transpose() * direction) + offset.dot(direction), kRounding);
+  }
+}
+
+TEST(Zonotope, SupportIsPositivelyHomogeneousAndSubadditive) {
+  RandomStream random(7, "laws");
+  for (int trial = 0; trial < 200; ++trial) {
+    const Zonotope z = RandomZonotope(6, 8, random);
+    const Eigen::VectorXd a = RandomVector(6, random);
+    const Eigen::VectorXd b = RandomVector(6, random);
+    EXPECT_NEAR(z.Support(3 * a), 3 * z.Support(a), kRounding);
+    EXPECT_LE(z.Support(a + b), z.Support(a) + z.Support(b) + kRounding);
+    EXPECT_GE(z.Support(a) + z.Support(-a), 0);
+  }
+}
+
+TEST(Zonotope, ScaledGrowsAboutTheCenter) {
+  RandomStream random(7, "scaled");
+  for (int trial = 0; trial < 200; ++trial) {
+    const Zonotope z = RandomZonotope(6, 8, random);
+    const Eigen::VectorXd a = RandomVector(6, random);
+    const double middle = a.dot(z.center);
+    EXPECT_NEAR(Scaled(z, 2.5).Support(a) - middle, 2.5 * (z.Support(a) - middle), kRounding);
+    EXPECT_LE(z.Support(a), Scaled(z, 1.5).Support(a));
+    EXPECT_NEAR(Scaled(z, 0).Support(a), middle, kRounding);
+  }
+}
+
+}  // namespace
+}  // namespace assay::geometry::zonotope_test
