@@ -111,6 +111,11 @@ void Data::Forward() {
   mj_forward(own_model_.get(), data_.get());
 }
 
+void Data::MoveBodies() {
+  const KeepPosition keep(qpos());
+  mj_kinematics(own_model_.get(), data_.get());
+}
+
 void Data::AddForce(BodyId body, const Vector3& p_World, const Vector3& force_World) {
   const Vector3 no_torque = Vector3::Zero();
   mj_applyFT(own_model_.get(), data_.get(), force_World.data(), no_torque.data(), p_World.data(),

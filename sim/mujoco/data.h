@@ -51,6 +51,9 @@ class Data {
   void Step();     // one timestep
   void Forward();  // computes all that follows from qpos, qvel and controls, at the present time
 
+  // Computes the poses of the bodies from qpos, and nothing else. Call Forward before a step.
+  void MoveBodies();
+
   // Adds to qfrc_applied the force on a body at a point, in newtons and metres in the world's axes.
   void AddForce(BodyId body, const geometry::Vector3& p_World,
                 const geometry::Vector3& force_World);

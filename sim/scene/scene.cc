@@ -35,6 +35,14 @@ void Scatter(const JointVector& from, const std::array<int, 6>& addresses,
   for (std::size_t i = 0; i < addresses.size(); ++i) values[addresses[i]] = from[i];
 }
 
+void Scatter(const Pose& pose, int address, std::span<double> values) {
+  const Eigen::Quaterniond turn(pose.linear());
+  const Vector3 p = pose.translation();
+  const std::array<double, 7> numbers = {p.x(),    p.y(),    p.z(),   turn.w(),
+                                         turn.x(), turn.y(), turn.z()};
+  std::copy(numbers.begin(), numbers.end(), values.begin() + address);
+}
+
 Vector3 VectorAt(std::span<const double> values, int address) {
   return {values[address], values[address + 1], values[address + 2]};
 }
@@ -168,13 +176,27 @@ Twist Scene::TrueTwist(const Data& data, PartId part) const {
           .angular = TruePose(data, part).linear() * angular_in_body};
 }
 
+ArmPosture Scene::Posture(const Data& data, domain::RobotId robot) const {
+  return {ArmPosition(data, robot), Opening(data, robot)};
+}
+
+void Scene::Show(Data& data, const std::vector<ArmPosture>& arms,
+                 const std::vector<Pose>& X_WorldPart) const {
+  for (std::size_t i = 0; i < arms.size(); ++i) {
+    Scatter(arms[i].q, robots_[i].arm.qpos, data.qpos());
+    for (const Finger& finger : robots_[i].fingers) {
+      data.qpos()[finger.qpos] = arms[i].opening / 2;
+    }
+  }
+  for (std::size_t i = 0; i < X_WorldPart.size(); ++i) {
+    Scatter(X_WorldPart[i], parts_[i].qpos, data.qpos());
+  }
+  data.MoveBodies();
+}
+
 void Scene::SetPart(Data& data, PartId part, const Pose& X_WorldPart) const {
   const FreeBody& body = parts_[part.index()];
-  const Eigen::Quaterniond turn(X_WorldPart.linear());
-  const Vector3 p = X_WorldPart.translation();
-  const std::array<double, 7> values = {p.x(),    p.y(),    p.z(),   turn.w(),
-                                        turn.x(), turn.y(), turn.z()};
-  std::copy(values.begin(), values.end(), data.qpos().begin() + body.qpos);
+  Scatter(X_WorldPart, body.qpos, data.qpos());
   std::fill_n(data.qvel().begin() + body.dof, 6, 0.0);
   data.Forward();
 }

@@ -25,6 +25,13 @@ struct Wrench {
   Vector3 torque = Vector3::Zero();
 };
 
+// The joint values of an arm, radians, joint 1 first, and the opening of its gripper, metres
+// between the pads.
+struct ArmPosture {
+  JointVector q = JointVector::Zero();
+  double opening = 0;
+};
+
 // The velocity of a body's origin and the body's angular velocity, world frame.
 struct Twist {
   Vector3 linear = Vector3::Zero();   // m/s
@@ -88,6 +95,12 @@ class Scene {
   Pose TruePose(const mujoco::Data& data, PartId part) const;  // X_WorldPart
   double TrueMass(PartId part) const;                          // kg
   Twist TrueTwist(const mujoco::Data& data, PartId part) const;
+  ArmPosture Posture(const mujoco::Data& data, domain::RobotId robot) const;
+  // Moves all arms (by RobotId) and all parts (by PartId) in one jump, and computes the poses of
+  // the bodies. It is for pictures: the simulation must not go on without Data::Forward.
+  void Show(mujoco::Data& data, const std::vector<ArmPosture>& arms,
+            const std::vector<Pose>& X_WorldPart) const;
+
   // Moves a part to a pose in one jump, at rest, for the start of a trial.
   void SetPart(mujoco::Data& data, PartId part, const Pose& X_WorldPart) const;
 

@@ -44,6 +44,8 @@ hidden("liburdfdom-dev liburdfdom-headers-dev libconsole-bridge-dev" -DASSAY_FOU
 hidden("libopencv-imgcodecs-dev libopencv-imgproc-dev" -DASSAY_FOUND_opencv_imgcodecs=)
 hidden("libfcl-dev libccd-dev" -DASSAY_FOUND_ccd=)
 hidden("libompl-dev" -DASSAY_FOUND_ompl=)
+hidden("esbuild" -DESBUILD=)
+hidden("libjs-three" -DTHREE_JS=)
 # Read from where the packages are asked for, so that none is forgotten.
 foreach(file IN ITEMS CMakeLists.txt tests/CMakeLists.txt bench/CMakeLists.txt)
   file(STRINGS ${SOURCE}/${file} requirements REGEX "^ *assay_require\\(")

@@ -103,6 +103,9 @@ Snapshot Execution::Now() const {
         {scene_.TruePose(data_, PartId(i)), world_.PartPose(PartId(i), X_WorldTool)});
     now.table_heights.push_back(scene_.TableHeight(data_, PartId(i)));
   }
+  for (std::size_t i = 0; i < problem_.workcell->robots().size(); ++i) {
+    now.arms.push_back(scene_.Posture(data_, domain::RobotId(i)));
+  }
   return now;
 }
 
@@ -138,6 +141,7 @@ Progress Execution::Follow(const JointTrajectory& asked, double fine_from) {
 // on. At the end the servos are commanded to hold the arm where it is, so that it stops pressing.
 Progress Execution::Follow(const JointTrajectory& trajectory, double fine_from,
                            const Guarded& guarded) {
+  const double from = data_.time();
   const double before = scene_.WristWrench(data_).force.dot(guarded.direction);
   double resistance = 0;
   double time = 0;
@@ -154,7 +158,8 @@ Progress Execution::Follow(const JointTrajectory& trajectory, double fine_from,
   }
   const bool stopped = rate < 1;
   if (stopped) TakeStock();
-  trace_.events.push_back(GuardRecord{data_.time(), stopped, BelievedTool()});
+  trace_.events.push_back(
+      GuardRecord{data_.time(), stopped, BelievedTool(), from, guarded.force, guarded.direction});
   return std::nullopt;
 }
 

@@ -51,7 +51,10 @@ class TraceWriter {
     return {{"kind", "guard"},
             {"time", guard.time},
             {"resisted", guard.resisted},
-            {"tool", ToJson(guard.tool)}};
+            {"tool", ToJson(guard.tool)},
+            {"from", guard.from},
+            {"force", guard.force},
+            {"direction", ToJson(guard.direction)}};
   }
   Json operator()(const MotionRecord& motion) const {
     Json recognized;
@@ -124,6 +127,10 @@ class TraceWriter {
     }
     Json contacts = Json::array();
     for (const auto& [a, b] : moment.contacts) contacts.push_back({a, b});
+    Json arms = Json::array();
+    for (const auto& [q, opening] : moment.arms) {
+      arms.push_back({{"joints", std::vector(q.begin(), q.end())}, {"opening", opening}});
+    }
     return {
         {"kind", kind},
         {"time", moment.time},
@@ -132,7 +139,8 @@ class TraceWriter {
         {"wrist", {{"force", ToJson(moment.wrist.force)}, {"torque", ToJson(moment.wrist.torque)}}},
         {"parts", parts},
         {"table_heights", moment.table_heights},
-        {"contacts", contacts}};
+        {"contacts", contacts},
+        {"arms", arms}};
   }
   const std::string& Name(PartId part) const { return trace_.parts[part.index()]; }
 

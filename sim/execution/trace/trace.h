@@ -4,6 +4,7 @@
 #include <iosfwd>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -32,6 +33,7 @@ struct Snapshot {
   scene::Wrench wrist;                      // Scene::WristWrench
   // Names of bodies that touch. Each pair occurs once and is in alphabetical order.
   std::vector<std::pair<std::string, std::string>> contacts = {};
+  std::vector<scene::ArmPosture> arms = {};  // by RobotId
 };
 
 // One of a series of snapshots at equal intervals.
@@ -63,11 +65,15 @@ struct LookRecord {
   Pose believed;  // believed pose after the look
 };
 
-// The end of a guarded move.
+// The end of a guarded move. It ends where the force at the wrist has fallen along the move by
+// `force` since it began.
 struct GuardRecord {
   double time = 0;
-  bool resisted = false;  // whether the tool met resistance before the end of its way
-  Pose tool;              // the believed pose of the tool
+  bool resisted = false;                // whether the tool met resistance before the end of its way
+  Pose tool;                            // the believed pose of the tool
+  double from = 0;                      // time when the move began
+  double force = 0;                     // newtons
+  Vector3 direction = Vector3::Zero();  // of the move, world frame, a unit vector
 };
 
 // An unwanted contact of a strategy (plan::UnwantedContact) that forces show to be made or lost.
@@ -186,5 +192,9 @@ struct Trace {
 // Writes one JSON object per line (trace.schema.json): first a header, then the events. Equal
 // traces give equal bytes.
 void WriteTrace(const Trace& trace, std::ostream& out);
+
+// Reads what WriteTrace has written. `file` names the text in errors. Throws InputError, with the
+// line, if the text is not a trace, or if it was cut off before the end of the execution.
+Trace ReadTrace(std::string_view text, const std::string& file);
 
 }  // namespace assay::execution

@@ -4,7 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
+#include <sstream>
 
+#include "planner/base/document/input_error.h"
 #include "tests/sim/execution/trace/trace_schema.h"
 
 namespace assay::execution::trace_test {
@@ -22,7 +25,8 @@ Snapshot SomeMoment(double time) {
           .table_heights = {0.002},
           .opening = 0.05,
           .wrist = {.force = {1, 2, 3}, .torque = {4, 5, 6}},
-          .contacts = {{"part/peg", "world"}}};
+          .contacts = {{"part/peg", "world"}},
+          .arms = {{.q = scene::JointVector(0.1, -0.2, 0.3, -0.4, 0.5, -0.6), .opening = 0.05}}};
 }
 
 LookRecord SomeLook(bool found) {
@@ -64,7 +68,12 @@ Trace OneOfEach() {
                                .opening = 0.0512,
                                .pads_touch = true},
                      SomeLook(true), SomeLook(false),
-                     GuardRecord{0.76, true, geometry::Translation(1, 2, 6)},
+                     GuardRecord{.time = 0.76,
+                                 .resisted = true,
+                                 .tool = geometry::Translation(1, 2, 6),
+                                 .from = 0.7,
+                                 .force = 15,
+                                 .direction = {0, 0, -1}},
                      Milestone{plan::StepId(2), Stage::kReached, SomeMoment(0.78)}, check, recovery,
                      StepEnd{plan::StepId(0), "action_1", "pickup(peg, PG1)", SomeMoment(1)},
                      motion, RestRecord{.duration = 0.5, .parts = {{1e-6, 2e-6}}},
@@ -171,6 +180,65 @@ TEST(TraceTest, SaysHowMotionsEnded) {
   EXPECT_EQ(line["outcome"], "wrong-contact");
   EXPECT_EQ(line["recognized"]["contact"], "vertex 8 on face 6");
   EXPECT_EQ(line["recognized"]["loss"], false);
+}
+
+TEST(TraceTest, SaysWhereTheArmsAre) {
+  const Json arm = Lines(OneOfEach())[1]["arms"][0];
+  EXPECT_EQ(arm["joints"], Json::parse("[0.1, -0.2, 0.3, -0.4, 0.5, -0.6]"));
+  EXPECT_EQ(arm["opening"], 0.05);
+}
+
+// Returns the numbers and words of a trace's lines by their places.
+std::map<std::string, Json> Leaves(const Trace& trace) {
+  std::map<std::string, Json> leaves;
+  int number = 0;
+  for (const Json& line : Lines(trace)) {
+    ++number;
+    const Json flat = line.flatten();
+    for (const auto& [place, value] : flat.items()) {
+      leaves[std::to_string(number) + place] = value;
+    }
+  }
+  return leaves;
+}
+
+std::string TextOf(const Trace& trace) {
+  std::ostringstream text;
+  WriteTrace(trace, text);
+  return text.str();
+}
+
+TEST(ReadTraceTest, ReadsWhatWasWritten) {
+  const Trace trace = OneOfEach();
+  const std::map<std::string, Json> written = Leaves(trace);
+  const std::map<std::string, Json> read = Leaves(ReadTrace(TextOf(trace), "t"));
+  ASSERT_EQ(read.size(), written.size());
+  for (const auto& [place, value] : written) {
+    ASSERT_TRUE(read.contains(place)) << place;
+    if (value.is_number_float()) {
+      EXPECT_NEAR(read.at(place).get<double>(), value.get<double>(), 1e-12) << place;
+    } else {
+      EXPECT_EQ(read.at(place), value) << place;
+    }
+  }
+}
+
+TEST(ReadTraceTest, RefusesATraceThatWasCutOff) {
+  const std::string text = TextOf(OneOfEach());
+  for (const std::size_t size : {std::size_t{0}, text.size() / 2, text.rfind("\n{")}) {
+    EXPECT_THROW(ReadTrace(text.substr(0, size), "t"), InputError) << size;
+  }
+}
+
+TEST(ReadTraceTest, NamesTheLineOfAnError) {
+  std::string text = TextOf(OneOfEach());
+  text.replace(text.find("gripper-opening") - 12, 4, "?");
+  try {
+    ReadTrace(text, "t");
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.place().line, 8);
+  }
 }
 
 // A rotation has two quaternions, and the trace has the one with w >= 0. The example is 3.5 rad

@@ -1,0 +1,113 @@
+#include "sim/view/certificate_data.h"
+
+#include <algorithm>
+#include <array>
+#include <nlohmann/json.hpp>
+#include <string_view>
+#include <vector>
+
+#include "planner/plan/data/condition_kind.h"
+#include "planner/verify/proof.h"
+
+namespace assay::view {
+namespace {
+
+using plan::CertifiedPrecondition;
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t kShownVariables = 6;  // the variables that cost most
+
+// Preconditions of one kind and meaning.
+struct ClaimGroup {
+  const CertifiedPrecondition* tightest;
+  int count = 0;
+  int open = 0;  // that are not proved
+};
+
+std::vector<ClaimGroup> GroupsOf(const std::vector<CertifiedPrecondition>& claims) {
+  std::vector<ClaimGroup> groups;
+  for (const CertifiedPrecondition& claim : claims) {
+    auto group = std::ranges::find_if(groups, [&](const ClaimGroup& known) {
+      return known.tightest->condition == claim.condition &&
+             known.tightest->meaning == claim.meaning;
+    });
+    if (group == groups.end()) group = groups.insert(groups.end(), {&claim});
+    if (claim.margin < group->tightest->margin) group->tightest = &claim;
+    ++group->count;
+    group->open += claim.holds() ? 0 : 1;
+  }
+  std::ranges::stable_sort(groups, {},
+                           [](const ClaimGroup& group) { return group.tightest->margin; });
+  return groups;
+}
+
+std::string_view UnitOf(const std::string& condition) {
+  constexpr std::array kUnits = {"m", "rad", ""};  // by plan::Quantity
+  return kUnits[static_cast<std::size_t>(plan::QuantityOf(condition))];
+}
+
+std::string_view UnitOfVariable(const std::string& name) {
+  for (const char* angle : {"theta_", "skew_", "tip_", "twist_", "turn_"}) {
+    if (name.starts_with(angle)) return "rad";
+  }
+  return "m";
+}
+
+Json RangeData(const Interval& range) { return {range.low, range.high}; }
+
+Json CostsOf(const verify::Proof& proof) {
+  Json costs = Json::array();
+  for (std::size_t i = 0; i < std::min(proof.variables.size(), kShownVariables); ++i) {
+    const verify::VariableInProof& variable = proof.variables[i];
+    Json cost = {{"name", variable.name},
+                 {"unit", UnitOfVariable(variable.name)},
+                 {"range", RangeData(variable.range)},
+                 {"cost", variable.cost}};
+    if (variable.worst) cost["worst"] = *variable.worst;
+    costs.push_back(std::move(cost));
+  }
+  return costs;
+}
+
+std::string StandingOf(const ClaimGroup& group, const plan::PlannedStep& step) {
+  if (group.open == 0) return "proved";
+  return plan::Absorbs(step.strategy, group.tightest->condition) ? "absorbed" : "open";
+}
+
+void AddProof(const verify::Proof& proof, Json& data) {
+  data["nominal"] = proof.nominal;
+  data["costs"] = CostsOf(proof);
+  if (proof.claim.holds()) return;
+  data["refuted"] = proof.IsRefuted();
+  if (!proof.remedy) return;
+  data["remedy"] = {{"name", proof.remedy->name},
+                    {"unit", UnitOfVariable(proof.remedy->name)},
+                    {"range", RangeData(proof.remedy->range)},
+                    {"enough", RangeData(proof.remedy->enough)}};
+}
+
+}  // namespace
+
+Json PreconditionsOf(const plan::PlannedStep& step, const std::string& file) {
+  Json all = Json::array();
+  if (step.certificate.preconditions.empty()) return all;
+  const verify::CertificateProofs proofs(step, file);
+  for (const ClaimGroup& group : GroupsOf(step.certificate.preconditions)) {
+    const CertifiedPrecondition& claim = *group.tightest;
+    Json data = {{"condition", claim.condition},
+                 {"meaning", claim.meaning},
+                 {"standing", StandingOf(group, step)},
+                 {"count", group.count},
+                 {"open", group.open},
+                 {"unit", UnitOf(claim.condition)},
+                 {"relation", claim.relation == plan::Relation::kLess ? "<" : ">"},
+                 {"bound", claim.bound},
+                 {"limit", claim.limit},
+                 {"margin", claim.margin}};
+    AddProof(proofs.Of(claim), data);
+    all.push_back(std::move(data));
+  }
+  return all;
+}
+
+}  // namespace assay::view

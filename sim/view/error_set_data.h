@@ -1,0 +1,16 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "planner/domain/problem/problem.h"
+#include "planner/plan/data/plan.h"
+#include "sim/execution/trace/trace.h"
+
+namespace assay::view {
+
+// Returns the predicted error sets of all steps that were begun, with the times at which the page
+// shows them (README.md, "Data"). Each has the extreme poses of its part in the frame of the
+// part's believed pose.
+nlohmann::ordered_json ErrorSetsOf(const plan::Plan& plan, const execution::Trace& trace);
+
+}  // namespace assay::view

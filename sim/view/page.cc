@@ -1,0 +1,137 @@
+#include "sim/view/page.h"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "planner/plan/data/not_covered.h"
+#include "sim/check/trial/verdict.h"
+#include "sim/render/ghost.h"
+#include "sim/report/page/data_uri.h"
+#include "sim/report/page/element.h"
+#include "sim/report/page/palette.h"
+#include "sim/view/bundle.h"
+#include "sim/view/error_set_data.h"
+#include "sim/view/occurrence_data.h"
+#include "sim/view/pose_data.h"
+#include "sim/view/recording.h"
+#include "sim/view/step_data.h"
+
+namespace assay::view {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json BodiesData(const std::vector<Body>& bodies) {
+  Json all = Json::array();
+  for (const Body& body : bodies) {
+    Json shapes = Json::array();
+    for (const Shape& shape : body.shapes) {
+      shapes.push_back({{"type", shape.type},
+                        {"size", ToJson(shape.size)},
+                        {"pose", ToJson(shape.X_BodyShape)},
+                        {"color", shape.color}});
+    }
+    all.push_back({{"name", body.name}, {"shapes", shapes}});
+  }
+  return all;
+}
+
+Json CamerasData(const scene::Scene& scene) {
+  Json all = Json::array();
+  for (const Camera& camera : CamerasOf(scene)) {
+    all.push_back({{"name", camera.name},
+                   {"eye", ToJson(camera.eye)},
+                   {"forward", ToJson(camera.forward)},
+                   {"up", ToJson(camera.up)},
+                   {"angle", camera.vertical_angle}});
+  }
+  return all;
+}
+
+// Each part has its edges, for its outlines.
+Json PartsData(const domain::Problem& problem) {
+  Json all = Json::array();
+  for (const domain::Part& part : problem.parts) {
+    Json edges = Json::array();
+    for (const render::Edge& edge : render::EdgesOf(*part.model)) {
+      edges.push_back({ToJson(edge.from), ToJson(edge.to)});
+    }
+    all.push_back({{"name", part.name}, {"body", "part/" + part.name}, {"edges", edges}});
+  }
+  return all;
+}
+
+Json RecordingData(const Recording& recording) {
+  return {{"samples", recording.samples},
+          {"time", kTimeQuantum},
+          {"length", kLengthQuantum},
+          {"turn", kTurnQuantum},
+          {"force", kForceQuantum},
+          {"series", report::DataUri("application/octet-stream", recording.bytes)}};
+}
+
+Json OutcomeData(const check::Verdict& verdict) {
+  return {{"name", check::Name(verdict.outcome)}, {"reason", verdict.reason}};
+}
+
+Json ColorsData() {
+  Json colors = Json::object();
+  for (const report::Colour& color : report::kPalette)
+    colors[std::string(color.name)] = color.light;
+  return colors;
+}
+
+Json DataOf(const Subject& subject) {
+  const std::vector<Body> bodies = BodiesOf(subject.scene);
+  return {{"format", "assay-view/1"},
+          {"title", subject.problem.name},
+          {"source", subject.source},
+          {"outcome", OutcomeData(check::Judge(subject.problem, subject.trace, {}))},
+          {"notCovered", plan::NotCovered(subject.plan)},
+          {"colors", ColorsData()},
+          {"bodies", BodiesData(bodies)},
+          {"cameras", CamerasData(subject.scene)},
+          {"parts", PartsData(subject.problem)},
+          {"steps", StepsOf({subject.problem, subject.plan, subject.trace, subject.claims,
+                             subject.plan_file})},
+          {"errorSets", ErrorSetsOf(subject.plan, subject.trace)},
+          {"guards", GuardsOf(subject.trace)},
+          {"contacts", ContactsOf(subject.trace)},
+          {"occurrences", OccurrencesOf(subject.trace)},
+          {"recording", RecordingData(Record(subject.scene, bodies, subject.trace))}};
+}
+
+// Returns the data as a text that ends no script element.
+std::string ScriptText(const Json& data) {
+  std::string text;
+  for (const char c : data.dump(-1, ' ', false, Json::error_handler_t::replace)) {
+    text += c == '<' ? "\\u003c" : std::string(1, c);
+  }
+  return text;
+}
+
+// The policy forbids the browser to fetch anything. Without an icon in the page, a browser would
+// ask a server for one.
+constexpr const char* kHead = R"(<!DOCTYPE html>
+<html lang="en">
+<head>
+<meta charset="utf-8">
+<meta name="viewport" content="width=device-width, initial-scale=1">
+<meta name="generator" content="assay view">
+<meta http-equiv="Content-Security-Policy" content="default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src data:">
+<link rel="icon" href="data:,">
+)";
+
+}  // namespace
+
+std::string Page(const Subject& subject) {
+  return fmt::format(
+      "{}<title>{} – assay view</title>\n</head>\n<body>\n"
+      "<noscript>This page needs JavaScript.</noscript>\n"
+      "<script type=\"application/json\" id=\"data\">{}</script>\n<script>{}</script>\n"
+      "</body>\n</html>\n",
+      kHead, report::Escaped(subject.problem.name), ScriptText(DataOf(subject)), Bundle());
+}
+
+}  // namespace assay::view

@@ -1,0 +1,81 @@
+import {element} from './dom.js';
+
+// The keys, each with what it does.
+export function keysOf({player, steps, viewport, options, help}) {
+  const names = viewport.cameraNames();
+  return [
+    {keys: [' ', 'k'], shown: 'space', text: 'play or pause', act: () => player.toggle()},
+    {
+      keys: ['ArrowRight'],
+      shown: '→',
+      text: 'a second on; with shift one sample',
+      act: (e) => (e.shiftKey ? player.step(1) : player.seek(player.time + 1))
+    },
+    {
+      keys: ['ArrowLeft'],
+      shown: '←',
+      text: 'a second back; with shift one sample',
+      act: (e) => (e.shiftKey ? player.step(-1) : player.seek(player.time - 1))
+    },
+    {keys: ['.'], shown: '.', text: 'one sample on', act: () => player.step(1)},
+    {keys: [','], shown: ',', text: 'one sample back', act: () => player.step(-1)},
+    {keys: ['ArrowDown', 'PageDown'], shown: '↓', text: 'next step', act: () => steps.go(1)},
+    {
+      keys: ['ArrowUp', 'PageUp'],
+      shown: '↑',
+      text: 'this step again, or the one before',
+      act: () => steps.go(-1)
+    },
+    {keys: ['Home'], shown: 'home', text: 'to the start', act: () => player.seek(player.start)},
+    {keys: ['End'], shown: 'end', text: 'to the end', act: () => player.seek(player.end)},
+    {keys: ['+', '='], shown: '+', text: 'faster', act: () => player.faster(1)},
+    {keys: ['-'], shown: '−', text: 'slower', act: () => player.faster(-1)},
+    ...names.map((name, i) => ({
+                   keys: [String(i + 1)],
+                   shown: String(i + 1),
+                   text: `camera ${name}`,
+                   act: () => viewport.choose(name)
+                 })),
+    {
+      keys: ['r'],
+      shown: 'r',
+      text: 'camera back to where it was',
+      act: () => viewport.choose(viewport.chosen)
+    },
+    {keys: ['b'], shown: 'b', text: 'believed poses', act: () => options.toggle('showsBelieved')},
+    {keys: ['e'], shown: 'e', text: 'predicted errors', act: () => options.toggle('showsSets')},
+    {keys: ['?', 'h'], shown: '?', text: 'these keys', act: help},
+  ];
+}
+
+// Fields that take keys themselves.
+const takesKeys = (target) => target.matches('select, input, textarea');
+const isPressed = (target, key) => key === ' ' && target.matches('button, summary');
+
+export function listenToKeys(keys) {
+  document.addEventListener('keydown', (event) => {
+    if (event.ctrlKey || event.altKey || event.metaKey) return;
+    if (takesKeys(event.target) || isPressed(event.target, event.key)) return;
+    const found = keys.find((entry) => entry.keys.includes(event.key));
+    if (!found) return;
+    event.preventDefault();
+    found.act(event);
+  });
+}
+
+// The list of keys, and how the mouse turns the picture.
+export function helpOf(keys) {
+  const mouse = [
+    ['drag', 'turn'], ['right drag, shift drag', 'move'], ['wheel', 'nearer or farther'],
+    ['press on the time line', 'go there']
+  ];
+  const rows = [...mouse, ...keys.map(({shown, text}) => [shown, text])];
+  return element(
+      'dialog', {class: 'help', onclick: (event) => event.currentTarget.close()},
+      element('h2', {}, 'Mouse and keys'),
+      element(
+          'table', {},
+          ...rows.map(
+              ([key, text]) =>
+                  element('tr', {}, element('th', {}, key), element('td', {}, text)))));
+}

@@ -1,0 +1,69 @@
+// How a precondition stands: proved, absorbed by fine motion, or open.
+export const MARKS = {
+  proved: '✓',
+  absorbed: '≈',
+  open: '!'
+};
+
+export function colorOf(standing, colors) {
+  return {
+    proved: colors.contained,
+    absorbed: colors.predicted,
+    open: colors.inconclusive
+  }[standing];
+}
+
+// Returns how a step's certificate stands as a whole, in words and by colour.
+export function standingOf(step, colors) {
+  const total = (key, holds) =>
+      step.preconditions.filter(holds).reduce((sum, group) => sum + group[key], 0);
+  const all = total('count', () => true);
+  const open = total('open', (group) => group.standing === 'open');
+  const absorbed = total('open', (group) => group.standing === 'absorbed');
+  if (!step.certified) {
+    return {text: 'no certificate', mark: '–', color: colors['not-claimed'], isOpen: false};
+  }
+  if (all === 0) {
+    return {text: 'nothing to prove', mark: MARKS.proved, color: colors.contained, isOpen: false};
+  }
+  const kind = open > 0 ? 'open' : absorbed > 0 ? 'absorbed' : 'proved';
+  const text = open > 0 ? `${open} of ${all} not proved` :
+      absorbed > 0 ? `${all - absorbed} proved, ${absorbed} absorbed` :
+                     `${all} proved`;
+  return {text, mark: MARKS[kind], color: colorOf(kind, colors), isOpen: open > 0};
+}
+
+// Returns one sentence about all certificates.
+export function summaryOf(data) {
+  const open = data.steps.filter((step) => standingOf(step, data.colors).isOpen);
+  const certified = data.steps.filter((step) => step.certified);
+  if (certified.length === 0) return 'The plan was made without regard to uncertainty.';
+  const rest = data.notCovered.length > 0 ? ', but for what is not covered (below)' : '';
+  if (open.length === 0) {
+    const absorbs = data.steps.some((s) => s.preconditions.some((p) => p.standing === 'absorbed'));
+    return `Every precondition is proved${absorbs ? ' or absorbed' : ''}${rest}.`;
+  }
+  const numbers = open.map((step) => step.number).join(', ');
+  return `Not all preconditions of step${open.length === 1 ? '' : 's'} ${numbers} are proved.`;
+}
+
+// Returns what no precondition of a step covers: the sentences that end in the step's number.
+export function uncoveredOf(step, data) {
+  return data.notCovered.filter((sentence) => {
+    const found = sentence.match(/: steps? ([\d, ]+)$/);
+    return found !== null && found[1].split(',').map(Number).includes(step.number);
+  });
+}
+
+// Verdicts of trials: the worst first.
+export const VERDICTS = ['violated', 'inconclusive', 'contained', 'not-claimed'];
+export const VERDICT_MARKS = {
+  violated: '✗',
+  inconclusive: '?',
+  contained: '✓',
+  'not-claimed': '–'
+};
+
+export function verdictOf(step) {
+  return VERDICTS.find((name) => step.verdicts.some((claim) => claim.verdict === name));
+}

@@ -1,0 +1,79 @@
+#include "sim/view/recording.h"
+
+#include <cmath>
+#include <cstdint>
+
+#include "sim/view/series.h"
+
+namespace assay::view {
+namespace {
+
+// The samples' numbers: a row for each sample, from which each series takes a column.
+class Table {
+ public:
+  void BeginRow() { column_ = 0; }
+  void Add(double value, double quantum) {
+    if (column_ == columns_.size()) columns_.emplace_back();
+    columns_[column_++].push_back(std::llround(value / quantum));
+  }
+  void Add(const Vector3& vector, double quantum) {
+    for (const double value : vector) Add(value, quantum);
+  }
+  // Of the two quaternions of a rotation it takes the one that is nearer to the row before.
+  void Add(const Pose& pose) {
+    Add(pose.translation(), kLengthQuantum);
+    Eigen::Quaterniond turn(pose.linear());
+    if (DotWithLast(turn) < 0) turn.coeffs() = -turn.coeffs();
+    for (const double value : {turn.w(), turn.x(), turn.y(), turn.z()}) Add(value, kTurnQuantum);
+  }
+
+  std::string Encoded() const {
+    std::string bytes;
+    for (const std::vector<std::int64_t>& column : columns_) bytes += EncodedSeries(column);
+    return bytes;
+  }
+
+ private:
+  double DotWithLast(const Eigen::Quaterniond& turn) const {
+    if (column_ + 4 > columns_.size()) return turn.w();
+    const auto last = [&](std::size_t i) {
+      return static_cast<double>(columns_[column_ + i].back());
+    };
+    return turn.w() * last(0) + turn.x() * last(1) + turn.y() * last(2) + turn.z() * last(3);
+  }
+
+  std::vector<std::vector<std::int64_t>> columns_;
+  std::size_t column_ = 0;
+};
+
+std::vector<Pose> TruePoses(const execution::Snapshot& moment) {
+  std::vector<Pose> poses;
+  for (const execution::TrueAndBelieved& part : moment.parts) poses.push_back(part.truth);
+  return poses;
+}
+
+}  // namespace
+
+Recording Record(const scene::Scene& scene, const std::vector<Body>& bodies,
+                 const execution::Trace& trace) {
+  Table table;
+  Recording recording;
+  mujoco::Data data = scene.Start();
+  for (const execution::Sample* sample : trace.All<execution::Sample>()) {
+    const execution::Snapshot& moment = sample->moment;
+    scene.Show(data, moment.arms, TruePoses(moment));
+    table.BeginRow();
+    table.Add(moment.time, kTimeQuantum);
+    for (const Body& body : bodies) {
+      if (body.id != scene.world()) table.Add(data.BodyPose(body.id));
+    }
+    for (const execution::TrueAndBelieved& part : moment.parts) table.Add(part.believed);
+    table.Add(moment.wrist.force, kForceQuantum);
+    table.Add(moment.wrist.torque, kForceQuantum);
+    ++recording.samples;
+  }
+  recording.bytes = table.Encoded();
+  return recording;
+}
+
+}  // namespace assay::view

@@ -1,0 +1,163 @@
+#include "sim/view/page.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "planner/plan/data/not_covered.h"
+#include "tests/sim/view/series_decoder.h"
+#include "tests/sim/view/viewed_execution.h"
+
+namespace assay::view::page_test {
+namespace {
+
+using Json = nlohmann::json;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+// Returns the text between two marks.
+std::string Between(const std::string& text, const std::string& from, const std::string& to) {
+  const std::size_t begin = text.find(from) + from.size();
+  return text.substr(begin, text.find(to, begin) - begin);
+}
+
+Json DataIn(const std::string& page) {
+  return Json::parse(Between(page, "id=\"data\">", "</script>"));
+}
+
+std::string FromBase64(const std::string& text) {
+  const std::string digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string bytes;
+  std::uint32_t bits = 0;
+  int count = 0;
+  for (const char c : text.substr(0, text.find('='))) {
+    bits = bits << 6 | static_cast<std::uint32_t>(digits.find(c));
+    count += 6;
+    if (count < 8) continue;
+    count -= 8;
+    bytes += static_cast<char>(bits >> count & 255);
+  }
+  return bytes;
+}
+
+std::size_t PegIndex() {
+  const std::vector<std::string>& parts = Figure15().trace.parts;
+  return static_cast<std::size_t>(std::ranges::find(parts, "peg") - parts.begin());
+}
+
+class PageOfFigure15 : public ::testing::Test {
+ protected:
+  static const std::string& page() {
+    static const std::string page = Page(Figure15().subject());
+    return page;
+  }
+  static const Json& data() {
+    static const Json data = DataIn(page());
+    return data;
+  }
+};
+
+TEST_F(PageOfFigure15, IsTheSameAgainAndSmall) {
+  EXPECT_EQ(Page(Figure15().subject()), page());
+  EXPECT_LT(page().size(), 1'000'000u);
+}
+
+TEST_F(PageOfFigure15, HasEveryStepInTheOrderOfExecution) {
+  double time = 0;
+  int number = 0;
+  for (const Json& step : data()["steps"]) {
+    EXPECT_EQ(step["number"], ++number);
+    EXPECT_EQ(step["from"], time);
+    EXPECT_TRUE(step["ended"]);
+    time = step["to"];
+  }
+  EXPECT_EQ(number, static_cast<int>(Figure15().plan.steps.size()));
+  EXPECT_LT(time, Figure15().trace.end().moment.time);
+}
+
+TEST_F(PageOfFigure15, CountsEveryPrecondition) {
+  const plan::Plan& plan = Figure15().plan;
+  std::size_t at = 0;
+  for (const plan::StepId id : plan.ExecutionOrder()) {
+    std::size_t all = 0;
+    std::size_t open = 0;
+    double margin = -std::numeric_limits<double>::infinity();
+    for (const Json& group : data()["steps"][at]["preconditions"]) {
+      all += group["count"].get<std::size_t>();
+      open += group["open"].get<std::size_t>();
+      EXPECT_LE(margin, group["margin"].get<double>()) << "the least comes first";
+      margin = group["margin"];
+      EXPECT_EQ(group["standing"] == "proved", group["open"] == 0);
+    }
+    const auto& claims = plan.step(id).certificate.preconditions;
+    EXPECT_EQ(all, claims.size());
+    EXPECT_EQ(open, std::ranges::count_if(claims, [](const auto& c) { return !c.holds(); }));
+    ++at;
+  }
+}
+
+TEST_F(PageOfFigure15, NamesWhatIsNotCovered) {
+  EXPECT_EQ(data()["notCovered"], Json(plan::NotCovered(Figure15().plan)));
+}
+
+// The recorded hand is where the trace has the tool, and recorded parts are where it has them: the
+// joint values of the trace lead there.
+TEST_F(PageOfFigure15, RecordsWhatTheTraceHas) {
+  const Json& recording = data()["recording"];
+  const std::string series = recording["series"];
+  SeriesDecoder decoder(FromBase64(series.substr(series.find(',') + 1)));
+  const std::size_t count = recording["samples"];
+  const auto samples = Figure15().trace.All<execution::Sample>();
+  ASSERT_EQ(count, samples.size());
+  const auto next = [&] { return decoder.Next(count); };
+  next();
+  const geometry::Pose X_HandTool =
+      Figure15().scenario.problem.workcell->robots().front().gripper->X_FlangeTool();
+  for (const Json& body : data()["bodies"]) {
+    const std::string name = body["name"];
+    if (name == "world") continue;
+    std::array<std::vector<std::int64_t>, 7> track;
+    for (auto& column : track) column = next();
+    if (name != "gripper/hand" && name != "part/peg") continue;
+    for (std::size_t i = 0; i < count; ++i) {
+      const auto turn = [&](int k) { return static_cast<double>(track[3 + k][i]); };
+      geometry::Pose pose = geometry::Pose::Identity();
+      pose.linear() =
+          Eigen::Quaterniond(turn(0), turn(1), turn(2), turn(3)).normalized().toRotationMatrix();
+      for (int k = 0; k < 3; ++k) pose.translation()[k] = 1e-5 * static_cast<double>(track[k][i]);
+      const execution::Snapshot& moment = samples[i]->moment;
+      const geometry::Pose expected = name == "part/peg" ? moment.parts[PegIndex()].truth
+                                                         : moment.tool.truth * X_HandTool.inverse();
+      EXPECT_LT((pose.translation() - expected.translation()).norm(), 3e-5) << name << " " << i;
+      EXPECT_LT(geometry::AngleBetween(pose.linear(), expected.linear()), 2e-4) << name;
+    }
+  }
+  for (std::size_t i = 0; i < 7 * data()["parts"].size() + 6; ++i) next();
+  EXPECT_TRUE(decoder.IsAtEnd());
+}
+
+TEST_F(PageOfFigure15, ErrorSetsFollowEachOther) {
+  for (const Json& set : data()["errorSets"]) {
+    EXPECT_LE(set["from"].get<double>(), set["to"].get<double>());
+    for (const Json& other : data()["errorSets"]) {
+      if (other == set || other["part"] != set["part"]) continue;
+      EXPECT_TRUE(other["to"] <= set["from"] || set["to"] <= other["from"]);
+    }
+  }
+}
+
+// No text of a file can end the script that holds the data.
+TEST_F(PageOfFigure15, EscapesTexts) {
+  Subject subject = Figure15().subject();
+  subject.source = "</script><b>&";
+  const std::string page = Page(subject);
+  EXPECT_THAT(page, Not(HasSubstr("<b>")));
+  EXPECT_EQ(DataIn(page)["source"], subject.source);
+}
+
+}  // namespace
+}  // namespace assay::view::page_test
