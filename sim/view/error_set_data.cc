@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/check/claims/step_events.h"
+#include "sim/check/measurements/step_events.h"
 #include "sim/check/trial/extreme_poses.h"
 #include "sim/view/pose_data.h"
 

@@ -13,7 +13,7 @@ using Json = nlohmann::ordered_json;
 Json NotNeededOf(const plan::Certificate& certificate) {
   Json all = Json::array();
   for (const plan::NotNeeded& kind : certificate.not_needed) {
-    all.push_back({{"condition", kind.condition}, {"reason", kind.reason}});
+    all.push_back({{"condition", kind.condition.name()}, {"reason", kind.reason}});
   }
   return all;
 }
@@ -47,7 +47,7 @@ Json VerdictsOn(plan::StepId step, const std::vector<check::Claim>& claims) {
     if (claim.step != step) continue;
     all.push_back({{"about", check::Name(claim.about)},
                    {"name", claim.name},
-                   {"unit", check::Name(claim.unit)},
+                   {"unit", claim.UnitName()},
                    {"predicted", {claim.predicted.low, claim.predicted.high}},
                    {"observed", claim.observed},
                    {"margin", claim.margin},
@@ -60,7 +60,8 @@ Json VerdictsOn(plan::StepId step, const std::vector<check::Claim>& claims) {
 // Returns the time at which each step ended, in the order of execution.
 std::vector<double> EndsOf(const execution::Trace& trace) {
   std::vector<double> ends;
-  for (const execution::StepEnd* end : trace.All<execution::StepEnd>()) ends.push_back(end->moment.time);
+  for (const execution::StepEnd* end : trace.All<execution::StepEnd>())
+    ends.push_back(end->moment.time);
   return ends;
 }
 

@@ -20,13 +20,13 @@ constexpr double kCreep = 2e-5;
 // Returns how far a part came from one pose to the other, in metres, with AsLength for its turn.
 double ShiftBetween(const geometry::Pose& from, const geometry::Pose& to) {
   return (to.translation() - from.translation()).norm() +
-         AsLength(geometry::AngleBetween(from.linear(), to.linear()), Unit::kRadian);
+         AsLength(geometry::AngleBetween(from.linear(), to.linear()), domain::Dimension::kAngle);
 }
 
 class CertificateCheck {
  public:
-  CertificateCheck(const domain::Problem& problem, const plan::Plan& plan, const execution::Trace& trace,
-                   const NoiseFloor& gate, plan::StepId first,
+  CertificateCheck(const domain::Problem& problem, const plan::Plan& plan,
+                   const execution::Trace& trace, const NoiseFloor& gate, plan::StepId first,
                    const std::vector<Measurement>& measurements)
       : problem_(problem),
         plan_(plan),
@@ -113,7 +113,7 @@ class CertificateCheck {
           gate_.Passed({.step = step_,
                         .about = Claimed::kAfter,
                         .name = "leaves " + problem_.part(part).name + " where it is",
-                        .unit = Unit::kMetre,
+                        .dimension = domain::Dimension::kLength,
                         .predicted = {0, kCreep},
                         .observed = ShiftBetween(from.truth, to.truth)});
       if (claim.observed > claim.predicted.high) AddPassed(claim);

@@ -186,7 +186,9 @@ class TraceParser {
     return rest;
   }
   ExecutionEnd EndOf(const TraceLine& line) const {
-    return {.outcome = Named(line.at("outcome"), ExecutionOutcome::kOperatorCalled),
+    const std::string name = line.at("outcome");
+    return {.outcome = name == "done" ? TrialOutcome::kSucceeded
+                                      : Named(name, TrialOutcome::kOperatorCalled),
             .reason = line.at("reason"),
             .moment = MomentOf(line),
             .steps = line.at("steps")};

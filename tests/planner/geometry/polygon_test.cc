@@ -102,7 +102,7 @@ TEST(PolygonTest, AreaAndCentroidOfKnownShapes) {
 }
 
 TEST(PolygonTest, AreaAndCentroidOfDegeneratePolygons) {
-  EXPECT_EQ(Area({}), 0);
+  EXPECT_EQ(Area(Polygon()), 0);
   EXPECT_EQ(Area({{1, 1}}), 0);
   EXPECT_EQ(Area({{1, 1}, {2, 5}}), 0);
   EXPECT_EQ(Centroid({{1, 1}}), Vector2(1, 1));

@@ -22,7 +22,7 @@ constexpr double kSquareInch = kInch * kInch;
 
 double SurfaceOf(const PartModel& part) {
   double area = 0;
-  for (const Face& face : part.faces()) area += Area(face.patches);
+  for (const Face& face : part.faces()) area += geometry::Area(face.patches);
   return area;
 }
 
@@ -32,7 +32,7 @@ void ExpectClosedSurface(const PartModel& part, double volume, double tolerance)
   Vector3 normals = Vector3::Zero();
   double enclosed = 0;
   for (const Face& face : part.faces()) {
-    const double area = Area(face.patches);
+    const double area = geometry::Area(face.patches);
     normals += area * face.normal;
     enclosed += area * face.offset / 3;
   }
@@ -149,7 +149,7 @@ TEST(PartModelTest, SurfaceOfThePeg) {
 TEST(PartModelTest, TheShoulderOfThePegIsARingAroundTheShaft) {
   const auto peg = LoadPart("peg");
   const Face& shoulder = peg->faces()[FaceAt(*peg, Vector3::UnitX(), 0).index()];
-  EXPECT_NEAR(Area(shoulder.patches), (9 - 2.25 - 0.0625) * kSquareInch, 1e-9);
+  EXPECT_NEAR(geometry::Area(shoulder.patches), (9 - 2.25 - 0.0625) * kSquareInch, 1e-9);
   const auto at = [&](double y, double z, double half) {
     return SquareAround(shoulder, Vector3(0, y, z) * kInch, half * kInch);
   };
@@ -197,8 +197,8 @@ TEST(PartModelTest, FourTurnedBoxesMakeAnExactOctagonalPrism) {
   EXPECT_EQ(part->faces().size(), 10u);
   ExpectClosedSurface(*part, section * 0.06, 1e-12);
   EXPECT_NEAR(part->mass().mass, 1000 * section * 0.06, 1e-3 * 1000 * section * 0.06);
-  EXPECT_NEAR(Area(part->faces()[FaceAt(*part, Vector3::UnitX(), 0.06).index()].patches), section,
-              1e-12);
+  EXPECT_NEAR(geometry::Area(part->faces()[FaceAt(*part, Vector3::UnitX(), 0.06).index()].patches),
+              section, 1e-12);
 }
 
 // Boxes on a coarse grid overlap and touch in every possible way.
@@ -217,7 +217,7 @@ TEST(PartModelTest, RandomUnionsHaveClosedSurfacesOfOneSkin) {
     const double volume = geometry::MassOf(boxes, 1).mass;
     double enclosed = 0;
     for (const Face& face : ExposedFaces(boxes)) {
-      enclosed += Area(face.patches) * face.offset / 3;
+      enclosed += geometry::Area(face.patches) * face.offset / 3;
       for (std::size_t i = 0; i < face.patches.size(); ++i) {
         for (std::size_t j = 0; j < i; ++j) {
           EXPECT_GT(geometry::Gap(face.patches[i], face.patches[j]), -1e-9);

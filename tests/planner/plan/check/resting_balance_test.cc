@@ -9,6 +9,7 @@
 namespace assay::plan::resting_balance_test {
 namespace {
 
+using geometry::Box;
 using geometry::Vector2;
 using geometry::Vector3;
 
