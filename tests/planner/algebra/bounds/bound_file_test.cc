@@ -69,7 +69,7 @@ TEST(BoundFile, DegreesAreRoundedOutward) {
 }
 
 TEST(BoundFile, RefusesWrongEnds) {
-  EXPECT_THAT(ErrorOfEnds("[2, 1]"), AllOf(StartsWith("file:1:"), HasSubstr("goes down")));
+  EXPECT_THAT(ErrorOfEnds("[2, 1]"), AllOf(StartsWith("file:1:"), HasSubstr("is greater than the upper end")));
   EXPECT_THAT(ErrorOfEnds("[nan, 1]"), AllOf(StartsWith("file:1:17:"), HasSubstr("'nan'")));
   EXPECT_THAT(ErrorOfEnds("[0, 1e999]"), HasSubstr("1e999"));
   EXPECT_THAT(ErrorOfEnds("[0, 1 rad]"), HasSubstr("N deg"));

@@ -146,7 +146,7 @@ TEST(IntegerTest, RefusesEverythingElseWithTheRange) {
         << text;
   }
   EXPECT_THAT(Error([] { Root("a: 5").At("a").Integer(0, -1); }),
-              HasSubstr("out of range; allowed: nothing"));
+              HasSubstr("out of range; allowed: no number: there is nothing to choose from"));
   EXPECT_THAT(Error([] { Root("a: 5").At("a").Integer(-3, 4); }),
               StartsWith("f.yaml:1:4: '5' is out of range"));
 }

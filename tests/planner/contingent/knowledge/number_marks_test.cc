@@ -78,7 +78,7 @@ TEST(NumberMarks, TellWhereNumbersAreASample) {
   EXPECT_FALSE(sampled.were_drawn);
   // In all samples it is known that f is at most 3. But samples cannot prove that this is known.
   EXPECT_THAT(check("add(Kf, f = [0, 1]), add(Kf, g = [1, 2])", "K(done)").failure,
-              HasSubstr("which a sample of numbers cannot tell"));
+              HasSubstr("a sample of numbers cannot decide this"));
 }
 
 // Only one of two numbers that are added is ever tested, so that the other one does not matter.

@@ -379,7 +379,7 @@ TEST(NotKnown, IsNotToldByDrawnWorlds) {
   std::uint64_t seed = 1;
   while (!drawn_p(seed)) ++seed;
   EXPECT_THAT(CheckTree(task, tree, {.worlds = 1, .seed = seed}).failure,
-              HasSubstr("worlds that are drawn cannot tell"));
+              HasSubstr("worlds that are drawn cannot decide this"));
 }
 
 // There are 2^20 worlds by the places of the cans. Nothing tells whether a can is full before it is

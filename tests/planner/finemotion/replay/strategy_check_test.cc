@@ -206,7 +206,7 @@ TEST_F(Tampered, ContactsAreElsewhere) {
   EXPECT_THAT(after([](auto& contact) { contact.at.x() += 1e-3; }),
               Contains(StartsWith(Named(waiting_) + name + " is 1 mm from")));
   EXPECT_THAT(after([](auto& contact) { contact.name = "vertex 999 on face 0"; }),
-              Contains(StartsWith(Named(waiting_) + "vertex 999 on face 0")));
+              Contains(StartsWith(Named(waiting_) + "contact vertex 999 on face 0")));
   EXPECT_THAT(after([](auto& contact) { contact.name = "corner 1"; }),
               Contains("'corner 1' is no contact's name"));
 }
