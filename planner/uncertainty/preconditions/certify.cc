@@ -73,7 +73,24 @@ class StepCertifier {
     return std::move(certified_);
   }
 
-  void operator()(const plan::Pickup& pickup) {
+  void Certify(const plan::Action& action) {
+    if (action.kind->Has(domain::Argument::kSensor)) return Sense(action);
+    ASSAY_CHECK(plan::HoldIn(action) != nullptr, "the errors after {} are not modelled",
+                action.kind->name);
+    switch (action.kind->leaves) {
+      case domain::Leaves::kInHand:
+        return Pickup(action);
+      case domain::Leaves::kWhereItWas:
+        return Squeeze(action);
+      case domain::Leaves::kAtPlace:
+        return Putdown(action);
+      case domain::Leaves::kMated:
+        return Assemble(action);
+    }
+  }
+
+ private:
+  void Pickup(const plan::Action& pickup) {
     const ManipulatorError draw = world_.DrawManipulator();
     const HeldError held = RequireGrasp(pickup.part, pickup.hold, draw, false);
     RequireHolding(pickup.part, pickup.hold, held, Turning::kNone);
@@ -81,7 +98,7 @@ class StepCertifier {
     After(pickup.part, PossibleGrasp(held, draw, world_.propagation()));
   }
 
-  void operator()(const plan::Squeeze& squeeze) {
+  void Squeeze(const plan::Action& squeeze) {
     const ManipulatorError draw = world_.DrawManipulator();
     const HeldError held = RequireGrasp(squeeze.part, squeeze.hold, draw, true);
     const BeliefShift shift = world_.shift(squeeze.part);
@@ -95,10 +112,10 @@ class StepCertifier {
     After(squeeze.part);
   }
 
-  void operator()(const plan::Putdown& putdown) {
+  void Putdown(const plan::Action& putdown) {
     const ManipulatorError draw = world_.DrawManipulator();
     const Transform grasp = PossibleGrasp(world_.held(), draw, world_.propagation());
-    const Pose& X_WorldPart = putdown.to.X_WorldPart;
+    const Pose& X_WorldPart = putdown.place.X_WorldPart;
     const Expression table = world_.DrawTableHeight(putdown.part);
     Before(putdown.part, grasp);
     RestingError error = Release(world_, putdown.part, putdown.hold, grasp, draw, X_WorldPart);
@@ -120,7 +137,7 @@ class StepCertifier {
     After(putdown.part);
   }
 
-  void operator()(const plan::Assemble& assemble) {
+  void Assemble(const plan::Action& assemble) {
     const domain::Mating& mating = world_.problem().mating(assemble.mating);
     const ManipulatorError draw = world_.DrawManipulator();
     const Transform grasp = PossibleGrasp(world_.held(), draw, world_.propagation());
@@ -146,13 +163,12 @@ class StepCertifier {
     After(mating.fixed);
   }
 
-  void operator()(const plan::Sense& sense) {
+  void Sense(const plan::Action& sense) {
     Before(sense.part);
     ApplySensing(world_, sense.part, sense.sensor);
     After(sense.part);
   }
 
- private:
   bool certifies() const { return effort_ == Effort::kCertify; }
   // Returns whether there is more to find out about preconditions.
   bool decides() const {
@@ -195,7 +211,7 @@ class StepCertifier {
   }
 
   // Requires that the mated part and the fixed part keep standing.
-  void RequireStanding(const plan::Assemble& assemble, const ManipulatorError& draw,
+  void RequireStanding(const plan::Action& assemble, const ManipulatorError& draw,
                        const Pose& X_WorldHeld, const RestingError& released) {
     const domain::Problem& problem = world_.problem();
     const domain::Mating& mating = problem.mating(assemble.mating);
@@ -209,7 +225,7 @@ class StepCertifier {
   }
 
   // Requires clearance for the hand that opens, and for the held part on its way.
-  void RequireClearMating(const plan::Assemble& assemble, const ManipulatorError& draw,
+  void RequireClearMating(const plan::Action& assemble, const ManipulatorError& draw,
                           const Transform& grasp, const RestingError& released) {
     const domain::Mating& mating = world_.problem().mating(assemble.mating);
     RequireSound([&] {
@@ -327,7 +343,7 @@ double LeastViolation(const Unproved& unproved, const UncertainWorld& world) {
 CertifiedStep CertifyStep(UncertainWorld& world, const plan::Action& action,
                           const algebra::BoundRequest& request, const plan::Strategy* strategy) {
   StepCertifier certifier(world, Effort::kCertify, request, strategy);
-  std::visit(certifier, action);
+  certifier.Certify(action);
   CertifiedStep step = certifier.Take();
   step.certificate.not_needed = plan::NotNeededIn(step.certificate.preconditions, action, strategy,
                                                   world.propagation() == Propagation::kPaper);
@@ -353,7 +369,7 @@ std::vector<Unproved> DecideStep(UncertainWorld& world, const plan::Action& acti
   const Effort effort =
       wanted == Wanted::kFirstUnproved ? Effort::kDecideFirst : Effort::kDecideAll;
   StepCertifier certifier(world, effort, request, strategy);
-  std::visit(certifier, action);
+  certifier.Certify(action);
   return certifier.Take().unproved;
 }
 
@@ -371,7 +387,7 @@ Unproved AsCertified(Unproved unproved, const UncertainWorld& world,
 void Propagate(UncertainWorld& world, const plan::Action& action, const plan::Strategy* strategy) {
   const algebra::BoundRequest none;
   StepCertifier certifier(world, Effort::kPropagate, none, strategy);
-  std::visit(certifier, action);
+  certifier.Certify(action);
 }
 
 plan::ErrorSet ErrorSetOf(const UncertainWorld& world, PartId part, const Transform& X_ToolGrasp) {

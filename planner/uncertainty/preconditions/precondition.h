@@ -165,7 +165,7 @@ std::vector<Precondition> HandClearanceAtMating(const UncertainWorld& world,
 //                    from each piece of every other part. Left out are shafts in their holes, and
 //                    pieces of the fixed part that lie ahead even at the seat
 std::vector<Precondition> PassingPreconditions(const UncertainWorld& world,
-                                               const plan::Assemble& assemble,
+                                               const plan::Action& assemble,
                                                const Transform& X_ToolGrasp,
                                                const plan::Strategy* strategy);
 

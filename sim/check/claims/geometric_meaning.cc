@@ -27,16 +27,6 @@ struct Handling {
   const plan::Hold* hold;
 };
 
-struct HandlingOf {
-  const domain::Problem& problem;
-
-  Handling operator()(const plan::Assemble& assemble) const {
-    return {problem.mating(assemble.mating).held, &assemble.hold};
-  }
-  Handling operator()(const plan::Sense& sense) const { return {sense.part, nullptr}; }
-  Handling operator()(const auto& action) const { return {action.part, &action.hold}; }
-};
-
 // A distance that is infinite has no subject to report.
 void AddInMetres(std::string subject, double observed, std::vector<GeometricMeaning>& meanings) {
   if (std::isfinite(observed)) meanings.push_back({std::move(subject), Unit::kMetre, observed});
@@ -60,7 +50,7 @@ class Meaning {
         step_(step),
         events_(events),
         gripper_(problem.workcell->gripper()),
-        handling_(std::visit(HandlingOf{problem}, step.action)) {}
+        handling_({HandledPart(problem, step.action), HoldIn(step.action)}) {}
 
   // Returns the grasp frame of the true part in the frame of the true tool.
   Pose GraspInTool(const exec::Snapshot& moment) const {
@@ -273,9 +263,7 @@ class Meaning {
     return meanings;
   }
 
-  const domain::Mating& mating() const {
-    return problem_.mating(std::get<plan::Assemble>(step_.action).mating);
-  }
+  const domain::Mating& mating() const { return problem_.mating(step_.action.mating); }
   // Returns the direction in which the held part is believed to move, in the world frame.
   Vector3 MatingDirection(const exec::Snapshot& at) const {
     return (at.parts[mating().fixed.index()].believed.linear() * mating().mating_vector)
@@ -370,10 +358,10 @@ Meanings OfGrasp(const std::string& condition, const Meaning& meaning, const Ste
 }
 
 Meanings OfLanding(const std::string& condition, const Meaning& meaning,
-                   const plan::Putdown& putdown, const StepEvents& events) {
+                   const plan::Action& putdown, const StepEvents& events) {
   if (events.reached == nullptr) return {};
   if (condition == "landing height") {
-    const Pose& X_WorldPart = putdown.to.X_WorldPart;
+    const Pose& X_WorldPart = putdown.place.X_WorldPart;
     const double table = events.reached->table_heights[putdown.part.index()];
     return InMetres(meaning.MetOnGuardedWay(*events.reached, X_WorldPart,
                                             geometry::Translation(0, 0, table) * X_WorldPart,
@@ -414,10 +402,11 @@ std::vector<GeometricMeaning> MeaningsOf(const std::string& condition,
                                          const plan::PlannedStep& step, const StepEvents& events) {
   const Meaning meaning(problem, step, events);
   if (condition == "hand clear") return meaning.HandClear();
-  if (const auto* putdown = std::get_if<plan::Putdown>(&step.action)) {
-    return OfLanding(condition, meaning, *putdown, events);
+  const domain::Leaves leaves = step.action.kind->leaves;
+  if (leaves == domain::Leaves::kAtPlace) {
+    return OfLanding(condition, meaning, step.action, events);
   }
-  if (std::holds_alternative<plan::Assemble>(step.action)) {
+  if (leaves == domain::Leaves::kMated) {
     return OfMating(condition, problem, meaning, events);
   }
   return OfGrasp(condition, meaning, events);

@@ -12,11 +12,6 @@ using geometry::Matrix3;
 using geometry::Pose;
 using geometry::Vector3;
 
-struct HoldIn {
-  const plan::Hold* operator()(const plan::Sense&) const { return nullptr; }
-  const plan::Hold* operator()(const auto& action) const { return &action.hold; }
-};
-
 class Components {
  public:
   explicit Components(const std::string& part) : part_(part) {}
@@ -60,7 +55,7 @@ double YawOf(const Matrix3& rotation) {
 }
 
 const plan::Hold& HoldOf(const plan::Action& action) {
-  const plan::Hold* hold = std::visit(HoldIn{}, action);
+  const plan::Hold* hold = HoldIn(action);
   ASSAY_CHECK(hold != nullptr, "a look leaves no part in the hand");
   return *hold;
 }

@@ -133,7 +133,10 @@ class WaySearch {
   // Returns the corners of the straight lines that putting the part down takes: down with the part,
   // then up without it.
   std::vector<Vector3> CornersOfPuttingDown(const Pose& X_WorldPart) const {
-    const plan::Putdown putdown{world_.held(), world_.hold(), {"free", X_WorldPart}};
+    const plan::Action putdown{.kind = &domain::kPutdown,
+                               .part = world_.held(),
+                               .hold = world_.hold(),
+                               .place = {"free", X_WorldPart}};
     const std::vector<exec::Command> commands =
         exec::CommandsFor(situation_.problem(), world_, putdown).InOrder();
     return exec::RequestFor(std::get<exec::MoveAtSafeHeight>(commands.front()),

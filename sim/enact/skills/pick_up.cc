@@ -40,8 +40,10 @@ class PickUp : public Skill {
                                        situation.problem().part(roles.part).name)};
     }
     exec::Execution& execution = situation.execution();
-    const plan::Pickup pickup{
-        roles.part, *hold, {"believed", execution.world().PartPose(roles.part)}};
+    const plan::Action pickup{.kind = &domain::kPickup,
+                              .part = roles.part,
+                              .hold = *hold,
+                              .place = {"believed", execution.world().PartPose(roles.part)}};
     return RunAll(exec::CommandsFor(situation.problem(), execution.world(), pickup).InOrder(),
                   execution);
   }

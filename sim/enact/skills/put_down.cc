@@ -55,7 +55,10 @@ class PutDown : public Skill {
     if (!domain::OnTable(situation.problem(), roles.part, *to)) {
       return Cannot(part.name + " is over no table");
     }
-    const plan::Putdown putdown{roles.part, world.hold(), {"chosen", *to}};
+    const plan::Action putdown{.kind = &domain::kPutdown,
+                               .part = roles.part,
+                               .hold = world.hold(),
+                               .place = {"chosen", *to}};
     return RunAll(exec::CommandsFor(situation.problem(), world, putdown).InOrder(), execution);
   }
 

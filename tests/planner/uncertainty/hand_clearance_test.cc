@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "planner/uncertainty/preconditions/certify.h"
+#include "tests/planner/plan/actions.h"
 #include "tests/planner/uncertainty/action_lists.h"
 
 namespace assay::uncertainty::hand_clearance_test {
@@ -63,7 +64,8 @@ class BesideTheHand : public ::testing::Test {
     block.error.y = {-error, error};
 
     UncertainWorld world(problem_, Propagation::kSound);
-    const plan::Pickup pickup{peg_, hold_, {"initial", problem_.part(peg_).X_WorldPart}};
+    const plan::Action pickup =
+        plan::Pickup(peg_, hold_, {"initial", problem_.part(peg_).X_WorldPart});
     double margin = std::numeric_limits<double>::infinity();
     for (const auto& claim : CertifyStep(world, pickup, {}).certificate.preconditions) {
       if (claim.condition == "hand clear") margin = std::min(margin, claim.margin);

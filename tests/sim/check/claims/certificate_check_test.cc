@@ -21,7 +21,7 @@ class CertificateCheckTest : public testing::Test {
       : problem_(exec::Figure15()),
         plan_(exec::TwoActions(problem_)),
         peg_(exec::PartNamed(problem_, "peg")),
-        pickup_(std::get<plan::Pickup>(plan_.step(kPickup).action)) {
+        pickup_(plan_.step(kPickup).action) {
     plan::Certificate& certificate = plan_.steps[kPickup.index()].certificate;
     const Interval wide = {-0.01, 0.01};
     certificate.before = {{.part = peg_, .x = wide, .y = wide, .z = wide, .theta = wide}};
@@ -37,13 +37,13 @@ class CertificateCheckTest : public testing::Test {
     moment_.parts.resize(2);
     moment_.table_heights.resize(2);
     moment_.opening = problem_.workcell->gripper().max_opening();
-    moment_.tool = {pickup_.from.X_WorldPart * pickup_.hold.X_PartTool,
-                    pickup_.from.X_WorldPart * pickup_.hold.X_PartTool};
+    moment_.tool = {pickup_.place.X_WorldPart * pickup_.hold.X_PartTool,
+                    pickup_.place.X_WorldPart * pickup_.hold.X_PartTool};
     for (std::size_t i = 0; i < moment_.parts.size(); ++i) {
       const Pose& X_WorldPart = problem_.part(PartId(i)).X_WorldPart;
       moment_.parts[i] = {X_WorldPart, X_WorldPart};
     }
-    moment_.parts[peg_.index()] = {pickup_.from.X_WorldPart, pickup_.from.X_WorldPart};
+    moment_.parts[peg_.index()] = {pickup_.place.X_WorldPart, pickup_.place.X_WorldPart};
   }
 
   static plan::CertifiedPrecondition Precondition(const char* condition, double margin) {
@@ -89,7 +89,7 @@ class CertificateCheckTest : public testing::Test {
   domain::Problem problem_;
   plan::Plan plan_;
   PartId peg_;
-  plan::Pickup pickup_;
+  plan::Action pickup_;
   exec::Snapshot moment_;
 };
 

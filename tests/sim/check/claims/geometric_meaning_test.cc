@@ -79,9 +79,8 @@ double Observed(const std::vector<GeometricMeaning>& meanings, const std::string
   return found == meanings.end() ? 0 : found->observed;
 }
 
-template <class Action>
-const plan::PlannedStep& StepOf() {
-  return Known().plan.step(FirstStep<Action>(Known().plan));
+const plan::PlannedStep& StepOf(const domain::ActionKind& kind) {
+  return Known().plan.step(FirstStep(kind, Known().plan));
 }
 
 exec::Snapshot MomentWith(const Pose& X_WorldTool, double opening) {
@@ -105,8 +104,8 @@ Pose Somewhere(double reach, RandomStream& random) {
 
 // The closed hand is beside the block, which is put at random places about it.
 TEST(GeometricMeaning, HandClearIsTheHandsDistanceFromAnotherPart) {
-  const plan::PlannedStep& pickup = StepOf<plan::Pickup>();
-  const plan::Hold& hold = std::get<plan::Pickup>(pickup.action).hold;
+  const plan::PlannedStep& pickup = StepOf(domain::kPickup);
+  const plan::Hold& hold = pickup.action.hold;
   const domain::Part& peg = PartNamed("peg");
   const domain::Part& block = PartNamed("block");
   const kinematics::Gripper& gripper = Known().problem.workcell->gripper();
@@ -119,7 +118,7 @@ TEST(GeometricMeaning, HandClearIsTheHandsDistanceFromAnotherPart) {
     Pose& X_WorldBlock = acted.parts[IndexOf(block)].truth;
     X_WorldBlock = acted.tool.truth * Somewhere(0.18, random);
     StepEvents events;
-    events.step = FirstStep<plan::Pickup>(Known().plan);
+    events.step = FirstStep(domain::kPickup, Known().plan);
     events.acted = &acted;
     const double observed = Observed(MeaningsOf("hand clear", Known().problem, pickup, events),
                                      "the hand stays clear of block");
@@ -132,14 +131,14 @@ TEST(GeometricMeaning, HandClearIsTheHandsDistanceFromAnotherPart) {
 
 // Pads that touch the faces of the part are clear of it. A hand that is too low is not.
 TEST(GeometricMeaning, HandClearLeavesOutWhatThePadsTouch) {
-  const plan::PlannedStep& pickup = StepOf<plan::Pickup>();
-  const plan::Hold& hold = std::get<plan::Pickup>(pickup.action).hold;
+  const plan::PlannedStep& pickup = StepOf(domain::kPickup);
+  const plan::Hold& hold = pickup.action.hold;
   const domain::Part& peg = PartNamed("peg");
   const auto observed = [&](double ahead) {
     const exec::Snapshot acted = MomentWith(
         peg.X_WorldPart * hold.X_PartTool * geometry::Translation(0, 0, ahead), hold.width);
     StepEvents events;
-    events.step = FirstStep<plan::Pickup>(Known().plan);
+    events.step = FirstStep(domain::kPickup, Known().plan);
     events.acted = &acted;
     return Observed(MeaningsOf("hand clear", Known().problem, pickup, events),
                     "the hand stays clear of peg");
@@ -152,8 +151,8 @@ TEST(GeometricMeaning, HandClearLeavesOutWhatThePadsTouch) {
 // The held part moves along the mating vector beside the block. As planned, it comes near the rim
 // only. If it is displaced sideways or too far in, it meets the block.
 TEST(GeometricMeaning, PassingClearIsTheWayToTheMouth) {
-  const plan::PlannedStep& step = StepOf<plan::Assemble>();
-  const auto& assemble = std::get<plan::Assemble>(step.action);
+  const plan::PlannedStep& step = StepOf(domain::kAssemble);
+  const auto& assemble = step.action;
   const domain::Mating& mating = Known().problem.mating(assemble.mating);
   const domain::Part& peg = PartNamed("peg");
   const domain::Part& block = PartNamed("block");
@@ -165,7 +164,7 @@ TEST(GeometricMeaning, PassingClearIsTheWayToTheMouth) {
     exec::Snapshot poised = MomentWith(X_WorldPeg * assemble.hold.X_PartTool, assemble.hold.width);
     poised.parts[IndexOf(peg)] = {X_WorldPeg, X_WorldPeg};
     StepEvents events;
-    events.step = FirstStep<plan::Assemble>(Known().plan);
+    events.step = FirstStep(domain::kAssemble, Known().plan);
     events.poised = &poised;
     return Observed(MeaningsOf("passing clear", Known().problem, step, events),
                     "peg passes block on its way in");
