@@ -34,7 +34,7 @@ using contingent::Not;
 using contingent::NumberTerm;
 using contingent::Of;
 using contingent::Query;
-using contingent::SymbolOf;
+using contingent::TypedName;
 using domain::PartId;
 using Kind = KnowledgeAction::Kind;
 
@@ -127,15 +127,17 @@ class KnowledgeTask {
   void DeclareSymbols() {
     domain_.file = first_.name + "-domain.pks";
     domain_.name = "assembly";
-    for (const char* type : {"part", "pose", "step", "error"}) {
-      domain_.types.push_back({.name = type});
-    }
-    domain_.predicates = {SymbolOf("done", {"step"}), SymbolOf("moved", {"part"}),
-                          SymbolOf("passed", {"step"}), SymbolOf("signals", {"step", "error"}),
-                          SymbolOf("operatorCalled", {})};
-    domain_.functions = {SymbolOf("pose", {"part"}, "pose")};
+    domain_.types = {{.name = "part"}, {.name = "pose"}, {.name = "step"}, {.name = "error"}};
+    const auto of = [](const char* type) { return TypedName{.name = "", .type = type}; };
+    domain_.predicates = {{.name = "done", .parameters = {of("step")}},
+                          {.name = "moved", .parameters = {of("part")}},
+                          {.name = "passed", .parameters = {of("step")}},
+                          {.name = "signals", .parameters = {of("step"), of("error")}},
+                          {.name = "operatorCalled"}};
+    domain_.functions = {{.name = "pose", .parameters = {of("part")}, .range = "pose"}};
     for (const char* function : kErrorFunctions) {
-      domain_.functions.push_back(SymbolOf(function, {"part"}, contingent::kNumberType));
+      domain_.functions.push_back(
+          {.name = function, .parameters = {of("part")}, .range = contingent::kNumberType});
     }
   }
 

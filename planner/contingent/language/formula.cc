@@ -7,45 +7,19 @@ namespace {
 
 Query Joined(Query::Kind kind, std::vector<Query> operands) {
   if (operands.size() == 1) return std::move(operands.front());
-  Query query;
-  query.kind = kind;
-  query.operands = std::move(operands);
-  return query;
-}
-
-Change ChangeOf(Store store, std::vector<Literal> literals) {
-  Change change;
-  change.store = store;
-  change.literals = std::move(literals);
-  return change;
+  return {.kind = kind, .operands = std::move(operands)};
 }
 
 }  // namespace
 
-Term Constant(const std::string& name) {
-  Term term;
-  term.name = name;
-  return term;
-}
-
-Term NumberTerm(const Interval& value) {
-  Term term;
-  term.kind = Term::Kind::kNumber;
-  term.value = value;
-  return term;
-}
-
+Term Constant(const std::string& name) { return {.name = name}; }
+Term NumberTerm(const Interval& value) { return {.kind = Term::Kind::kNumber, .value = value}; }
 Term Of(const std::string& function, const std::string& argument) {
-  Term term;
-  term.kind = Term::Kind::kFunction;
-  term.name = function;
-  term.arguments = {Constant(argument)};
-  return term;
+  return {.kind = Term::Kind::kFunction, .name = function, .arguments = {Constant(argument)}};
 }
 
 Literal Atom(const std::string& predicate, const std::vector<std::string>& arguments) {
-  Literal literal;
-  literal.predicate = predicate;
+  Literal literal = {.predicate = predicate};
   for (const std::string& argument : arguments) literal.arguments.push_back(Constant(argument));
   return literal;
 }
@@ -55,56 +29,27 @@ Literal Not(Literal literal) {
   return literal;
 }
 
-Literal Equal(Term a, Term b) {
-  Literal literal;
-  literal.relation = Relation::kEqual;
-  literal.arguments = {std::move(a), std::move(b)};
-  return literal;
+Literal Equal(const Term& a, const Term& b) {
+  return {.relation = Relation::kEqual, .arguments = {a, b}};
 }
 
-Query Known(Literal literal) {
-  Query query;
-  query.kind = Query::Kind::kKnown;
-  query.literals = {std::move(literal)};
-  return query;
-}
+Query Known(const Literal& literal) { return {.kind = Query::Kind::kKnown, .literals = {literal}}; }
 
-Query ValueKnown(Term term, double within) {
-  Query query;
-  query.kind = Query::Kind::kValueKnown;
-  query.terms = {std::move(term)};
-  query.within = within;
-  return query;
+Query ValueKnown(const Term& term, double within) {
+  return {.kind = Query::Kind::kValueKnown, .terms = {term}, .within = within};
 }
 
 Query All(std::vector<Query> operands) { return Joined(Query::Kind::kAnd, std::move(operands)); }
 Query Any(std::vector<Query> operands) { return Joined(Query::Kind::kOr, std::move(operands)); }
 
-Change Know(Literal fact) { return ChangeOf(Store::kFacts, {std::move(fact)}); }
-Change KnowWhether(Literal fact) { return ChangeOf(Store::kWhether, {std::move(fact)}); }
+Change Know(const Literal& fact) { return {.literals = {fact}}; }
+Change KnowWhether(const Literal& fact) { return {.store = Store::kWhether, .literals = {fact}}; }
 Change KnowOneOf(std::vector<Literal> alternatives) {
-  return ChangeOf(Store::kExclusive, std::move(alternatives));
+  return {.store = Store::kExclusive, .literals = std::move(alternatives)};
 }
-Change Forget(Literal fact) {
-  Change change = Know(std::move(fact));
-  change.is_addition = false;
-  return change;
+Change KnowValue(const Term& term, std::optional<double> within) {
+  return {.store = Store::kValues, .terms = {term}, .within = within};
 }
-Change KnowValue(Term term, std::optional<double> within) {
-  Change change;
-  change.store = Store::kValues;
-  change.terms = {std::move(term)};
-  change.within = within;
-  return change;
-}
-
-Symbol SymbolOf(const std::string& name, const std::vector<std::string>& types,
-                const std::string& range) {
-  Symbol symbol;
-  symbol.name = name;
-  for (const std::string& type : types) symbol.parameters.push_back({.name = "", .type = type});
-  symbol.range = range;
-  return symbol;
-}
+Change Forget(const Literal& fact) { return {.is_addition = false, .literals = {fact}}; }
 
 }  // namespace assay::contingent

@@ -16,23 +16,19 @@ Term Of(const std::string& function, const std::string& argument);  // function(
 
 // predicate(argument, ...)
 Literal Atom(const std::string& predicate, const std::vector<std::string>& arguments);
-Literal Not(Literal literal);   // !literal
-Literal Equal(Term a, Term b);  // a = b
+Literal Not(Literal literal);                 // !literal
+Literal Equal(const Term& a, const Term& b);  // a = b
 
-Query Known(Literal literal);                // K(literal)
-Query ValueKnown(Term term, double within);  // Kv(term within ...)
-Query All(std::vector<Query> operands);      // operand & ...; true without operands
-Query Any(std::vector<Query> operands);      // operand | ...
+Query Known(const Literal& literal);                // K(literal)
+Query ValueKnown(const Term& term, double within);  // Kv(term within ...)
+Query All(std::vector<Query> operands);             // operand & ...; true without operands
+Query Any(std::vector<Query> operands);             // operand | ...
 
-Change Know(Literal fact);                            // add(Kf, fact)
-Change KnowWhether(Literal fact);                     // add(Kw, fact)
+Change Know(const Literal& fact);                     // add(Kf, fact)
+Change KnowWhether(const Literal& fact);              // add(Kw, fact)
 Change KnowOneOf(std::vector<Literal> alternatives);  // add(Kx, alternative | ...)
-Change Forget(Literal fact);                          // del(Kf, fact)
 // add(Kv, term within ...); without `within`, the value becomes known exactly.
-Change KnowValue(Term term, std::optional<double> within);
-
-// name(type, ...), for a function with its range
-Symbol SymbolOf(const std::string& name, const std::vector<std::string>& types,
-                const std::string& range = "");
+Change KnowValue(const Term& term, std::optional<double> within);
+Change Forget(const Literal& fact);  // del(Kf, fact)
 
 }  // namespace assay::contingent
