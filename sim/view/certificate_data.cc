@@ -1,12 +1,10 @@
 #include "sim/view/certificate_data.h"
 
 #include <algorithm>
-#include <array>
 #include <nlohmann/json.hpp>
-#include <string_view>
 #include <vector>
 
-#include "planner/plan/data/condition_kind.h"
+#include "planner/domain/problem/units.h"
 #include "planner/verify/proof.h"
 
 namespace assay::view {
@@ -41,18 +39,6 @@ std::vector<ClaimGroup> GroupsOf(const std::vector<CertifiedPrecondition>& claim
   return groups;
 }
 
-std::string_view UnitOf(const std::string& condition) {
-  constexpr std::array kUnits = {"m", "rad", ""};  // by plan::Quantity
-  return kUnits[static_cast<std::size_t>(plan::QuantityOf(condition))];
-}
-
-std::string_view UnitOfVariable(const std::string& name) {
-  for (const char* angle : {"theta_", "skew_", "tip_", "twist_", "turn_"}) {
-    if (name.starts_with(angle)) return "rad";
-  }
-  return "m";
-}
-
 Json RangeData(const Interval& range) { return {range.low, range.high}; }
 
 Json CostsOf(const verify::Proof& proof) {
@@ -60,7 +46,7 @@ Json CostsOf(const verify::Proof& proof) {
   for (std::size_t i = 0; i < std::min(proof.variables.size(), kShownVariables); ++i) {
     const verify::VariableInProof& variable = proof.variables[i];
     Json cost = {{"name", variable.name},
-                 {"unit", UnitOfVariable(variable.name)},
+                 {"unit", domain::SiUnitOf(variable.dimension).name},
                  {"range", RangeData(variable.range)},
                  {"cost", variable.cost}};
     if (variable.worst) cost["worst"] = *variable.worst;
@@ -81,7 +67,7 @@ void AddProof(const verify::Proof& proof, Json& data) {
   data["refuted"] = proof.IsRefuted();
   if (!proof.remedy) return;
   data["remedy"] = {{"name", proof.remedy->name},
-                    {"unit", UnitOfVariable(proof.remedy->name)},
+                    {"unit", domain::SiUnitOf(proof.remedy->dimension).name},
                     {"range", RangeData(proof.remedy->range)},
                     {"enough", RangeData(proof.remedy->enough)}};
 }
@@ -94,12 +80,12 @@ Json PreconditionsOf(const plan::PlannedStep& step, const std::string& file) {
   const verify::CertificateProofs proofs(step, file);
   for (const ClaimGroup& group : GroupsOf(step.certificate.preconditions)) {
     const CertifiedPrecondition& claim = *group.tightest;
-    Json data = {{"condition", claim.condition},
+    Json data = {{"condition", claim.condition.name()},
                  {"meaning", claim.meaning},
                  {"standing", StandingOf(group, step)},
                  {"count", group.count},
                  {"open", group.open},
-                 {"unit", UnitOf(claim.condition)},
+                 {"unit", domain::SiUnitOf(claim.condition->dimension).name},
                  {"relation", claim.relation == plan::Relation::kLess ? "<" : ">"},
                  {"bound", claim.bound},
                  {"limit", claim.limit},

@@ -65,7 +65,7 @@ class Teller {
                       fmt::format("{} touched {}", collision.robot, collision.other));
   }
   Json operator()(const execution::ExecutionEnd& end) const {
-    if (end.outcome == execution::ExecutionOutcome::kDone) return nullptr;
+    if (end.outcome == execution::TrialOutcome::kSucceeded) return nullptr;
     return Occurrence(end.moment.time, true,
                       fmt::format("the execution ended: {}", execution::Name(end.outcome)));
   }

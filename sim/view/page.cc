@@ -72,7 +72,7 @@ Json RecordingData(const Recording& recording) {
 }
 
 Json OutcomeData(const check::Verdict& verdict) {
-  return {{"name", check::Name(verdict.outcome)}, {"reason", verdict.reason}};
+  return {{"name", execution::Name(verdict.outcome)}, {"reason", verdict.reason}};
 }
 
 Json ColorsData() {

@@ -2,7 +2,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include "sim/execution/commands/command_file.h"
 #include "sim/view/certificate_data.h"
 
 namespace assay::view {
@@ -13,7 +12,7 @@ using Json = nlohmann::ordered_json;
 Json NotNeededOf(const plan::Certificate& certificate) {
   Json all = Json::array();
   for (const plan::NotNeeded& kind : certificate.not_needed) {
-    all.push_back({{"condition", kind.condition}, {"reason", kind.reason}});
+    all.push_back({{"condition", kind.condition.name()}, {"reason", kind.reason}});
   }
   return all;
 }
@@ -47,7 +46,7 @@ Json VerdictsOn(plan::StepId step, const std::vector<check::Claim>& claims) {
     if (claim.step != step) continue;
     all.push_back({{"about", check::Name(claim.about)},
                    {"name", claim.name},
-                   {"unit", check::Name(claim.unit)},
+                   {"unit", claim.UnitName()},
                    {"predicted", {claim.predicted.low, claim.predicted.high}},
                    {"observed", claim.observed},
                    {"margin", claim.margin},
@@ -60,7 +59,8 @@ Json VerdictsOn(plan::StepId step, const std::vector<check::Claim>& claims) {
 // Returns the time at which each step ended, in the order of execution.
 std::vector<double> EndsOf(const execution::Trace& trace) {
   std::vector<double> ends;
-  for (const execution::StepEnd* end : trace.All<execution::StepEnd>()) ends.push_back(end->moment.time);
+  for (const execution::StepEnd* end : trace.All<execution::StepEnd>())
+    ends.push_back(end->moment.time);
   return ends;
 }
 
@@ -68,7 +68,7 @@ Json StepData(const Executed& executed, plan::StepId id) {
   const plan::PlannedStep& step = executed.plan.step(id);
   return {{"number", step.executed},
           {"name", step.name},
-          {"action", execution::Text(executed.problem, step.action)},
+          {"action", plan::ShortText(executed.problem, step.action)},
           {"certified", !step.certificate.before.empty()},
           {"preconditions", PreconditionsOf(step, executed.plan_file)},
           {"notNeeded", NotNeededOf(step.certificate)},

@@ -9,18 +9,18 @@
 #include "planner/base/document/input_file.h"
 #include "planner/base/document/quotation.h"
 #include "sim/check/claims/certificate_check.h"
+#include "sim/check/trial/trial.h"
 #include "sim/cli/options/models_folder.h"
 #include "sim/cli/plans/plan_text.h"
 #include "sim/cli/program/console.h"
+#include "sim/cli/program/interruption.h"
 #include "sim/cli/program/progress.h"
 #include "sim/cli/program/usage_error.h"
 #include "sim/cli/program/verb.h"
 #include "sim/cli/work/noise_floor_cache.h"
 #include "sim/cli/work/output_file.h"
 #include "sim/cli/work/planned_problem.h"
-#include "sim/cli/work/trial.h"
 #include "sim/execution/interpretation/knowledge_scenario.h"
-#include "sim/execution/commands/command_file.h"
 #include "sim/view/page.h"
 
 namespace assay::cli {
@@ -72,7 +72,8 @@ std::string Mismatch(const execution::Trace& trace, const PlannedProblem& planne
     if (!has_step(milestone->step)) return "the plan does not have all steps of the trace";
   }
   for (const execution::StepEnd* end : trace.All<execution::StepEnd>()) {
-    if (!has_step(end->step) || execution::Text(problem, plan.step(end->step).action) != end->action) {
+    if (!has_step(end->step) ||
+        plan::ShortText(problem, plan.step(end->step).action) != end->action) {
       return fmt::format("{} of the trace is not a step of the plan", Quote(end->action));
     }
   }
@@ -120,9 +121,11 @@ ExitCode ViewPlan(const Options& options) {
   }
   const plan::Plan& plan = planned.result.plan;
   const scene::Scene scene(planned.problem, planned.simulation.scene);
-  const Trial trial = [&] {
+  const check::Trial trial = [&] {
     const Progress progress("executing the plan for " + planned.problem.name);
-    return RunTrial({planned.problem, plan, scene}, 1, nullptr);
+    execution::ExecutorOptions executor;
+    executor.on_timestep = Interruption::BreakOffAfter;
+    return check::RunTrial(planned.problem, plan, scene, executor);
   }();
   Write({.problem = planned.problem,
          .plan = plan,
@@ -132,7 +135,7 @@ ExitCode ViewPlan(const Options& options) {
                                options.input.string()),
          .plan_file = planned.file()},
         options.page);
-  const bool done = trial.trace.end().outcome == execution::ExecutionOutcome::kDone;
+  const bool done = trial.trace.end().outcome == execution::TrialOutcome::kSucceeded;
   return done ? ExitCode::kDone : ExitCode::kFailed;
 }
 
