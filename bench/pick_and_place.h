@@ -38,8 +38,10 @@ inline PickAndPlace MakePickAndPlace(int n, double lean) {
   for (int i = 0; i < n; ++i) {
     const geometry::Pose next = geometry::Translation(0.5 + 0.02 * (i % 8), 0.015 * (i % 11), 0) *
                                 geometry::RotationZ(0.4 * i);
-    work.actions.push_back(plan::Pickup{block, hold, {"on-end", at}});
-    work.actions.push_back(plan::Putdown{block, hold, {"on-end", next}});
+    work.actions.push_back(
+        {.kind = &domain::kPickup, .part = block, .hold = hold, .place = {"on-end", at}});
+    work.actions.push_back(
+        {.kind = &domain::kPutdown, .part = block, .hold = hold, .place = {"on-end", next}});
     at = next;
   }
   return work;

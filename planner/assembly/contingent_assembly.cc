@@ -8,6 +8,7 @@
 #include "planner/assembly/open_poses.h"
 #include "planner/assembly/plan_check.h"
 #include "planner/base/check.h"
+#include "planner/constraint_posting/resolvers/moment.h"
 #include "planner/contingent/search/contingent_planner.h"
 #include "planner/uncertainty/preconditions/certify.h"
 
@@ -17,13 +18,13 @@ namespace {
 constexpr std::int64_t kKnowledgeStates = 1'000'000;
 
 // Returns a look at each of the parts, by the first available sensor.
-std::vector<plan::Sense> LooksAt(const domain::Problem& world,
-                                 const std::vector<domain::OpenPose>& parts) {
-  std::vector<plan::Sense> looks;
+std::vector<plan::Action> LooksAt(const domain::Problem& world,
+                                  const std::vector<domain::OpenPose>& parts) {
+  std::vector<plan::Action> looks;
   if (world.sensors.empty()) return looks;
   for (const domain::OpenPose& open : parts) {
-    looks.push_back({open.part, world.sensors.front(),
-                     plan::Place{"initial", world.part(open.part).X_WorldPart}});
+    looks.push_back(constraint_posting::LookAt(open.part, world.sensors.front(),
+                                               {"initial", world.part(open.part).X_WorldPart}));
   }
   return looks;
 }

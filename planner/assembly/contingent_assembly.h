@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "planner/assembly/plan_knowledge.h"
+#include "planner/assembly/knowledge/plan_knowledge.h"
 #include "planner/base/outcome.h"
 #include "planner/constraint_posting/uncertainty_phase/uncertainty_phase.h"
 #include "planner/contingent/tree/plan_tree.h"

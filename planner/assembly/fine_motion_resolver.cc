@@ -58,7 +58,7 @@ plan::Strategy StrategyFrom(const MatingGeometry& geometry, const FineMotionPlan
   return strategy;
 }
 
-bool CanBeReached(const UnmetGoals& unmet, const plan::Assemble& assemble,
+bool CanBeReached(const UnmetGoals& unmet, const plan::Action& assemble,
                   const plan::Strategy& strategy) {
   const auto states = constraint_posting::StatesOf(unmet.problem, unmet.actions);
   const plan::WorldState& before = states[static_cast<std::size_t>(unmet.step)];
@@ -120,22 +120,20 @@ TipBox TipBoxAt(const UnmetGoals& unmet, uncertainty::Propagation propagation, c
     const bool has_strategy = at < unmet.strategies.size() && unmet.strategies[at];
     Propagate(world, unmet.actions[at], has_strategy ? &*unmet.strategies[at] : nullptr);
   }
-  const auto& assemble =
-      std::get<plan::Assemble>(unmet.actions[static_cast<std::size_t>(unmet.step)]);
+  const plan::Action& assemble = unmet.actions[static_cast<std::size_t>(unmet.step)];
   const auto grasp = PossibleGrasp(world.held(), world.DrawManipulator(), propagation);
   return BoxOf(world, TipErrors(world, assemble.mating, assemble.hold, grasp, way));
 }
 
 std::vector<Remedy> FineMotionResolver::Propose(const UnmetGoals& unmet) {
-  const auto* assemble =
-      std::get_if<plan::Assemble>(&unmet.actions[static_cast<std::size_t>(unmet.step)]);
-  if (assemble == nullptr) return {};
+  const domain::MatingId id = unmet.actions[static_cast<std::size_t>(unmet.step)].mating;
+  if (id.IsNone()) return {};
   if (!std::ranges::all_of(unmet.goals, [](const uncertainty::Unproved& goal) {
         return IsAnswered(goal.claim.condition);
       })) {
     return {};
   }
-  const domain::Mating& mating = unmet.problem.mating(assemble->mating);
+  const domain::Mating& mating = unmet.problem.mating(id);
   std::vector<std::vector<Insertion>> preparations = {{}};
   std::ranges::move(LooksAtPartsOf(unmet, mating), std::back_inserter(preparations));
   for (std::vector<Insertion>& insertions : preparations) {
@@ -154,8 +152,7 @@ std::vector<Remedy> FineMotionResolver::Propose(const UnmetGoals& unmet) {
 // The start determines the errors there, and the errors determine the start. So the two are
 // computed alternately.
 std::optional<plan::Strategy> FineMotionResolver::StrategyFor(const UnmetGoals& unmet) {
-  const auto& assemble =
-      std::get<plan::Assemble>(unmet.actions[static_cast<std::size_t>(unmet.step)]);
+  const plan::Action& assemble = unmet.actions[static_cast<std::size_t>(unmet.step)];
   const domain::Mating& mating = unmet.problem.mating(assemble.mating);
   const MatingGeometry geometry = finemotion::GeometryOf(unmet.problem, mating);
   const double friction =

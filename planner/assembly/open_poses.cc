@@ -35,4 +35,42 @@ std::optional<std::pair<std::string, std::string>> FindAlike(
   return std::nullopt;
 }
 
+bool IsOpen(const domain::Problem& world, domain::PartId part) {
+  return std::ranges::count(world.open_poses, part, &domain::OpenPose::part) > 0;
+}
+
+const domain::OpenPose& OpenPoseOf(const domain::Problem& world, domain::PartId part) {
+  return *std::ranges::find(world.open_poses, part, &domain::OpenPose::part);
+}
+
+namespace {
+
+// Returns true if the worlds have the same poses of all parts except one.
+bool AgreeBeside(const domain::Problem& a, const domain::Problem& b, domain::PartId part) {
+  return std::ranges::all_of(a.open_poses, [&](const domain::OpenPose& open) {
+    return open.part == part || open.chosen == OpenPoseOf(b, open.part).chosen;
+  });
+}
+
+bool Matters(const std::vector<domain::Problem>& worlds, const std::vector<int>& of_plan,
+             domain::PartId part) {
+  for (const int world : of_plan) {
+    for (int other = 0; other < std::ssize(worlds); ++other) {
+      if (std::ranges::count(of_plan, other) > 0) continue;
+      if (AgreeBeside(worlds[world], worlds[other], part)) return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
+std::vector<domain::OpenPose> PosesThatMatter(const std::vector<domain::Problem>& worlds,
+                                              const std::vector<int>& of_plan) {
+  std::vector<domain::OpenPose> matter = worlds.front().open_poses;
+  std::erase_if(matter,
+                [&](const domain::OpenPose& open) { return !Matters(worlds, of_plan, open.part); });
+  return matter;
+}
+
 }  // namespace assay::assembly

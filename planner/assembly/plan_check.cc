@@ -46,13 +46,10 @@ std::vector<plan::Flaw> FlawsOfStrategies(const domain::Problem& problem, const 
   std::vector<plan::Flaw> flaws;
   for (std::size_t i = 0; i < plan.steps.size(); ++i) {
     const plan::PlannedStep& step = plan.steps[i];
-    const auto* assemble = std::get_if<plan::Assemble>(&step.action);
-    if (!step.strategy || assemble == nullptr || !plan::FlawsOfForm(*step.strategy).empty())
-      continue;
-    const int mating = assemble->mating.index();
-    if (mating < 0 || mating >= std::ssize(problem.matings)) continue;
-    for (std::string& what :
-         FlawsOfStrategy(problem, problem.mating(assemble->mating), *step.strategy)) {
+    const domain::MatingId mating = step.action.mating;
+    if (!step.strategy || !plan::FlawsOfForm(*step.strategy).empty()) continue;
+    if (mating.IsNone() || mating.index() >= std::ssize(problem.matings)) continue;
+    for (std::string& what : FlawsOfStrategy(problem, problem.mating(mating), *step.strategy)) {
       flaws.push_back({plan::StepId(i), "the strategy: " + std::move(what)});
     }
   }

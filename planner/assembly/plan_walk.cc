@@ -13,17 +13,11 @@ using plan::StepId;
 
 // Returns the part whose believed pose guides the hand, or None if the hand goes to the planned
 // pose.
-struct GuideOf {
-  const domain::Problem& problem;
-
-  PartId operator()(const plan::Pickup& pickup) const { return pickup.part; }
-  PartId operator()(const plan::Squeeze& squeeze) const { return squeeze.part; }
-  PartId operator()(const plan::Assemble& assemble) const {
-    return problem.mating(assemble.mating).fixed;
-  }
-  PartId operator()(const plan::Putdown&) const { return PartId::None(); }
-  PartId operator()(const plan::Sense&) const { return PartId::None(); }
-};
+PartId GuideOf(const domain::Problem& problem, const plan::Action& action) {
+  const bool is_guided =
+      plan::HoldIn(action) != nullptr && action.kind->leaves != domain::Leaves::kAtPlace;
+  return is_guided ? plan::PlacedPart(problem, action) : PartId::None();
+}
 
 }  // namespace
 
@@ -43,15 +37,14 @@ plan::ToolRoute PlanWalk::RouteTo(StepId id) const {
   if (id.IsNone()) return {.poised = plan::HomeTool(workcell())};
   const plan::Action& action = plan_.step(id).action;
   return plan::RouteOf(problem_, plan_.step(id),
-                       state_.part(plan::PartOf(problem_, action)).X_WorldPart);
+                       state_.part(plan::PlacedPart(problem_, action)).X_WorldPart);
 }
 
 // The route consists of straight lines. So a rotation of the believed pose shifts no point of the
 // route farther than one of its ends.
 plan::ToolErrorBox PlanWalk::DoubtOn(StepId id) const {
   const plan::ToolRoute route = RouteTo(id);
-  const PartId guide =
-      id.IsNone() ? PartId::None() : std::visit(GuideOf{problem_}, plan_.step(id).action);
+  const PartId guide = id.IsNone() ? PartId::None() : GuideOf(problem_, plan_.step(id).action);
   plan::ToolErrorBox doubt = uncertainty::ToolErrorBoxAt(world_, guide, route.poised);
   for (const auto* poses : {&route.to_work, &route.away}) {
     for (const plan::Pose& pose : *poses) {
@@ -64,8 +57,7 @@ plan::ToolErrorBox PlanWalk::DoubtOn(StepId id) const {
 bool PlanWalk::IsGuarded(StepId id) const {
   if (id.IsNone()) return false;
   const plan::PlannedStep& step = plan_.step(id);
-  return std::holds_alternative<plan::Putdown>(step.action) ||
-         (std::holds_alternative<plan::Assemble>(step.action) && !step.strategy);
+  return step.action.kind->Needs(domain::Need::kHolding) && !step.strategy;
 }
 
 void PlanWalk::ComeTo(StepId id) {

@@ -14,11 +14,11 @@ using geometry::Pose;
 using kinematics::JointVector;
 
 // Returns the tool's poses at the start of a strategy and at the ends of its motions.
-std::vector<Pose> ToolsOf(const plan::Assemble& assemble, const plan::Strategy& strategy) {
+std::vector<Pose> ToolsOf(const plan::Action& assemble, const plan::Strategy& strategy) {
   const Pose X_TipTool = strategy.X_HeldTip.inverse() * assemble.hold.X_PartTool;
-  std::vector<Pose> tools = {assemble.fixed.X_WorldPart * strategy.X_FixedStart * X_TipTool};
+  std::vector<Pose> tools = {assemble.place.X_WorldPart * strategy.X_FixedStart * X_TipTool};
   for (const plan::StrategyMotion& motion : strategy.motions)
-    tools.push_back(assemble.fixed.X_WorldPart * motion.X_FixedTip * X_TipTool);
+    tools.push_back(assemble.place.X_WorldPart * motion.X_FixedTip * X_TipTool);
   return tools;
 }
 
@@ -30,7 +30,7 @@ std::vector<domain::PlacedPart> AllBut(PartId held, const plan::WorldState& stat
   return others;
 }
 
-std::vector<plan::Hold> OtherHolds(const domain::Problem& problem, const plan::Assemble& assemble) {
+std::vector<plan::Hold> OtherHolds(const domain::Problem& problem, const plan::Action& assemble) {
   const PartId held = problem.mating(assemble.mating).held;
   const domain::Part& part = problem.part(held);
   std::vector<plan::Hold> holds;
@@ -40,7 +40,7 @@ std::vector<plan::Hold> OtherHolds(const domain::Problem& problem, const plan::A
     if (grasp.label != assemble.hold.grasp &&
         LeavesMatingFeaturesFree(problem, problem.mating(assemble.mating), id) &&
         IsReachableAt(problem, held, id, part.X_WorldPart) &&
-        IsMateReachableAt(problem, assemble.mating, id, assemble.fixed.X_WorldPart)) {
+        IsMateReachableAt(problem, assemble.mating, id, assemble.place.X_WorldPart)) {
       holds.push_back({grasp.label, grasp.X_PartTool, grasp.width});
     }
   }
@@ -49,7 +49,7 @@ std::vector<plan::Hold> OtherHolds(const domain::Problem& problem, const plan::A
 
 }  // namespace
 
-StrategyReach ReachOf(const domain::Problem& problem, const plan::Assemble& assemble,
+StrategyReach ReachOf(const domain::Problem& problem, const plan::Action& assemble,
                       const plan::Strategy& strategy, const plan::WorldState& before) {
   const std::vector<Pose> tools = ToolsOf(assemble, strategy);
   const auto others = AllBut(problem.mating(assemble.mating).held, before);
@@ -63,13 +63,13 @@ StrategyReach ReachOf(const domain::Problem& problem, const plan::Assemble& asse
 }
 
 std::variant<ReachingHold, Unreached> ChooseHold(const domain::Problem& problem,
-                                                 const plan::Assemble& assemble,
+                                                 const plan::Action& assemble,
                                                  const plan::Strategy& strategy) {
   const plan::WorldState before = plan::InitialState(problem);
   const StrategyReach own = ReachOf(problem, assemble, strategy, before);
   if (const auto* start = std::get_if<JointVector>(&own))
     return ReachingHold{assemble.hold, *start};
-  plan::Assemble other = assemble;
+  plan::Action other = assemble;
   for (plan::Hold& hold : OtherHolds(problem, assemble)) {
     other.hold = std::move(hold);
     const StrategyReach reach = ReachOf(problem, other, strategy, before);

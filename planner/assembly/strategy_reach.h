@@ -24,7 +24,7 @@ using StrategyReach = std::variant<kinematics::JointVector, Unreached>;
 // Returns the start of the strategy if the arm can execute it, and the obstruction otherwise.
 // `before` is the world in which the action is executed. The held part's pose in it does not
 // matter.
-StrategyReach ReachOf(const domain::Problem& problem, const plan::Assemble& assemble,
+StrategyReach ReachOf(const domain::Problem& problem, const plan::Action& assemble,
                       const plan::Strategy& strategy, const plan::WorldState& before);
 
 // A hold with which a strategy can be executed, and the arm's joint values at the start.
@@ -38,7 +38,7 @@ struct ReachingHold {
 // the hold of another grasp with which the part can be picked up at the start and mated, and the
 // strategy executed. If there is none, returns the obstruction of the action's own hold.
 std::variant<ReachingHold, Unreached> ChooseHold(const domain::Problem& problem,
-                                                 const plan::Assemble& assemble,
+                                                 const plan::Action& assemble,
                                                  const plan::Strategy& strategy);
 
 }  // namespace assay::assembly

@@ -19,14 +19,14 @@ namespace {
 
 constexpr int kUnreachable = std::numeric_limits<int>::max() / 8;
 
-// Returns, by position label, the least number of putdowns that bring the part there.
-std::vector<int> LeastPutdowns(const Relation& reachable, const std::vector<int>& start,
-                               int stable_poses) {
-  std::vector<int> putdowns(reachable.columns(), kUnreachable);
+// Returns, by position label, the least number of moves that bring the part there.
+std::vector<int> LeastMoves(const Relation& reachable, const std::vector<int>& start,
+                            int stable_poses) {
+  std::vector<int> moves(reachable.columns(), kUnreachable);
   std::vector<bool> grasp_used(reachable.rows(), false);
   std::queue<int> open;
   for (int position : start) {
-    putdowns[position] = 0;
+    moves[position] = 0;
     open.push(position);
   }
   for (; !open.empty(); open.pop()) {
@@ -36,13 +36,13 @@ std::vector<int> LeastPutdowns(const Relation& reachable, const std::vector<int>
       // positions come by increasing distance, so the first use is the best one
       grasp_used[grasp] = true;
       for (int to = 0; to < stable_poses; ++to) {
-        if (putdowns[to] < kUnreachable || !reachable.Allows(grasp, to)) continue;
-        putdowns[to] = putdowns[from] + 1;
+        if (moves[to] < kUnreachable || !reachable.Allows(grasp, to)) continue;
+        moves[to] = moves[from] + 1;
         open.push(to);
       }
     }
   }
-  return putdowns;
+  return moves;
 }
 
 // The goals of each part, and the least number of actions that they take.
@@ -52,7 +52,7 @@ class PartDemands {
       : problem_(problem), geometry_(geometry), demands_(problem.parts.size()) {
     for (std::size_t p = 0; p < problem.parts.size(); ++p) {
       const int stable_poses = geometry.movable[p] ? domain::InitialLabel(problem.parts[p]) : 0;
-      demands_[p].putdowns = LeastPutdowns(*geometry.reachable[p], geometry.start[p], stable_poses);
+      demands_[p].moves = LeastMoves(*geometry.reachable[p], geometry.start[p], stable_poses);
       if (!geometry.located[p].empty()) RestIn(demands_[p], geometry.located[p]);
     }
   }
@@ -65,7 +65,7 @@ class PartDemands {
       int least = kUnreachable;
       for (int grasp : geometry_.grasp_list[id.index()]) {
         if (!geometry_.mate_reachable[id.index()]->Allows(grasp, position)) continue;
-        least = std::min(least, LeastPutdownsToTake(mating.held, grasp));
+        least = std::min(least, LeastMovesToTake(mating.held, grasp));
       }
       if (least < kUnreachable) positions.push_back(position);
       least_held = std::min(least_held, least);
@@ -87,8 +87,8 @@ class PartDemands {
 
  private:
   struct Demand {
-    // indexed by position: the least number of putdowns that bring the part there
-    std::vector<int> putdowns = {};
+    // indexed by position: the least number of moves that bring the part there
+    std::vector<int> moves = {};
     // the number of actions until the part is in the hand for its mating
     std::optional<int> taken = {};
     bool rests = false;          // true if the part is to rest at the end in one of `ends`
@@ -111,17 +111,17 @@ class PartDemands {
     if (demand.taken) return demand.rests ? kUnreachable : *demand.taken;
     if (!demand.rests) return 0;
     int least = kUnreachable;
-    for (int position : demand.ends) least = std::min(least, 2 * demand.putdowns[position]);
+    for (int position : demand.ends) least = std::min(least, 2 * demand.moves[position]);
     return least;
   }
 
-  int LeastPutdownsToTake(PartId part, int grasp) const {
+  int LeastMovesToTake(PartId part, int grasp) const {
     if (!geometry_.movable[part.index()]) return kUnreachable;
     int least = kUnreachable;
     const Relation& reachable = *geometry_.reachable[part.index()];
     for (int position = 0; position < reachable.columns(); ++position) {
       if (reachable.Allows(grasp, position)) {
-        least = std::min(least, demands_[part.index()].putdowns[position]);
+        least = std::min(least, demands_[part.index()].moves[position]);
       }
     }
     return least;
@@ -146,6 +146,8 @@ std::vector<int> LocatedLabels(const Problem& problem, const LocatedGoal& goal) 
 }
 
 std::optional<int> LeastActions(const Problem& problem, const LabelGeometry& geometry) {
+  // Other actions may move a part in fewer steps than a pickup and a putdown.
+  if (problem.actions != domain::StandardActions()) return 0;
   PartDemands demands(problem, geometry);
   for (const domain::Goal& goal : problem.goals) {
     const auto* mating = std::get_if<MatingId>(&goal);

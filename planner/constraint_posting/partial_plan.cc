@@ -7,18 +7,14 @@
 #include <variant>
 
 #include "planner/base/check.h"
-#include "planner/constraint_posting/least_actions.h"
-#include "planner/domain/actions/actions.h"
+#include "planner/constraint_posting/null_plan.h"
 
 namespace assay::constraint_posting {
 
-using domain::ActionKind;
 using domain::ActionTemplate;
 using domain::Condition;
 using domain::ConstraintKind;
 using domain::GeometricConstraint;
-using domain::LocatedGoal;
-using domain::MatingId;
 using domain::PartId;
 using domain::Problem;
 using domain::VariableKind;
@@ -59,46 +55,10 @@ std::vector<int> AllStablePoses(const domain::Part& part) {
 
 PartialPlan::PartialPlan(const Problem& problem, const GeometricRelations& relations)
     : problem_(&problem), relations_(&relations) {
-  AddInitialWorld();
-  AddGoals();
-}
-
-void PartialPlan::AddInitialWorld() {
-  ActionTemplate start{.kind = ActionKind::kStart, .adds = {Condition::GripperOpen()}};
-  std::vector<bool> mated(problem_->parts.size(), false);
-  for (MatingId mating : problem_->assembled) {
-    start.adds.push_back(Condition::Assembled(mating));
-    mated[problem_->mating(mating).held.index()] = true;
-  }
-  for (std::size_t p = 0; p < problem_->parts.size(); ++p) {
-    if (mated[p]) continue;
-    const PartId part(p);
-    const VariableId position = variables_.AddInitialPosition(part);
-    start.adds.push_back(Condition::Located(part, position));
-    start.initial.push_back(
-        {.variable = position, .labels = {domain::InitialLabel(problem_->part(part))}});
-  }
-  Append(std::move(start));
-}
-
-void PartialPlan::AddGoals() {
-  ActionTemplate finish{.kind = ActionKind::kFinish};
-  for (const domain::Goal& goal : problem_->goals) {
-    if (const auto* mating = std::get_if<MatingId>(&goal)) {
-      finish.preconditions.push_back(Condition::Assembled(*mating));
-      continue;
-    }
-    const auto& located = std::get<LocatedGoal>(goal);
-    const VariableId position = variables_.AddFree(VariableKind::kPosition, located.part);
-    finish.geometric.push_back({.constraint = {.kind = ConstraintKind::kInPositionClass,
-                                               .position = position,
-                                               .labels = LocatedLabels(*problem_, located)},
-                                .qualifies = {static_cast<int>(finish.preconditions.size())}});
-    finish.preconditions.push_back(Condition::Located(located.part, position));
-  }
-  const StepId step = Append(std::move(finish));
-  ordering_.Post(kStart, step);
-  OpenPreconditions(step);
+  Append(InitialWorld(problem, variables_));
+  const StepId finish = Append(Goals(problem, variables_));
+  ordering_.Post(kStart, finish);
+  OpenPreconditions(finish);
 }
 
 StepId PartialPlan::Append(ActionTemplate action) {
@@ -182,9 +142,10 @@ std::optional<OperationalGoal> PartialPlan::PopOrdering() { return Pop(goals_.or
 
 std::vector<ActionTemplate> PartialPlan::Establishers(const OperationalGoal& goal) {
   std::vector<ActionTemplate> actions;
-  for (const domain::ActionRule& rule : domain::ActionRules()) {
+  for (const domain::ActionKind* kind : problem_->actions) {
+    if (kind->achieve == nullptr) continue;
     std::ranges::move(
-        rule.achieve(*problem_, ConditionOf(goal.consumer, goal.precondition), variables_),
+        kind->achieve(*problem_, ConditionOf(goal.consumer, goal.precondition), variables_),
         std::back_inserter(actions));
   }
   return actions;

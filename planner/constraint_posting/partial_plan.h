@@ -150,8 +150,6 @@ class PartialPlan {
   std::string Text(const domain::GeometricConstraint& constraint) const;
 
  private:
-  void AddInitialWorld();
-  void AddGoals();
   StepId Append(domain::ActionTemplate action);
   void OpenPreconditions(StepId step);
   void Open(OperationalGoal goal);

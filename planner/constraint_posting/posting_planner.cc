@@ -8,9 +8,10 @@
 
 #include "planner/base/budget.h"
 #include "planner/constraint_posting/impossibility/impossibility.h"
-#include "planner/constraint_posting/instance.h"
+#include "planner/constraint_posting/instance_search.h"
 #include "planner/constraint_posting/least_actions.h"
 #include "planner/constraint_posting/partial_plan.h"
+#include "planner/constraint_posting/plan_instance.h"
 #include "planner/constraint_posting/world.h"
 #include "planner/domain/mating/mating_classes.h"
 
@@ -240,22 +241,11 @@ class PostingPlanner {
   }
 
   // Returns the actions and labels in the order of execution. They identify an instance.
-  static std::string Signature(const plan::Plan& plan) {
+  std::string Signature(const plan::Plan& plan) const {
     std::string signature;
     for (plan::StepId id : plan.ExecutionOrder()) {
       const plan::Action& action = plan.step(id).action;
-      signature += std::to_string(action.index());
-      if (const auto* pickup = std::get_if<plan::Pickup>(&action)) {
-        signature += fmt::format(" {} {};", pickup->part.index(), pickup->hold.grasp);
-      } else if (const auto* putdown = std::get_if<plan::Putdown>(&action)) {
-        signature += fmt::format(" {} {};", putdown->part.index(), putdown->to.position);
-      } else if (const auto* assemble = std::get_if<plan::Assemble>(&action)) {
-        signature += fmt::format(" {};", assemble->mating.index());
-      } else if (const auto* sense = std::get_if<plan::Sense>(&action)) {
-        signature += fmt::format(" {} {};", sense->part.index(), sense->sensor);
-      } else if (const auto* squeeze = std::get_if<plan::Squeeze>(&action)) {
-        signature += fmt::format(" {} {};", squeeze->part.index(), squeeze->hold.grasp);
-      }
+      signature += fmt::format("{} {} ", action.mating.index(), ShortText(problem_, action));
     }
     return signature;
   }

@@ -55,12 +55,37 @@ bool StepGeometry::HandIsFree(const World& world, StepId step, PartId part, Part
   return true;
 }
 
-bool StepGeometry::PickupWorks(const World& world, StepId step, PartId part, GraspId grasp_id,
-                               Blame& blame) const {
-  const Pose& X_WorldPart = world.X_WorldPart(part);
-  if (world.mated(part) || !reachability_.IsReachableAt(part, grasp_id, X_WorldPart)) {
+bool StepGeometry::Works(const World& world, StepId step, const domain::ActionTemplate& action,
+                         GraspId grasp, const Pose& X_WorldPart, Blame& blame) const {
+  if (action.kind->leaves == domain::Leaves::kAtPlace &&
+      !HasRoom(world, step, action.part, X_WorldPart, blame)) {
     return false;
   }
+  return WorksGivenRoom(world, step, action, grasp, X_WorldPart, blame);
+}
+
+bool StepGeometry::WorksGivenRoom(const World& world, StepId step,
+                                  const domain::ActionTemplate& action, GraspId grasp,
+                                  const Pose& X_WorldPart, Blame& blame) const {
+  const domain::ActionKind& kind = *action.kind;
+  if (kind.leaves == domain::Leaves::kMated) {
+    return MatingWorks(world, step, action.mating, grasp, blame);
+  }
+  if (kind.Needs(domain::Need::kAlone) && world.mated(action.part)) return false;
+  if (!kind.Has(domain::Argument::kGrasp)) return true;
+  const bool is_placed = kind.leaves == domain::Leaves::kAtPlace;
+  return HandWorks(world, step, action.part, grasp,
+                   is_placed ? X_WorldPart : world.X_WorldPart(action.part), blame);
+}
+
+bool StepGeometry::TakingWorks(const World& world, StepId step, PartId part, GraspId grasp,
+                               Blame& blame) const {
+  return !world.mated(part) && HandWorks(world, step, part, grasp, world.X_WorldPart(part), blame);
+}
+
+bool StepGeometry::HandWorks(const World& world, StepId step, PartId part, GraspId grasp_id,
+                             const Pose& X_WorldPart, Blame& blame) const {
+  if (!reachability_.IsReachableAt(part, grasp_id, X_WorldPart)) return false;
   const Grasp& grasp = (*problem_.part(part).grasps)[grasp_id.index()];
   return HandIsFree(world, step, part, PartId::None(), grasp, X_WorldPart * grasp.X_PartTool,
                     blame);
@@ -74,14 +99,6 @@ bool StepGeometry::HasRoom(const World& world, StepId step, PartId part, const P
   return crowding.IsNone();
 }
 
-bool StepGeometry::PutdownWorks(const World& world, StepId step, PartId part, GraspId grasp_id,
-                                const Pose& X_WorldPart, Blame& blame) const {
-  if (!reachability_.IsReachableAt(part, grasp_id, X_WorldPart)) return false;
-  const Grasp& grasp = (*problem_.part(part).grasps)[grasp_id.index()];
-  return HandIsFree(world, step, part, PartId::None(), grasp, X_WorldPart * grasp.X_PartTool,
-                    blame);
-}
-
 bool StepGeometry::HeldPartIsFree(const World& world, StepId step, const Mating& mating,
                                   const Pose& X_WorldHeld, Blame& blame) const {
   const PartId obstacle = Obstacle(problem_, {.part = mating.held, .X_WorldPart = X_WorldHeld},
@@ -90,8 +107,8 @@ bool StepGeometry::HeldPartIsFree(const World& world, StepId step, const Mating&
   return obstacle.IsNone();
 }
 
-bool StepGeometry::AssembleWorks(const World& world, StepId step, MatingId mating_id,
-                                 GraspId grasp_id, Blame& blame) const {
+bool StepGeometry::MatingWorks(const World& world, StepId step, MatingId mating_id,
+                               GraspId grasp_id, Blame& blame) const {
   const Mating& mating = problem_.mating(mating_id);
   const Pose& X_WorldFixed = world.X_WorldPart(mating.fixed);
   if (!InFrictionCone(problem_, mating, X_WorldFixed) ||

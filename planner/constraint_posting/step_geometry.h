@@ -44,17 +44,25 @@ class StepGeometry {
   StepGeometry(const domain::Problem& problem, domain::KnownReachability& reachability)
       : problem_(problem), reachability_(reachability) {}
 
-  bool PickupWorks(const World& world, StepId step, domain::PartId part, domain::GraspId grasp,
-                   Blame& blame) const;
+  // Tests an action. X_WorldPart is the pose at which it leaves its part, if it leaves it at a
+  // place.
+  bool Works(const World& world, StepId step, const domain::ActionTemplate& action,
+             domain::GraspId grasp, const domain::Pose& X_WorldPart, Blame& blame) const;
+  // Tests an action, except for the room of a part that is left at a place.
+  bool WorksGivenRoom(const World& world, StepId step, const domain::ActionTemplate& action,
+                      domain::GraspId grasp, const domain::Pose& X_WorldPart, Blame& blame) const;
 
+  // Returns true if the hand can take the part from where it is in the world.
+  bool TakingWorks(const World& world, StepId step, domain::PartId part, domain::GraspId grasp,
+                   Blame& blame) const;
+  // Returns true if the hand can let the part go, or grasp it, in this pose.
+  bool HandWorks(const World& world, StepId step, domain::PartId part, domain::GraspId grasp,
+                 const domain::Pose& X_WorldPart, Blame& blame) const;
   // Returns true if the part has room in this pose, whatever holds it.
   bool HasRoom(const World& world, StepId step, domain::PartId part,
                const domain::Pose& X_WorldPart, Blame& blame) const;
-  bool PutdownWorks(const World& world, StepId step, domain::PartId part, domain::GraspId grasp,
-                    const domain::Pose& X_WorldPart, Blame& blame) const;
-
-  bool AssembleWorks(const World& world, StepId step, domain::MatingId mating,
-                     domain::GraspId grasp, Blame& blame) const;
+  bool MatingWorks(const World& world, StepId step, domain::MatingId mating, domain::GraspId grasp,
+                   Blame& blame) const;
 
  private:
   bool HandIsFree(const World& world, StepId step, domain::PartId part, domain::PartId except,

@@ -23,6 +23,19 @@ bool World::mated(PartId part) const {
   });
 }
 
+void World::Do(const domain::ActionTemplate& action, const Pose& X_WorldPart, int choice) {
+  switch (action.kind->leaves) {
+    case domain::Leaves::kWhereItWas:
+      return;
+    case domain::Leaves::kInHand:
+      return Take(action.part);
+    case domain::Leaves::kAtPlace:
+      return Rest(action.part, X_WorldPart, choice);
+    case domain::Leaves::kMated:
+      return Mate(action.mating);
+  }
+}
+
 void World::Take(PartId part) { in_hand_[part.index()] = true; }
 
 void World::Rest(PartId part, const Pose& X_WorldPart, int choice) {

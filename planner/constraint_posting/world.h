@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include "planner/domain/actions/action_template.h"
 #include "planner/domain/reach/reachability.h"
 
 namespace assay::constraint_posting {
@@ -21,6 +22,9 @@ class World {
   // true if the part is mated to any other part, as held or as fixed
   bool mated(domain::PartId part) const;
 
+  // Does the action. X_WorldPart is the pose at which it leaves its part, if it leaves it at a
+  // place.
+  void Do(const domain::ActionTemplate& action, const domain::Pose& X_WorldPart, int choice);
   void Take(domain::PartId part);
   void Rest(domain::PartId part, const domain::Pose& X_WorldPart, int choice);
   void Mate(domain::MatingId mating);

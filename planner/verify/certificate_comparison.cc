@@ -196,10 +196,8 @@ std::vector<Flaw> DifferencesOfVerifications(const domain::Problem& problem,
 std::vector<Flaw> FlawsOfMatings(const domain::Problem& problem, const plan::Plan& plan) {
   std::vector<Flaw> flaws;
   for (std::size_t i = 0; i < plan.steps.size(); ++i) {
-    const auto* assemble = std::get_if<plan::Assemble>(&plan.steps[i].action);
-    if (assemble == nullptr || domain::HasShaftInHole(problem, problem.mating(assemble->mating))) {
-      continue;
-    }
+    const domain::MatingId mating = plan.steps[i].action.mating;
+    if (mating.IsNone() || domain::HasShaftInHole(problem, problem.mating(mating))) continue;
     flaws.push_back({plan::StepId(i), "it puts no shaft into a hole that holds it all around"});
   }
   return flaws;

@@ -39,29 +39,25 @@ class BoxBuilder {
   void AddStep(const plan::PlannedStep& step, StepId id) {
     step_ = &step;
     id_ = id;
-    std::visit(*this, step.action);
-  }
-
-  void operator()(const plan::Pickup&) { AddHand(); }
-  void operator()(const plan::Squeeze&) { AddHand(); }
-  void operator()(const plan::Assemble&) { AddHand(); }
-  void operator()(const plan::Putdown& putdown) {
+    const plan::Action& action = step.action;
+    if (action.kind->Has(domain::Argument::kSensor)) return AddSensor(action);
     AddHand();
-    const domain::Part& part = problem_.part(putdown.part);
-    AddAtStep(plan::error::kZ, part.name, Effect::kTableHeight, putdown.part, part.error.z);
-  }
-  void operator()(const plan::Sense& sense) {
-    const domain::SensorModel* sensor =
-        problem_.workcell->uncertainty_operations().FindSensor(sense.sensor);
-    ASSAY_CHECK(sensor != nullptr, "the workcell has no sensor '{}'", sense.sensor);
-    AddAtStep(plan::error::kX, kSensed, Effect::kSensedX, sense.part, Measured(sensor->x));
-    AddAtStep(plan::error::kY, kSensed, Effect::kSensedY, sense.part, Measured(sensor->y));
-    AddAtStep(plan::error::kZ, kSensed, Effect::kSensedZ, sense.part, Measured(sensor->z));
-    AddAtStep(plan::error::kTheta, kSensed, Effect::kSensedYaw, sense.part,
-              Measured(sensor->theta));
+    if (action.kind->leaves != domain::Leaves::kAtPlace) return;
+    const domain::Part& part = problem_.part(action.part);
+    AddAtStep(plan::error::kZ, part.name, Effect::kTableHeight, action.part, part.error.z);
   }
 
  private:
+  void AddSensor(const plan::Action& look) {
+    const domain::SensorModel* sensor =
+        problem_.workcell->uncertainty_operations().FindSensor(look.sensor);
+    ASSAY_CHECK(sensor != nullptr, "the workcell has no sensor '{}'", look.sensor);
+    AddAtStep(plan::error::kX, kSensed, Effect::kSensedX, look.part, Measured(sensor->x));
+    AddAtStep(plan::error::kY, kSensed, Effect::kSensedY, look.part, Measured(sensor->y));
+    AddAtStep(plan::error::kZ, kSensed, Effect::kSensedZ, look.part, Measured(sensor->z));
+    AddAtStep(plan::error::kTheta, kSensed, Effect::kSensedYaw, look.part, Measured(sensor->theta));
+  }
+
   // A coordinate that a sensor does not measure has no error of measurement.
   static Interval Measured(const Interval& promise) {
     return std::isfinite(promise.low) && std::isfinite(promise.high) ? promise : kNothing;

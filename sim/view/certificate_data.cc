@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "planner/domain/problem/units.h"
 #include "planner/verify/proof.h"
 
 namespace assay::view {

@@ -26,15 +26,11 @@ struct ShownSet {
 
 Json ComponentsOf(const plan::ErrorSet& set) {
   Json ranges = Json::object();
-  const auto add = [&](const char* name, const Interval& range) {
-    if (range.low != 0 || range.high != 0) ranges[name] = {range.low, range.high};
-  };
-  add("x", set.x);
-  add("y", set.y);
-  add("z", set.z);
-  add("theta", set.theta);
-  add("tip", set.tip);
-  add("twist", set.twist);
+  for (const plan::ErrorComponent& component : plan::ErrorComponents()) {
+    const Interval& range = set.*component.range;
+    if (range.low == 0 && range.high == 0) continue;
+    ranges[std::string(component.name)] = {range.low, range.high};
+  }
   return ranges;
 }
 

@@ -2,7 +2,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include "sim/execution/commands/command_file.h"
 #include "sim/view/certificate_data.h"
 
 namespace assay::view {
@@ -69,7 +68,7 @@ Json StepData(const Executed& executed, plan::StepId id) {
   const plan::PlannedStep& step = executed.plan.step(id);
   return {{"number", step.executed},
           {"name", step.name},
-          {"action", execution::Text(executed.problem, step.action)},
+          {"action", plan::ShortText(executed.problem, step.action)},
           {"certified", !step.certificate.before.empty()},
           {"preconditions", PreconditionsOf(step, executed.plan_file)},
           {"notNeeded", NotNeededOf(step.certificate)},

@@ -216,7 +216,7 @@ class ExecutedWorld {
     for (const CertifiedAction& step : actions) {
       certificate_ = &step.certificate;
       place_ = fmt::format("step {}", ++number);
-      const bool went_well = std::visit([&](const auto& act) { return Act(act); }, step.action);
+      const bool went_well = Act(step.action);
       if (!went_well) return execution_;
       for (const plan::ErrorSet& set : step.certificate.after) ExpectInside(set, "after");
       if (!execution_.contradictions.empty()) return execution_;
@@ -422,15 +422,23 @@ class ExecutedWorld {
     return false;
   }
 
-  bool Act(const plan::Pickup& pickup) {
-    if (!Grasp(pickup.part, pickup.hold, pickup.from.X_WorldPart)) return false;
+  bool Act(const plan::Action& action) {
+    if (action.Is(domain::kPickup)) return Pickup(action);
+    if (action.Is(domain::kSqueeze)) return Squeeze(action);
+    if (action.Is(domain::kPutdown)) return Putdown(action);
+    if (action.Is(domain::kSense)) return Sense(action);
+    return Assemble(action);
+  }
+
+  bool Pickup(const plan::Action& pickup) {
+    if (!Grasp(pickup.part, pickup.hold, pickup.place.X_WorldPart)) return false;
     in_hand_ = pickup.part;
     return true;
   }
-  bool Act(const plan::Squeeze& squeeze) {
-    if (!Grasp(squeeze.part, squeeze.hold, squeeze.at.X_WorldPart)) return false;
+  bool Squeeze(const plan::Action& squeeze) {
+    if (!Grasp(squeeze.part, squeeze.hold, squeeze.place.X_WorldPart)) return false;
     Body& b = body(squeeze.part);
-    b.truth = Settled(squeeze.part, hand_ * X_HandPart_, squeeze.at.X_WorldPart, b.table);
+    b.truth = Settled(squeeze.part, hand_ * X_HandPart_, squeeze.place.X_WorldPart, b.table);
     return true;
   }
 
@@ -468,11 +476,11 @@ class ExecutedWorld {
     return geometry::Hull2(points);
   }
 
-  bool Act(const plan::Putdown& putdown) {
-    hand_ = HandAt(putdown.to.X_WorldPart * hold_.X_PartTool);
+  bool Putdown(const plan::Action& putdown) {
+    hand_ = HandAt(putdown.place.X_WorldPart * hold_.X_PartTool);
     for (const plan::ErrorSet& set : certificate_->before) ExpectInside(set, "before");
     const PartId part = putdown.part;
-    const Pose flat = putdown.to.X_WorldPart;
+    const Pose flat = putdown.place.X_WorldPart;
     if (!HandPasses(hand_, {part}, hold_.width)) return false;
     const Pose X = hand_ * X_HandPart_;
     const double table = draw_(problem_.part(part).error.z);
@@ -511,10 +519,10 @@ class ExecutedWorld {
   // ---- Sensing ----
 
   // Coordinates that the sensor measures better than they are known become the measured ones.
-  bool Act(const plan::Sense& sense) {
+  bool Sense(const plan::Action& sense) {
     const auto& sensor = *problem_.workcell->uncertainty_operations().FindSensor(sense.sensor);
     Body& b = body(sense.part);
-    b.planned = sense.at.X_WorldPart;
+    b.planned = sense.place.X_WorldPart;
     for (const plan::ErrorSet& set : certificate_->before) ExpectInside(set, "before");
     const plan::ErrorSet& known = certificate_->before.at(0);
     const auto better = [](const Interval& measured, const Interval& so_far) {
@@ -582,7 +590,7 @@ class ExecutedWorld {
     return between;
   }
 
-  bool Act(const plan::Assemble& assemble) {
+  bool Assemble(const plan::Action& assemble) {
     const domain::Mating& mating = problem_.mating(assemble.mating);
     const Body fixed = body(mating.fixed);
     const Pose back = geometry::Translation(-mating.mating_vector);

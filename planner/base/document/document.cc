@@ -159,7 +159,10 @@ std::vector<std::pair<Value, Value>> Value::Entries() const {
 
 // A key that is given twice was refused when the document was read.
 void Value::AllowOnly(std::initializer_list<std::string_view> keys) const {
-  const std::vector<std::string> names(keys.begin(), keys.end());
+  AllowOnly(std::vector<std::string>(keys.begin(), keys.end()));
+}
+
+void Value::AllowOnly(const std::vector<std::string>& names) const {
   if (!IsMap()) Fail(node_->Describe() + " is not a map", "a map with the keys " + Join(names));
   for (const DocumentNode* key : node_->keys) {
     const std::string_view text = key->text;

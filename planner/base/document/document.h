@@ -40,6 +40,7 @@ class Value {
 
   // Fails at the first key of this map that is not among `keys`, and names the nearest of them.
   // Fails at a key that is given twice.
+  void AllowOnly(const std::vector<std::string>& keys) const;
   void AllowOnly(std::initializer_list<std::string_view> keys) const;
 
   // Throws an InputError at this place.

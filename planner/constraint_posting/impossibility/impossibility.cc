@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <numbers>
 
+#include "planner/constraint_posting/impossibility/constraint_text.h"
 #include "planner/constraint_posting/impossibility/impossibility_check.h"
 #include "planner/constraint_posting/impossibility/near_miss.h"
 #include "planner/constraint_posting/impossibility/planner_limits.h"
@@ -73,6 +74,9 @@ bool IsMinimalConflict(const RelaxedProblem& relaxed, const std::vector<Constrai
 }  // namespace
 
 ImpossibilityAnswer ProveImpossible(const Problem& problem) {
+  if (problem.actions != domain::StandardActions()) {
+    return {{}, {"no proof covers actions other than those that every robot can do"}};
+  }
   const RelaxedProblem listed(problem, RelaxedProblem::Grasps::kListed);
   if (listed.IsPossibleWith({listed.Constraints()})) return {{}, LimitsOf(problem, listed)};
   const RelaxedProblem relaxed(problem, RelaxedProblem::Grasps::kWithMisses);
@@ -83,7 +87,7 @@ ImpossibilityAnswer ProveImpossible(const Problem& problem) {
     return {{}, {"a proof that no plan exists could not be confirmed"}};
   }
   for (const Constraint& constraint : conflict) {
-    proof.conflict.push_back(relaxed.Describe(constraint));
+    proof.conflict.push_back(Describe(relaxed, constraint));
   }
   proof.near_misses = NearMisses(relaxed, conflict);
   return {std::move(proof), {}};

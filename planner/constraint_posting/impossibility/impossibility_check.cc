@@ -71,7 +71,7 @@ class RobotCheck {
 
   bool TakesFromStart(PartId id, int grasp) {
     Blame unused;
-    return geometry_.PickupWorks(WorldBut({id}), kAnyStep, id, GraspId(grasp), unused);
+    return geometry_.TakingWorks(WorldBut({id}), kAnyStep, id, GraspId(grasp), unused);
   }
 
   bool PutsDownAnew(PartId id, int grasp) {
@@ -87,7 +87,7 @@ class RobotCheck {
     Blame unused;
     return std::ranges::any_of(PosesAt(problem_, id, position), [&](const Pose& X_WorldPart) {
       return geometry_.HasRoom(world, kAnyStep, id, X_WorldPart, unused) &&
-             geometry_.PutdownWorks(world, kAnyStep, id, GraspId(grasp), X_WorldPart, unused);
+             geometry_.HandWorks(world, kAnyStep, id, GraspId(grasp), X_WorldPart, unused);
     });
   }
 
@@ -133,7 +133,7 @@ class RobotCheck {
     World world = WorldBut({mating.held, mating.fixed});
     world.Rest(mating.fixed, X_WorldFixed, 0);
     Blame unused;
-    return geometry_.AssembleWorks(world, kAnyStep, id, GraspId(grasp), unused);
+    return geometry_.MatingWorks(world, kAnyStep, id, GraspId(grasp), unused);
   }
 
   const Problem& problem_;

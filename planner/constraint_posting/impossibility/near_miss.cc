@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "planner/base/check.h"
+#include "planner/constraint_posting/impossibility/constraint_text.h"
 #include "planner/domain/actions/condition.h"
 
 namespace assay::constraint_posting {

@@ -108,10 +108,10 @@ bool RelaxedHand::IsFree(PartId id, int grasp, int position, const PartSet& move
     known->second = WaysTo(id, position, SetOf(problem_, {id}), [&](World& world, const Pose& X) {
       Blame unused;
       if (at_start) {
-        return geometry_.PickupWorks(world, PartialPlan::kFinish, id, GraspId(grasp), unused);
+        return geometry_.TakingWorks(world, PartialPlan::kFinish, id, GraspId(grasp), unused);
       }
       return geometry_.HasRoom(world, PartialPlan::kFinish, id, X, unused) &&
-             geometry_.PutdownWorks(world, PartialPlan::kFinish, id, GraspId(grasp), X, unused);
+             geometry_.HandWorks(world, PartialPlan::kFinish, id, GraspId(grasp), X, unused);
     });
   }
   return SomeIsFree(known->second, moved);
@@ -131,7 +131,7 @@ bool RelaxedHand::IsMatingFree(MatingId id, int grasp, int position, const PartS
             return false;
           }
           world.Rest(mating.fixed, X_WorldFixed, 0);
-          return geometry_.AssembleWorks(world, PartialPlan::kFinish, id, GraspId(grasp), unused);
+          return geometry_.MatingWorks(world, PartialPlan::kFinish, id, GraspId(grasp), unused);
         });
   }
   return SomeIsFree(known->second, moved);

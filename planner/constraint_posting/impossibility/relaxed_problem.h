@@ -3,7 +3,6 @@
 #include <array>
 #include <memory>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "planner/constraint_posting/impossibility/relaxed_hand.h"
@@ -87,9 +86,6 @@ class RelaxedProblem {
   // Returns true if the goals are attainable.
   bool IsPossibleWith(const Relaxation& relaxation) const;
 
-  // Returns the constraint in the scenario's words.
-  std::string Describe(const Constraint& constraint) const;
-
   const std::vector<std::unique_ptr<RelaxedHand>>& hands() const {
     return hands_;
   }  // indexed by robot
@@ -105,8 +101,5 @@ class RelaxedProblem {
   domain::Problem problem_;
   std::vector<std::unique_ptr<RelaxedHand>> hands_;
 };
-
-// Returns the name of the stable pose, or its label if it has no name.
-std::string PoseName(const domain::Part& part, domain::StablePoseId pose);
 
 }  // namespace assay::constraint_posting

@@ -67,14 +67,15 @@ plan::Place PlaceBefore(const UnmetGoals& unmet, const std::vector<WorldState>& 
                         PartId part) {
   std::string position = "initial";
   for (const plan::Action& action : unmet.actions.first(moment)) {
-    const auto* putdown = std::get_if<plan::Putdown>(&action);
-    if (putdown != nullptr && putdown->part == part) position = putdown->to.position;
-    const auto* assemble = std::get_if<plan::Assemble>(&action);
-    if (assemble != nullptr && unmet.problem.mating(assemble->mating).held == part) {
-      position = "assembled";
-    }
+    if (HandledPart(unmet.problem, action) != part) continue;
+    if (action.kind->leaves == domain::Leaves::kAtPlace) position = action.place.position;
+    if (action.kind->leaves == domain::Leaves::kMated) position = "assembled";
   }
   return {position, states[moment].part(part).X_WorldPart};
+}
+
+plan::Action LookAt(PartId part, const std::string& sensor, const plan::Place& at) {
+  return {.kind = &domain::kSense, .part = part, .place = at, .sensor = sensor};
 }
 
 }  // namespace assay::constraint_posting

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "planner/constraint_posting/resolvers/resolver.h"
@@ -30,5 +31,8 @@ domain::Problem ProblemFrom(domain::Problem problem, const plan::WorldState& sta
 // it there.
 plan::Place PlaceBefore(const UnmetGoals& unmet, const std::vector<plan::WorldState>& states,
                         int moment, domain::PartId part);
+
+// Returns a look at the part, which lies at the place.
+plan::Action LookAt(domain::PartId part, const std::string& sensor, const plan::Place& at);
 
 }  // namespace assay::constraint_posting

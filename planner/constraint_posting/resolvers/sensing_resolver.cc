@@ -30,7 +30,7 @@ std::vector<Remedy> SensingResolver::Propose(const UnmetGoals& unmet) {
     for (const std::vector<std::string>& set : SetsOf(unmet.problem.sensors)) {
       Remedy& remedy = remedies.emplace_back(Remedy{.part = part});
       for (const std::string& sensor : set) {
-        remedy.insertions.push_back({*moment, plan::Sense{part, sensor, at}});
+        remedy.insertions.push_back({*moment, LookAt(part, sensor, at)});
       }
     }
   }

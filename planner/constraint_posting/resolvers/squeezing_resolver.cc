@@ -67,7 +67,7 @@ std::vector<GraspId> ByLean(const domain::Part& part, const Pose& X_WorldPart) {
 // The possible squeezes of a part, one for each closing direction, and the parts that block the
 // other directions.
 struct Squeezes {
-  std::vector<plan::Squeeze> possible = {};
+  std::vector<plan::Action> possible = {};
   std::vector<PartId> obstacles = {};
 };
 
@@ -92,7 +92,10 @@ Squeezes SqueezesOf(const domain::Problem& problem, const plan::WorldState& stat
       continue;
     }
     directions.push_back(closing);
-    squeezes.possible.push_back({part_id, {grasp.label, grasp.X_PartTool, grasp.width}, at});
+    squeezes.possible.push_back({.kind = &domain::kSqueeze,
+                                 .part = part_id,
+                                 .hold = {grasp.label, grasp.X_PartTool, grasp.width},
+                                 .place = at});
   }
   for (const auto& [closing, obstacle] : blocked) {
     if (!is_served(closing)) squeezes.obstacles.push_back(obstacle);
@@ -101,9 +104,9 @@ Squeezes SqueezesOf(const domain::Problem& problem, const plan::WorldState& stat
 }
 
 // Returns each squeeze alone, then each pair in both orders.
-std::vector<std::vector<plan::Action>> SequencesOf(const std::vector<plan::Squeeze>& squeezes) {
+std::vector<std::vector<plan::Action>> SequencesOf(const std::vector<plan::Action>& squeezes) {
   std::vector<std::vector<plan::Action>> sequences;
-  for (const plan::Squeeze& squeeze : squeezes) sequences.push_back({squeeze});
+  for (const plan::Action& squeeze : squeezes) sequences.push_back({squeeze});
   for (std::size_t first = 0; first < squeezes.size(); ++first) {
     for (std::size_t second = 0; second < squeezes.size(); ++second) {
       if (first != second) sequences.push_back({squeezes[first], squeezes[second]});
@@ -133,7 +136,7 @@ std::vector<Remedy> SqueezingResolver::Propose(const UnmetGoals& unmet) {
       remedies.push_back(InsertBefore(*moment, part, sequence));
       if (unmet.problem.sensors.empty()) continue;
       for (const std::string& sensor : unmet.problem.sensors) {
-        sequence.insert(sequence.begin(), plan::Sense{part, sensor, at});
+        sequence.insert(sequence.begin(), LookAt(part, sensor, at));
       }
       with_sensing.push_back(InsertBefore(*moment, part, sequence));
     }

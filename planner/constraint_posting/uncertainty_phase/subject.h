@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstddef>
 #include <vector>
 
 #include "planner/domain/problem/problem.h"
@@ -8,13 +7,9 @@
 
 namespace assay::constraint_posting {
 
-// Returns the part that an action handles; for an assemble, the held part and the fixed part.
-std::vector<domain::PartId> HandledParts(const domain::Problem& problem,
-                                         const plan::Action& action);
-
 // The kind of an action and the parts it handles, independent of the plan.
 struct Subject {
-  std::size_t kind = 0;  // index of the action's kind
+  const domain::ActionKind* kind = nullptr;
   std::vector<domain::PartId> parts = {};
 
   bool operator==(const Subject&) const = default;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <numbers>
-#include <optional>
 
 #include "planner/base/check.h"
 
@@ -10,55 +9,28 @@ namespace assay::constraint_posting {
 namespace {
 
 using domain::MeasuredQuantity;
-using domain::VerifiedAction;
+using geometry::Pose;
 
-// The expected measurements after an action, in metres.
-struct Expected {
-  VerifiedAction action;
-  double opening = 0;      // the distance between the pads
-  double tool_height = 0;  // the tool's height above the table
-};
+// Returns the expected value of a measurement after an action, in metres: the distance between the
+// pads, or the tool's height above the table.
+double ExpectedAfter(const domain::Problem& problem, const plan::Action& action,
+                     MeasuredQuantity quantity) {
+  if (quantity == MeasuredQuantity::kGripperOpening) return action.hold.width;
+  const Pose X_WorldTool = plan::HandledAt(problem, action) * action.hold.X_PartTool;
+  return X_WorldTool.translation().z();
+}
 
-double HeightOf(const geometry::Pose& X_WorldTool) { return X_WorldTool.translation().z(); }
-
-struct ExpectedAfter {
-  const domain::Problem& problem;
-
-  std::optional<Expected> operator()(const plan::Pickup& pickup) const {
-    return Expected{VerifiedAction::kPickup, pickup.hold.width,
-                    HeightOf(pickup.from.X_WorldPart * pickup.hold.X_PartTool)};
-  }
-  std::optional<Expected> operator()(const plan::Putdown& putdown) const {
-    return Expected{VerifiedAction::kPutdown, putdown.hold.width,
-                    HeightOf(putdown.to.X_WorldPart * putdown.hold.X_PartTool)};
-  }
-  std::optional<Expected> operator()(const plan::Assemble& assemble) const {
-    const domain::Mating& mating = problem.mating(assemble.mating);
-    return Expected{
-        VerifiedAction::kAssemble, assemble.hold.width,
-        HeightOf(assemble.fixed.X_WorldPart * mating.X_FixedHeld * assemble.hold.X_PartTool)};
-  }
-  // Sensing and squeezing are inserted only where they are proved.
-  std::optional<Expected> operator()(const plan::Sense&) const { return std::nullopt; }
-  std::optional<Expected> operator()(const plan::Squeeze&) const { return std::nullopt; }
-};
-
-// The greatest pitch of a search that misses no place, in metres. A shaft finds its hole within a
-// square of twice the clearance, however this square is turned against the search. A tenth is
-// reserved for the rotation of the parts against each other.
-struct FinestPitch {
-  const domain::Problem& problem;
-
-  double operator()(const plan::Assemble& assemble) const {
-    const domain::Mating& mating = problem.mating(assemble.mating);
-    const double clearance = std::max(problem.part(mating.held).model->clearance(),
-                                      problem.part(mating.fixed).model->clearance());
-    return clearance > 0 ? 0.9 * std::numbers::sqrt2 * clearance : kCoarse;
-  }
-  double operator()(const auto&) const { return kCoarse; }
-
-  static constexpr double kCoarse = 1;  // metres: no limit
-};
+// Returns the greatest pitch of a search that misses no place, in metres. A shaft finds its hole
+// within a square of twice the clearance, however this square is turned against the search. A tenth
+// is reserved for the rotation of the parts against each other.
+double FinestPitch(const domain::Problem& problem, const plan::Action& action) {
+  constexpr double kCoarse = 1;  // metres: no limit
+  if (action.mating.IsNone()) return kCoarse;
+  const domain::Mating& mating = problem.mating(action.mating);
+  const double clearance = std::max(problem.part(mating.held).model->clearance(),
+                                    problem.part(mating.fixed).model->clearance());
+  return clearance > 0 ? 0.9 * std::numbers::sqrt2 * clearance : kCoarse;
+}
 
 void AddRecovery(const domain::Workcell& workcell, plan::StepId step, const std::string& error,
                  double finest_pitch, plan::Plan& plan) {
@@ -80,20 +52,18 @@ void AddRecovery(const domain::Workcell& workcell, plan::StepId step, const std:
 
 void AddVerification(const domain::Problem& problem, plan::StepId step, const plan::Action& action,
                      const plan::Certificate& certificate, plan::Plan& plan) {
-  const std::optional<Expected> expected = std::visit(ExpectedAfter{problem}, action);
-  if (!expected) return;
-  const double pitch = std::visit(FinestPitch{problem}, action);
+  const double pitch = FinestPitch(problem, action);
   const double doubt = plan::DoubtOfContact(certificate, problem.workcell->rules().guarded_travel);
   for (const domain::VerificationTemplate& check :
        problem.workcell->uncertainty_operations().verifications) {
-    if (check.after != expected->action) continue;
+    if (check.after != action.kind) continue;
     // Even without a failure, the height at which contact is made is uncertain by `doubt`. The
     // expected opening has no such uncertainty.
     const bool is_height = check.quantity == MeasuredQuantity::kToolHeight;
     plan.verifications.push_back({.step = step,
                                   .name = check.name,
                                   .quantity = check.quantity,
-                                  .expected = is_height ? expected->tool_height : expected->opening,
+                                  .expected = ExpectedAfter(problem, action, check.quantity),
                                   .tolerance = check.tolerance + (is_height ? doubt : 0),
                                   .below = check.below,
                                   .above = check.above});

@@ -50,10 +50,10 @@ struct Term {
     kDifference,
   };
   Kind kind = Kind::kConstant;
-  std::string name;
-  std::vector<Term> arguments;
-  Interval value;
-  Place place;
+  std::string name = {};
+  std::vector<Term> arguments = {};
+  Interval value = {};
+  Place place = {};
 };
 
 enum class Relation { kPredicate, kExtern, kEqual, kLess, kLessOrEqual, kGreater, kGreaterOrEqual };
@@ -63,9 +63,9 @@ enum class Relation { kPredicate, kExtern, kEqual, kLess, kLessOrEqual, kGreater
 struct Literal {
   bool is_positive = true;
   Relation relation = Relation::kPredicate;
-  std::string predicate;
-  std::vector<Term> arguments;
-  Place place;
+  std::string predicate = {};
+  std::vector<Term> arguments = {};
+  Place place = {};
 };
 
 // A query to a knowledge state, built from K, Kw and Kv (Petrick and Bacchus 2002, section 3).
@@ -81,13 +81,13 @@ struct Query {
     kExists,        // existsK
   };
   Kind kind = Kind::kAnd;
-  std::vector<Literal> literals;
-  std::vector<Term> terms;  // one term, for kValueKnown only
+  std::vector<Literal> literals = {};
+  std::vector<Term> terms = {};  // one term, for kValueKnown only
   // for kValueKnown: the greatest half width of the interval known to contain the value
-  std::optional<double> within;
-  std::vector<TypedName> variables;
-  std::vector<Query> operands;
-  Place place;
+  std::optional<double> within = {};
+  std::vector<TypedName> variables = {};
+  std::vector<Query> operands = {};
+  Place place = {};
 };
 
 enum class Store { kFacts, kWhether, kValues, kExclusive, kClosed };  // Kf, Kw, Kv, Kx, LCW
@@ -98,14 +98,14 @@ struct Change {
   Store store = Store::kFacts;
   // Kf: one literal. Kw: the conjunction. Kx: the alternatives. LCW: one literal with free
   // variables.
-  std::vector<Literal> literals;
-  std::vector<Term> terms;  // Kv: one term
+  std::vector<Literal> literals = {};
+  std::vector<Term> terms = {};  // Kv: one term
   // Kv: the greatest error of the sensor; none for an exact sensor
-  std::optional<double> within;
-  std::vector<TypedName> variables;  // LCW: the free variables of the literal
+  std::optional<double> within = {};
+  std::vector<TypedName> variables = {};  // LCW: the free variables of the literal
   // True for a Kx written some(...), of which one or more alternatives hold. False for exactly one.
   bool is_inclusive = false;
-  Place place;
+  Place place = {};
 };
 
 // The effect forall (?x: type) condition => changes, for each value of the variables.
@@ -127,9 +127,9 @@ struct Action {
 // A predicate, function or extern with the types of its arguments.
 struct Symbol {
   std::string name;
-  std::vector<TypedName> parameters;  // the names may be empty
-  std::string range;                  // the type of a function's value
-  Place place;
+  std::vector<TypedName> parameters = {};  // the names may be empty
+  std::string range = {};                  // the type of a function's value
+  Place place = {};
 };
 
 struct Domain {

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "planner/base/check.h"
+
 namespace assay::domain {
 
 std::string LabelName(const Problem& problem, const PlanVariable& variable, int label) {
@@ -48,20 +50,23 @@ std::string Text(const Problem& problem, const PlanVariables& variables,
 
 std::string Text(const Problem& problem, const PlanVariables& variables,
                  const ActionTemplate& action) {
-  const auto part = [&](PartId id) { return problem.part(id).name; };
-  switch (action.kind) {
-    case ActionKind::kStart:
-    case ActionKind::kFinish:
-      return std::string(Name(action.kind));
-    case ActionKind::kPickup:
-      return fmt::format("pickup({}, {})", part(action.part), variables[action.grasp].name);
-    case ActionKind::kPutdown:
-      return fmt::format("putdown({}, {})", part(action.part), variables[action.position].name);
-    case ActionKind::kAssemble:
-      return fmt::format("assemble({}, {})", part(action.part),
-                         part(problem.mating(action.mating).fixed));
-  }
-  return "";
+  return Text(*action.kind, action.kind->short_arguments, [&](Argument argument) -> std::string {
+    switch (argument) {
+      case Argument::kPart:
+        return problem.part(action.part).name;
+      case Argument::kMating:
+        return fmt::format("{}, {}", problem.part(action.part).name,
+                           problem.part(problem.mating(action.mating).fixed).name);
+      case Argument::kGrasp:
+        return variables[action.grasp].name;
+      case Argument::kPosition:
+        return variables[action.position].name;
+      case Argument::kSensor:
+        break;
+    }
+    ASSAY_CHECK(false, "a partial plan has no action with a sensor");
+    return "";
+  });
 }
 
 }  // namespace assay::domain

@@ -1,9 +1,9 @@
 #pragma once
 
 #include <string>
-#include <string_view>
 #include <vector>
 
+#include "planner/domain/actions/action_kind.h"
 #include "planner/domain/actions/condition.h"
 
 namespace assay::domain {
@@ -34,8 +34,6 @@ struct GeometricGoal {
   std::vector<int> qualifies;  // indices of operational preconditions of the same action
 };
 
-enum class ActionKind { kStart, kFinish, kPickup, kPutdown, kAssemble };
-
 // A new plan variable and the labels that it may have. This initial constraint needs no check,
 // because nothing refers to the variable yet.
 struct InitialConstraint {
@@ -46,42 +44,17 @@ struct InitialConstraint {
 // An action with its preconditions, add list and delete list (Spar, figure 2). Uncertainty
 // preconditions are not part of it: procedures build them for plan instances.
 struct ActionTemplate {
-  ActionKind kind;
-  PartId part = PartId::None();        // the part that the hand takes, puts down or mates
-  MatingId mating = MatingId::None();  // only for assemble
+  const ActionKind* kind;
+  PartId part = PartId::None();        // the part that the action handles
+  MatingId mating = MatingId::None();  // only for an action that mates
   VariableId grasp = VariableId::None();
-  VariableId position = VariableId::None();  // position of the part; in assemble, of the fixed part
+  VariableId position = VariableId::None();  // position of the part; in a mating, of the fixed part
   std::vector<Condition> preconditions = {};
   std::vector<GeometricGoal> geometric = {};
   std::vector<Condition> adds = {};
   std::vector<Condition> deletes = {};
   std::vector<InitialConstraint> initial = {};
 };
-
-// The rule by which one kind of action is instantiated (Spar, figure 3). `achieve` returns every
-// action of the kind that adds the condition, with fresh variables; none if no action does.
-struct ActionRule {
-  std::string_view name;
-  std::string_view summary;
-  std::vector<ActionTemplate> (*achieve)(const Problem& problem, const Condition& condition,
-                                         PlanVariables& variables);
-};
-
-constexpr std::string_view Name(ActionKind kind) {
-  switch (kind) {
-    case ActionKind::kStart:
-      return "start";
-    case ActionKind::kFinish:
-      return "finish";
-    case ActionKind::kPickup:
-      return "pickup";
-    case ActionKind::kPutdown:
-      return "putdown";
-    case ActionKind::kAssemble:
-      return "assemble";
-  }
-  return "";
-}
 
 // Returns the name of a label: "BG3", "BP2" or "initial".
 std::string LabelName(const Problem& problem, const PlanVariable& variable, int label);

@@ -1,12 +1,10 @@
 #include "planner/domain/actions/actions.h"
 
-#include <array>
-
 namespace assay::domain {
 
-std::span<const ActionRule> ActionRules() {
-  static const std::array rules = {kPickupRule, kPutdownRule, kAssembleRule};
-  return rules;
+const ActionKinds& StandardActions() {
+  static const ActionKinds kinds = {&kPickup, &kPutdown, &kAssemble, &kSense, &kSqueeze};
+  return kinds;
 }
 
 }  // namespace assay::domain

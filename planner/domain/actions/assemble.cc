@@ -1,5 +1,7 @@
+#include "planner/domain/actions/action_template.h"
 #include "planner/domain/actions/actions.h"
 #include "planner/domain/mating/mating_classes.h"
+#include "planner/domain/problem/problem.h"
 
 namespace assay::domain {
 namespace {
@@ -10,7 +12,7 @@ std::vector<ActionTemplate> AchieveByAssembling(const Problem& problem, const Co
   const Mating& mating = problem.mating(condition.mating);
   const VariableId grasp = variables.AddFree(VariableKind::kGrasp, mating.held);
   const VariableId position = variables.AddFree(VariableKind::kPosition, mating.fixed);
-  return {{.kind = ActionKind::kAssemble,
+  return {{.kind = &kAssemble,
            .part = mating.held,
            .mating = condition.mating,
            .grasp = grasp,
@@ -36,8 +38,13 @@ std::vector<ActionTemplate> AchieveByAssembling(const Problem& problem, const Co
 
 }  // namespace
 
-const ActionRule kAssembleRule{.name = Name(ActionKind::kAssemble),
-                               .summary = "mates the held part with one that rests",
-                               .achieve = AchieveByAssembling};
+const ActionKind kAssemble{.name = "assemble",
+                           .summary = "mates the held part with one that rests",
+                           .arguments = {Argument::kMating, Argument::kGrasp, Argument::kPosition},
+                           .short_arguments = {Argument::kMating},
+                           .needs = {Need::kHolding, Need::kAtPlace},
+                           .leaves = Leaves::kMated,
+                           .measured = MeasuredQuantity::kToolHeight,
+                           .achieve = AchieveByAssembling};
 
 }  // namespace assay::domain

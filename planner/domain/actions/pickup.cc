@@ -1,6 +1,8 @@
 #include <numeric>
 
+#include "planner/domain/actions/action_template.h"
 #include "planner/domain/actions/actions.h"
+#include "planner/domain/problem/problem.h"
 
 namespace assay::domain {
 namespace {
@@ -22,11 +24,11 @@ void DeleteMatings(const Problem& problem, PartId part, std::vector<Condition>& 
   }
 }
 
-ActionTemplate Pickup(const Problem& problem, PartId part, PlanVariables& variables) {
+ActionTemplate TakingOf(const Problem& problem, PartId part, PlanVariables& variables) {
   const VariableId grasp = variables.Add(VariableKind::kGrasp, part);
   const VariableId position = variables.AddFree(VariableKind::kPosition, part);
-  ActionTemplate pickup{
-      .kind = ActionKind::kPickup,
+  ActionTemplate taking{
+      .kind = &kPickup,
       .part = part,
       .grasp = grasp,
       .position = position,
@@ -38,20 +40,25 @@ ActionTemplate Pickup(const Problem& problem, PartId part, PlanVariables& variab
       .adds = {Condition::Holding(part, grasp)},
       .deletes = {Condition::GripperOpen(), Condition::Located(part, position)},
       .initial = {{.variable = grasp, .labels = AllGrasps(problem.part(part))}}};
-  DeleteMatings(problem, part, pickup.deletes);
-  return pickup;
+  DeleteMatings(problem, part, taking.deletes);
+  return taking;
 }
 
 std::vector<ActionTemplate> AchieveByTaking(const Problem& problem, const Condition& condition,
                                             PlanVariables& variables) {
   if (condition.predicate != Predicate::kHolding) return {};
-  return {Pickup(problem, condition.part, variables)};
+  return {TakingOf(problem, condition.part, variables)};
 }
 
 }  // namespace
 
-const ActionRule kPickupRule{.name = Name(ActionKind::kPickup),
-                             .summary = "takes a part from where it rests",
-                             .achieve = AchieveByTaking};
+const ActionKind kPickup{.name = "pickup",
+                         .summary = "takes a part from where it rests",
+                         .arguments = {Argument::kPart, Argument::kGrasp, Argument::kPosition},
+                         .short_arguments = {Argument::kPart, Argument::kGrasp},
+                         .needs = {Need::kOpenHand, Need::kAtPlace, Need::kAlone},
+                         .leaves = Leaves::kInHand,
+                         .measured = MeasuredQuantity::kGripperOpening,
+                         .achieve = AchieveByTaking};
 
 }  // namespace assay::domain

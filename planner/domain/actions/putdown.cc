@@ -1,6 +1,8 @@
 #include <numeric>
 
+#include "planner/domain/actions/action_template.h"
 #include "planner/domain/actions/actions.h"
+#include "planner/domain/problem/problem.h"
 
 namespace assay::domain {
 namespace {
@@ -11,10 +13,10 @@ std::vector<int> AllStablePoses(const Part& part) {
   return labels;
 }
 
-ActionTemplate Putdown(const Problem& problem, PartId part, PlanVariables& variables) {
+ActionTemplate PuttingDown(const Problem& problem, PartId part, PlanVariables& variables) {
   const VariableId grasp = variables.AddFree(VariableKind::kGrasp, part);
   const VariableId position = variables.Add(VariableKind::kPosition, part);
-  return {.kind = ActionKind::kPutdown,
+  return {.kind = &kPutdown,
           .part = part,
           .grasp = grasp,
           .position = position,
@@ -33,13 +35,13 @@ std::vector<ActionTemplate> AchieveByPuttingDown(const Problem& problem, const C
                                                  PlanVariables& variables) {
   switch (condition.predicate) {
     case Predicate::kPartLocation:
-      return {Putdown(problem, condition.part, variables)};
+      return {PuttingDown(problem, condition.part, variables)};
     case Predicate::kGripperOpen: {
-      std::vector<ActionTemplate> putdowns;
+      std::vector<ActionTemplate> actions;
       for (std::size_t p = 0; p < problem.parts.size(); ++p) {
-        putdowns.push_back(Putdown(problem, PartId(p), variables));
+        actions.push_back(PuttingDown(problem, PartId(p), variables));
       }
-      return putdowns;
+      return actions;
     }
     case Predicate::kHolding:
     case Predicate::kAssembled:
@@ -50,8 +52,13 @@ std::vector<ActionTemplate> AchieveByPuttingDown(const Problem& problem, const C
 
 }  // namespace
 
-const ActionRule kPutdownRule{.name = Name(ActionKind::kPutdown),
-                              .summary = "rests the held part on the table",
-                              .achieve = AchieveByPuttingDown};
+const ActionKind kPutdown{.name = "putdown",
+                          .summary = "rests the held part on the table",
+                          .arguments = {Argument::kPart, Argument::kGrasp, Argument::kPosition},
+                          .short_arguments = {Argument::kPart, Argument::kPosition},
+                          .needs = {Need::kHolding},
+                          .leaves = Leaves::kAtPlace,
+                          .measured = MeasuredQuantity::kToolHeight,
+                          .achieve = AchieveByPuttingDown};
 
 }  // namespace assay::domain

@@ -6,6 +6,7 @@
 #include <variant>
 #include <vector>
 
+#include "planner/domain/actions/actions.h"
 #include "planner/domain/grasp/grasp.h"
 #include "planner/domain/mating/mating.h"
 #include "planner/domain/mating/mating_errors.h"
@@ -68,6 +69,7 @@ struct Problem {
   std::vector<Mating> matings;
   std::vector<MatingId> assembled;  // matings that hold at the start
   std::vector<Goal> goals;
+  ActionKinds actions = StandardActions();  // the kinds of action that the robot can do
   PoseError gripper_error;
   std::vector<std::string> sensors;  // sensors of the workcell that may be used: "overhead-camera"
   // The ways to deal with uncertainty that may be used, each once, in the order of the enum. The

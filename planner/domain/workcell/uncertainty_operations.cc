@@ -4,11 +4,6 @@
 
 namespace assay::domain {
 
-const std::vector<std::string>& VerifiedActionNames() {
-  static const std::vector<std::string> names = {"pickup", "putdown", "assemble"};
-  return names;
-}
-
 const std::vector<std::string>& MeasuredQuantityNames() {
   static const std::vector<std::string> names = {"gripper-opening", "tool-height"};
   return names;

@@ -8,6 +8,8 @@
 
 namespace assay::domain {
 
+struct ActionKind;
+
 // The ways to deal with uncertainty in a workcell: sensors, verification templates and recovery
 // templates, as its file states them (Spar, "Satisfying Uncertainty-Reduction Goals" and figures 11
 // and 12).
@@ -21,7 +23,6 @@ struct SensorModel {
   Interval x, y, z, theta;  // error of the true pose against the measured one; metres, radians
 };
 
-enum class VerifiedAction { kPickup, kPutdown, kAssemble };
 enum class MeasuredQuantity {
   kGripperOpening,  // metres between the pads, after closing
   kToolHeight,      // metres of the tool above the table, where it met resistance
@@ -30,7 +31,7 @@ enum class MeasuredQuantity {
 // A check that follows an action whose preconditions could not be proved.
 struct VerificationTemplate {
   std::string name;
-  VerifiedAction after = VerifiedAction::kPickup;
+  const ActionKind* after = nullptr;  // the kind of action that it follows
   MeasuredQuantity quantity = MeasuredQuantity::kGripperOpening;
   double tolerance = 0;  // metres
   std::string below;     // error to signal if less than expected is measured; empty: none
@@ -55,7 +56,6 @@ struct RecoveryTemplate {
 enum class ResolverKind { kSensing, kSqueezing, kFineMotion };
 
 // Return the enums' words in files, in the order of the enums.
-const std::vector<std::string>& VerifiedActionNames();
 const std::vector<std::string>& MeasuredQuantityNames();
 const std::vector<std::string>& RecoveryStrategyNames();
 const std::vector<std::string>& ResolverNames();

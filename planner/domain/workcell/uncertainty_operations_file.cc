@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "planner/domain/actions/actions.h"
 #include "planner/domain/problem/name.h"
 #include "planner/domain/problem/pose_error_file.h"
 
@@ -36,17 +37,13 @@ SensorModel ReadSensor(const Value& key, const Value& entry, const Units& units)
   return sensor;
 }
 
-// Returns the quantity that can be measured after an action. Only a pickup closes the hand; the
-// other actions come down until something resists.
-MeasuredQuantity QuantityAfter(VerifiedAction action) {
-  switch (action) {
-    case VerifiedAction::kPickup:
-      return MeasuredQuantity::kGripperOpening;
-    case VerifiedAction::kPutdown:
-    case VerifiedAction::kAssemble:
-      return MeasuredQuantity::kToolHeight;
-  }
-  return MeasuredQuantity::kGripperOpening;
+// Reads the kind of action that a verification follows.
+const ActionKind* ReadVerified(const Value& name) {
+  ActionKinds kinds = StandardActions();
+  std::erase_if(kinds, [](const ActionKind* kind) { return !kind->measured; });
+  std::vector<std::string> names;
+  for (const ActionKind* kind : kinds) names.emplace_back(kind->name);
+  return kinds[name.OneOf(names)];
 }
 
 VerificationTemplate ReadVerification(const Value& key, const Value& entry, const Units& units) {
@@ -54,10 +51,10 @@ VerificationTemplate ReadVerification(const Value& key, const Value& entry, cons
   VerificationTemplate verification;
   verification.name = ReadAnyName(key);
   const Value after = entry.At("after");
-  verification.after = static_cast<VerifiedAction>(after.OneOf(VerifiedActionNames()));
+  verification.after = ReadVerified(after);
   const Value measures = entry.At("measures");
   verification.quantity = static_cast<MeasuredQuantity>(measures.OneOf(MeasuredQuantityNames()));
-  const MeasuredQuantity fitting = QuantityAfter(verification.after);
+  const MeasuredQuantity fitting = *verification.after->measured;
   if (verification.quantity != fitting) {
     measures.Fail(fmt::format("after {} there is no {} to measure", after.Text(), measures.Text()),
                   MeasuredQuantityNames()[static_cast<std::size_t>(fitting)]);

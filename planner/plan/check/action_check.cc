@@ -27,11 +27,11 @@ constexpr double kDegree = M_PI / 180;
 
 }  // namespace
 
-// The work of the hand in any action: it has the part at X_WorldPart when the pads close or open,
-// and moves it along `motion` before that.
+// The work of an action. The part is at X_WorldPart when the pads close or open, and the hand moves
+// it along `motion` before that.
 struct Handling {
   PartId part;
-  Hold hold;
+  Hold hold;  // without meaning if the hand does nothing
   Pose X_WorldPart = Pose::Identity();
   Vector3 motion = Vector3::Zero();  // metres, world; zero: no motion
 
@@ -45,27 +45,15 @@ struct Obstacle {
 
 namespace {
 
-// Returns None if the hand does nothing.
-struct HandlingOf {
-  const domain::Problem& problem;
-
-  std::optional<Handling> operator()(const Pickup& pickup) const {
-    return Handling{pickup.part, pickup.hold, pickup.from.X_WorldPart};
+Handling HandlingOf(const domain::Problem& problem, const Action& action) {
+  const Pose& X_WorldPlaced = action.place.X_WorldPart;
+  if (action.kind->leaves != domain::Leaves::kMated) {
+    return {action.part, action.hold, X_WorldPlaced};
   }
-  std::optional<Handling> operator()(const Putdown& putdown) const {
-    return Handling{putdown.part, putdown.hold, putdown.to.X_WorldPart};
-  }
-  std::optional<Handling> operator()(const Assemble& assemble) const {
-    const domain::Mating& mating = problem.mating(assemble.mating);
-    const Pose& X_WorldFixed = assemble.fixed.X_WorldPart;
-    return Handling{mating.held, assemble.hold, X_WorldFixed * mating.X_FixedHeld,
-                    X_WorldFixed.linear() * mating.mating_vector};
-  }
-  std::optional<Handling> operator()(const Sense&) const { return std::nullopt; }
-  std::optional<Handling> operator()(const Squeeze& squeeze) const {
-    return Handling{squeeze.part, squeeze.hold, squeeze.at.X_WorldPart};
-  }
-};
+  const domain::Mating& mating = problem.mating(action.mating);
+  return {mating.held, action.hold, X_WorldPlaced * mating.X_FixedHeld,
+          X_WorldPlaced.linear() * mating.mating_vector};
+}
 
 // The boxes of one moving thing at the samples of its motion.
 struct Sweep {
@@ -117,13 +105,12 @@ class ActionChecker::Examination {
   }
 
   std::vector<std::string> Run(const Action& action) {
-    if (!OpensWideEnough()) return findings_;
-    ExaminePads();
-    ExamineHandAgainstPart();
-    ExamineLean();
-    ExamineHandAgainstWorld();
-    ExamineReach();
-    std::visit([this](const auto& a) { ExamineOwn(a); }, action);
+    if (HoldIn(action) != nullptr) {
+      if (!OpensWideEnough()) return findings_;
+      ExamineHand();
+    }
+    if (action.kind->leaves == domain::Leaves::kAtPlace) ExamineResting(action.place.X_WorldPart);
+    if (action.kind->leaves == domain::Leaves::kMated) ExamineMating(action);
     return findings_;
   }
 
@@ -151,6 +138,14 @@ class ActionChecker::Examination {
     Report("the hold is {:.4g} mm wide; the gripper opens from 0 to {:.4g} mm", width * 1e3,
            gripper().max_opening() * 1e3);
     return false;
+  }
+
+  void ExamineHand() {
+    ExaminePads();
+    ExamineHandAgainstPart();
+    ExamineLean();
+    ExamineHandAgainstWorld();
+    ExamineReach();
   }
 
   // A two-sided grasp needs both pads wholly on the surface. The faces that they press must not lie
@@ -206,13 +201,7 @@ class ActionChecker::Examination {
     if (const std::optional<std::string> why = WhyOutOfReach(cell_, lines)) Report("{}", *why);
   }
 
-  // A pickup, a squeeze and a look need no checks beyond the checks of every grasp.
-  void ExamineOwn(const Pickup&) {}
-  void ExamineOwn(const Squeeze&) {}
-  void ExamineOwn(const Sense&) {}
-
-  void ExamineOwn(const Putdown& putdown) {
-    const Pose& X_WorldPart = putdown.to.X_WorldPart;
+  void ExamineResting(const Pose& X_WorldPart) {
     const std::vector<geometry::Box> boxes = geometry::Moved(part().model->boxes(), X_WorldPart);
     const double lowest = geometry::LowestPoint(boxes);
     if (!(std::abs(lowest) <= kRounding)) {
@@ -224,10 +213,9 @@ class ActionChecker::Examination {
     for (const Obstacle& obstacle : obstacles_) ReportOverlap(placed, obstacle);
   }
 
-  void ExamineOwn(const Assemble& assemble) {
-    const domain::Mating& mating = problem_.mating(assemble.mating);
+  void ExamineMating(const Action& action) {
     ExamineFrictionCone();
-    ExamineMatingFeatures(mating, assemble.fixed.X_WorldPart);
+    ExamineMatingFeatures(problem_.mating(action.mating), action.place.X_WorldPart);
     ExamineSweep(SweepAlong(part().name, part().model->boxes(), MotionOf(handling_.X_WorldPart)));
   }
 
@@ -325,9 +313,7 @@ ActionChecker::ActionChecker(const domain::Problem& problem) : problem_(problem)
 
 std::vector<std::string> ActionChecker::BrokenConditions(const WorldState& before,
                                                          const Action& action) const {
-  const std::optional<Handling> handling = std::visit(HandlingOf{problem_}, action);
-  if (!handling) return {};
-  return Examination(*this, before, *handling).Run(action);
+  return Examination(*this, before, HandlingOf(problem_, action)).Run(action);
 }
 
 }  // namespace assay::plan

@@ -24,18 +24,11 @@ bool IsIndexOf(Id<Tag> id, const std::vector<T>& things) {
   return id.index() >= 0 && id.index() < static_cast<int>(things.size());
 }
 
-// Returns whether the action only names parts and matings that the problem has.
-struct SpeaksOf {
-  const domain::Problem& problem;
-
-  bool operator()(const Pickup& pickup) const { return IsIndexOf(pickup.part, problem.parts); }
-  bool operator()(const Putdown& putdown) const { return IsIndexOf(putdown.part, problem.parts); }
-  bool operator()(const Assemble& assemble) const {
-    return IsIndexOf(assemble.mating, problem.matings);
-  }
-  bool operator()(const Sense& sense) const { return IsIndexOf(sense.part, problem.parts); }
-  bool operator()(const Squeeze& squeeze) const { return IsIndexOf(squeeze.part, problem.parts); }
-};
+// Returns whether the action only names a part or a mating that the problem has.
+bool SpeaksOf(const domain::Problem& problem, const Action& action) {
+  return action.kind->Has(domain::Argument::kMating) ? IsIndexOf(action.mating, problem.matings)
+                                                     : IsIndexOf(action.part, problem.parts);
+}
 
 // Returns the flaws of strategies: forms that the executor cannot follow, and strategies that do
 // not fit their steps.
@@ -44,7 +37,7 @@ std::vector<Flaw> FlawsOfStrategies(const Plan& plan) {
   for (std::size_t i = 0; i < plan.steps.size(); ++i) {
     const PlannedStep& step = plan.steps[i];
     if (!step.strategy) continue;
-    if (!std::holds_alternative<Assemble>(step.action)) {
+    if (step.action.kind->leaves != domain::Leaves::kMated) {
       flaws.push_back({StepId(i), "it has a strategy, which only assemble can have"});
     }
     for (std::string& what : FlawsOfForm(*step.strategy)) {
@@ -58,7 +51,7 @@ std::vector<Flaw> FlawsOfStrategies(const Plan& plan) {
 std::vector<Flaw> FlawsOfPlanForm(const domain::Problem& problem, const Plan& plan) {
   std::vector<Flaw> flaws;
   for (std::size_t i = 0; i < plan.steps.size(); ++i) {
-    if (std::visit(SpeaksOf{problem}, plan.steps[i].action)) continue;
+    if (SpeaksOf(problem, plan.steps[i].action)) continue;
     flaws.push_back({StepId(i), "the step names a part or mating that the problem does not have"});
   }
   const Order order = plan.ExecutionOrder();

@@ -38,38 +38,15 @@ void CheckPlace(const domain::Part& part, const Place& place, std::vector<std::s
   }
 }
 
-class LabelCheck {
- public:
-  explicit LabelCheck(const domain::Problem& problem) : problem_(problem) {}
-
-  void operator()(const Pickup& pickup) { Check(pickup.part, pickup.hold, pickup.from); }
-  void operator()(const Putdown& putdown) { Check(putdown.part, putdown.hold, putdown.to); }
-  void operator()(const Squeeze& squeeze) { Check(squeeze.part, squeeze.hold, squeeze.at); }
-  void operator()(const Sense& sense) { CheckPlace(problem_.part(sense.part), sense.at, wrong_); }
-  void operator()(const Assemble& assemble) {
-    const domain::Mating& mating = problem_.mating(assemble.mating);
-    CheckHold(problem_.part(mating.held), assemble.hold, wrong_);
-    CheckPlace(problem_.part(mating.fixed), assemble.fixed, wrong_);
-  }
-
-  std::vector<std::string> TakeWrong() { return std::move(wrong_); }
-
- private:
-  void Check(PartId part, const Hold& hold, const Place& place) {
-    CheckHold(problem_.part(part), hold, wrong_);
-    CheckPlace(problem_.part(part), place, wrong_);
-  }
-
-  const domain::Problem& problem_;
-  std::vector<std::string> wrong_;
-};
-
 }  // namespace
 
 std::vector<std::string> MisleadingLabels(const domain::Problem& problem, const Action& action) {
-  LabelCheck check(problem);
-  std::visit(check, action);
-  return check.TakeWrong();
+  std::vector<std::string> wrong;
+  if (const Hold* hold = HoldIn(action)) {
+    CheckHold(problem.part(HandledPart(problem, action)), *hold, wrong);
+  }
+  CheckPlace(problem.part(PlacedPart(problem, action)), action.place, wrong);
+  return wrong;
 }
 
 }  // namespace assay::plan

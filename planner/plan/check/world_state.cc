@@ -10,6 +10,8 @@ namespace {
 
 constexpr double kAgree = 1e-6;  // metres, and entries of rotation matrices
 
+using domain::Leaves;
+using domain::Need;
 using Findings = std::vector<std::string>;
 
 class Preconditions {
@@ -17,40 +19,30 @@ class Preconditions {
   Preconditions(const domain::Problem& problem, const WorldState& state)
       : problem_(problem), state_(state) {}
 
-  Findings operator()(const Pickup& pickup) {
-    RequireOpenGripper();
-    RequireAt(pickup.part, pickup.from);
-    RequireNotMated(pickup.part);
-    return findings_;
-  }
-
-  Findings operator()(const Putdown& putdown) {
-    RequireHolding(putdown.part, putdown.hold);
-    return findings_;
-  }
-
-  Findings operator()(const Assemble& assemble) {
-    const domain::Mating& mating = problem_.mating(assemble.mating);
-    RequireHolding(mating.held, assemble.hold);
-    RequireAt(mating.fixed, assemble.fixed);
-    return findings_;
-  }
-
-  Findings operator()(const Sense& sense) {
-    RequireSensor(sense.sensor);
-    RequireAt(sense.part, sense.at);
-    RequireNotIn(sense.part);
-    return findings_;
-  }
-
-  Findings operator()(const Squeeze& squeeze) {
-    RequireOpenGripper();
-    RequireAt(squeeze.part, squeeze.at);
-    RequireNotMated(squeeze.part);
-    return findings_;
+  Findings Broken(const Action& action) {
+    for (const Need need : action.kind->needs) Require(need, action);
+    return std::move(findings_);
   }
 
  private:
+  void Require(Need need, const Action& action) {
+    const PartId handled = HandledPart(problem_, action);
+    switch (need) {
+      case Need::kOpenHand:
+        return RequireOpenGripper();
+      case Need::kHolding:
+        return RequireHolding(handled, action.hold);
+      case Need::kAtPlace:
+        return RequireAt(PlacedPart(problem_, action), action.place);
+      case Need::kAlone:
+        return RequireNotMated(handled);
+      case Need::kFree:
+        return RequireNotIn(handled);
+      case Need::kSensor:
+        return RequireSensor(action.sensor);
+    }
+  }
+
   const std::string& NameOf(PartId part) const { return problem_.part(part).name; }
 
   void RequireOpenGripper() {
@@ -117,46 +109,6 @@ class Preconditions {
   Findings findings_;
 };
 
-class Effects {
- public:
-  Effects(const domain::Problem& problem, WorldState& state, StepId step)
-      : problem_(problem), state_(state), step_(step) {}
-
-  void operator()(const Pickup& pickup) {
-    state_.in_hand = pickup.part;
-    state_.hold = pickup.hold;
-    Move(pickup.part, PartStatus::kHeld, pickup.from.X_WorldPart);
-    std::erase_if(state_.assembled,
-                  [&](MatingId id) { return problem_.mating(id).held == pickup.part; });
-  }
-
-  void operator()(const Putdown& putdown) {
-    state_.in_hand = PartId::None();
-    Move(putdown.part, PartStatus::kResting, putdown.to.X_WorldPart);
-  }
-
-  void operator()(const Assemble& assemble) {
-    const domain::Mating& mating = problem_.mating(assemble.mating);
-    state_.in_hand = PartId::None();
-    Move(mating.held, PartStatus::kMated,
-         state_.part(mating.fixed).X_WorldPart * mating.X_FixedHeld);
-    state_.assembled.push_back(assemble.mating);
-  }
-
-  // These actions change the knowledge about a part, but not its planned pose.
-  void operator()(const Sense&) {}
-  void operator()(const Squeeze&) {}
-
- private:
-  void Move(PartId part, PartStatus status, const Pose& X_WorldPart) {
-    state_.parts[part.index()] = {status, X_WorldPart, step_};
-  }
-
-  const domain::Problem& problem_;
-  WorldState& state_;
-  StepId step_;
-};
-
 }  // namespace
 
 bool PosesAgree(const Pose& a, const Pose& b) {
@@ -181,12 +133,34 @@ WorldState InitialState(const domain::Problem& problem) {
 
 std::vector<std::string> BrokenPreconditions(const domain::Problem& problem,
                                              const WorldState& state, const Action& action) {
-  return std::visit(Preconditions(problem, state), action);
+  return Preconditions(problem, state).Broken(action);
 }
 
 WorldState StateAfter(const domain::Problem& problem, WorldState state, const Action& action,
                       StepId step) {
-  std::visit(Effects(problem, state, step), action);
+  const PartId part = HandledPart(problem, action);
+  PartState& after = state.parts[part.index()];
+  switch (action.kind->leaves) {
+    case Leaves::kWhereItWas:  // only the knowledge about the part changes
+      return state;
+    case Leaves::kInHand:
+      after = {PartStatus::kHeld, action.place.X_WorldPart, step};
+      state.in_hand = part;
+      state.hold = action.hold;
+      std::erase_if(state.assembled, [&](MatingId id) { return problem.mating(id).held == part; });
+      return state;
+    case Leaves::kAtPlace:
+      after = {PartStatus::kResting, action.place.X_WorldPart, step};
+      state.in_hand = PartId::None();
+      return state;
+    case Leaves::kMated: {
+      const domain::Mating& mating = problem.mating(action.mating);
+      after = {PartStatus::kMated, state.part(mating.fixed).X_WorldPart * mating.X_FixedHeld, step};
+      state.in_hand = PartId::None();
+      state.assembled.push_back(action.mating);
+      return state;
+    }
+  }
   return state;
 }
 

@@ -8,9 +8,10 @@
 
 namespace assay::plan {
 
-// The checker's own model of the world, and of what the actions need and do. These are the
-// templates of Spar's figure 2, with whole poses in place of labels. Two more actions deal with
-// uncertainty, and leave the world as it is.
+// The checker's own model of the world, and of what the actions need and do. An action's kind names
+// its needs and where it leaves the part, and the checker gives these names their meaning with
+// whole poses in place of labels. It does not use the action templates, with which the planner
+// searches.
 
 enum class PartStatus {
   kResting,  // at X_WorldPart, not mated into another part

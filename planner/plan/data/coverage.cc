@@ -73,26 +73,27 @@ bool IsAsPublished(const Plan& plan) {
 }
 
 bool Needs(NeededBy who, const Action& action, const Strategy* strategy) {
-  const bool is_pickup = std::holds_alternative<Pickup>(action);
-  const bool is_putdown = std::holds_alternative<Putdown>(action);
-  const bool is_assemble = std::holds_alternative<Assemble>(action);
+  const domain::ActionKind& kind = *action.kind;
+  const bool is_by_hand = HoldIn(action) != nullptr;
+  const bool mates = kind.leaves == domain::Leaves::kMated;
+  const bool puts_down = is_by_hand && kind.leaves == domain::Leaves::kAtPlace;
   switch (who) {
     case NeededBy::kGrasp:
-      return is_pickup || std::holds_alternative<Squeeze>(action);
+      return kind.ClosesPads();
     case NeededBy::kCarrying:
-      return is_pickup || is_putdown || is_assemble;
+      return is_by_hand && kind.leaves != domain::Leaves::kWhereItWas;
     case NeededBy::kHandWork:
-      return !std::holds_alternative<Sense>(action);
+      return is_by_hand;
     case NeededBy::kWay:
       return true;
     case NeededBy::kPutdown:
-      return is_putdown;
+      return puts_down;
     case NeededBy::kRelease:
-      return is_putdown || is_assemble;
+      return puts_down || mates;
     case NeededBy::kMating:
-      return is_assemble;
+      return mates;
     case NeededBy::kStrategy:
-      return is_assemble && strategy != nullptr;
+      return mates && strategy != nullptr;
   }
   ASSAY_CHECK(false, "who needs a condition is none that the switch knows");
   return false;

@@ -32,19 +32,16 @@ bool CountsOnYielding(const PlannedStep& step) {
   });
 }
 
-struct NotCoveredOf {
-  const PlannedStep& step;
-
-  std::vector<std::string> operator()(const Pickup&) const { return {kStuck, kServos}; }
-  std::vector<std::string> operator()(const Putdown&) const { return {}; }
-  std::vector<std::string> operator()(const Assemble&) const {
-    if (step.strategy) return {kBeside, kPushes};
-    if (CountsOnYielding(step)) return {kYields};
-    return {};
-  }
-  std::vector<std::string> operator()(const Sense&) const { return {}; }
-  std::vector<std::string> operator()(const Squeeze&) const { return {kStuck}; }
-};
+std::vector<std::string> NotCoveredOf(const PlannedStep& step) {
+  const domain::ActionKind& kind = *step.action.kind;
+  std::vector<std::string> names;
+  if (kind.ClosesPads()) names.emplace_back(kStuck);
+  if (kind.leaves == domain::Leaves::kInHand) names.emplace_back(kServos);
+  if (kind.leaves != domain::Leaves::kMated) return names;
+  if (step.strategy) return {kBeside, kPushes};
+  if (CountsOnYielding(step)) return {kYields};
+  return {};
+}
 
 // Returns the steps that do not claim the condition. The last step must claim it twice, the second
 // time for the way home.
@@ -79,7 +76,7 @@ std::vector<std::string> NotCovered(const Plan& plan) {
   std::vector<std::string> all = WaysNotCovered(plan);
   for (const StepId id : plan.ExecutionOrder()) {
     const PlannedStep& step = plan.step(id);
-    for (std::string& name : std::visit(NotCoveredOf{step}, step.action)) {
+    for (std::string& name : NotCoveredOf(step)) {
       if (std::ranges::count(all, name) == 0) all.push_back(std::move(name));
     }
   }

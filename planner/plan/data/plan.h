@@ -5,92 +5,17 @@
 #include <optional>
 #include <string>
 #include <utility>
-#include <variant>
 #include <vector>
 
 #include "planner/base/id.h"
 #include "planner/base/outcome.h"
-#include "planner/domain/mating/mating.h"
 #include "planner/domain/workcell/uncertainty_operations.h"
-#include "planner/geometry/pose.h"
 #include "planner/kinematics/arm.h"
+#include "planner/plan/data/action.h"
 #include "planner/plan/data/certificate.h"
 #include "planner/plan/data/strategy.h"
 
 namespace assay::plan {
-
-using domain::MatingId;
-using domain::PartId;
-using geometry::Pose;
-
-// The way in which the hand holds a part. It is complete in itself: an executor of the plan need
-// not compute grasps.
-struct Hold {
-  std::string grasp;  // label for people
-  Pose X_PartTool;
-  double width = 0;  // metres between the pads
-
-  bool operator==(const Hold& other) const {  // exact comparison
-    return grasp == other.grasp && X_PartTool.matrix() == other.X_PartTool.matrix() &&
-           width == other.width;
-  }
-};
-
-// The place where a part rests.
-struct Place {
-  std::string position;  // label of its stable pose, or "initial"
-  Pose X_WorldPart;
-
-  bool operator==(const Place& other) const {  // exact comparison
-    return position == other.position && X_WorldPart.matrix() == other.X_WorldPart.matrix();
-  }
-};
-
-struct Pickup {
-  PartId part;
-  Hold hold;
-  Place from;
-
-  bool operator==(const Pickup&) const = default;
-};
-
-struct Putdown {
-  PartId part;
-  Hold hold;
-  Place to;
-
-  bool operator==(const Putdown&) const = default;
-};
-
-struct Assemble {
-  MatingId mating;
-  Hold hold;    // grasp of the held part
-  Place fixed;  // place of the fixed part
-
-  bool operator==(const Assemble&) const = default;
-};
-
-// A sensor of the workcell looks at a part that lies free. Afterwards the part's believed pose is
-// as good as the sensor.
-struct Sense {
-  PartId part;
-  std::string sensor;
-  Place at;
-
-  bool operator==(const Sense&) const = default;
-};
-
-// The pads close on a part and open again, to bring it to where the hand is. This manipulation
-// reduces uncertainty (Spar, "Satisfying Uncertainty-Reduction Goals").
-struct Squeeze {
-  PartId part;
-  Hold hold;
-  Place at;
-
-  bool operator==(const Squeeze&) const = default;
-};
-
-using Action = std::variant<Pickup, Putdown, Assemble, Sense, Squeeze>;
 
 // The way of the arm to where it is poised before its work, and the posture in which it arrives.
 // The usual way is straight up, over at safe height, and straight down. Where this is not free, the
@@ -113,7 +38,7 @@ struct PlannedStep {
   int inserted = 0;  // position in the order in which the planner added the steps, from 1
   int executed = 0;  // position in the order of execution, from 1
   Certificate certificate = {};
-  // Fine motion that executes an assemble step; none: straight.
+  // Fine motion that executes a mating; none: straight.
   std::optional<Strategy> strategy = {};
   std::optional<Travel> travel = {};  // none: the usual way, in any posture
 };

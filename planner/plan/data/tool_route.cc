@@ -13,78 +13,13 @@ Pose Lifted(const Workcell& workcell, const Pose& X_WorldTool) {
   return Translation(0, 0, workcell.rules().approach_distance) * X_WorldTool;
 }
 
-struct RouteOfAction {
-  const domain::Problem& problem;
-  const Pose& X_WorldPart;
-  const std::optional<Strategy>& strategy;
-
-  ToolRoute operator()(const Pickup& pickup) const { return RouteOf(problem, pickup, X_WorldPart); }
-  ToolRoute operator()(const Putdown& putdown) const { return RouteOf(problem, putdown); }
-  ToolRoute operator()(const Assemble& assemble) const {
-    return strategy ? RouteOf(problem, assemble, *strategy, X_WorldPart)
-                    : RouteOf(problem, assemble, X_WorldPart);
-  }
-  ToolRoute operator()(const Sense&) const { return {.poised = HomeTool(*problem.workcell)}; }
-  ToolRoute operator()(const Squeeze& squeeze) const {
-    return RouteOf(problem, squeeze, X_WorldPart);
-  }
-};
-
-struct PartOfAction {
-  const domain::Problem& problem;
-
-  PartId operator()(const Assemble& assemble) const {
-    return problem.mating(assemble.mating).fixed;
-  }
-  PartId operator()(const auto& action) const { return action.part; }
-};
-
-}  // namespace
-
-Pose Retreated(const Workcell& workcell, const Pose& X_WorldTool) {
-  return X_WorldTool * Translation(0, 0, -workcell.rules().approach_distance);
-}
-
-PartId PartOf(const domain::Problem& problem, const Action& action) {
-  return std::visit(PartOfAction{problem}, action);
-}
-
-ToolRoute RouteOf(const domain::Problem& problem, const PlannedStep& step,
-                  const Pose& X_WorldPart) {
-  return std::visit(RouteOfAction{problem, X_WorldPart, step.strategy}, step.action);
-}
-
-ToolRoute RouteOf(const domain::Problem& problem, const Pickup& pickup, const Pose& X_WorldPart) {
-  const Workcell& workcell = *problem.workcell;
-  const Pose grasp = X_WorldPart * pickup.hold.X_PartTool;
-  return {
-      .poised = Retreated(workcell, grasp), .to_work = {grasp}, .away = {Lifted(workcell, grasp)}};
-}
-
-ToolRoute RouteOf(const domain::Problem& problem, const Putdown& putdown) {
-  const Workcell& workcell = *problem.workcell;
-  const Pose placed = putdown.to.X_WorldPart * putdown.hold.X_PartTool;
-  return {.poised = Lifted(workcell, placed),
-          .to_work = {placed},
-          .away = {Retreated(workcell, placed)}};
-}
-
-ToolRoute RouteOf(const domain::Problem& problem, const Assemble& assemble,
-                  const Pose& X_WorldFixed) {
-  const domain::Mating& mating = problem.mating(assemble.mating);
-  const Pose mated = X_WorldFixed * mating.X_FixedHeld * assemble.hold.X_PartTool;
-  return {.poised = Translation(-(X_WorldFixed.linear() * mating.mating_vector)) * mated,
-          .to_work = {mated},
-          .away = {Retreated(*problem.workcell, mated)}};
-}
-
-ToolRoute RouteOf(const domain::Problem& problem, const Assemble& assemble,
-                  const Strategy& strategy, const Pose& X_WorldFixed) {
-  const domain::Mating& mating = problem.mating(assemble.mating);
-  const Pose mated = X_WorldFixed * mating.X_FixedHeld * assemble.hold.X_PartTool;
-  const Pose start = X_WorldFixed * strategy.X_FixedStart * strategy.X_HeldTip.inverse() *
-                     assemble.hold.X_PartTool;
-  // The line is along the mating vector, from the distance at which a straight mating would begin.
+// The line is along the mating vector, from the distance at which a straight mating would begin.
+ToolRoute RouteByStrategy(const domain::Problem& problem, const Action& action,
+                          const Strategy& strategy, const Pose& X_WorldFixed) {
+  const domain::Mating& mating = problem.mating(action.mating);
+  const Pose mated = X_WorldFixed * mating.X_FixedHeld * action.hold.X_PartTool;
+  const Pose start =
+      X_WorldFixed * strategy.X_FixedStart * strategy.X_HeldTip.inverse() * action.hold.X_PartTool;
   const Vector3 direction = mating.mating_vector.normalized();
   const Vector3 way =
       mating.X_FixedHeld * strategy.X_HeldTip.translation() - strategy.X_FixedStart.translation();
@@ -94,11 +29,51 @@ ToolRoute RouteOf(const domain::Problem& problem, const Assemble& assemble,
           .away = {Retreated(*problem.workcell, mated)}};
 }
 
-ToolRoute RouteOf(const domain::Problem& problem, const Squeeze& squeeze, const Pose& X_WorldPart) {
-  const Workcell& workcell = *problem.workcell;
-  const Pose grasp = X_WorldPart * squeeze.hold.X_PartTool;
-  const Pose retreated = Retreated(workcell, grasp);
-  return {.poised = retreated, .to_work = {grasp}, .away = {retreated}};
+ToolRoute RouteOfMating(const domain::Problem& problem, const Action& action,
+                        const Pose& X_WorldFixed) {
+  const domain::Mating& mating = problem.mating(action.mating);
+  const Pose mated = X_WorldFixed * mating.X_FixedHeld * action.hold.X_PartTool;
+  return {.poised = Translation(-(X_WorldFixed.linear() * mating.mating_vector)) * mated,
+          .to_work = {mated},
+          .away = {Retreated(*problem.workcell, mated)}};
+}
+
+// A hand that holds the part goes straight up and down; an empty hand follows the tool's axis.
+ToolRoute RouteOfHand(const Workcell& workcell, const Action& action, const Pose& X_WorldTool) {
+  const bool holds_before = action.kind->Needs(domain::Need::kHolding);
+  const bool holds_after = action.kind->leaves == domain::Leaves::kInHand;
+  const auto apart = [&](bool holds) {
+    return holds ? Lifted(workcell, X_WorldTool) : Retreated(workcell, X_WorldTool);
+  };
+  return {.poised = apart(holds_before), .to_work = {X_WorldTool}, .away = {apart(holds_after)}};
+}
+
+}  // namespace
+
+Pose Retreated(const Workcell& workcell, const Pose& X_WorldTool) {
+  return X_WorldTool * Translation(0, 0, -workcell.rules().approach_distance);
+}
+
+ToolRoute RouteOf(const domain::Problem& problem, const PlannedStep& step,
+                  const Pose& X_WorldPart) {
+  return RouteOf(problem, step.action, step.strategy ? &*step.strategy : nullptr, X_WorldPart);
+}
+
+ToolRoute RouteOf(const domain::Problem& problem, const Action& action, const Strategy* strategy,
+                  const Pose& X_WorldPart) {
+  if (HoldIn(action) == nullptr) return {.poised = HomeTool(*problem.workcell)};
+  switch (action.kind->leaves) {
+    case domain::Leaves::kMated:
+      return strategy != nullptr ? RouteByStrategy(problem, action, *strategy, X_WorldPart)
+                                 : RouteOfMating(problem, action, X_WorldPart);
+    case domain::Leaves::kAtPlace:
+      return RouteOfHand(*problem.workcell, action,
+                         action.place.X_WorldPart * action.hold.X_PartTool);
+    case domain::Leaves::kInHand:
+    case domain::Leaves::kWhereItWas:
+      break;
+  }
+  return RouteOfHand(*problem.workcell, action, X_WorldPart * action.hold.X_PartTool);
 }
 
 Pose HomeTool(const Workcell& workcell) {

@@ -18,25 +18,17 @@ struct ToolRoute {
   const Pose& left() const { return away.empty() ? poised : away.back(); }
 };
 
-// Returns the part that an action handles; for a mating, the fixed part.
-PartId PartOf(const domain::Problem& problem, const Action& action);
-
-// Returns the route of a step. X_WorldPart is the pose of the part that PartOf returns; a putdown
-// does not use it.
+// Returns the route of a step. X_WorldPart is the pose of the part whose place the action states
+// (PlacedPart). An action that leaves the part at this place does not use X_WorldPart.
 //
 // The last line to a part and the first line away from it are along the tool's axis, as long as the
 // workcell's approach distance. A held part is lifted and put down by the same length, straight up
 // and down. It is mated along the mating vector.
 ToolRoute RouteOf(const domain::Problem& problem, const PlannedStep& step, const Pose& X_WorldPart);
 
-// These functions return the routes of single actions; RouteOf(step) calls them.
-ToolRoute RouteOf(const domain::Problem& problem, const Pickup& pickup, const Pose& X_WorldPart);
-ToolRoute RouteOf(const domain::Problem& problem, const Putdown& putdown);
-ToolRoute RouteOf(const domain::Problem& problem, const Assemble& assemble,
-                  const Pose& X_WorldFixed);
-ToolRoute RouteOf(const domain::Problem& problem, const Assemble& assemble,
-                  const Strategy& strategy, const Pose& X_WorldFixed);
-ToolRoute RouteOf(const domain::Problem& problem, const Squeeze& squeeze, const Pose& X_WorldPart);
+// Returns the route of an action. `strategy` executes a mating; null: straight.
+ToolRoute RouteOf(const domain::Problem& problem, const Action& action, const Strategy* strategy,
+                  const Pose& X_WorldPart);
 
 // Returns the pose of the tool while the arm is at home.
 Pose HomeTool(const domain::Workcell& workcell);

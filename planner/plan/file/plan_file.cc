@@ -8,11 +8,10 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "planner/base/check.h"
 #include "planner/plan/check/linearization.h"
 #include "planner/plan/data/not_covered.h"
+#include "planner/plan/file/action_file.h"
 #include "planner/plan/file/certificate_file.h"
-#include "planner/plan/file/pose_file.h"
 #include "planner/plan/file/recovery_file.h"
 #include "planner/plan/file/strategy_file.h"
 #include "planner/plan/file/travel_file.h"
@@ -23,81 +22,11 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr const char* kFormat = "assay-plan/2";
-constexpr double kSameMating = 1e-9;  // metres, and entries of a rotation
 // 2^53: not every integer above it is a double.
 constexpr double kLargestCount = 9007199254740992.0;
 
 // The words of the format for outcomes, in the order of the enum Outcome.
 const std::vector<std::string> kOutcomes = {"planned", "none", "budget"};
-// The names of actions, in the order of the alternatives of Action.
-enum class ActionName { kPickup, kPutdown, kAssemble, kSense, kSqueeze };
-const std::vector<std::string> kActions = {"pickup", "putdown", "assemble", "sense", "squeeze"};
-
-Json HoldToJson(const Hold& hold) {
-  return {{"X_PartTool", PoseToJson(hold.X_PartTool)}, {"width", hold.width}};
-}
-
-Json PlaceToJson(const Place& place) { return {{"X_WorldPart", PoseToJson(place.X_WorldPart)}}; }
-
-// Writes [[of held], [of fixed]], as in a scenario.
-Json FeaturesToJson(const domain::Mating& mating) {
-  Json features = Json::array({Json::array(), Json::array()});
-  for (const auto& [of_held, of_fixed] : mating.features) {
-    features[0].push_back(of_held.index());
-    features[1].push_back(of_fixed.index());
-  }
-  return features;
-}
-
-struct ArgumentsOf {
-  const domain::Problem& problem;
-
-  Json operator()(const Pickup& pickup) const {
-    return {{"part", problem.part(pickup.part).name},
-            {"grasp", pickup.hold.grasp},
-            {"position", pickup.from.position}};
-  }
-  Json operator()(const Putdown& putdown) const {
-    return {{"part", problem.part(putdown.part).name},
-            {"grasp", putdown.hold.grasp},
-            {"position", putdown.to.position}};
-  }
-  Json operator()(const Assemble& assemble) const {
-    const domain::Mating& mating = problem.mating(assemble.mating);
-    return {{"held", problem.part(mating.held).name},
-            {"fixed", problem.part(mating.fixed).name},
-            {"features", FeaturesToJson(mating)},
-            {"X_FixedHeld", PoseToJson(mating.X_FixedHeld)},
-            {"mating_vector", VectorToJson(mating.mating_vector)},
-            {"grasp", assemble.hold.grasp},
-            {"position", assemble.fixed.position}};
-  }
-  Json operator()(const Sense& sense) const {
-    return {{"part", problem.part(sense.part).name},
-            {"sensor", sense.sensor},
-            {"position", sense.at.position}};
-  }
-  Json operator()(const Squeeze& squeeze) const {
-    return {{"part", problem.part(squeeze.part).name},
-            {"grasp", squeeze.hold.grasp},
-            {"position", squeeze.at.position}};
-  }
-};
-
-// Returns null if the hand holds nothing in the action.
-struct HoldOf {
-  const Hold* operator()(const Sense&) const { return nullptr; }
-  const Hold* operator()(const auto& a) const { return &a.hold; }
-};
-
-const Place& PlaceOf(const Pickup& pickup) { return pickup.from; }
-const Place& PlaceOf(const Putdown& putdown) { return putdown.to; }
-const Place& PlaceOf(const Assemble& assemble) { return assemble.fixed; }
-const Place& PlaceOf(const Sense& sense) { return sense.at; }
-const Place& PlaceOf(const Squeeze& squeeze) { return squeeze.at; }
-const Place& PlaceOf(const Action& action) {
-  return std::visit([](const auto& a) -> const Place& { return PlaceOf(a); }, action);
-}
 
 std::vector<std::string> NamesOf(const std::vector<PlannedStep>& steps) {
   std::vector<std::string> names;
@@ -107,12 +36,12 @@ std::vector<std::string> NamesOf(const std::vector<PlannedStep>& steps) {
 
 Json StepToJson(const PlannedStep& step, const domain::Problem& problem) {
   Json json = {{"id", step.name},
-               {"name", kActions[step.action.index()]},
-               {"arguments", std::visit(ArgumentsOf{problem}, step.action)},
+               {"name", step.action.kind->name},
+               {"arguments", ArgumentsToJson(step.action, problem)},
                {"inserted", step.inserted},
                {"executed", step.executed}};
-  if (const Hold* hold = std::visit(HoldOf{}, step.action)) json["hold"] = HoldToJson(*hold);
-  json["place"] = PlaceToJson(PlaceOf(step.action));
+  if (const Hold* hold = HoldIn(step.action)) json["hold"] = ToJson(*hold);
+  json["place"] = ToJson(step.action.place);
   if (step.travel) json["travel"] = ToJson(*step.travel);
   if (step.strategy) json["strategy"] = ToJson(*step.strategy);
   return json;
@@ -139,117 +68,6 @@ Json OrderingToJson(const Plan& plan) {
   return ordering;
 }
 
-Hold ReadHold(const Value& action) {
-  const Value hold = action.At("hold");
-  hold.AllowOnly({"X_PartTool", "width"});
-  const Value width = hold.At("width");
-  if (width.Number() < 0) width.Fail("a width below 0", "a length in metres");
-  return {action.At("arguments").At("grasp").Text(), ReadPose(hold.At("X_PartTool")),
-          width.Number()};
-}
-
-Place ReadPlace(const Value& action) {
-  const Value place = action.At("place");
-  place.AllowOnly({"X_WorldPart"});
-  return {action.At("arguments").At("position").Text(), ReadPose(place.At("X_WorldPart"))};
-}
-
-PartId ReadPart(const Value& name, const domain::Problem& problem) {
-  std::vector<std::string> names;
-  for (const domain::Part& part : problem.parts) names.push_back(part.name);
-  return PartId(name.OneOf(names));
-}
-
-// Reads the mating from the arguments of assemble.
-domain::Mating ReadMatingWords(const Value& arguments, const domain::Problem& problem) {
-  domain::Mating mating{.held = ReadPart(arguments.At("held"), problem),
-                        .fixed = ReadPart(arguments.At("fixed"), problem),
-                        .features = {},
-                        .X_FixedHeld = ReadPose(arguments.At("X_FixedHeld")),
-                        .mating_vector = ReadVector(arguments.At("mating_vector"))};
-  const Value features = arguments.At("features");
-  const std::string allowed = "two lists of feature numbers of equal length: of held, of fixed";
-  const std::vector<Value> sides = features.Items();
-  if (sides.size() != 2) features.Fail(fmt::format("{} lists", sides.size()), allowed);
-  const std::vector<Value> of_held = sides[0].Items();
-  const std::vector<Value> of_fixed = sides[1].Items();
-  if (of_held.size() != of_fixed.size()) features.Fail("lists of different length", allowed);
-  const int most = std::numeric_limits<int>::max();
-  for (std::size_t i = 0; i < of_held.size(); ++i) {
-    mating.features.emplace_back(of_held[i].Integer(0, most), of_fixed[i].Integer(0, most));
-  }
-  return mating;
-}
-
-bool AreSame(const domain::Mating& a, const domain::Mating& b) {
-  const auto pose_error = (a.X_FixedHeld.matrix() - b.X_FixedHeld.matrix()).cwiseAbs();
-  const auto vector_error = (a.mating_vector - b.mating_vector).cwiseAbs();
-  return a.held == b.held && a.fixed == b.fixed && a.features == b.features &&
-         pose_error.maxCoeff() <= kSameMating && vector_error.maxCoeff() <= kSameMating;
-}
-
-MatingId ReadMating(const Value& arguments, const domain::Problem& problem) {
-  const domain::Mating words = ReadMatingWords(arguments, problem);
-  const auto found = std::ranges::find_if(
-      problem.matings, [&](const domain::Mating& mating) { return AreSame(mating, words); });
-  if (found == problem.matings.end()) {
-    arguments.Fail("the scenario has no such mating",
-                   "held, fixed, features, X_FixedHeld and mating_vector of one of its matings");
-  }
-  return MatingId(static_cast<int>(found - problem.matings.begin()));
-}
-
-std::string ReadSensor(const Value& name, const domain::Problem& problem) {
-  std::vector<std::string> known;
-  for (const auto& sensor : problem.workcell->uncertainty_operations().sensors) {
-    known.push_back(sensor.name);
-  }
-  name.OneOf(known);
-  return name.Text();
-}
-
-Assemble ReadAssemble(const Value& action, const domain::Problem& problem) {
-  const Value arguments = action.At("arguments");
-  arguments.AllowOnly(
-      {"held", "fixed", "features", "X_FixedHeld", "mating_vector", "grasp", "position"});
-  return {ReadMating(arguments, problem), ReadHold(action), ReadPlace(action)};
-}
-
-Sense ReadSense(const Value& action, const domain::Problem& problem) {
-  action.AllowOnly(
-      {"id", "name", "arguments", "inserted", "executed", "place", "travel", "certificate"});
-  const Value arguments = action.At("arguments");
-  arguments.AllowOnly({"part", "sensor", "position"});
-  return {ReadPart(arguments.At("part"), problem), ReadSensor(arguments.At("sensor"), problem),
-          ReadPlace(action)};
-}
-
-// Reads the arguments of pickup, putdown or squeeze.
-template <class Handling>
-Handling ReadHandling(const Value& action, const domain::Problem& problem) {
-  const Value arguments = action.At("arguments");
-  arguments.AllowOnly({"part", "grasp", "position"});
-  return {ReadPart(arguments.At("part"), problem), ReadHold(action), ReadPlace(action)};
-}
-
-Action ReadAction(const Value& action, const domain::Problem& problem) {
-  const auto name = static_cast<ActionName>(action.At("name").OneOf(kActions));
-  switch (name) {
-    case ActionName::kPickup:
-      return ReadHandling<Pickup>(action, problem);
-    case ActionName::kPutdown:
-      return ReadHandling<Putdown>(action, problem);
-    case ActionName::kAssemble:
-      return ReadAssemble(action, problem);
-    case ActionName::kSense:
-      return ReadSense(action, problem);
-    case ActionName::kSqueeze:
-      return ReadHandling<Squeeze>(action, problem);
-  }
-  ASSAY_CHECK(false, "an action that the switch does not know");
-  return {};
-}
-
 PlannedStep ReadStep(const Value& action, const domain::Problem& problem) {
   action.AllowOnly({"id", "name", "arguments", "inserted", "executed", "hold", "place", "travel",
                     "strategy", "certificate"});
@@ -260,7 +78,7 @@ PlannedStep ReadStep(const Value& action, const domain::Problem& problem) {
   if (const auto travel = action.Find("travel")) step.travel = ReadTravel(*travel);
   const std::optional<Value> strategy = action.Find("strategy");
   if (!strategy) return step;
-  if (!std::holds_alternative<Assemble>(step.action)) {
+  if (step.action.kind->leaves != domain::Leaves::kMated) {
     strategy->Fail(fmt::format("a strategy of {}", action.At("name").Text()),
                    "a strategy of assemble");
   }

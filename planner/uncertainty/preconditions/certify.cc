@@ -67,17 +67,34 @@ class StepCertifier {
         theory_(theory) {}
 
   CertifiedStep Run() {
-    std::visit(*this, action_);
+    Do(action_);
     return Take();
   }
 
-  void operator()(const plan::Pickup& pickup) {
+ private:
+  void Do(const plan::Action& action) {
+    if (action.kind->Has(domain::Argument::kSensor)) return Sense(action);
+    ASSAY_CHECK(plan::HoldIn(action) != nullptr, "the errors after {} are not modelled",
+                action.kind->name);
+    switch (action.kind->leaves) {
+      case domain::Leaves::kInHand:
+        return Pickup(action);
+      case domain::Leaves::kWhereItWas:
+        return Squeeze(action);
+      case domain::Leaves::kAtPlace:
+        return Putdown(action);
+      case domain::Leaves::kMated:
+        return Assemble(action);
+    }
+  }
+
+  void Pickup(const plan::Action& pickup) {
     const HandWork work = Grasp(pickup.part, pickup.hold);
     world_.SetHeld(pickup.part, work.held);
     After(pickup.part, PossibleGrasp(work.held, work.draw, world_.propagation()));
   }
 
-  void operator()(const plan::Squeeze& squeeze) {
+  void Squeeze(const plan::Action& squeeze) {
     const HandWork work = Grasp(squeeze.part, squeeze.hold);
     const BeliefShift shift = world_.shift(squeeze.part);
     const Expression height = world_.resting(squeeze.part).displacement[2];
@@ -90,8 +107,8 @@ class StepCertifier {
     After(squeeze.part);
   }
 
-  void operator()(const plan::Putdown& putdown) {
-    HandWork work = Carried(putdown.part, putdown.hold, putdown.to.X_WorldPart);
+  void Putdown(const plan::Action& putdown) {
+    HandWork work = Carried(putdown.part, putdown.hold, putdown.place.X_WorldPart);
     work.table = world_.DrawTableHeight(putdown.part);
     Before(putdown.part, work.X_ToolGrasp);
     RequireAll(work, [&] {
@@ -105,7 +122,7 @@ class StepCertifier {
     After(putdown.part);
   }
 
-  void operator()(const plan::Assemble& assemble) {
+  void Assemble(const plan::Action& assemble) {
     const domain::Mating& mating = world_.problem().mating(assemble.mating);
     HandWork work =
         Carried(mating.held, assemble.hold, world_.X_WorldPart(mating.fixed) * mating.X_FixedHeld);
@@ -123,13 +140,12 @@ class StepCertifier {
     After(mating.fixed);
   }
 
-  void operator()(const plan::Sense& sense) {
+  void Sense(const plan::Action& sense) {
     Before(sense.part);
     ApplySensing(world_, sense.part, sense.sensor);
     After(sense.part);
   }
 
- private:
   bool certifies() const { return effort_ == Effort::kCertify; }
   // Returns whether there is more to find out about preconditions.
   bool decides() const {

@@ -11,17 +11,13 @@ namespace {
 using plan::NeededBy;
 using plan::Origin;
 
-const plan::Assemble& AssembleOf(const HandWork& work) {
-  return std::get<plan::Assemble>(work.action);
-}
-
 std::vector<Precondition> Grasping(const HandWork& work) {
   return GraspPreconditions(work.world, work.part, work.hold, work.draw, work.held);
 }
 
 std::vector<Precondition> HandAtGrasp(const HandWork& work) {
   return HandClearanceAtGrasp(work.world, work.part, work.hold, work.draw, work.held,
-                              std::holds_alternative<plan::Squeeze>(work.action));
+                              work.action.kind->leaves == domain::Leaves::kWhereItWas);
 }
 
 std::vector<Precondition> ClosingPads(const HandWork& work) {
@@ -29,7 +25,7 @@ std::vector<Precondition> ClosingPads(const HandWork& work) {
 }
 
 std::vector<Precondition> HoldingPart(const HandWork& work) {
-  const bool is_lifted = std::holds_alternative<plan::Pickup>(work.action);
+  const bool is_lifted = work.action.kind->leaves == domain::Leaves::kInHand;
   return HoldingPreconditions(work.world, work.part, work.hold, work.held,
                               is_lifted ? Turning::kNone : Turning::kAny);
 }
@@ -40,46 +36,44 @@ std::vector<Precondition> Landing(const HandWork& work) {
 }
 
 std::vector<Precondition> MatingParts(const HandWork& work) {
-  return MatingPreconditions(work.world, AssembleOf(work).mating, work.hold, work.X_ToolGrasp);
+  return MatingPreconditions(work.world, work.action.mating, work.hold, work.X_ToolGrasp);
 }
 
 std::vector<Precondition> TipAtStart(const HandWork& work) {
-  return TipPreconditions(work.world, AssembleOf(work).mating, work.hold, work.X_ToolGrasp,
+  return TipPreconditions(work.world, work.action.mating, work.hold, work.X_ToolGrasp,
                           *work.strategy);
 }
 
 std::vector<Precondition> HandAtRelease(const HandWork& work) {
-  const auto* assemble = std::get_if<plan::Assemble>(&work.action);
-  if (assemble == nullptr) {
+  const domain::MatingId mating = work.action.mating;
+  if (mating.IsNone()) {
     return HandClearanceAtPutdown(work.world, {work.part, work.hold, work.draw, work.X_WorldPart,
                                                -Vector3::UnitZ(), work.farther, work.released});
   }
-  const MatingEnd end = MatingEndOf(work.world, assemble->mating, work.hold, work.X_ToolGrasp);
+  const MatingEnd end = MatingEndOf(work.world, mating, work.hold, work.X_ToolGrasp);
   return HandClearanceAtMating(
-      work.world, assemble->mating,
+      work.world, mating,
       {work.part, work.hold, work.draw, work.X_WorldPart, end.motion, end.farther, work.released},
       work.strategy != nullptr);
 }
 
 std::vector<Precondition> PassingParts(const HandWork& work) {
-  return PassingPreconditions(work.world, AssembleOf(work), work.X_ToolGrasp, work.strategy);
+  return PassingPreconditions(work.world, work.action, work.X_ToolGrasp, work.strategy);
 }
 
 // A part that a strategy led into its seat may lean within the play there.
 std::vector<Precondition> StandingPart(const HandWork& work) {
   const domain::Problem& problem = work.world.problem();
-  const auto* assemble = std::get_if<plan::Assemble>(&work.action);
-  const bool is_led = assemble != nullptr && work.strategy != nullptr;
+  const domain::MatingId mating = work.action.mating;
+  const bool is_led = !mating.IsNone() && work.strategy != nullptr;
   const double play =
-      is_led
-          ? PlayInSeat(problem, problem.mating(assemble->mating), problem.tolerances.clearance).turn
-          : 0;
+      is_led ? PlayInSeat(problem, problem.mating(mating), problem.tolerances.clearance).turn : 0;
   return StandingPreconditions(work.world, work.part, work.hold, work.draw, work.X_WorldPart,
                                work.released, play);
 }
 
 std::vector<Precondition> FixedPart(const HandWork& work) {
-  return FixedPreconditions(work.world, AssembleOf(work).mating, work.released, work.strategy);
+  return FixedPreconditions(work.world, work.action.mating, work.released, work.strategy);
 }
 
 constexpr auto kDerivations =

@@ -80,11 +80,11 @@ WayIn WayToSeat(const UncertainWorld& world, domain::MatingId id, const plan::Ho
 }
 
 // Returns the way to where the strategy starts. The strategy's own certificate covers what follows.
-WayIn WayToStrategy(const UncertainWorld& world, const plan::Assemble& assemble,
+WayIn WayToStrategy(const UncertainWorld& world, const plan::Action& assemble,
                     const Transform& X_ToolGrasp, const plan::Strategy& strategy) {
   const domain::Mating& mating = world.problem().mating(assemble.mating);
   const plan::ToolRoute route =
-      plan::RouteOf(world.problem(), assemble, strategy, world.X_WorldPart(mating.fixed));
+      plan::RouteOf(world.problem(), assemble, &strategy, world.X_WorldPart(mating.fixed));
   const Pose& start = route.to_work.back();
   const Pose& X_PartTool = assemble.hold.X_PartTool;
   return {{start * X_PartTool.inverse(),
@@ -168,7 +168,7 @@ class PassingConditions {
 }  // namespace
 
 std::vector<Precondition> PassingPreconditions(const UncertainWorld& world,
-                                               const plan::Assemble& assemble,
+                                               const plan::Action& assemble,
                                                const Transform& X_ToolGrasp,
                                                const plan::Strategy* strategy) {
   const domain::Mating& mating = world.problem().mating(assemble.mating);

@@ -122,7 +122,7 @@ std::vector<Precondition> HandClearanceAtMating(const UncertainWorld& world,
 // Returns kPassingClear, for assemble. `strategy` is null if the motion goes straight to the seat;
 // otherwise the motion goes to where the strategy starts.
 std::vector<Precondition> PassingPreconditions(const UncertainWorld& world,
-                                               const plan::Assemble& assemble,
+                                               const plan::Action& assemble,
                                                const Transform& X_ToolGrasp,
                                                const plan::Strategy* strategy);
 

@@ -20,23 +20,11 @@ bool IsOfWorld(const Channel& channel) {
          channel.effect == Effect::kPadFriction;
 }
 
-// Returns the parts that an action handles, looks at, or touches with the part that it handles.
-struct TouchedParts {
-  const domain::Problem& problem;
-
-  std::vector<PartId> operator()(const plan::Assemble& assemble) const {
-    const domain::Mating& mating = problem.mating(assemble.mating);
-    return {mating.held, mating.fixed};
-  }
-  std::vector<PartId> operator()(const auto& action) const { return {action.part}; }
-};
-
 std::vector<PartId> UntouchedBefore(const Experiment& experiment, plan::StepId step) {
   std::vector<PartId> touched;
   for (const plan::StepId id : experiment.plan.ExecutionOrder()) {
     if (id == step) break;
-    const auto parts =
-        std::visit(TouchedParts{experiment.problem}, experiment.plan.step(id).action);
+    const auto parts = PartsOf(experiment.problem, experiment.plan.step(id).action);
     touched.insert(touched.end(), parts.begin(), parts.end());
   }
   std::vector<PartId> untouched;

@@ -65,10 +65,8 @@ std::vector<GeometricMeaning> FingerClear(const MeasuredStep& step) {
 
 // The fingers end above the table as the pads close. Nothing measures the fingers as the pads open.
 std::vector<GeometricMeaning> Fingertip(const MeasuredStep& step) {
-  const bool lets_go = std::holds_alternative<plan::Putdown>(step.step().action) ||
-                       std::holds_alternative<plan::Assemble>(step.step().action);
   const execution::Snapshot* reached = step.events().reached;
-  if (lets_go || reached == nullptr) return {};
+  if (!step.step().action.kind->ClosesPads() || reached == nullptr) return {};
   double lowest = kInfinity;
   for (const geometry::Box& box : step.gripper().FingerBoxes(step.OpeningAt(*reached))) {
     for (const Vector3& corner : box.Corners()) {

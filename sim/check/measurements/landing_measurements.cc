@@ -19,7 +19,7 @@ using geometry::Vector3;
 std::vector<GeometricMeaning> LandingHeight(const MeasuredStep& step) {
   const execution::Snapshot* reached = step.events().reached;
   if (reached == nullptr) return {};
-  const Pose& X_WorldPart = std::get<plan::Putdown>(step.step().action).to.X_WorldPart;
+  const Pose& X_WorldPart = step.step().action.place.X_WorldPart;
   const double table = reached->table_heights[step.part().index()];
   return OfAll(
       MetOnGuardedWay(step, {.X_WorldExpected = X_WorldPart,

@@ -9,33 +9,16 @@
 #include "planner/plan/data/pushing.h"
 
 namespace assay::check {
-namespace {
 
 using geometry::Vector3;
-
-struct PartHandledBy {
-  const domain::Problem& problem;
-
-  domain::PartId operator()(const plan::Assemble& assemble) const {
-    return problem.mating(assemble.mating).held;
-  }
-  domain::PartId operator()(const auto& action) const { return action.part; }
-};
-
-struct HoldBy {
-  const plan::Hold* operator()(const plan::Sense&) const { return nullptr; }
-  const plan::Hold* operator()(const auto& action) const { return &action.hold; }
-};
-
-}  // namespace
 
 MeasuredStep::MeasuredStep(const domain::Problem& problem, const plan::PlannedStep& step,
                            const StepEvents& events)
     : problem_(problem),
       step_(step),
       events_(events),
-      part_(std::visit(PartHandledBy{problem}, step.action)),
-      hold_(std::visit(HoldBy{}, step.action)) {}
+      part_(HandledPart(problem, step.action)),
+      hold_(HoldIn(step.action)) {}
 
 const geometry::CollisionShape& MeasuredStep::shape() const {
   return problem_.part(part_).model->shape();
@@ -46,9 +29,7 @@ const plan::Hold& MeasuredStep::hold() const {
   return *hold_;
 }
 
-const domain::Mating& MeasuredStep::mating() const {
-  return problem_.mating(std::get<plan::Assemble>(step_.action).mating);
-}
+const domain::Mating& MeasuredStep::mating() const { return problem_.mating(step_.action.mating); }
 
 const geometry::Pose& MeasuredStep::PartAt(const execution::Snapshot& moment) const {
   return moment.parts[part_.index()].truth;

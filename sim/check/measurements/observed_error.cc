@@ -15,11 +15,6 @@ using geometry::Matrix3;
 using geometry::Pose;
 using geometry::Vector3;
 
-struct HoldIn {
-  const plan::Hold* operator()(const plan::Sense&) const { return nullptr; }
-  const plan::Hold* operator()(const auto& action) const { return &action.hold; }
-};
-
 // The true values of the components of an error set, in the order of plan::ErrorComponents.
 using Components = std::array<double, 6>;
 
@@ -47,7 +42,7 @@ double YawOf(const Matrix3& rotation) {
 }
 
 const plan::Hold& HoldOf(const plan::Action& action) {
-  const plan::Hold* hold = std::visit(HoldIn{}, action);
+  const plan::Hold* hold = HoldIn(action);
   ASSAY_CHECK(hold != nullptr, "a look leaves no part in the hand");
   return *hold;
 }

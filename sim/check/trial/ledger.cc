@@ -162,10 +162,11 @@ class Ledger {
     const StepEvents* step = Find(channel.step);
     if (step == nullptr || step->poised == nullptr) return {};
     Reading reading{.applied = step->poised->table_heights[channel.part.index()]};
-    const auto* putdown = std::get_if<plan::Putdown>(&experiment_.plan.step(channel.step).action);
-    if (step->end == nullptr || putdown == nullptr) return reading;
+    const plan::Action& action = experiment_.plan.step(channel.step).action;
+    const bool puts_down = action.kind->leaves == domain::Leaves::kAtPlace;
+    if (step->end == nullptr || !puts_down) return reading;
     const Pose& truth = step->end->parts[channel.part.index()].truth;
-    reading.measured = truth.translation().z() - RestingHeight(channel.part, putdown->to);
+    reading.measured = truth.translation().z() - RestingHeight(channel.part, action.place);
     return reading;
   }
 

@@ -118,16 +118,17 @@ std::optional<Friction> FrictionAt(const mujoco::Data& data, mujoco::BodyId body
   return std::nullopt;
 }
 
-const plan::Pickup* FirstPickup(const plan::Plan& plan) {
+const plan::Action* FirstPickup(const plan::Plan& plan) {
   for (const plan::StepId id : plan.ExecutionOrder()) {
-    if (const auto* pickup = std::get_if<plan::Pickup>(&plan.step(id).action)) return pickup;
+    const plan::Action& action = plan.step(id).action;
+    if (action.kind->leaves == domain::Leaves::kInHand) return &action;
   }
   return nullptr;
 }
 
 std::optional<Friction> PadFriction(const plan::Plan& plan, const scene::Scene& scene,
                                     mujoco::Data& data) {
-  const plan::Pickup* pickup = FirstPickup(plan);
+  const plan::Action* pickup = FirstPickup(plan);
   if (pickup == nullptr) return std::nullopt;
   scene.SetPart(data, pickup->part, scene.ToolPose(data) * pickup->hold.X_PartTool.inverse());
   scene.SetGripper(data, pickup->hold.width - kSqueezed);

@@ -65,9 +65,7 @@ PictureSize SizeOf(const PictureOptions& options) {
 std::vector<domain::PartId> WorkedParts(const domain::Problem& problem, const plan::Plan& plan) {
   std::set<domain::PartId> parts;
   for (const plan::PlannedStep& step : plan.steps) {
-    parts.insert(plan::PartOf(problem, step.action));
-    const auto* assemble = std::get_if<plan::Assemble>(&step.action);
-    if (assemble != nullptr) parts.insert(problem.mating(assemble->mating).held);
+    for (const domain::PartId part : PartsOf(problem, step.action)) parts.insert(part);
   }
   for (std::size_t i = 0; i < problem.parts.size() && plan.steps.empty(); ++i) {
     parts.insert(domain::PartId(i));
@@ -161,7 +159,7 @@ void Film::TakeCloseUp(const plan::PlannedStep& step, const Snapshot& moment,
 }
 
 void Film::TakeGrasp(const plan::PlannedStep& step, const mujoco::Data& data) {
-  const domain::PartId part = plan::PartOf(problem_, step.action);
+  const domain::PartId part = plan::PlacedPart(problem_, step.action);
   const render::FreeCamera camera = render::CloseUp(render::GraspOf(problem_, scene_, part, data),
                                                     render::Sight(data), size_.aspect());
   const std::string caption = fmt::format("pads closed on {}", problem_.part(part).name);
@@ -179,16 +177,14 @@ void Film::SeeTimestep(const mujoco::Data& data) {
 void Film::SeeMilestone(const execution::Milestone& milestone, const mujoco::Data& data) {
   const plan::PlannedStep& step = plan_.step(milestone.step);
   const bool acted = milestone.stage == execution::Stage::kActed;
-  if (const auto* assemble = std::get_if<plan::Assemble>(&step.action)) {
+  if (const domain::MatingId mating = step.action.mating; !mating.IsNone()) {
     if (acted) TakeMating(mating_->LookAtRest(data), data);
     if (milestone.stage != execution::Stage::kPoised) return;
-    mating_.emplace(problem_, scene_, problem_.mating(assemble->mating), data, size_.aspect());
+    mating_.emplace(problem_, scene_, problem_.mating(mating), data, size_.aspect());
     mating_step_ = milestone.step;
     return;
   }
-  const bool closes = std::holds_alternative<plan::Pickup>(step.action) ||
-                      std::holds_alternative<plan::Squeeze>(step.action);
-  if (acted && closes) TakeGrasp(step, data);
+  if (acted && step.action.kind->ClosesPads()) TakeGrasp(step, data);
 }
 
 void Film::SeeStepEnd(const execution::StepEnd& end, const mujoco::Data& data) {

@@ -328,7 +328,7 @@ std::string Explanation(const domain::Problem& problem, const plan::Plan& plan, 
                         const std::string& file) {
   const PlannedStep& step = plan.step(id);
   std::string text = fmt::format("step {} of {}, {}: {}\n{}", step.executed, plan.steps.size(),
-                                 step.name, Text(problem, step.action), PurposeText(plan, id));
+                                 step.name, FullText(problem, step.action), PurposeText(plan, id));
   if (step.certificate.before.empty()) {
     return text + "It has no certificate: the plan was made without regard to uncertainty.\n";
   }

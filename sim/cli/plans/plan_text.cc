@@ -10,41 +10,6 @@ namespace {
 
 using domain::Problem;
 
-std::string FeaturesText(const domain::Mating& mating) {
-  std::vector<int> of_held, of_fixed;
-  for (const auto& [held, fixed] : mating.features) {
-    of_held.push_back(held.index());
-    of_fixed.push_back(fixed.index());
-  }
-  return fmt::format("[[{}], [{}]]", fmt::join(of_held, ", "), fmt::join(of_fixed, ", "));
-}
-
-struct ActionText {
-  const Problem& problem;
-
-  std::string operator()(const plan::Pickup& a) const {
-    return fmt::format("pickup({}, {}, {})", problem.part(a.part).name, a.hold.grasp,
-                       a.from.position);
-  }
-  std::string operator()(const plan::Putdown& a) const {
-    return fmt::format("putdown({}, {}, {})", problem.part(a.part).name, a.hold.grasp,
-                       a.to.position);
-  }
-  std::string operator()(const plan::Assemble& a) const {
-    const domain::Mating& mating = problem.mating(a.mating);
-    return fmt::format("assemble({}, {}, {}, {}, {})", problem.part(mating.held).name,
-                       problem.part(mating.fixed).name, FeaturesText(mating), a.hold.grasp,
-                       a.fixed.position);
-  }
-  std::string operator()(const plan::Sense& a) const {
-    return fmt::format("sense({}, {}, {})", problem.part(a.part).name, a.sensor, a.at.position);
-  }
-  std::string operator()(const plan::Squeeze& a) const {
-    return fmt::format("squeeze({}, {}, {})", problem.part(a.part).name, a.hold.grasp,
-                       a.at.position);
-  }
-};
-
 // Returns the paths that the arm takes where it cannot go up, over and down; empty if it always
 // can.
 std::string TravelText(const plan::Plan& plan) {
@@ -79,10 +44,6 @@ std::string Listed(const std::string& heading, const std::vector<std::string>& i
 
 }  // namespace
 
-std::string Text(const Problem& problem, const plan::Action& action) {
-  return std::visit(ActionText{problem}, action);
-}
-
 std::string PlanTable(const Problem& problem, const plan::Plan& plan) {
   const bool is_certified = !UncertaintyText(plan).empty();
   std::vector<Table::Column> columns = {
@@ -92,7 +53,7 @@ std::string PlanTable(const Problem& problem, const plan::Plan& plan) {
   for (const plan::StepId id : plan.ExecutionOrder()) {
     const plan::PlannedStep& step = plan.step(id);
     std::vector<std::string> row = {std::to_string(step.executed), std::to_string(step.inserted),
-                                    step.name, Text(problem, step.action)};
+                                    step.name, FullText(problem, step.action)};
     if (is_certified) row.push_back(CertificateText(step));
     table.Add(std::move(row));
   }

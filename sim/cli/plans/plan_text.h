@@ -10,9 +10,6 @@ namespace assay::cli {
 
 // These functions return text for people.
 
-// Returns the action with its arguments, grasp and position: "putdown(block, BG3, BP5)".
-std::string Text(const domain::Problem& problem, const plan::Action& action);
-
 // Returns a table of the steps in the order of execution. Each row has the step's place in the
 // order of insertion and, if the plan has certificates, how much of the step is proved.
 std::string PlanTable(const domain::Problem& problem, const plan::Plan& plan);

@@ -5,6 +5,7 @@
 #include <array>
 #include <nlohmann/json.hpp>
 
+#include "planner/domain/actions/actions.h"
 #include "sim/cli/options/quantity.h"
 #include "sim/cli/plans/table.h"
 
@@ -21,9 +22,6 @@ struct Rule {
   Unit unit;
 };
 
-std::string NameOf(domain::VerifiedAction action) {
-  return domain::VerifiedActionNames()[static_cast<std::size_t>(action)];
-}
 std::string NameOf(domain::MeasuredQuantity quantity) {
   return domain::MeasuredQuantityNames()[static_cast<std::size_t>(quantity)];
 }
@@ -58,7 +56,7 @@ std::string OperationsText(const domain::UncertaintyOperations& operations) {
   }
   Table verifications({{"verification"}, {"after"}, {"measures"}, {"+-"}, {"less"}, {"more"}});
   for (const domain::VerificationTemplate& check : operations.verifications) {
-    verifications.Add({check.name, NameOf(check.after), NameOf(check.quantity),
+    verifications.Add({check.name, std::string(check.after->name), NameOf(check.quantity),
                        QuantityText(check.tolerance, kLengthUnit), NamedOrNothing(check.below),
                        NamedOrNothing(check.above)});
   }

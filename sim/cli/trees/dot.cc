@@ -25,7 +25,7 @@ std::string Quoted(const std::string& text) {
 std::string OrderingGraphToDot(const domain::Problem& problem, const plan::Plan& plan) {
   std::string text = fmt::format("digraph {} {{\n  node [shape=box];\n", Quoted(plan.problem));
   for (const plan::PlannedStep& step : plan.steps) {
-    const std::string label = fmt::format("{} {}", step.executed, Text(problem, step.action));
+    const std::string label = fmt::format("{} {}", step.executed, FullText(problem, step.action));
     text += fmt::format("  {} [label={}];\n", Quoted(step.name), Quoted(label));
   }
   for (const auto& [first, second] : plan.ordering) {

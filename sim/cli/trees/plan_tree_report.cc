@@ -27,7 +27,7 @@ std::string Words(const std::vector<domain::Problem>& worlds, const ContingentAs
   }
   const assembly::PlanOfWorlds& of = assembly.plans[action.plan];
   const domain::Problem& world = worlds[of.worlds.front()];
-  const std::string step = Text(world, of.plan.step(action.step).action);
+  const std::string step = FullText(world, of.plan.step(action.step).action);
   switch (action.kind) {
     case Kind::kVerify:
       return fmt::format("verify {}", step);

@@ -15,16 +15,6 @@ using Json = nlohmann::ordered_json;
 using domain::PartId;
 using geometry::Vector3;
 
-// Returns the part that an action handles or looks at.
-struct PartOf {
-  const domain::Problem& problem;
-
-  PartId operator()(const plan::Assemble& assemble) const {
-    return problem.mating(assemble.mating).held;
-  }
-  PartId operator()(const auto& action) const { return action.part; }
-};
-
 struct StepRow {
   const execution::StepEnd& end;
   double duration = 0;  // seconds
@@ -37,7 +27,7 @@ std::vector<StepRow> StepRows(const domain::Problem& problem, const plan::Plan& 
   double start = 0;
   for (const execution::StepEnd* end : trace.All<execution::StepEnd>()) {
     const execution::TrueAndBelieved& part =
-        end->moment.parts[std::visit(PartOf{problem}, plan.step(end->step).action).index()];
+        end->moment.parts[HandledPart(problem, plan.step(end->step).action).index()];
     rows.push_back(
         {*end, end->moment.time - start, part.truth.translation() - part.believed.translation()});
     start = end->moment.time;

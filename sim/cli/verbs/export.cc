@@ -6,6 +6,7 @@
 
 #include "planner/assembly/contingent_assembly.h"
 #include "planner/contingent/format/pddl_text.h"
+#include "planner/contingent/format/pks_text.h"
 #include "planner/contingent/format/task_file.h"
 #include "planner/contingent/grounding/grounding.h"
 #include "sim/cli/options/models_folder.h"
@@ -120,13 +121,16 @@ ExitCode ExportPks(const Options& options) {
   const std::vector<domain::Problem> worlds =
       ReadWorldsToPlan(Document::Load(options.input), options.models);
   const assembly::ContingentAssembly assembly = assembly::MakeContingentPlan(worlds, {}, {});
-  if (assembly.knowledge.domain.empty()) {
+  const auto& [domain, problem, task, actions, names] = assembly.knowledge;
+  const std::string about = fmt::format(
+      "# What is known while plans for the scenario {} are executed.\n", worlds.front().name);
+  if (domain.name.empty()) {
     Print(Text(worlds, assembly));
   } else if (options.output.empty()) {
-    Print(assembly.knowledge.domain + "\n" + assembly.knowledge.problem);
+    Print(about + TextOf(domain) + "\n" + TextOf(problem));
   } else {
-    WriteFile(options.output.string() + "-domain.pks", assembly.knowledge.domain);
-    WriteFile(options.output.string() + "-problem.pks", assembly.knowledge.problem);
+    WriteFile(options.output.string() + "-domain.pks", about + TextOf(domain));
+    WriteFile(options.output.string() + "-problem.pks", TextOf(problem));
   }
   return ExitCodeOf(assembly.outcome);
 }

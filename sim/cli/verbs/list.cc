@@ -10,7 +10,6 @@
 
 #include "planner/base/document/document.h"
 #include "planner/base/document/input_error.h"
-#include "planner/domain/actions/action_template.h"
 #include "planner/domain/actions/actions.h"
 #include "planner/plan/file/json_layout.h"
 #include "sim/cli/options/models_folder.h"
@@ -121,8 +120,9 @@ Entries ListWorkcells(const domain::ModelPath& models) {
 
 Entries ListActions(const domain::ModelPath&) {
   Entries entries;
-  for (const domain::ActionRule& rule : domain::ActionRules()) {
-    entries.push_back({.name = std::string(rule.name), .text = std::string(rule.summary)});
+  for (const domain::ActionKind* kind : domain::StandardActions()) {
+    if (kind->achieve == nullptr) continue;
+    entries.push_back({.name = std::string(kind->name), .text = std::string(kind->summary)});
   }
   return entries;
 }

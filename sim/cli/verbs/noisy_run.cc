@@ -204,7 +204,7 @@ class NoisyTrials {
   std::vector<std::string> Actions() const {
     std::vector<std::string> actions;
     for (const plan::PlannedStep& step : plan_.steps) {
-      actions.push_back(execution::Text(run_.planned.problem, step.action));
+      actions.push_back(plan::ShortText(run_.planned.problem, step.action));
     }
     return actions;
   }

@@ -20,7 +20,6 @@
 #include "sim/cli/work/noise_floor_cache.h"
 #include "sim/cli/work/output_file.h"
 #include "sim/cli/work/planned_problem.h"
-#include "sim/execution/commands/command_file.h"
 #include "sim/execution/interpretation/knowledge_scenario.h"
 #include "sim/view/page.h"
 
@@ -74,7 +73,7 @@ std::string Mismatch(const execution::Trace& trace, const PlannedProblem& planne
   }
   for (const execution::StepEnd* end : trace.All<execution::StepEnd>()) {
     if (!has_step(end->step) ||
-        execution::Text(problem, plan.step(end->step).action) != end->action) {
+        plan::ShortText(problem, plan.step(end->step).action) != end->action) {
       return fmt::format("{} of the trace is not a step of the plan", Quote(end->action));
     }
   }
@@ -124,8 +123,9 @@ ExitCode ViewPlan(const Options& options) {
   const scene::Scene scene(planned.problem, planned.simulation.scene);
   const check::Trial trial = [&] {
     const Progress progress("executing the plan for " + planned.problem.name);
-    return check::RunTrial(planned.problem, plan, scene,
-                           {.on_timestep = Interruption::BreakOffAfter});
+    execution::ExecutorOptions executor;
+    executor.on_timestep = Interruption::BreakOffAfter;
+    return check::RunTrial(planned.problem, plan, scene, executor);
   }();
   Write({.problem = planned.problem,
          .plan = plan,

@@ -15,17 +15,16 @@ MatingTask LastMatingOf(PlannedProblem planned) {
   for (const plan::StepId id : planned.result.plan.ExecutionOrder())
     actions.push_back(planned.result.plan.step(id).action);
   int step = static_cast<int>(actions.size()) - 1;
-  const auto assemble = [&] { return std::get_if<plan::Assemble>(&actions[step]); };
-  while (step >= 0 && assemble() == nullptr) --step;
+  while (step >= 0 && actions[step].mating.IsNone()) --step;
   if (step < 0)
     throw UsageError(fmt::format("mate: {}: no plan with an assemble action", planned.scenario));
   const auto states = constraint_posting::StatesOf(planned.problem, actions);
-  const domain::PartId held = planned.problem.mating(assemble()->mating).held;
+  const domain::PartId held = HandledPart(planned.problem, actions[step]);
   const auto moment = constraint_posting::LatestGraspable(planned.problem, states, step, held);
   ASSAY_CHECK(moment.has_value(), "a part that is mated was taken before");
   planned.problem =
       constraint_posting::ProblemFrom(planned.problem, states[static_cast<std::size_t>(*moment)]);
-  return {std::move(planned), *assemble()};
+  return {std::move(planned), actions[step]};
 }
 
 }  // namespace assay::cli

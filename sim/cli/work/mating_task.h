@@ -7,8 +7,8 @@ namespace assay::cli {
 
 // One mating of a plan, by itself.
 struct MatingTask {
-  PlannedProblem planned;   // its problem begins just before the hand takes the held part
-  plan::Assemble assemble;  // an action of the plan
+  PlannedProblem planned;  // its problem begins just before the hand takes the held part
+  plan::Action assemble;   // an action of the plan
 };
 
 // Returns the plan's last mating. Throws UsageError if there is none.

@@ -63,7 +63,7 @@ class MatingTrials {
   MatedTrial Told(int number, const Drawn& drawn, execution::MatingResult result) const;
 
   const domain::Problem& problem_;
-  const plan::Assemble& assemble_;
+  const plan::Action& assemble_;
   const finemotion::MatingGeometry& geometry_;
   const plan::Strategy& strategy_;
   const MatingTrialSettings& settings_;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "planner/base/check.h"
+
 namespace assay::execution {
 namespace {
 
@@ -71,19 +73,36 @@ std::vector<Command> StepCommands::InOrder() const {
 
 StepCommands CommandsFor(const domain::Problem& problem, const WorldModel& world,
                          const plan::PlannedStep& step) {
-  if (step.strategy) {
-    return CommandsFor(problem, world, std::get<plan::Assemble>(step.action), *step.strategy);
+  return CommandsFor(problem, world, step.action, step.certificate,
+                     step.strategy ? &*step.strategy : nullptr);
+}
+
+StepCommands CommandsFor(const domain::Problem& problem, const WorldModel& world,
+                         const plan::Action& action, const plan::Certificate& certificate,
+                         const plan::Strategy* strategy) {
+  if (action.kind->Has(domain::Argument::kSensor)) {
+    return CommandsToLook(problem, action, certificate);
   }
-  return std::visit(
-      [&](const auto& action) { return CommandsFor(problem, world, action, step.certificate); },
-      step.action);
+  ASSAY_CHECK(plan::HoldIn(action) != nullptr, "no commands do {}", action.kind->name);
+  switch (action.kind->leaves) {
+    case domain::Leaves::kInHand:
+      return CommandsToTake(problem, world, action);
+    case domain::Leaves::kWhereItWas:
+      return CommandsToSqueeze(problem, world, action);
+    case domain::Leaves::kAtPlace:
+      return CommandsToPutDown(problem, action, certificate);
+    case domain::Leaves::kMated:
+      break;
+  }
+  return strategy != nullptr ? CommandsToMateBy(*strategy, problem, world, action)
+                             : CommandsToMate(problem, world, action, certificate);
 }
 
 StepCommands CommandsFor(const domain::Problem& problem, const WorldModel& world,
                          const plan::Plan& plan, plan::StepId id) {
   const plan::PlannedStep& step = plan.step(id);
   StepCommands commands = CommandsFor(problem, world, step);
-  const Pose& X_WorldPart = world.PartPose(plan::PartOf(problem, step.action));
+  const Pose& X_WorldPart = world.PartPose(plan::PlacedPart(problem, step.action));
   const plan::ToolRoute route = plan::RouteOf(problem, step, X_WorldPart);
   if (step.travel && step.travel->is_usual) ComeOver(step.travel->path, commands);
   if (step.travel && !step.travel->is_usual) ComeByPath(step.travel->path, route, commands);

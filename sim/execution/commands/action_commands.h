@@ -43,26 +43,28 @@ Command HomingOf(const domain::Problem& problem, const plan::Plan& plan);
 // Returns the commands of a step with the usual travel.
 StepCommands CommandsFor(const domain::Problem& problem, const WorldModel& world,
                          const plan::PlannedStep& step);
-// Return the commands of single actions. `certificate` holds what is known about the step; it is
-// empty if nothing is known. The commands of an assemble clamp the fixed part if it has a fixture
-// (domain::Part::clamp).
+// Returns the commands of an action. `certificate` holds what is known about the step; it is empty
+// if nothing is known. `strategy` executes a mating by fine motion; null: straight.
 StepCommands CommandsFor(const domain::Problem& problem, const WorldModel& world,
-                         const plan::Pickup& pickup, const plan::Certificate& certificate = {});
-StepCommands CommandsFor(const domain::Problem& problem, const WorldModel& world,
-                         const plan::Putdown& putdown, const plan::Certificate& certificate = {});
-StepCommands CommandsFor(const domain::Problem& problem, const WorldModel& world,
-                         const plan::Assemble& assemble, const plan::Certificate& certificate = {});
-// Returns the commands of a mating by fine motion.
-StepCommands CommandsFor(const domain::Problem& problem, const WorldModel& world,
-                         const plan::Assemble& assemble, const plan::Strategy& strategy);
-// Returns the commands of a look. The arm first goes home, so that it hangs over no part that does
-// not lie there.
-StepCommands CommandsFor(const domain::Problem& problem, const WorldModel& world,
-                         const plan::Sense& sense, const plan::Certificate& certificate = {});
-// Returns the commands of a squeeze. The gripper closes on the part as in a pickup, and releases it
-// in place.
-StepCommands CommandsFor(const domain::Problem& problem, const WorldModel& world,
-                         const plan::Squeeze& squeeze, const plan::Certificate& certificate = {});
+                         const plan::Action& action, const plan::Certificate& certificate = {},
+                         const plan::Strategy* strategy = nullptr);
+
+// These functions return the commands of one kind of action each; CommandsFor calls them. A mating
+// clamps the fixed part if it has a fixture (domain::Part::clamp).
+StepCommands CommandsToTake(const domain::Problem& problem, const WorldModel& world,
+                            const plan::Action& pickup);
+StepCommands CommandsToPutDown(const domain::Problem& problem, const plan::Action& putdown,
+                               const plan::Certificate& certificate);
+StepCommands CommandsToMate(const domain::Problem& problem, const WorldModel& world,
+                            const plan::Action& assemble, const plan::Certificate& certificate);
+StepCommands CommandsToMateBy(const plan::Strategy& strategy, const domain::Problem& problem,
+                              const WorldModel& world, const plan::Action& assemble);
+// The arm first goes home, so that it hangs over no part that does not lie there.
+StepCommands CommandsToLook(const domain::Problem& problem, const plan::Action& sense,
+                            const plan::Certificate& certificate);
+// The gripper closes on the part as in a pickup, and releases it in place.
+StepCommands CommandsToSqueeze(const domain::Problem& problem, const WorldModel& world,
+                               const plan::Action& squeeze);
 
 // The force at which a guarded move stops. It exceeds what starting and stopping the hand exerts.
 using plan::kResistance;

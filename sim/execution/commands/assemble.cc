@@ -2,8 +2,8 @@
 
 namespace assay::execution {
 
-StepCommands CommandsFor(const domain::Problem& problem, const WorldModel& world,
-                         const plan::Assemble& assemble, const plan::Certificate& certificate) {
+StepCommands CommandsToMate(const domain::Problem& problem, const WorldModel& world,
+                            const plan::Action& assemble, const plan::Certificate& certificate) {
   const domain::Workcell& workcell = *problem.workcell;
   const domain::Mating& mating = problem.mating(assemble.mating);
   const Pose X_WorldFixed = world.PartPose(mating.fixed);
@@ -13,7 +13,7 @@ StepCommands CommandsFor(const domain::Problem& problem, const WorldModel& world
   const double farther = plan::BeyondContact(problem, certificate);
   const Vector3 beyond = farther * vector.normalized();
   const Pace pace = MatingPace(farther + plan::DoubtOfContact(certificate, travel));
-  const plan::ToolRoute route = plan::RouteOf(problem, assemble, X_WorldFixed);
+  const plan::ToolRoute route = plan::RouteOf(problem, assemble, nullptr, X_WorldFixed);
   const Pose& start = route.poised;
   const Pose& mated = route.to_work.back();
   const Pose& retreated = route.left();

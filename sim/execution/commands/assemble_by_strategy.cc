@@ -2,13 +2,13 @@
 
 namespace assay::execution {
 
-StepCommands CommandsFor(const domain::Problem& problem, const WorldModel& world,
-                         const plan::Assemble& assemble, const plan::Strategy& strategy) {
+StepCommands CommandsToMateBy(const plan::Strategy& strategy, const domain::Problem& problem,
+                              const WorldModel& world, const plan::Action& assemble) {
   const domain::Workcell& workcell = *problem.workcell;
   const domain::Mating& mating = problem.mating(assemble.mating);
   const Pose X_WorldFixed = world.PartPose(mating.fixed);
   const Pose X_WorldHeld = X_WorldFixed * mating.X_FixedHeld;
-  const plan::ToolRoute route = plan::RouteOf(problem, assemble, strategy, X_WorldFixed);
+  const plan::ToolRoute route = plan::RouteOf(problem, assemble, &strategy, X_WorldFixed);
   const Pose& above = route.poised;
   const Pose& start = route.to_work.back();
   const Pose& retreated = route.left();

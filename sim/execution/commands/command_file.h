@@ -20,7 +20,4 @@ CommandFile CommandFileOf(const domain::Problem& problem, const plan::Plan& plan
 // Returns one line for each step and, indented, one for each command.
 std::string Text(const domain::Problem& problem, const plan::Plan& plan, const CommandFile& file);
 
-// Returns a text such as "pickup(block, BG3)".
-std::string Text(const domain::Problem& problem, const plan::Action& action);
-
 }  // namespace assay::execution

@@ -2,10 +2,11 @@
 
 namespace assay::execution {
 
-StepCommands CommandsFor(const domain::Problem& problem, const WorldModel& world,
-                         const plan::Pickup& pickup, const plan::Certificate&) {
+StepCommands CommandsToTake(const domain::Problem& problem, const WorldModel& world,
+                            const plan::Action& pickup) {
   const domain::Workcell& workcell = *problem.workcell;
-  const plan::ToolRoute route = plan::RouteOf(problem, pickup, world.PartPose(pickup.part));
+  const plan::ToolRoute route =
+      plan::RouteOf(problem, pickup, nullptr, world.PartPose(pickup.part));
   const Pose& retreated = route.poised;
   const Pose& grasp = route.to_work.back();
   return {.approach = {OpenGripper{}, MoveAtSafeHeight{AtSafeHeight(workcell, retreated)},

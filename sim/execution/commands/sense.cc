@@ -7,7 +7,7 @@ namespace {
 // Returns the coordinates that the planner expects to be taken from the sensor. They follow from
 // what is known before the look, which is in the step's certificate. Without a certificate all
 // measured coordinates are taken.
-Look::Takes TakesOf(const domain::Problem& problem, const plan::Sense& sense,
+Look::Takes TakesOf(const domain::Problem& problem, const plan::Action& sense,
                     const plan::Certificate& certificate) {
   constexpr Interval kUnknown = {-1e9, 1e9};
   const domain::SensorModel& sensor =
@@ -25,8 +25,8 @@ Look::Takes TakesOf(const domain::Problem& problem, const plan::Sense& sense,
 
 }  // namespace
 
-StepCommands CommandsFor(const domain::Problem& problem, const WorldModel&,
-                         const plan::Sense& sense, const plan::Certificate& certificate) {
+StepCommands CommandsToLook(const domain::Problem& problem, const plan::Action& sense,
+                            const plan::Certificate& certificate) {
   return {.approach = {MoveAtSafeHeight{plan::HomeTool(*problem.workcell)}},
           .act = {Look{sense.part, sense.sensor, TakesOf(problem, sense, certificate)}}};
 }

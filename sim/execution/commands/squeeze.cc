@@ -2,11 +2,11 @@
 
 namespace assay::execution {
 
-StepCommands CommandsFor(const domain::Problem& problem, const WorldModel& world,
-                         const plan::Squeeze& squeeze, const plan::Certificate&) {
+StepCommands CommandsToSqueeze(const domain::Problem& problem, const WorldModel& world,
+                               const plan::Action& squeeze) {
   const domain::Workcell& workcell = *problem.workcell;
   const Pose X_WorldPart = world.PartPose(squeeze.part);
-  const plan::ToolRoute route = plan::RouteOf(problem, squeeze, X_WorldPart);
+  const plan::ToolRoute route = plan::RouteOf(problem, squeeze, nullptr, X_WorldPart);
   const Pose& retreated = route.poised;
   const Pose& grasp = route.to_work.back();
   const OpenGripper let_go{OpenGripper::Release{squeeze.part, X_WorldPart}};

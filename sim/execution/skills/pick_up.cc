@@ -23,7 +23,10 @@ class PickUp : public Skill {
                      fmt::format("no grasp of {} is reachable where it is believed to be",
                                  problem.part(roles.part).name)};
     }
-    const plan::Pickup pickup{roles.part, *hold, {"believed", X_WorldPart}};
+    const plan::Action pickup{.kind = &domain::kPickup,
+                              .part = roles.part,
+                              .hold = *hold,
+                              .place = {"believed", X_WorldPart}};
     return RunAll(CommandsFor(problem, execution.world(), pickup).InOrder(), execution);
   }
 };

@@ -25,14 +25,15 @@ class PutDown : public Skill {
     if (!domain::OnTable(problem, roles.part, *to)) {
       return Cannot(part.name + " is over no table");
     }
-    const plan::Putdown putdown{roles.part, world.hold(), {"chosen", *to}};
+    const plan::Action putdown{.kind = &domain::kPutdown,
+                               .part = roles.part,
+                               .hold = world.hold(),
+                               .place = {"chosen", *to}};
     return RunAll(CommandsFor(problem, world, putdown).InOrder(), execution);
   }
 
  private:
-  static Failure Cannot(const std::string& reason) {
-    return {TrialOutcome::kUnreachable, reason};
-  }
+  static Failure Cannot(const std::string& reason) { return {TrialOutcome::kUnreachable, reason}; }
 };
 
 }  // namespace

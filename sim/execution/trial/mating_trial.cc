@@ -125,7 +125,10 @@ MatingResult RunStraightMating(const domain::Problem& problem, const scene::Scen
                                const MatingSetting& setting, const MatingTrialOptions& options) {
   Trial trial(problem, scene, setting, options);
   Execution& execution = trial.execution();
-  const plan::Assemble assemble{setting.mating, setting.hold, {"", trial.X_WorldFixed()}};
+  const plan::Action assemble{.kind = &domain::kAssemble,
+                              .mating = setting.mating,
+                              .hold = setting.hold,
+                              .place = {"", trial.X_WorldFixed()}};
   const StepCommands commands = CommandsFor(problem, execution.world(), assemble);
   const auto& start = std::get<MoveStraight>(commands.approach.back());
   const auto& advance = std::get<MoveStraight>(commands.advance.back());

@@ -11,16 +11,12 @@ namespace assay::execution {
 namespace {
 
 // Computes the direction along which the tool comes. Across it, the place of a part can be wrong.
-struct AxisOf {
-  const domain::Problem& problem;
-  const WorldModel& world;
-
-  Vector3 operator()(const plan::Assemble& assemble) const {
-    const domain::Mating& mating = problem.mating(assemble.mating);
-    return (world.PartPose(mating.fixed).linear() * mating.mating_vector).normalized();
-  }
-  Vector3 operator()(const auto&) const { return Vector3::UnitZ(); }
-};
+Vector3 AxisOf(const domain::Problem& problem, const WorldModel& world,
+               const plan::Action& action) {
+  if (action.mating.IsNone()) return Vector3::UnitZ();
+  const domain::Mating& mating = problem.mating(action.mating);
+  return (world.PartPose(mating.fixed).linear() * mating.mating_vector).normalized();
+}
 
 // Distances from a rim, in metres. The rim is where it was felt, but the part may lean and the rim
 // may not be level.
@@ -46,9 +42,9 @@ StepExecution::StepExecution(const plan::Plan& plan, plan::StepId step, Executio
       planned_(plan.step(step)),
       step_(step),
       execution_(execution),
-      sought_(plan::PartOf(execution.problem(), planned_.action)),
+      sought_(plan::PlacedPart(execution.problem(), planned_.action)),
       X_WorldSought_(execution.world().PartPose(sought_)),
-      axis_(std::visit(AxisOf{execution.problem(), execution.world()}, planned_.action)),
+      axis_(AxisOf(execution.problem(), execution.world(), planned_.action)),
       commands_(CommandsFor(execution.problem(), execution.world(), plan, step)),
       X_WorldTool_(LastTarget(commands_.advance)) {
   execution_.SetStep(step);
@@ -115,7 +111,7 @@ Progress StepExecution::Named(Progress failure) const {
 void StepExecution::SetTables() {
   const scene::Scene& scene = execution_.scene();
   mujoco::Data& data = execution_.data();
-  if (std::holds_alternative<plan::Sense>(planned_.action)) return;
+  if (planned_.action.Is(domain::kSense)) return;
   const std::optional<double> drawn = execution_.options().noise.TableHeight(step_);
   const double height = drawn.value_or(scene.TableHeight(data, sought_));
   if (drawn) scene.SetTableHeight(data, sought_, height);
@@ -172,7 +168,7 @@ Progress StepExecution::Attempt() {
 
 Progress StepExecution::Finish() {
   if (Progress failure = Run(Phase::kDepart)) return Named(failure);
-  const StepEnd end{step_, planned_.name, Text(execution_.problem(), planned_.action),
+  const StepEnd end{step_, planned_.name, plan::ShortText(execution_.problem(), planned_.action),
                     execution_.Now()};
   execution_.trace().events.push_back(end);
   Observer* const observer = execution_.options().observer;

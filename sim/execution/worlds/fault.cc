@@ -39,7 +39,7 @@ class FaultMaker {
 
   std::variant<Fault, std::string> Make(const plan::Action& action,
                                         const plan::Verification& check) {
-    fault_.part = plan::PartOf(problem_, action);
+    fault_.part = plan::PlacedPart(problem_, action);
     return check.quantity == domain::MeasuredQuantity::kGripperOpening ? OfOpening(action, check)
                                                                        : OfHeight(action, check);
   }
@@ -54,18 +54,18 @@ class FaultMaker {
 
   std::variant<Fault, std::string> OfOpening(const plan::Action& action,
                                              const plan::Verification& check) {
-    const auto* pickup = std::get_if<plan::Pickup>(&action);
+    const bool takes = action.kind->leaves == domain::Leaves::kInHand;
     if (!IsAbove(check)) {
       const domain::Part& part = problem_.part(fault_.part);
-      TakeAway(pickup != nullptr ? pickup->from.X_WorldPart : part.X_WorldPart);
+      TakeAway(takes ? action.place.X_WorldPart : part.X_WorldPart);
       return fault_;
     }
-    if (pickup == nullptr) {
+    if (!takes) {
       return fmt::format("{}, but nothing opens pads that have closed", Wanted(check));
     }
-    const double opening = TurnOntoCorners(*pickup);
+    const double opening = TurnOntoCorners(action);
     const double greatest = problem_.workcell->gripper().max_opening();
-    if (opening > pickup->hold.width + check.tolerance && opening < greatest) return fault_;
+    if (opening > action.hold.width + check.tolerance && opening < greatest) return fault_;
     return fmt::format("{}, but {} that is turned opens the pads to {:.1f} mm, of {:.1f} mm",
                        Wanted(check), problem_.part(fault_.part).name, 1e3 * opening,
                        1e3 * greatest);
@@ -74,20 +74,21 @@ class FaultMaker {
   // Turns the part about the grasped point until the pads meet two opposite corners of it. The line
   // between these corners then lies in the closing direction, so that the closing pads do not turn
   // the part back. Returns the opening that is left between the pads, in metres.
-  double TurnOntoCorners(const plan::Pickup& pickup) {
+  double TurnOntoCorners(const plan::Action& pickup) {
     const double width = pickup.hold.width;
     const double length = LengthBetweenPads(pickup);
     fault_.turn = (random_.Index(2) == 0 ? 1 : -1) * std::atan2(length, width);
-    const Vector3 grasped = pickup.from.X_WorldPart.linear() * pickup.hold.X_PartTool.translation();
+    const Vector3 grasped =
+        pickup.place.X_WorldPart.linear() * pickup.hold.X_PartTool.translation();
     fault_.way = grasped - geometry::RotationZ(fault_.turn) * grasped;
     return std::hypot(length, width);
   }
 
   // Returns the horizontal length of the faces that the pads should meet, in metres. Neither the
   // lean of the hand nor that of the part changes it.
-  double LengthBetweenPads(const plan::Pickup& pickup) const {
+  double LengthBetweenPads(const plan::Action& pickup) const {
     const geometry::Matrix3 R_PartTool = pickup.hold.X_PartTool.linear();
-    const Vector3 up = pickup.from.X_WorldPart.linear().row(2);  // in the part's frame
+    const Vector3 up = pickup.place.X_WorldPart.linear().row(2);  // in the part's frame
     const Vector3 horizontal = up.cross(Vector3(R_PartTool.col(1)));
     int axis = 0;
     horizontal.cwiseAbs().maxCoeff(&axis);
@@ -109,7 +110,7 @@ class FaultMaker {
 
   std::variant<Fault, std::string> OfHeight(const plan::Action& action,
                                             const plan::Verification& check) {
-    const bool is_assembly = std::holds_alternative<plan::Assemble>(action);
+    const bool is_assembly = !action.mating.IsNone();
     if (is_assembly && IsAbove(check)) {
       MoveAside();
       return fault_;

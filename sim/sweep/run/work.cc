@@ -147,9 +147,8 @@ class Planning {
 };
 
 bool Senses(const plan::Plan& plan) {
-  return std::ranges::any_of(plan.steps, [](const plan::PlannedStep& step) {
-    return std::holds_alternative<plan::Sense>(step.action);
-  });
+  return std::ranges::any_of(
+      plan.steps, [](const plan::PlannedStep& step) { return step.action.Is(domain::kSense); });
 }
 
 TimedTrial RunTrial(const PlannedCell& cell, int number) {

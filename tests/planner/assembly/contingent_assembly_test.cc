@@ -11,6 +11,7 @@
 #include <sstream>
 
 #include "planner/contingent/format/pks_file.h"
+#include "planner/contingent/format/pks_text.h"
 #include "planner/contingent/grounding/grounding.h"
 #include "planner/contingent/knowledge/knowledge_base.h"
 #include "planner/contingent/search/contingent_planner.h"
@@ -60,8 +61,9 @@ int Count(const ContingentAssembly& assembly, Kind kind) {
 // Reads the task back as `assay contingent` reads the exported files.
 contingent::GroundTask ReadBack(const PlanKnowledge& knowledge) {
   contingent::Externs externs;
-  return contingent::Ground(contingent::ReadPksDomain(knowledge.domain, "d.pks"),
-                            contingent::ReadPksProblem(knowledge.problem, "p.pks"), externs);
+  return contingent::Ground(contingent::ReadPksDomain(TextOf(knowledge.domain), "d.pks"),
+                            contingent::ReadPksProblem(TextOf(knowledge.problem), "p.pks"),
+                            externs);
 }
 
 void ExpectHoldsInAllWorlds(const ContingentAssembly& assembly) {
@@ -275,9 +277,9 @@ TEST(ContingentAssembly, TheKnowledgeOfAScenarioOfAnyNameIsReadBackFromItsText) 
   domain::Problem problem = constraint_posting::LoadScenario("uncertain-failing");
   problem.name = "parts (2), of -all- kinds";
   const PlanKnowledge knowledge = MakeContingentPlan({problem}, {}, {}).knowledge;
-  const contingent::Domain domain = contingent::ReadPksDomain(knowledge.domain, "d.pks");
+  const contingent::Domain domain = contingent::ReadPksDomain(TextOf(knowledge.domain), "d.pks");
   EXPECT_EQ(domain.actions.size(), knowledge.actions.size());
-  EXPECT_EQ(contingent::ReadPksProblem(knowledge.problem, "p.pks").domain, domain.name);
+  EXPECT_EQ(contingent::ReadPksProblem(TextOf(knowledge.problem), "p.pks").domain, domain.name);
 }
 
 // Pairs of a text in the file of the workcell or scenario and its replacement.

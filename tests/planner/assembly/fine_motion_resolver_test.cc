@@ -46,7 +46,7 @@ struct Asked {
     }
     return unmet;
   }
-  const plan::Assemble& assemble() const { return std::get<plan::Assemble>(actions.back()); }
+  const plan::Action& assemble() const { return actions.back(); }
 
   domain::Problem problem;
   std::vector<plan::Action> actions;
@@ -72,7 +72,7 @@ class TipErrors : public ::testing::TestWithParam<const char*> {};
 TEST_P(TipErrors, AreInTheBox) {
   const Asked asked(LoadScenario(GetParam()));
   const domain::Problem& problem = asked.problem;
-  const plan::Assemble& assemble = asked.assemble();
+  const plan::Action& assemble = asked.assemble();
   const uncertainty::TipWay way = SomeWay(problem, problem.mating(assemble.mating));
   const uncertainty::TipBox box =
       TipBoxAt(asked.About({plan::condition::kEntry}), Propagation::kSound, way);
@@ -125,9 +125,8 @@ const plan::PlanResult& FeltPlan() {
 }
 
 const plan::PlannedStep& AssembleOf(const plan::Plan& plan) {
-  return *std::ranges::find_if(plan.steps, [](const plan::PlannedStep& step) {
-    return std::holds_alternative<plan::Assemble>(step.action);
-  });
+  return *std::ranges::find_if(
+      plan.steps, [](const plan::PlannedStep& step) { return step.action.Is(domain::kAssemble); });
 }
 
 TEST(FineMotionResolver, ProvesWhatLooksAndSqueezesDoNot) {

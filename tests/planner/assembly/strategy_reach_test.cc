@@ -18,8 +18,8 @@ using geometry::Vector3;
 class StrategyReachTest : public ::testing::Test {
  protected:
   const domain::Problem problem_ = constraint_posting::LoadScenario("mate-square");
-  const plan::Assemble assemble_ = std::get<plan::Assemble>(
-      constraint_posting::ActionsOf(constraint_posting::FirstInstance(problem_)).back());
+  const plan::Action assemble_ =
+      constraint_posting::ActionsOf(constraint_posting::FirstInstance(problem_)).back();
   const domain::Mating& mating_ = problem_.mating(assemble_.mating);
   const finemotion::MatingGeometry geometry_ = finemotion::GeometryOf(problem_, mating_);
   plan::Strategy strategy_ = {.X_HeldTip = geometry_.X_HeldTip,
@@ -37,7 +37,7 @@ class StrategyReachTest : public ::testing::Test {
   static plan::StrategyMotion MotionTo(const Pose& X_FixedTip) {
     return {.kept = {}, .X_FixedTip = X_FixedTip, .until = {}};
   }
-  StrategyReach Reach(const plan::Assemble& assemble) const {
+  StrategyReach Reach(const plan::Action& assemble) const {
     return ReachOf(problem_, assemble, strategy_, plan::InitialState(problem_));
   }
   Unreached WhatIsUnreached() const { return std::get<Unreached>(Reach(assemble_)); }
@@ -58,7 +58,7 @@ TEST_F(StrategyReachTest, APoseThatIsTooFarAwayIsTold) {
   EXPECT_EQ(WhatIsUnreached().motion, 0);
   const Pose X_WorldTip =
       WhatIsUnreached().X_WorldTool * assemble_.hold.X_PartTool.inverse() * strategy_.X_HeldTip;
-  EXPECT_TRUE(X_WorldTip.isApprox(assemble_.fixed.X_WorldPart * Back(1.5, 0), 1e-9));
+  EXPECT_TRUE(X_WorldTip.isApprox(assemble_.place.X_WorldPart * Back(1.5, 0), 1e-9));
 }
 
 // If the tip goes beyond the seat by the length of the shaft, the hand collides with the block.
@@ -69,7 +69,7 @@ TEST_F(StrategyReachTest, APartInTheHandsWayIsTold) {
 }
 
 TEST_F(StrategyReachTest, AnotherGraspIsTakenWhereTheOwnDoesNotReach) {
-  plan::Assemble wrong = assemble_;
+  plan::Action wrong = assemble_;
   wrong.hold.grasp = "none";
   wrong.hold.X_PartTool = geometry::Translation(0, 0, 2) * assemble_.hold.X_PartTool;
   ASSERT_TRUE(std::holds_alternative<Unreached>(Reach(wrong)));
@@ -81,7 +81,7 @@ TEST_F(StrategyReachTest, AnotherGraspIsTakenWhereTheOwnDoesNotReach) {
     return grasp.label == reaching.hold.grasp &&
            grasp.X_PartTool.isApprox(reaching.hold.X_PartTool);
   }));
-  const Pose X_WorldTool = assemble_.fixed.X_WorldPart * strategy_.X_FixedStart *
+  const Pose X_WorldTool = assemble_.place.X_WorldPart * strategy_.X_FixedStart *
                            strategy_.X_HeldTip.inverse() * reaching.hold.X_PartTool;
   const domain::Workcell& workcell = *problem_.workcell;
   EXPECT_TRUE(

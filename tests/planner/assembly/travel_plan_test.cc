@@ -158,9 +158,9 @@ TEST(TravelPlan, PathsKeepTheirClearance) {
 TEST(TravelPlan, PathsJoinTheStraightLines) {
   for (const plan::StepId id : StepsByPath(PlanBesideTheMast())) {
     const plan::PlannedStep& step = PlanBesideTheMast().step(id);
-    if (std::holds_alternative<plan::Sense>(step.action)) continue;
-    const PartId part = plan::PartOf(Mast(), step.action);
-    if (!std::holds_alternative<plan::Assemble>(step.action)) continue;
+    if (step.action.Is(domain::kSense)) continue;
+    const PartId part = plan::PlacedPart(Mast(), step.action);
+    if (!step.action.Is(domain::kAssemble)) continue;
     const plan::ToolRoute route = plan::RouteOf(Mast(), step, Mast().part(part).X_WorldPart);
     const geometry::Pose end = motion::ToolAt(*Mast().workcell, step.travel->path.back());
     EXPECT_TRUE(end.isApprox(route.poised, 1e-6));

@@ -20,6 +20,7 @@
 #include "planner/domain/part/resting.h"
 #include "planner/plan/check/checker.h"
 #include "tests/planner/constraint_posting/scenarios.h"
+#include "tests/planner/plan/actions.h"
 #include "tests/scratch_file.h"
 
 namespace assay::constraint_posting::clutter_test {
@@ -206,7 +207,7 @@ class Exhaustive {
     const Pose& X_WorldPart = moment.poses[p(part)];
     return IsReachableAt(problem_, part, grasp, X_WorldPart) &&
            HandIsFree(moment, hold, X_WorldPart, {part}) &&
-           IsProved(moment, plan::Pickup{part, hold, {"initial", X_WorldPart}});
+           IsProved(moment, plan::Pickup(part, hold, {"initial", X_WorldPart}));
   }
 
   bool PutsDown(Moment& moment, PartId part, const plan::Hold& hold, GraspId grasp,
@@ -215,7 +216,7 @@ class Exhaustive {
            IsReachableAt(problem_, part, grasp, to.X_WorldPart) &&
            Crowding(problem_, part, to.X_WorldPart, Others(moment, {part})).IsNone() &&
            HandIsFree(moment, hold, to.X_WorldPart, {part}) &&
-           IsProved(moment, plan::Putdown{part, hold, to});
+           IsProved(moment, plan::Putdown(part, hold, to));
   }
 
   bool Mates(Moment& moment, const plan::Hold& hold, GraspId grasp) const {
@@ -231,7 +232,7 @@ class Exhaustive {
         return false;
       }
     }
-    return IsProved(moment, plan::Assemble{MatingId(0), hold, {"initial", X_WorldFixed}});
+    return IsProved(moment, plan::Assemble(MatingId(0), hold, {"initial", X_WorldFixed}));
   }
 
   bool HandIsFree(const Moment& moment, const plan::Hold& hold, const Pose& X_WorldPart,
@@ -329,7 +330,7 @@ TEST(Clutter, IsMovedForTheReasonThatTheStepTells) {
   for (const plan::PlannedStep& step : result.plan.steps) {
     for (const plan::Resolution& resolution : step.certificate.resolutions) {
       ++told;
-      EXPECT_EQ(std::get<plan::Pickup>(step.action).part, PartNamed(problem, "peg"));
+      EXPECT_EQ(step.action.part, PartNamed(problem, "peg"));
       EXPECT_EQ(resolution.resolver, "moving");
       EXPECT_THAT(resolution.why, HasSubstr("not proved that the hand stays clear of"));
       EXPECT_EQ(resolution.steps.size(), 4u);
@@ -345,13 +346,12 @@ TEST(Clutter, IsMovedForTheReasonThatTheStepTells) {
 TEST(Clutter, TheRegraspOfFigure16IsNotBesideTheBlock) {
   const plan::PlanResult result = MakeCertifiedPlan(LoadScenario("spar-fig16"), {}, {});
   EXPECT_LE(result.plan.errors, 1);
-  EXPECT_EQ(std::ranges::count_if(result.plan.steps,
-                                  [](const plan::PlannedStep& step) {
-                                    return std::holds_alternative<plan::Pickup>(step.action);
-                                  }),
+  EXPECT_EQ(std::ranges::count_if(
+                result.plan.steps,
+                [](const plan::PlannedStep& step) { return step.action.Is(domain::kPickup); }),
             2);
   for (const plan::PlannedStep& step : result.plan.steps) {
-    if (!std::holds_alternative<plan::Pickup>(step.action)) continue;
+    if (!step.action.Is(domain::kPickup)) continue;
     EXPECT_TRUE(IsProved(step));
   }
 }
@@ -373,8 +373,8 @@ goal:
 TEST(Judge, WhoObjectsToAPlaceGetsAnother) {
   const Problem problem = BlockToBeTurned();
   const auto is_far = [](const Action& action) {
-    const auto* putdown = std::get_if<plan::Putdown>(&action);
-    return putdown == nullptr || putdown->to.X_WorldPart.translation().y() < -0.15;
+    const auto* putdown = As(domain::kPutdown, action);
+    return putdown == nullptr || putdown->place.X_WorldPart.translation().y() < -0.15;
   };
   PlannerOptions options;
   options.judge = [&](std::span<const Action> actions) -> Judgement {
@@ -394,12 +394,12 @@ TEST(Judge, APartThatIsInTheWayIsMovedAndThePlanSaysWhy) {
   const Problem problem = BlockToBeTurned();
   const PartId brick = PartNamed(problem, "brick");
   const auto puts_down_brick = [&](const Action& action) {
-    const auto* putdown = std::get_if<plan::Putdown>(&action);
+    const auto* putdown = As(domain::kPutdown, action);
     return putdown != nullptr && putdown->part == brick;
   };
   PlannerOptions options;
   options.judge = [&](std::span<const Action> actions) -> Judgement {
-    const auto* pickup = std::get_if<plan::Pickup>(&actions.back());
+    const auto* pickup = As(domain::kPickup, actions.back());
     const bool is_free = std::ranges::any_of(actions, puts_down_brick);
     if (pickup == nullptr || pickup->part == brick || is_free) return {.moments = 1};
     return {.objections = {{.action = static_cast<int>(actions.size()) - 1,

@@ -7,7 +7,6 @@
 namespace assay::constraint_posting::partial_plan_test {
 namespace {
 
-using domain::ActionKind;
 using domain::PartId;
 
 // The null plan of Spar's worked example. The block must be turned, and the peg lies on its side.
@@ -46,7 +45,7 @@ TEST_F(ExamplePlan, TheNullPlanHasTheUsersGoalsAlone) {
 TEST_F(ExamplePlan, AssembleBringsTheGoalsOfFigure6) {
   PartialPlan plan(problem_, relations_);
   const StepId assemble = EstablishByNewStep(plan);
-  EXPECT_EQ(plan.step(assemble).kind, ActionKind::kAssemble);
+  EXPECT_EQ(plan.step(assemble).kind, &domain::kAssemble);
   ASSERT_EQ(plan.goals().operational.size(), 2u);
   EXPECT_EQ(plan.Text(plan.ConditionOf(assemble, 0)), "holding(peg, Grasp)");
   EXPECT_EQ(plan.Text(plan.ConditionOf(assemble, 1)), "part_location(block, Position)");
@@ -69,7 +68,7 @@ TEST_F(ExamplePlan, EstablishingBindsAndOrders) {
   PartialPlan plan(problem_, relations_);
   const StepId assemble = EstablishByNewStep(plan);
   const StepId pickup = EstablishByNewStep(plan);
-  EXPECT_EQ(plan.step(pickup).kind, ActionKind::kPickup);
+  EXPECT_EQ(plan.step(pickup).kind, &domain::kPickup);
   EXPECT_TRUE(plan.ordering().Before(pickup, assemble));
   EXPECT_EQ(plan.Resolve(plan.step(assemble).grasp), plan.step(pickup).grasp);
   EXPECT_EQ(plan.Labels(plan.step(assemble).grasp).count(),
@@ -96,7 +95,7 @@ TEST_F(ExamplePlan, AThreatenedGripperIsReopenedByThePutdown) {
   ASSERT_TRUE(plan.Establish(PartialPlan::kStart, *plan.PopOrdering()));     // gripper(open)
   ASSERT_TRUE(plan.Establish(PartialPlan::kStart, *plan.PopOperational()));  // part_location(peg)
   const StepId putdown = EstablishByNewStep(plan);  // action_3: for part_location(block)
-  ASSERT_EQ(plan.step(putdown).kind, ActionKind::kPutdown);
+  ASSERT_EQ(plan.step(putdown).kind, &domain::kPutdown);
   EXPECT_FALSE(plan.PopThreat().has_value());
   const StepId pickup_block = EstablishByNewStep(plan);  // action_4: for holding(block)
   const auto threat = plan.PopThreat();

@@ -11,6 +11,7 @@
 #include "planner/plan/check/checker.h"
 #include "planner/plan/file/plan_file.h"
 #include "tests/planner/constraint_posting/scenarios.h"
+#include "tests/planner/plan/actions.h"
 
 #include <nlohmann/json.hpp>
 
@@ -26,16 +27,16 @@ constexpr int kMostOrders = 1000;
 
 std::string Describe(const domain::Problem& problem, const plan::Action& action) {
   const auto name = [&](domain::PartId part) { return problem.part(part).name; };
-  if (const auto* pickup = std::get_if<plan::Pickup>(&action)) {
+  if (const auto* pickup = As(domain::kPickup, action)) {
     return "pickup " + name(pickup->part);
   }
-  if (const auto* putdown = std::get_if<plan::Putdown>(&action)) {
+  if (const auto* putdown = As(domain::kPutdown, action)) {
     const auto& model = *problem.part(putdown->part).model;
     const auto& poses = model.stable_poses();
-    const auto pose = std::ranges::find(poses, putdown->to.position, &domain::StablePose::label);
+    const auto pose = std::ranges::find(poses, putdown->place.position, &domain::StablePose::label);
     return "putdown " + name(putdown->part) + " " + pose->name;
   }
-  const auto& mating = problem.mating(std::get<plan::Assemble>(action).mating);
+  const auto& mating = problem.mating(action.mating);
   return "assemble " + name(mating.held) + " " + name(mating.fixed);
 }
 
@@ -268,11 +269,6 @@ TEST(PostingPlanner, TheSameProblemGivesTheSameBytes) {
   EXPECT_EQ(bytes(), bytes());
 }
 
-struct LabelOf {
-  std::string operator()(const plan::Sense& sense) const { return sense.at.position; }
-  std::string operator()(const auto& action) const { return action.hold.grasp; }
-};
-
 // Instances are made one by one. Each has other labels, and each works.
 TEST(PostingPlanner, InstancesAreDistinctAndWork) {
   const domain::Problem problem = LoadScenario("spar-fig15");
@@ -282,7 +278,7 @@ TEST(PostingPlanner, InstancesAreDistinctAndWork) {
   options.accept = [&](const plan::Plan& plan) {
     std::string labels;
     for (const auto& step : plan.steps) {
-      labels += std::visit(LabelOf{}, step.action) + " ";
+      labels += step.action.hold.grasp + " ";
     }
     EXPECT_TRUE(seen.insert(labels).second) << labels;
     wrong += !Flaws(problem, plan).empty();

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -53,11 +55,9 @@ inline std::vector<plan::Action> ActionsOf(const plan::Plan& plan) {
 }
 
 // Returns the number of actions of one kind.
-template <class Kind>
-int Count(const std::vector<plan::Action>& actions) {
-  int count = 0;
-  for (const plan::Action& action : actions) count += std::holds_alternative<Kind>(action) ? 1 : 0;
-  return count;
+inline std::ptrdiff_t Count(const domain::ActionKind& kind,
+                            const std::vector<plan::Action>& actions) {
+  return std::ranges::count(actions, &kind, &plan::Action::kind);
 }
 
 // Returns the text of a scenario like Spar's example, with these stable poses of the parts.

@@ -8,6 +8,7 @@
 #include "planner/base/document/document.h"
 #include "planner/domain/problem/problem_file.h"
 #include "planner/plan/data/plan.h"
+#include "tests/planner/plan/actions.h"
 
 // Spar's peg and block, and plans that were written by hand.
 namespace assay::plan {
@@ -113,8 +114,8 @@ inline Plan WithNumbers(const domain::Problem& problem, std::vector<Action> in_o
 inline Plan TwoSteps(const domain::Problem& problem) {
   const Hold hold = PlateHold(45 * kDegree);
   return {.problem = problem.name,
-          .steps = {{"action_1", Assemble{kPegIntoBlock, hold, PlaceNow(problem, kBlock)}, 1, 2},
-                    {"action_2", Pickup{kPeg, hold, PlaceNow(problem, kPeg)}, 2, 1}},
+          .steps = {{"action_1", Assemble(kPegIntoBlock, hold, PlaceNow(problem, kBlock)), 1, 2},
+                    {"action_2", Pickup(kPeg, hold, PlaceNow(problem, kPeg)), 2, 1}},
           .ordering = {{StepId(1), StepId(0)}}};
 }
 
@@ -126,8 +127,8 @@ inline Plan FourSteps(const domain::Problem& problem) {
   const Hold hold = PlateHold(45 * kDegree);
   return WithNumbers(
       problem,
-      {Pickup{kBlock, BlockHold(), PlaceNow(problem, kBlock)}, Putdown{kBlock, BlockHold(), back},
-       Pickup{kPeg, hold, PlaceNow(problem, kPeg)}, Assemble{kPegIntoBlock, hold, back}});
+      {Pickup(kBlock, BlockHold(), PlaceNow(problem, kBlock)), Putdown(kBlock, BlockHold(), back),
+       Pickup(kPeg, hold, PlaceNow(problem, kPeg)), Assemble(kPegIntoBlock, hold, back)});
 }
 
 }  // namespace assay::plan

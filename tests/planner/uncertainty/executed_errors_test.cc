@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "planner/uncertainty/preconditions/certify.h"
+#include "tests/planner/plan/actions.h"
 #include "tests/planner/uncertainty/action_lists.h"
 
 // In sound mode no certificate is false. Plans are executed thousands of times with drawn errors.
@@ -49,16 +50,16 @@ std::vector<plan::Action> With(Inserted inserted, const domain::Problem& problem
                                const std::vector<plan::Action>& actions) {
   std::vector<plan::Action> all;
   for (const plan::Action& action : actions) {
-    if (const auto* pickup = std::get_if<plan::Pickup>(&action)) {
+    if (const auto* pickup = As(domain::kPickup, action)) {
       if (inserted == Inserted::kSensing) {
-        all.push_back(plan::Sense{pickup->part, "overhead-camera", pickup->from});
+        all.push_back(plan::Sense(pickup->part, "overhead-camera", pickup->place));
       } else if (inserted == Inserted::kSqueezing) {
-        all.push_back(plan::Squeeze{pickup->part, pickup->hold, pickup->from});
+        all.push_back(plan::Squeeze(pickup->part, pickup->hold, pickup->place));
       }
-    } else if (const auto* assemble = std::get_if<plan::Assemble>(&action)) {
+    } else if (const auto* assemble = As(domain::kAssemble, action)) {
       const domain::PartId fixed = problem.mating(assemble->mating).fixed;
       if (inserted == Inserted::kSensing) {
-        all.push_back(plan::Sense{fixed, "overhead-camera", assemble->fixed});
+        all.push_back(plan::Sense(fixed, "overhead-camera", assemble->place));
       }
     }
     all.push_back(action);

@@ -7,6 +7,7 @@
 
 #include "planner/plan/data/condition_table.h"
 #include "planner/uncertainty/preconditions/certify.h"
+#include "tests/planner/plan/actions.h"
 #include "tests/planner/uncertainty/action_lists.h"
 
 namespace assay::uncertainty::hand_clearance_test {
@@ -64,7 +65,8 @@ class BesideTheHand : public ::testing::Test {
     block.error.y = {-error, error};
 
     UncertainWorld world(problem_, Propagation::kSound);
-    const plan::Pickup pickup{peg_, hold_, {"initial", problem_.part(peg_).X_WorldPart}};
+    const plan::Action pickup =
+        plan::Pickup(peg_, hold_, {"initial", problem_.part(peg_).X_WorldPart});
     double margin = std::numeric_limits<double>::infinity();
     for (const auto& claim : CertifyStep(world, pickup, {}).certificate.preconditions) {
       if (claim.condition == plan::condition::kHandClear) margin = std::min(margin, claim.margin);

@@ -5,6 +5,7 @@
 #include "planner/plan/data/condition_table.h"
 #include "planner/uncertainty/preconditions/certify.h"
 #include "tests/oracle/certified_expressions.h"
+#include "tests/planner/plan/actions.h"
 #include "tests/planner/uncertainty/part_on_table.h"
 
 // Laws of propagation and certificates that hold for every plan.
@@ -47,7 +48,7 @@ std::vector<plan::Action> Actions(const domain::Problem& problem) {
   for (std::size_t p = 0; p < problem.parts.size(); ++p) {
     const PartId part(static_cast<int>(p));
     actions.push_back(
-        plan::Sense{part, "overhead-camera", {"initial", problem.part(part).X_WorldPart}});
+        plan::Sense(part, "overhead-camera", {"initial", problem.part(part).X_WorldPart}));
   }
   for (const plan::Action& action : FirstPlan(problem)) actions.push_back(action);
   return actions;
@@ -208,15 +209,16 @@ INSTANTIATE_TEST_SUITE_P(Propagations, EachMode,
 
 // ---- Sensing and squeezing ----
 
-plan::Squeeze SqueezeAlong(const Vector3& closing, const domain::Problem& problem) {
-  return {kBlock, HoldFromAbove(problem, closing), PlaceOf(problem)};
+plan::Action SqueezeAlong(const Vector3& closing, const domain::Problem& problem) {
+  return plan::Squeeze(kBlock, HoldFromAbove(problem, closing), PlaceOf(problem));
 }
 
 TEST(Sensing, InPaperModeNeverEnlargesASet) {
   for (const double scale : {0.01, 0.1, 1.0}) {
     const domain::Problem problem = Scaled(LoadScenario("spar-example"), scale);
     UncertainWorld world(problem, Propagation::kPaper);
-    const plan::Sense sense{kBlock, "overhead-camera", {"on-end", problem.parts[0].X_WorldPart}};
+    const plan::Action sense =
+        plan::Sense(kBlock, "overhead-camera", {"on-end", problem.parts[0].X_WorldPart});
     for (int time = 0; time < 2; ++time) {
       const plan::ErrorSet before = ErrorSetOf(world, kBlock);
       const auto after = CertifyStep(world, sense, {}).certificate.after.at(0);

@@ -6,6 +6,7 @@
 #include "planner/plan/data/condition_table.h"
 #include "planner/uncertainty/preconditions/certify.h"
 #include "tests/oracle/certified_expressions.h"
+#include "tests/planner/plan/actions.h"
 #include "tests/planner/uncertainty/action_lists.h"
 
 // Computes the worked example of Spar ("Derivation of Uncertainty-Reduction Goals") by CertifyStep.
@@ -28,11 +29,11 @@ domain::Problem WorkedExample() {
   return problem;
 }
 
-plan::Pickup PickupOf(const domain::Problem& problem) {
+plan::Action PickupOf(const domain::Problem& problem) {
   const Pose X_PartTool = geometry::PoseFromColumns(
       Vector3::UnitY(), Vector3::UnitX(), -Vector3::UnitZ(), Vector3(1.5, 1.0, 6) * kInch);
-  return {
-      kBlock, {"across x", X_PartTool, 3 * kInch}, {"on-end", problem.part(kBlock).X_WorldPart}};
+  return plan::Pickup(kBlock, {"across x", X_PartTool, 3 * kInch},
+                      {"on-end", problem.part(kBlock).X_WorldPart});
 }
 
 CertifiedStep CertifyPaper(const domain::Problem& problem, algebra::BoundingMethod highest) {
@@ -119,12 +120,12 @@ TEST(WorkedExample, AfterPickupThePublishedSet) {
 TEST(WorkedExample, AfterPutdownThePublishedSet) {
   domain::Problem problem = WorkedExample();
   problem.gripper_error = Symmetric(0.001 * kInch, 2 * kDegree);
-  const plan::Pickup pickup = PickupOf(problem);
+  const plan::Action pickup = PickupOf(problem);
   const Pose X_Target = geometry::Translation(0.5, 0.1, 0) * geometry::RotationZ(0.7);
   UncertainWorld world(problem, Propagation::kPaper);
   CertifyStep(world, pickup, {});
   const auto after =
-      CertifyStep(world, plan::Putdown{kBlock, pickup.hold, {"on-end", X_Target}}, {})
+      CertifyStep(world, plan::Putdown(kBlock, pickup.hold, {"on-end", X_Target}), {})
           .certificate.after;
   ASSERT_THAT(after, SizeIs(1));
   ExpectNear(after[0].theta, {-2 * kDegree, 2 * kDegree});

@@ -37,10 +37,9 @@ inline Certified CertifiedPlan(
 
 // Returns the id of the first step of this kind in the order of execution. Returns None if there is
 // no such step.
-template <class Action>
-plan::StepId FirstStep(const plan::Plan& plan) {
+inline plan::StepId FirstStep(const domain::ActionKind& kind, const plan::Plan& plan) {
   for (const plan::StepId id : plan.ExecutionOrder()) {
-    if (std::holds_alternative<Action>(plan.step(id).action)) return id;
+    if (plan.step(id).action.Is(kind)) return id;
   }
   return plan::StepId::None();
 }
@@ -48,7 +47,7 @@ plan::StepId FirstStep(const plan::Plan& plan) {
 // Returns the plan up to its first pickup. It is quicker to execute than the whole plan, and enough
 // for claims about the pickup.
 inline plan::Plan UpToThePickup(const plan::Plan& plan) {
-  const int last = plan.step(FirstStep<plan::Pickup>(plan)).executed;
+  const int last = plan.step(FirstStep(domain::kPickup, plan)).executed;
   plan::Plan cut{.problem = plan.problem, .steps = {}};
   for (const plan::PlannedStep& step : plan.steps) {
     if (step.executed > last) continue;

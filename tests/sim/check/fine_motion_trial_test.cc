@@ -37,7 +37,7 @@ class FeltAssembly : public testing::Test {
     }();
     return made;
   }
-  static plan::StepId AssembleStep() { return FirstStep<plan::Assemble>(certified().plan); }
+  static plan::StepId AssembleStep() { return FirstStep(domain::kAssemble, certified().plan); }
 
   static const NoiseFloor& Gate() {
     static const NoiseFloor gate = MeasureNoiseFloor(certified().problem, certified().plan, {});

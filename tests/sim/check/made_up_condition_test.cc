@@ -77,7 +77,7 @@ bool IsMadeUp(const plan::CertifiedPrecondition& claim) { return claim.condition
 
 class MadeUpCondition : public testing::Test {
  protected:
-  MadeUpCondition() : pickup_(FirstStep<plan::Pickup>(Original().plan)) {
+  MadeUpCondition() : pickup_(FirstStep(domain::kPickup, Original().plan)) {
     for (plan::PlannedStep& step : plan_.steps) step.certificate = {};
   }
 
@@ -105,9 +105,9 @@ class MadeUpCondition : public testing::Test {
 
   // Returns what is claimed of a pickup by a hand that is turned by an angle (radians).
   std::vector<Claim> ClaimsOfTurned(double angle) const {
-    const auto& action = std::get<plan::Pickup>(pickup().action);
+    const plan::Action& action = pickup().action;
     execution::Snapshot moment;
-    const geometry::Pose X_WorldTool = action.from.X_WorldPart * action.hold.X_PartTool;
+    const geometry::Pose X_WorldTool = action.place.X_WorldPart * action.hold.X_PartTool;
     moment.tool = {X_WorldTool * geometry::RotationZ(angle), X_WorldTool};
     moment.opening = problem_.workcell->gripper().max_opening();
     for (const domain::Part& part : problem_.parts) {

@@ -96,7 +96,7 @@ bool HasWidth(const Interval& range) { return range.high > range.low; }
 void AddOfStep(const Certified& certified, plan::StepId step, bool is_last,
                std::vector<Mutation>& mutations) {
   const plan::PlannedStep& planned = certified.plan.step(step);
-  const bool looks = std::holds_alternative<plan::Sense>(planned.action);
+  const bool looks = planned.action.Is(domain::kSense);
   for (const ErrorSet& set : planned.certificate.after) {
     if (looks) mutations.push_back({Lie::kHalvedPromise, step, set.part, 0});
     for (int c = 0; c < (set.in_hand ? 6 : 4); ++c) {

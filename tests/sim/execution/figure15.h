@@ -5,6 +5,7 @@
 #include "planner/domain/reach/reachability.h"
 #include "planner/plan/data/plan.h"
 #include "sim/execution/commands/command.h"
+#include "tests/planner/plan/actions.h"
 
 namespace assay::execution {
 
@@ -48,8 +49,8 @@ inline plan::Plan TwoActions(const domain::Problem& problem) {
   const plan::Place from{"initial", problem.part(mating.held).X_WorldPart};
   const plan::Place fixed{"initial", problem.part(mating.fixed).X_WorldPart};
   return {.problem = problem.name,
-          .steps = {{"action_1", plan::Assemble{id, hold, fixed}, 1, 2},
-                    {"action_2", plan::Pickup{mating.held, hold, from}, 2, 1}},
+          .steps = {{"action_1", plan::Assemble(id, hold, fixed), 1, 2},
+                    {"action_2", plan::Pickup(mating.held, hold, from), 2, 1}},
           .ordering = {{plan::StepId(1), plan::StepId(0)}}};
 }
 

@@ -5,6 +5,7 @@
 
 #include <numbers>
 
+#include "tests/planner/plan/actions.h"
 #include "tests/sim/noise/figure15_careful.h"
 
 namespace assay::noise::error_box_test {
@@ -67,7 +68,7 @@ TEST_F(ErrorBoxTest, HasEveryErrorThatThePlannerAssumes) {
 
 TEST_F(ErrorBoxTest, ACameraThatTellsNothingOfHeightsCannotErrInThem) {
   for (plan::PlannedStep& step : plan_.steps) {
-    if (auto* look = std::get_if<plan::Sense>(&step.action)) look->sensor = "coarse-camera";
+    if (auto* look = As(domain::kSense, step.action)) look->sensor = "coarse-camera";
   }
   EXPECT_THAT(Names(Box()), Contains("dy_sensed@action_6"));
   EXPECT_THAT(Names(Box()), Not(Contains("dz_sensed@action_6")));

@@ -3,6 +3,7 @@
 #include "planner/base/document/document.h"
 #include "planner/domain/problem/problem_file.h"
 #include "planner/plan/data/plan.h"
+#include "tests/planner/plan/actions.h"
 
 namespace assay::noise {
 
@@ -22,12 +23,12 @@ inline plan::Plan OneOfEachStep(const domain::Problem& problem) {
   const plan::Hold hold{"some", Pose::Identity(), 0.0762};
   const plan::Place place{"initial", problem.part(kPeg).X_WorldPart};
   return {.problem = problem.name,
-          .steps = {{"action_1", plan::Assemble{domain::MatingId(0), hold, place}, 1, 6},
-                    {"action_2", plan::Pickup{kPeg, hold, place}, 2, 5},
-                    {"action_3", plan::Putdown{kPeg, hold, place}, 3, 4},
-                    {"action_4", plan::Pickup{kPeg, hold, place}, 4, 3},
-                    {"action_5", plan::Squeeze{kPeg, hold, place}, 5, 2},
-                    {"action_6", plan::Sense{kPeg, "overhead-camera", place}, 6, 1}}};
+          .steps = {{"action_1", plan::Assemble(domain::MatingId(0), hold, place), 1, 6},
+                    {"action_2", plan::Pickup(kPeg, hold, place), 2, 5},
+                    {"action_3", plan::Putdown(kPeg, hold, place), 3, 4},
+                    {"action_4", plan::Pickup(kPeg, hold, place), 4, 3},
+                    {"action_5", plan::Squeeze(kPeg, hold, place), 5, 2},
+                    {"action_6", plan::Sense(kPeg, "overhead-camera", place), 6, 1}}};
 }
 
 }  // namespace assay::noise

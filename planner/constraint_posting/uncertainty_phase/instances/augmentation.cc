@@ -36,7 +36,7 @@ void Explain(std::vector<Unproved> goals, const UncertainWorld& world, Objection
 }  // namespace
 
 Augmentation::Augmentation(UncertaintyTask& task, std::size_t steps) : task_(&task), steps_(steps) {
-  for (const plan::Sense& look : task.options.looks) {
+  for (const plan::Action& look : task.options.looks) {
     steps_.Add({.id = steps_.NextId(), .action = look});
   }
 }
@@ -103,7 +103,7 @@ Objection Augmentation::ObjectionToLast() const {
                                     ? task_->possible.WorldAt(steps_[step].failed)
                                     : task_->best->WorldAt(steps_.MomentAfter(step, *task_->best));
   Objection objection = {.action = step - steps_.InsertedBefore(step),
-                         .parts = HandledParts(task_->problem, steps_[step].action),
+                         .parts = plan::PartsOf(task_->problem, steps_[step].action),
                          .history = unmet.empty()};
   Explain(unmet.empty() ? GoalsUnproved(step) : unmet, world, objection);
   if (unmet.empty()) AddObstaclesOfRemedies(objection);

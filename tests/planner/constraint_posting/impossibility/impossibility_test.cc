@@ -1,4 +1,5 @@
 #include "planner/constraint_posting/impossibility/impossibility.h"
+#include "planner/constraint_posting/impossibility/constraint_text.h"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -335,7 +336,7 @@ TEST(Impossibility, EveryConstraintOfAConflictIsNeeded) {
     const RelaxedProblem relaxed(problem, RelaxedProblem::Grasps::kWithMisses);
     std::vector<Constraint> conflict;
     for (const Constraint& constraint : relaxed.Constraints()) {
-      if (std::ranges::count(answer.proof->conflict, relaxed.Describe(constraint)) > 0) {
+      if (std::ranges::count(answer.proof->conflict, Describe(relaxed, constraint)) > 0) {
         conflict.push_back(constraint);
       }
     }
@@ -345,7 +346,7 @@ TEST(Impossibility, EveryConstraintOfAConflictIsNeeded) {
     for (const Constraint& constraint : conflict) {
       std::vector<Constraint> fewer = conflict;
       std::erase(fewer, constraint);
-      EXPECT_TRUE(relaxed.IsPossibleWith({fewer})) << seed << relaxed.Describe(constraint);
+      EXPECT_TRUE(relaxed.IsPossibleWith({fewer})) << seed << Describe(relaxed, constraint);
     }
   }
   EXPECT_GT(proofs, 0);

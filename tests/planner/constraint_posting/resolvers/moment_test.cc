@@ -6,6 +6,7 @@
 #include <set>
 
 #include "tests/planner/constraint_posting/scenarios.h"
+#include "tests/planner/plan/actions.h"
 
 namespace assay::constraint_posting::moment_test {
 namespace {
@@ -19,12 +20,12 @@ class Story {
       : problem_(problem) {
     for (const domain::MatingId id : problem.assembled) Mate(id);
     for (int i = 0; i < moment; ++i) {
-      if (const auto* pickup = std::get_if<plan::Pickup>(&actions[i])) in_hand_ = pickup->part;
-      if (const auto* putdown = std::get_if<plan::Putdown>(&actions[i])) {
+      if (const auto* pickup = As(domain::kPickup, actions[i])) in_hand_ = pickup->part;
+      if (const auto* putdown = As(domain::kPutdown, actions[i])) {
         in_hand_ = PartId::None();
-        position_[putdown->part] = putdown->to.position;
+        position_[putdown->part] = putdown->place.position;
       }
-      if (const auto* assemble = std::get_if<plan::Assemble>(&actions[i])) {
+      if (const auto* assemble = As(domain::kAssemble, actions[i])) {
         in_hand_ = PartId::None();
         Mate(assemble->mating);
         position_[problem.mating(assemble->mating).held] = "assembled";

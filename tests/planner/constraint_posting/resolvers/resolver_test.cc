@@ -13,6 +13,7 @@
 #include "planner/plan/check/checker.h"
 #include "planner/plan/data/condition_table.h"
 #include "tests/planner/constraint_posting/scenarios.h"
+#include "tests/planner/plan/actions.h"
 
 namespace assay::constraint_posting::resolver_test {
 namespace {
@@ -44,8 +45,8 @@ struct Asked {
 };
 
 PartId PartOf(const plan::Action& action) {
-  const auto* sense = std::get_if<plan::Sense>(&action);
-  return sense != nullptr ? sense->part : std::get<plan::Squeeze>(action).part;
+  const auto* sense = As(domain::kSense, action);
+  return sense != nullptr ? sense->part : action.part;
 }
 
 // Returns the plan that executes these actions one after another.
@@ -143,7 +144,7 @@ TEST(SensingResolver, LooksAtAPartInTheHandBeforeItIsTaken) {
 TEST(SensingResolver, UsesAllowedSensorsOnly) {
   Asked asked("spar-fig15");
   for (const Remedy& remedy : SensingResolver().Propose(asked.At(1))) {
-    EXPECT_EQ(std::get<plan::Sense>(remedy.insertions[0].action).sensor, "overhead-camera");
+    EXPECT_EQ(remedy.insertions[0].action.sensor, "overhead-camera");
   }
   asked.problem.sensors.clear();
   EXPECT_THAT(SensingResolver().Propose(asked.At(1)), IsEmpty());
@@ -161,8 +162,8 @@ TEST(SensingResolver, CombinesSensors) {
 }
 
 geometry::Vector3 ClosingDirection(const plan::Action& action) {
-  const auto& squeeze = std::get<plan::Squeeze>(action);
-  return (squeeze.at.X_WorldPart * squeeze.hold.X_PartTool).linear().col(1);
+  const auto& squeeze = action;
+  return (squeeze.place.X_WorldPart * squeeze.hold.X_PartTool).linear().col(1);
 }
 
 TEST(SqueezingResolver, ClosesInDirectionsThatDiffer) {
@@ -193,10 +194,10 @@ TEST(SqueezingResolver, AlsoProposesALookBeforeWhereSensorsMayBeUsed) {
   const Asked asked("uncertain-squeezing");
   bool with_sensing = false;
   for (const Remedy& remedy : SqueezingResolver().Propose(asked.At(0))) {
-    const bool looks = std::holds_alternative<plan::Sense>(remedy.insertions.front().action);
+    const bool looks = remedy.insertions.front().action.Is(domain::kSense);
     EXPECT_TRUE(looks || !with_sensing);
     with_sensing = looks;
-    EXPECT_TRUE(std::holds_alternative<plan::Squeeze>(remedy.insertions.back().action));
+    EXPECT_TRUE(remedy.insertions.back().action.Is(domain::kSqueeze));
   }
   EXPECT_TRUE(with_sensing);
 }
@@ -256,9 +257,8 @@ Plan Augmented(const domain::Problem& problem, const UncertaintyOptions& options
 }
 
 const plan::PlannedStep& AssembleStep(const Plan& plan) {
-  return *std::ranges::find_if(plan.steps, [](const plan::PlannedStep& step) {
-    return std::holds_alternative<plan::Assemble>(step.action);
-  });
+  return *std::ranges::find_if(
+      plan.steps, [](const plan::PlannedStep& step) { return step.action.Is(domain::kAssemble); });
 }
 
 std::vector<std::string> NamesOf(const std::vector<plan::Resolution>& resolutions) {
@@ -327,7 +327,7 @@ TEST(ResolverInterface, WhatAResolverInsertsCarriesItsName) {
   const auto& resolutions = AssembleStep(plan).certificate.resolutions;
   ASSERT_THAT(NamesOf(resolutions), ElementsAre("scanner"));
   ASSERT_THAT(resolutions[0].steps, SizeIs(1));
-  EXPECT_TRUE(std::holds_alternative<plan::Sense>(plan.step(resolutions[0].steps[0]).action));
+  EXPECT_TRUE(plan.step(resolutions[0].steps[0]).action.Is(domain::kSense));
 }
 
 TEST(ResolverInterface, EarlierResolversArePreferred) {
@@ -366,7 +366,7 @@ TEST(ResolverInterface, ARemedyWhoseOwnGoalsFailIsNotUsed) {
     EXPECT_THAT(uncertainty::CertifyStep(world, remedy.insertions[0].action, {}).unproved,
                 Not(IsEmpty()));
   }
-  EXPECT_EQ(Count<plan::Squeeze>(ActionsOf(Augmented(problem, {}))), 0);
+  EXPECT_EQ(Count(domain::kSqueeze, ActionsOf(Augmented(problem, {}))), 0);
 }
 
 }  // namespace

@@ -22,6 +22,7 @@
 #include "planner/plan/file/plan_file.h"
 #include "tests/oracle/certified_expressions.h"
 #include "tests/planner/constraint_posting/scenarios.h"
+#include "tests/planner/plan/actions.h"
 
 namespace assay::constraint_posting::uncertainty_phase_test {
 namespace {
@@ -110,9 +111,8 @@ std::vector<plan::Action> ActionsWithout(const Plan& plan, StepId left_out) {
 }
 
 const PlannedStep& StepWithMating(const Plan& plan) {
-  return *std::ranges::find_if(plan.steps, [](const PlannedStep& step) {
-    return std::holds_alternative<plan::Assemble>(step.action);
-  });
+  return *std::ranges::find_if(
+      plan.steps, [](const PlannedStep& step) { return step.action.Is(domain::kAssemble); });
 }
 
 // The tests below show the five answers of the second phase, each with a scenario.
@@ -135,8 +135,8 @@ TEST(UncertaintyPhase, SensingIsEnoughWhereTheFitIsLoose) {
   EXPECT_GT(CertifiedPlan(problem, WithoutRemedies()).errors, 0);
   const Plan plan = CertifiedPlan(problem);
   EXPECT_EQ(plan.errors, 0);
-  EXPECT_EQ(Count<plan::Sense>(ActionsOf(plan)), 2);
-  EXPECT_EQ(Count<plan::Squeeze>(ActionsOf(plan)), 0);
+  EXPECT_EQ(Count(domain::kSense, ActionsOf(plan)), 2);
+  EXPECT_EQ(Count(domain::kSqueeze, ActionsOf(plan)), 0);
 }
 
 TEST(UncertaintyPhase, TwoPerpendicularSqueezesAreNeededWhereTheCameraIsTooCoarse) {
@@ -144,13 +144,13 @@ TEST(UncertaintyPhase, TwoPerpendicularSqueezesAreNeededWhereTheCameraIsTooCoars
   const Plan plan = CertifiedPlan(problem);
   EXPECT_EQ(plan.errors, 0);
   const std::vector<plan::Action> actions = ActionsOf(plan);
-  EXPECT_EQ(Count<plan::Sense>(actions), 0);
-  ASSERT_EQ(Count<plan::Squeeze>(actions), 2);
+  EXPECT_EQ(Count(domain::kSense, actions), 0);
+  ASSERT_EQ(Count(domain::kSqueeze, actions), 2);
   std::vector<geometry::Vector3> closing;
   for (const plan::Action& action : actions) {
-    if (const auto* squeeze = std::get_if<plan::Squeeze>(&action)) {
+    if (const auto* squeeze = As(domain::kSqueeze, action)) {
       EXPECT_EQ(squeeze->part, PartNamed(problem, "post"));
-      closing.push_back((squeeze->at.X_WorldPart * squeeze->hold.X_PartTool).linear().col(1));
+      closing.push_back((squeeze->place.X_WorldPart * squeeze->hold.X_PartTool).linear().col(1));
     }
   }
   EXPECT_NEAR(closing[0].dot(closing[1]), 0, 1e-6);
@@ -172,10 +172,10 @@ TEST(UncertaintyPhase, ThePartInTheHandWasLookedAtBeforeItWasTaken) {
   EXPECT_EQ(plan.errors, 0);
   const std::vector<plan::Action> actions = ActionsOf(plan);
   ASSERT_THAT(actions, SizeIs(3));
-  ASSERT_TRUE(std::holds_alternative<plan::Sense>(actions[0]));
-  EXPECT_EQ(std::get<plan::Sense>(actions[0]).part, PartNamed(problem, "sleeve"));
-  EXPECT_TRUE(std::holds_alternative<plan::Pickup>(actions[1]));
-  EXPECT_TRUE(std::holds_alternative<plan::Assemble>(actions[2]));
+  ASSERT_TRUE(actions[0].Is(domain::kSense));
+  EXPECT_EQ(actions[0].part, PartNamed(problem, "sleeve"));
+  EXPECT_TRUE(actions[1].Is(domain::kPickup));
+  EXPECT_TRUE(actions[2].Is(domain::kAssemble));
   EXPECT_THAT(StepWithMating(plan).certificate.resolutions, SizeIs(1));
   EXPECT_EQ(UnprovedAmong(problem, {actions[1]}, Propagation::kSound), 0);
 }
@@ -262,8 +262,7 @@ TEST_P(AugmentedPlans, SayForEachStepThatWasInsertedWhatItIsFor) {
   const std::set<StepId> inserted = InsertedSteps(plan_);
   for (std::size_t i = 0; i < plan_.steps.size(); ++i) {
     const plan::Action& action = plan_.steps[i].action;
-    const bool reduces = std::holds_alternative<plan::Sense>(action) ||
-                         std::holds_alternative<plan::Squeeze>(action);
+    const bool reduces = action.Is(domain::kSense) || action.Is(domain::kSqueeze);
     EXPECT_EQ(inserted.contains(StepId(i)), reduces) << plan_.steps[i].name;
   }
   for (const PlannedStep& step : plan_.steps) {
@@ -402,7 +401,7 @@ TEST_P(AugmentedPlans, SurviveBeingWrittenAndRead) {
 TEST(UncertaintyPhase, ThePaperModeHasThePapersPreconditionsOfAPickup) {
   const Plan plan = CertifiedPlan(LoadScenario("uncertain-known"), In(Propagation::kPaper));
   for (const PlannedStep& step : plan.steps) {
-    if (!std::holds_alternative<plan::Pickup>(step.action)) continue;
+    if (!step.action.Is(domain::kPickup)) continue;
     std::vector<std::string> conditions;
     for (const auto& claim : step.certificate.preconditions)
       conditions.emplace_back(claim.condition.name());
@@ -647,8 +646,8 @@ TEST(UncertaintyPhase, TheFirstPhaseIsAskedForAnotherPlanWhereNoInstanceIsEnough
   EXPECT_EQ(result.plan.errors, 0);
   EXPECT_GT(result.counters.at("complete_plans"), 1);
   const std::vector<plan::Action> actions = ActionsOf(result.plan);
-  EXPECT_EQ(Count<plan::Squeeze>(actions), 1);
-  EXPECT_EQ(Count<plan::Pickup>(actions), 2);
+  EXPECT_EQ(Count(domain::kSqueeze, actions), 1);
+  EXPECT_EQ(Count(domain::kPickup, actions), 2);
   EXPECT_THAT(plan::Check(problem, result.plan, kMostOrders).flaws, IsEmpty());
 }
 

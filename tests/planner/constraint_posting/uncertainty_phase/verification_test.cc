@@ -8,6 +8,7 @@
 
 #include "planner/plan/data/condition_table.h"
 #include "tests/planner/constraint_posting/scenarios.h"
+#include "tests/planner/plan/actions.h"
 
 namespace assay::constraint_posting::verification_test {
 namespace {
@@ -40,10 +41,8 @@ class Verification : public ::testing::Test {
   }
 
   // Returns the first action of a kind in the plan that turns the block and assembles.
-  template <class Kind>
-  const Kind& First() const {
-    const auto is = [](const plan::Action& action) { return std::holds_alternative<Kind>(action); };
-    return std::get<Kind>(*std::ranges::find_if(actions_, is));
+  const plan::Action& First(const domain::ActionKind& kind) const {
+    return *std::ranges::find(actions_, &kind, &plan::Action::kind);
   }
 
   static std::vector<std::string> ErrorsOf(const plan::Plan& plan) {
@@ -60,13 +59,13 @@ class Verification : public ::testing::Test {
 // In figures 11 and 12 of Spar, an empty hand starts a local search, and a wrong object in the hand
 // calls the operator.
 TEST_F(Verification, OfAPickupReadsTheOpeningOfTheGripper) {
-  const plan::Plan plan = After(First<plan::Pickup>());
+  const plan::Plan plan = After(First(domain::kPickup));
   ASSERT_THAT(plan.verifications, SizeIs(1));
   const plan::Verification& check = plan.verifications.front();
   EXPECT_EQ(check.step, kStep);
   EXPECT_EQ(check.name, "gripper-opening");
   EXPECT_EQ(check.quantity, MeasuredQuantity::kGripperOpening);
-  EXPECT_EQ(check.expected, First<plan::Pickup>().hold.width);
+  EXPECT_EQ(check.expected, First(domain::kPickup).hold.width);
   EXPECT_EQ(check.below, "error1");
   EXPECT_EQ(check.above, "error2");
 
@@ -81,29 +80,29 @@ TEST_F(Verification, OfAPickupReadsTheOpeningOfTheGripper) {
 // The expected opening must differ clearly from the opening of an empty gripper, and from the
 // opening with another part.
 TEST_F(Verification, TheTwoErrorsOfAPickupAreFarFromTheExpectedOpening) {
-  const plan::Verification check = After(First<plan::Pickup>()).verifications.front();
+  const plan::Verification check = After(First(domain::kPickup)).verifications.front();
   EXPECT_GT(check.tolerance, 0);
   EXPECT_GT(check.expected - check.tolerance, 0);
   EXPECT_LT(check.expected + check.tolerance, problem_.workcell->gripper().max_opening());
 }
 
 TEST_F(Verification, OfAPutdownReadsWhereTheToolMetTheTable) {
-  const auto& putdown = First<plan::Putdown>();
+  const auto& putdown = First(domain::kPutdown);
   const plan::Plan plan = After(putdown);
   ASSERT_THAT(plan.verifications, SizeIs(1));
   EXPECT_EQ(plan.verifications[0].quantity, MeasuredQuantity::kToolHeight);
   EXPECT_NEAR(plan.verifications[0].expected,
-              (putdown.to.X_WorldPart * putdown.hold.X_PartTool).translation().z(), kRounding);
+              (putdown.place.X_WorldPart * putdown.hold.X_PartTool).translation().z(), kRounding);
   // Both a low and a high position are the same error here, for which one recovery is enough.
   EXPECT_THAT(ErrorsOf(plan), ElementsAre("error3"));
 }
 
 TEST_F(Verification, OfAnAssemblyReadsWhereItEnded) {
-  const auto& assemble = First<plan::Assemble>();
+  const auto& assemble = First(domain::kAssemble);
   const plan::Plan plan = After(assemble);
   ASSERT_THAT(plan.verifications, SizeIs(1));
   EXPECT_EQ(plan.verifications[0].quantity, MeasuredQuantity::kToolHeight);
-  const geometry::Pose X_WorldTool = assemble.fixed.X_WorldPart *
+  const geometry::Pose X_WorldTool = assemble.place.X_WorldPart *
                                      problem_.mating(assemble.mating).X_FixedHeld *
                                      assemble.hold.X_PartTool;
   EXPECT_NEAR(plan.verifications[0].expected, X_WorldTool.translation().z(), kRounding);
@@ -113,10 +112,10 @@ TEST_F(Verification, OfAnAssemblyReadsWhereItEnded) {
 // If the height of the block is uncertain, the height of the seated peg is equally uncertain. That
 // deviation is no error.
 TEST_F(Verification, AHeightMayBeAsFarOffAsItsCertificateSays) {
-  const auto& assemble = First<plan::Assemble>();
+  const auto& assemble = First(domain::kAssemble);
   const double sure = After(assemble).verifications[0].tolerance;
   EXPECT_NEAR(After(assemble, 0.0028).verifications[0].tolerance, sure + 0.0028, kRounding);
-  const auto& pickup = First<plan::Pickup>();
+  const auto& pickup = First(domain::kPickup);
   EXPECT_EQ(After(pickup, 0.0028).verifications[0].tolerance,
             After(pickup).verifications[0].tolerance)
       << "an opening is no height";
@@ -125,7 +124,7 @@ TEST_F(Verification, AHeightMayBeAsFarOffAsItsCertificateSays) {
 // A peg falls into its hole if both horizontal coordinates are within the clearance. Some place of
 // the search must be that near, for every rotation of the hole.
 TEST_F(Verification, ASearchIsFineEnoughForTheClearance) {
-  const auto& assemble = First<plan::Assemble>();
+  const auto& assemble = First(domain::kAssemble);
   const plan::Plan plan = After(assemble);
   const plan::Recovery& search = plan.recoveries[1];
   ASSERT_EQ(search.strategy, RecoveryStrategy::kGropingSearch);
@@ -136,10 +135,10 @@ TEST_F(Verification, ASearchIsFineEnoughForTheClearance) {
 }
 
 TEST_F(Verification, NothingChecksWhatIsInsertedOnlyWhereItIsProved) {
-  const auto& pickup = First<plan::Pickup>();
+  const auto& pickup = First(domain::kPickup);
   for (const plan::Action& action :
-       std::vector<plan::Action>{plan::Sense{pickup.part, "overhead-camera", pickup.from},
-                                 plan::Squeeze{pickup.part, pickup.hold, pickup.from}}) {
+       std::vector<plan::Action>{plan::Sense(pickup.part, "overhead-camera", pickup.place),
+                                 plan::Squeeze(pickup.part, pickup.hold, pickup.place)}) {
     const plan::Plan plan = After(action);
     EXPECT_THAT(plan.verifications, IsEmpty());
     EXPECT_THAT(plan.recoveries, IsEmpty());
@@ -150,7 +149,7 @@ TEST_F(Verification, EveryTemplateOfTheWorkcellIsUsed) {
   const auto& templates = problem_.workcell->uncertainty_operations().verifications;
   std::size_t used = 0;
   for (const plan::Action& action : std::vector<plan::Action>{
-           First<plan::Pickup>(), First<plan::Putdown>(), First<plan::Assemble>()}) {
+           First(domain::kPickup), First(domain::kPutdown), First(domain::kAssemble)}) {
     for (const plan::Verification& check : After(action).verifications) {
       const auto original =
           std::ranges::find(templates, check.name, &domain::VerificationTemplate::name);
@@ -166,8 +165,8 @@ TEST_F(Verification, EveryTemplateOfTheWorkcellIsUsed) {
 
 TEST_F(Verification, TwoStepsHaveRecoveriesOfTheirOwn) {
   plan::Plan plan;
-  AddVerification(problem_, plan::StepId(0), First<plan::Pickup>(), {}, plan);
-  AddVerification(problem_, plan::StepId(1), First<plan::Pickup>(), {}, plan);
+  AddVerification(problem_, plan::StepId(0), First(domain::kPickup), {}, plan);
+  AddVerification(problem_, plan::StepId(1), First(domain::kPickup), {}, plan);
   EXPECT_THAT(ErrorsOf(plan), ElementsAre("error1", "error2", "error1", "error2"));
   EXPECT_EQ(plan.recoveries[2].step, plan::StepId(1));
 }

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "planner/base/document/input_error.h"
+#include "planner/domain/actions/actions.h"
 
 namespace assay::domain::uncertainty_operations_file_test {
 namespace {
@@ -78,13 +79,13 @@ TEST(UncertaintyOperationsFile, ReadsVerificationsAndRecoveries) {
   ASSERT_EQ(operations.verifications.size(), 2u);
   const VerificationTemplate& opening = operations.verifications[0];
   EXPECT_EQ(opening.name, "opening");
-  EXPECT_EQ(opening.after, VerifiedAction::kPickup);
+  EXPECT_EQ(opening.after, &kPickup);
   EXPECT_EQ(opening.quantity, MeasuredQuantity::kGripperOpening);
   EXPECT_EQ(opening.tolerance, 0.001);
   EXPECT_EQ(opening.below, "lost");
   EXPECT_EQ(opening.above, "wide");
   const VerificationTemplate& landed = operations.verifications[1];
-  EXPECT_EQ(landed.after, VerifiedAction::kPutdown);
+  EXPECT_EQ(landed.after, &kPutdown);
   EXPECT_EQ(landed.quantity, MeasuredQuantity::kToolHeight);
   EXPECT_EQ(landed.below, "");
   EXPECT_EQ(landed.above, "high");

@@ -13,6 +13,7 @@
 #include <tuple>
 
 #include "planner/base/document/input_error.h"
+#include "planner/domain/actions/actions.h"
 #include "planner/domain/workcell/workcell_file.h"
 #include "tests/scratch_file.h"
 
@@ -70,7 +71,7 @@ TEST_P(AnyWorkcell, KnowsWhatToDoAboutUncertainty) {
   ASSERT_EQ(operations.verifications.size(), 3u);
   const VerificationTemplate& opening = operations.verifications[0];
   EXPECT_EQ(opening.name, "gripper-opening");
-  EXPECT_EQ(opening.after, VerifiedAction::kPickup);
+  EXPECT_EQ(opening.after, &kPickup);
   EXPECT_EQ(opening.quantity, MeasuredQuantity::kGripperOpening);
   EXPECT_EQ(opening.tolerance, 0.001);
   const auto recovery = [&](const std::string& error) {

@@ -7,6 +7,7 @@
 
 #include "planner/base/random.h"
 #include "tests/oracle/random_pose.h"
+#include "tests/planner/plan/actions.h"
 #include "tests/planner/plan/peg_and_block.h"
 
 namespace assay::plan {
@@ -38,10 +39,10 @@ auto FlawAt(int step, const std::string& words) {
 class FourStepPlan : public testing::Test {
  protected:
   std::vector<Flaw> Flaws() const { return Check(problem_, plan_, kAllOrders).flaws; }
-  Pickup& TakeBlock() { return std::get<Pickup>(plan_.steps[0].action); }
-  Putdown& PutBlock() { return std::get<Putdown>(plan_.steps[1].action); }
-  Pickup& TakePeg() { return std::get<Pickup>(plan_.steps[2].action); }
-  Assemble& Mate() { return std::get<Assemble>(plan_.steps[3].action); }
+  Action& TakeBlock() { return plan_.steps[0].action; }
+  Action& PutBlock() { return plan_.steps[1].action; }
+  Action& TakePeg() { return plan_.steps[2].action; }
+  Action& Mate() { return plan_.steps[3].action; }
 
   void HoldPegWith(const Hold& hold) {
     TakePeg().hold = hold;
@@ -52,10 +53,10 @@ class FourStepPlan : public testing::Test {
     PutBlock().hold = hold;
   }
   void PutBlockAt(const Pose& X_WorldBlock) {
-    PutBlock().to.X_WorldPart = X_WorldBlock;
-    Mate().fixed.X_WorldPart = X_WorldBlock;
+    PutBlock().place.X_WorldPart = X_WorldBlock;
+    Mate().place.X_WorldPart = X_WorldBlock;
   }
-  const Pose& X_WorldBlock() { return PutBlock().to.X_WorldPart; }
+  const Pose& X_WorldBlock() { return PutBlock().place.X_WorldPart; }
 
   domain::Problem problem_ = PegAndBlock(BlockOnEnd());
   Plan plan_ = FourSteps(problem_);
@@ -164,7 +165,7 @@ TEST_F(FourStepPlan, FindsALocatedGoalThatIsNotReached) {
 }
 
 TEST_F(FourStepPlan, FindsAPickupFromElsewhere) {
-  TakePeg().from.X_WorldPart = Translation(0.001, 0, 0) * TakePeg().from.X_WorldPart;
+  TakePeg().place.X_WorldPart = Translation(0.001, 0, 0) * TakePeg().place.X_WorldPart;
   EXPECT_THAT(Flaws(), FlawAt(2, "part_location(peg, initial) does not hold"));
 }
 
@@ -174,12 +175,12 @@ TEST_F(FourStepPlan, FindsThatTheHoldChangesInTheHand) {
 }
 
 TEST_F(FourStepPlan, FindsAMatingWithAFixedPartThatIsElsewhere) {
-  Mate().fixed = PlaceNow(problem_, kBlock);
+  Mate().place = PlaceNow(problem_, kBlock);
   EXPECT_THAT(Flaws(), FlawAt(3, "part_location(block, initial) does not hold"));
 }
 
 TEST_F(FourStepPlan, FindsThatAMatedPartIsTaken) {
-  plan_.steps.push_back({"action_5", Pickup{kBlock, BlockHold(), PutBlock().to}, 5, 5});
+  plan_.steps.push_back({"action_5", Pickup(kBlock, BlockHold(), PutBlock().place), 5, 5});
   plan_.ordering.emplace_back(StepId(3), StepId(4));
   const std::vector<Flaw> flaws = Flaws();
   EXPECT_THAT(flaws, FlawAt(4, "block cannot be taken alone: peg is mated into block"));
@@ -194,8 +195,8 @@ class CarefulPlan : public testing::Test {
   CarefulPlan() {
     const Place start = PlaceNow(problem_, kBlock);
     for (PlannedStep& step : plan_.steps) step.executed += 2;
-    plan_.steps.push_back({"action_5", Sense{kBlock, "overhead-camera", start}, 5, 1});
-    plan_.steps.push_back({"action_6", Squeeze{kBlock, BlockHold(), start}, 6, 2});
+    plan_.steps.push_back({"action_5", Sense(kBlock, "overhead-camera", start), 5, 1});
+    plan_.steps.push_back({"action_6", Squeeze(kBlock, BlockHold(), start), 6, 2});
     plan_.ordering.emplace_back(StepId(4), StepId(5));
     plan_.ordering.emplace_back(StepId(5), StepId(0));
   }
@@ -206,8 +207,8 @@ class CarefulPlan : public testing::Test {
   }
 
   std::vector<Flaw> Flaws() const { return Check(problem_, plan_, kAllOrders).flaws; }
-  Sense& Look() { return std::get<Sense>(plan_.steps[4].action); }
-  Squeeze& Press() { return std::get<Squeeze>(plan_.steps[5].action); }
+  Action& Look() { return plan_.steps[4].action; }
+  Action& Press() { return plan_.steps[5].action; }
   void ExecuteInTheOrder(const std::vector<int>& steps) {
     plan_.ordering = {};
     for (std::size_t i = 0; i < steps.size(); ++i) {
@@ -223,7 +224,7 @@ class CarefulPlan : public testing::Test {
 TEST_F(CarefulPlan, IsAccepted) { EXPECT_THAT(Flaws(), IsEmpty()); }
 
 TEST_F(CarefulPlan, MayLookWhileTheHandHoldsAnotherPart) {
-  Look() = {kPeg, "overhead-camera", PlaceNow(problem_, kPeg)};
+  Look() = Sense(kPeg, "overhead-camera", PlaceNow(problem_, kPeg));
   ExecuteInTheOrder({5, 0, 4, 1, 2, 3});
   EXPECT_THAT(Flaws(), IsEmpty());
 }
@@ -234,7 +235,7 @@ TEST_F(CarefulPlan, FindsASensorThatIsNotAllowed) {
 }
 
 TEST_F(CarefulPlan, FindsALookAtAnotherPlace) {
-  Look().at.X_WorldPart = Translation(0.001, 0, 0) * Look().at.X_WorldPart;
+  Look().place.X_WorldPart = Translation(0.001, 0, 0) * Look().place.X_WorldPart;
   EXPECT_THAT(Flaws(), FlawAt(4, "part_location(block, initial) does not hold"));
 }
 
@@ -245,8 +246,8 @@ TEST_F(CarefulPlan, FindsALookAtAPartInTheHand) {
 
 TEST_F(CarefulPlan, FindsALookAtAPartThatIsMatedIntoAnother) {
   const domain::Mating& mating = problem_.mating(kPegIntoBlock);
-  const Pose& X_WorldBlock = std::get<Putdown>(plan_.steps[1].action).to.X_WorldPart;
-  Look() = {kPeg, "overhead-camera", {"mated", X_WorldBlock * mating.X_FixedHeld}};
+  const Pose& X_WorldBlock = plan_.steps[1].action.place.X_WorldPart;
+  Look() = Sense(kPeg, "overhead-camera", {"mated", X_WorldBlock * mating.X_FixedHeld});
   ExecuteInTheOrder({5, 0, 1, 2, 3, 4});
   EXPECT_THAT(Flaws(), FlawAt(4, "peg does not lie free: it is mated into another part"));
 }
@@ -260,18 +261,18 @@ TEST_F(CarefulPlan, FindsALookAtAPartThatTheProblemHasNot) {
 }
 
 TEST_F(CarefulPlan, FindsASqueezeWithAPartInTheHand) {
-  Press() = {kPeg, PlateHold(45 * kDegree), PlaceNow(problem_, kPeg)};
+  Press() = Squeeze(kPeg, PlateHold(45 * kDegree), PlaceNow(problem_, kPeg));
   ExecuteInTheOrder({4, 0, 5, 1, 2, 3});
   EXPECT_THAT(Flaws(), FlawAt(5, "gripper(open) does not hold: the hand holds block"));
 }
 
 TEST_F(CarefulPlan, FindsASqueezeAtAnotherPlace) {
-  Press().at.X_WorldPart = Translation(0, 0.001, 0) * Press().at.X_WorldPart;
+  Press().place.X_WorldPart = Translation(0, 0.001, 0) * Press().place.X_WorldPart;
   EXPECT_THAT(Flaws(), FlawAt(5, "part_location(block, initial) does not hold"));
 }
 
 TEST_F(CarefulPlan, FindsASqueezeOfAPartWithAnotherInIt) {
-  Press().at = std::get<Putdown>(plan_.steps[1].action).to;
+  Press().place = plan_.steps[1].action.place;
   ExecuteInTheOrder({4, 0, 1, 2, 3, 5});
   EXPECT_THAT(Flaws(), FlawAt(5, "block cannot be taken alone: peg is mated into block"));
 }
@@ -286,9 +287,9 @@ TEST_F(CarefulPlan, ExaminesASqueezeLikeAPickup) {
 
 TEST_F(CarefulPlan, FindsLabelsOfAnotherGraspOrPose) {
   Press().hold.grasp = problem_.part(kBlock).grasps->front().label;
-  Look().at.position = problem_.part(kBlock).model->stable_poses()[0].label;
+  Look().place.position = problem_.part(kBlock).model->stable_poses()[0].label;
   if (problem_.part(kBlock).resting == domain::StablePoseId(0)) {
-    Look().at.position = problem_.part(kBlock).model->stable_poses()[1].label;
+    Look().place.position = problem_.part(kBlock).model->stable_poses()[1].label;
   }
   EXPECT_THAT(Flaws(), FlawAt(5, "the grasp has the label"));
   EXPECT_THAT(Flaws(), FlawAt(4, "the place of block has the label"));
@@ -377,7 +378,7 @@ TEST_F(FourStepPlan, FindsAPartPutDownOnAnEdge) {
 
 TEST_F(FourStepPlan, FindsAPartPutDownOnAnother) {
   Pose X = X_WorldBlock();
-  X.translation().head<2>() = TakePeg().from.X_WorldPart.translation().head<2>();
+  X.translation().head<2>() = TakePeg().place.X_WorldPart.translation().head<2>();
   PutBlockAt(X);
   const std::vector<Flaw> flaws = Flaws();
   EXPECT_THAT(flaws, FlawAt(1, "block overlaps peg by"));
@@ -397,7 +398,7 @@ TEST_F(FourStepPlan, FindsALineOnWhichAJointMeetsItsLimit) {
   Start start = BlockOnEnd();
   start.peg = "{stable: on-side, at: [16, -6], yaw: 0}";
   problem_ = PegAndBlock(start);
-  TakePeg().from = PlaceNow(problem_, kPeg);
+  TakePeg().place = PlaceNow(problem_, kPeg);
   EXPECT_THAT(Flaws(), FlawAt(2, "none goes on continuously along the straight line"));
 }
 
@@ -466,7 +467,7 @@ TEST_F(FourStepPlan, SurvivesRandomPosesAndRefusesThem) {
         PutBlockAt(X);
         break;
       case 3:
-        TakePeg().from.X_WorldPart = X;
+        TakePeg().place.X_WorldPart = X;
         break;
     }
     EXPECT_FALSE(Flaws().empty()) << "seed " << kSeed << " trial " << trial;

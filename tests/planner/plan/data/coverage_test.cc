@@ -25,13 +25,13 @@ using Json = nlohmann::json;
 const std::map<std::string, PlannedStep>& Steps() {
   static const std::map<std::string, PlannedStep> steps = [] {
     std::map<std::string, PlannedStep> all;
-    all["pickup"].action = Pickup{};
-    all["putdown"].action = Putdown{};
-    all["assemble"].action = Assemble{};
-    all["felt in"].action = Assemble{};
+    all["pickup"].action = Action{.kind = &domain::kPickup};
+    all["putdown"].action = Action{.kind = &domain::kPutdown};
+    all["assemble"].action = Action{.kind = &domain::kAssemble};
+    all["felt in"].action = Action{.kind = &domain::kAssemble};
     all["felt in"].strategy = Strategy{};
-    all["sense"].action = Sense{};
-    all["squeeze"].action = Squeeze{};
+    all["sense"].action = Action{.kind = &domain::kSense};
+    all["squeeze"].action = Action{.kind = &domain::kSqueeze};
     return all;
   }();
   return steps;

@@ -13,6 +13,7 @@
 #include "planner/plan/data/coverage.h"
 #include "tests/oracle/json_schema.h"
 #include "tests/oracle/random_pose.h"
+#include "tests/planner/plan/actions.h"
 #include "tests/planner/plan/peg_and_block.h"
 
 namespace assay::plan::plan_file_test {
@@ -88,8 +89,8 @@ PlanResult Augmented() {
   Plan& plan = result.plan;
   const Place place = PlaceNow(FigureFourteen(), kBlock);
   for (PlannedStep& step : plan.steps) step.executed += 2;
-  plan.steps.push_back({"action_5", Sense{kBlock, "overhead-camera", place}, 5, 1});
-  plan.steps.push_back({"action_6", Squeeze{kBlock, BlockHold(), place}, 6, 2});
+  plan.steps.push_back({"action_5", Sense(kBlock, "overhead-camera", place), 5, 1});
+  plan.steps.push_back({"action_6", Squeeze(kBlock, BlockHold(), place), 6, 2});
   plan.ordering.emplace_back(StepId(4), StepId(5));
   plan.ordering.emplace_back(StepId(5), StepId(0));
   plan.steps[0].certificate = SomeCertificate(0.1);
@@ -305,12 +306,12 @@ TEST(PlanFile, CertificatesReadBackAsTheyWere) {
 TEST(PlanFile, SensingSqueezingVerificationsAndRecoveriesReadBack) {
   const Plan plan = Augmented().plan;
   const Plan read = Read(ToJson(Augmented())).plan;
-  const Sense& sense = std::get<Sense>(read.steps[4].action);
+  const Action& sense = read.steps[4].action;
   EXPECT_EQ(sense.part, kBlock);
   EXPECT_EQ(sense.sensor, "overhead-camera");
-  EXPECT_EQ(sense.at.position, "initial");
-  EXPECT_EQ(sense.at.X_WorldPart.matrix(), FigureFourteen().part(kBlock).X_WorldPart.matrix());
-  const Squeeze& squeeze = std::get<Squeeze>(read.steps[5].action);
+  EXPECT_EQ(sense.place.position, "initial");
+  EXPECT_EQ(sense.place.X_WorldPart.matrix(), FigureFourteen().part(kBlock).X_WorldPart.matrix());
+  const Action& squeeze = read.steps[5].action;
   EXPECT_EQ(squeeze.part, kBlock);
   EXPECT_EQ(squeeze.hold.X_PartTool.matrix(), BlockHold().X_PartTool.matrix());
   ASSERT_EQ(read.verifications.size(), plan.verifications.size());
@@ -345,7 +346,7 @@ TEST(PlanFile, SpeaksInTheWordsOfTheScenario) {
 TEST(PlanFile, PoseIsWrittenAsColumns) {
   const PlanResult result = Planned();
   const Json pose = ToJson(result)["actions"][1]["place"]["X_WorldPart"];
-  const Pose& X = std::get<Putdown>(result.plan.steps[1].action).to.X_WorldPart;
+  const Pose& X = result.plan.steps[1].action.place.X_WorldPart;
   for (int column = 0; column < 4; ++column) {
     for (int row = 0; row < 3; ++row) {
       EXPECT_EQ(pose[column][row].get<double>(), X.matrix()(row, column));
@@ -367,12 +368,12 @@ TEST(PlanFile, ReadsBackToTheSameDoubles) {
   RandomStream random(kSeed, "doubles");
   for (int trial = 0; trial < 50; ++trial) {
     PlanResult result = Planned();
-    Pickup& pickup = std::get<Pickup>(result.plan.steps[0].action);
-    pickup.from.X_WorldPart = oracle::RandomPose(random, trial % 2 == 0 ? 1e-12 : 1e12);
+    Action& pickup = result.plan.steps[0].action;
+    pickup.place.X_WorldPart = oracle::RandomPose(random, trial % 2 == 0 ? 1e-12 : 1e12);
     pickup.hold.width = random.Uniform(0, 1e-3);
     const PlanResult read = Read(ToJson(result));
-    const Pickup& again = std::get<Pickup>(read.plan.steps[0].action);
-    EXPECT_EQ(again.from.X_WorldPart.matrix(), pickup.from.X_WorldPart.matrix())
+    const Action& again = read.plan.steps[0].action;
+    EXPECT_EQ(again.place.X_WorldPart.matrix(), pickup.place.X_WorldPart.matrix())
         << "seed " << kSeed;
     EXPECT_EQ(again.hold.width, pickup.hold.width);
   }

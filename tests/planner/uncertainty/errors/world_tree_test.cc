@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "tests/planner/plan/actions.h"
 #include "tests/planner/uncertainty/action_lists.h"
 
 namespace assay::uncertainty::world_tree_test {
@@ -19,7 +20,7 @@ std::vector<std::vector<plan::Action>> ListsOf(const domain::Problem& problem) {
   for (std::size_t p = 0; p < problem.parts.size(); ++p) {
     std::vector<plan::Action> looking = first;
     const plan::Place at = {"initial", problem.parts[p].X_WorldPart};
-    looking.insert(looking.begin(), plan::Sense{PartId(p), problem.sensors.at(0), at});
+    looking.insert(looking.begin(), plan::Sense(PartId(p), problem.sensors.at(0), at));
     lists.push_back(looking);
   }
   lists.push_back(first);

@@ -22,7 +22,7 @@ class CertificateCheckTest : public testing::Test {
       : problem_(execution::Figure15()),
         plan_(execution::TwoActions(problem_)),
         peg_(execution::PartNamed(problem_, "peg")),
-        pickup_(std::get<plan::Pickup>(plan_.step(kPickup).action)) {
+        pickup_(plan_.step(kPickup).action) {
     plan::Certificate& certificate = plan_.steps[kPickup.index()].certificate;
     const Interval wide = {-0.01, 0.01};
     certificate.before = {{.part = peg_, .x = wide, .y = wide, .z = wide, .theta = wide}};
@@ -38,13 +38,13 @@ class CertificateCheckTest : public testing::Test {
     moment_.parts.resize(2);
     moment_.table_heights.resize(2);
     moment_.opening = problem_.workcell->gripper().max_opening();
-    moment_.tool = {pickup_.from.X_WorldPart * pickup_.hold.X_PartTool,
-                    pickup_.from.X_WorldPart * pickup_.hold.X_PartTool};
+    moment_.tool = {pickup_.place.X_WorldPart * pickup_.hold.X_PartTool,
+                    pickup_.place.X_WorldPart * pickup_.hold.X_PartTool};
     for (std::size_t i = 0; i < moment_.parts.size(); ++i) {
       const Pose& X_WorldPart = problem_.part(PartId(i)).X_WorldPart;
       moment_.parts[i] = {X_WorldPart, X_WorldPart};
     }
-    moment_.parts[peg_.index()] = {pickup_.from.X_WorldPart, pickup_.from.X_WorldPart};
+    moment_.parts[peg_.index()] = {pickup_.place.X_WorldPart, pickup_.place.X_WorldPart};
   }
 
   static plan::CertifiedPrecondition Precondition(plan::Condition condition, double margin) {
@@ -88,7 +88,7 @@ class CertificateCheckTest : public testing::Test {
   domain::Problem problem_;
   plan::Plan plan_;
   PartId peg_;
-  plan::Pickup pickup_;
+  plan::Action pickup_;
   execution::Snapshot moment_;
 };
 
@@ -176,11 +176,9 @@ TEST_F(CertificateCheckTest, NothingIsClaimedAfterARecovery) {
 TEST_F(CertificateCheckTest, AStepThatIsProvedComesToItsEnd) {
   execution::Trace trace;
   trace.events.push_back(execution::Milestone{kPickup, Stage::kPoised, moment_});
-  trace.events.push_back(
-      execution::ExecutionEnd{execution::TrialOutcome::kOverload, "", moment_});
+  trace.events.push_back(execution::ExecutionEnd{execution::TrialOutcome::kOverload, "", moment_});
   EXPECT_EQ(Worst(CheckCertificates(problem_, plan_, trace, {})), ClaimVerdict::kViolated);
-  trace.events.back() =
-      execution::ExecutionEnd{execution::TrialOutcome::kUnreachable, "", moment_};
+  trace.events.back() = execution::ExecutionEnd{execution::TrialOutcome::kUnreachable, "", moment_};
   EXPECT_EQ(Worst(CheckCertificates(problem_, plan_, trace, {})), ClaimVerdict::kContained);
 }
 
@@ -193,8 +191,7 @@ TEST_F(CertificateCheckTest, AStepThatIsStoppedOnItsWayIsTheOneThatDoesNotComeTo
     return end.step;
   };
   execution::Trace trace;
-  trace.events.push_back(
-      execution::ExecutionEnd{execution::TrialOutcome::kOverload, "", moment_});
+  trace.events.push_back(execution::ExecutionEnd{execution::TrialOutcome::kOverload, "", moment_});
   EXPECT_EQ(stopped(trace, order[1]), order[1]);
   // Without a first step, the trace is taken to begin with the first step of the plan. Once that
   // step has ended, the next step is the one that is stopped.

@@ -92,7 +92,7 @@ class WithoutNoise : public testing::Test {
  protected:
   WithoutNoise() {
     certified_.plan = UpToThePickup(certified_.plan);
-    pickup_ = FirstStep<plan::Pickup>(certified_.plan);
+    pickup_ = FirstStep(domain::kPickup, certified_.plan);
   }
   AttackResult Attacked() const {
     const Experiment experiment = {certified_.problem,

@@ -32,7 +32,7 @@ class PickupAfterALook : public testing::Test {
   }
 
   PickupAfterALook()
-      : pickup_(FirstStep<plan::Pickup>(certified_->plan)),
+      : pickup_(FirstStep(domain::kPickup, certified_->plan)),
         attack_(*experiment_, pickup_, world().noise) {}
 
   static const AttackedWorld& world() { return worlds_->front(); }
@@ -48,9 +48,7 @@ class PickupAfterALook : public testing::Test {
     }
     return values;
   }
-  domain::PartId part() const {
-    return std::get<plan::Pickup>(certified_->plan.step(pickup_).action).part;
-  }
+  domain::PartId part() const { return certified_->plan.step(pickup_).action.part; }
   // Returns the trial with the part displaced from where it came to rest, as if the engine had
   // erred.
   PoisedTrial Spoiled(PoisedTrial poised, const geometry::Vector3& by) const {

@@ -87,9 +87,8 @@ std::vector<GeometricMeaning> Measured(plan::Condition condition, const plan::Pl
       .measure(MeasuredStep(Known().problem, step, events));
 }
 
-template <class Action>
-const plan::PlannedStep& StepOf() {
-  return Known().plan.step(FirstStep<Action>(Known().plan));
+const plan::PlannedStep& StepOf(const domain::ActionKind& kind) {
+  return Known().plan.step(FirstStep(kind, Known().plan));
 }
 
 execution::Snapshot MomentWith(const Pose& X_WorldTool, double opening) {
@@ -113,8 +112,8 @@ Pose Somewhere(double reach, RandomStream& random) {
 
 // The closed hand is beside the block, which is put at random places about it.
 TEST(Measurement, HandClearIsTheHandsDistanceFromAnotherPart) {
-  const plan::PlannedStep& pickup = StepOf<plan::Pickup>();
-  const plan::Hold& hold = std::get<plan::Pickup>(pickup.action).hold;
+  const plan::PlannedStep& pickup = StepOf(domain::kPickup);
+  const plan::Hold& hold = pickup.action.hold;
   const domain::Part& peg = PartNamed("peg");
   const domain::Part& block = PartNamed("block");
   const kinematics::Gripper& gripper = Known().problem.workcell->gripper();
@@ -127,7 +126,7 @@ TEST(Measurement, HandClearIsTheHandsDistanceFromAnotherPart) {
     Pose& X_WorldBlock = acted.parts[IndexOf(block)].truth;
     X_WorldBlock = acted.tool.truth * Somewhere(0.18, random);
     StepEvents events;
-    events.step = FirstStep<plan::Pickup>(Known().plan);
+    events.step = FirstStep(domain::kPickup, Known().plan);
     events.acted = &acted;
     const double observed = Observed(Measured(plan::condition::kHandClear, pickup, events),
                                      "the hand stays clear of block");
@@ -140,14 +139,14 @@ TEST(Measurement, HandClearIsTheHandsDistanceFromAnotherPart) {
 
 // Pads that touch the faces of the part are clear of it. A hand that is too low is not.
 TEST(Measurement, HandClearLeavesOutWhatThePadsTouch) {
-  const plan::PlannedStep& pickup = StepOf<plan::Pickup>();
-  const plan::Hold& hold = std::get<plan::Pickup>(pickup.action).hold;
+  const plan::PlannedStep& pickup = StepOf(domain::kPickup);
+  const plan::Hold& hold = pickup.action.hold;
   const domain::Part& peg = PartNamed("peg");
   const auto observed = [&](double ahead) {
     const execution::Snapshot acted = MomentWith(
         peg.X_WorldPart * hold.X_PartTool * geometry::Translation(0, 0, ahead), hold.width);
     StepEvents events;
-    events.step = FirstStep<plan::Pickup>(Known().plan);
+    events.step = FirstStep(domain::kPickup, Known().plan);
     events.acted = &acted;
     return Observed(Measured(plan::condition::kHandClear, pickup, events),
                     "the hand stays clear of peg");
@@ -160,8 +159,8 @@ TEST(Measurement, HandClearLeavesOutWhatThePadsTouch) {
 // The held part moves along the mating vector beside the block. As planned, it comes near the rim
 // only. If it is displaced sideways or too far in, it meets the block.
 TEST(Measurement, PassingClearIsTheWayToTheMouth) {
-  const plan::PlannedStep& step = StepOf<plan::Assemble>();
-  const auto& assemble = std::get<plan::Assemble>(step.action);
+  const plan::PlannedStep& step = StepOf(domain::kAssemble);
+  const plan::Action& assemble = step.action;
   const domain::Mating& mating = Known().problem.mating(assemble.mating);
   const domain::Part& peg = PartNamed("peg");
   const domain::Part& block = PartNamed("block");
@@ -174,7 +173,7 @@ TEST(Measurement, PassingClearIsTheWayToTheMouth) {
         MomentWith(X_WorldPeg * assemble.hold.X_PartTool, assemble.hold.width);
     poised.parts[IndexOf(peg)] = {X_WorldPeg, X_WorldPeg};
     StepEvents events;
-    events.step = FirstStep<plan::Assemble>(Known().plan);
+    events.step = FirstStep(domain::kAssemble, Known().plan);
     events.poised = &poised;
     return Observed(Measured(plan::condition::kPassingClear, step, events),
                     "peg passes block on its way in");

@@ -52,7 +52,7 @@ TEST_F(ObservedErrorTest, AtRestItIsDisplacedInTheWorldAndTurnedAboutTheVertical
 // X_ToolGrasp = Tr(x, y, z) Rz(theta) Rx(tip) Ry(twist), in the frame of the hand's believed pose.
 TEST_F(ObservedErrorTest, InTheHandItIsOfTheGraspedPoint) {
   const plan::Action& pickup = plan_.step(plan::StepId(1)).action;
-  const Pose X_PartTool = std::get<plan::Pickup>(pickup).hold.X_PartTool;
+  const Pose X_PartTool = pickup.hold.X_PartTool;
   Pose X_ToolGrasp = Pose::Identity();
   X_ToolGrasp.linear() =
       (Eigen::AngleAxisd(0.02, Vector3::UnitZ()) * Eigen::AngleAxisd(-0.03, Vector3::UnitX()) *

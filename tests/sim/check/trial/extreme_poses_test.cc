@@ -42,8 +42,8 @@ plan::ErrorSet SetWith(
   return set;
 }
 
-plan::Pickup PickupWith(const Pose& X_PartTool) {
-  plan::Pickup pickup;
+plan::Action PickupWith(const Pose& X_PartTool) {
+  plan::Action pickup{.kind = &domain::kPickup};
   pickup.hold.X_PartTool = X_PartTool;
   return pickup;
 }
@@ -58,22 +58,23 @@ void ExpectPoses(const std::vector<Pose>& poses, const std::vector<Pose>& expect
 TEST(ExtremePoses, AreShiftedInTheAxesOfTheWorld) {
   const Pose believed = Translation(1, 2, 3) * RotationZ(kRight);
   ExpectPoses(
-      ExtremePoses(plan::Sense{}, SetWith({{&plan::ErrorSet::x, {-0.01, 0.03}}}),
-                   MomentWith(believed)),
+      ExtremePoses(plan::Action{.kind = &domain::kSense},
+                   SetWith({{&plan::ErrorSet::x, {-0.01, 0.03}}}), MomentWith(believed)),
       {Translation(0.99, 2, 3) * RotationZ(kRight), Translation(1.03, 2, 3) * RotationZ(kRight)});
 }
 
 TEST(ExtremePoses, AreTurnedAboutThePartsOwnOrigin) {
   const Pose believed = Translation(1, 2, 3) * RotationX(kRight);
-  ExpectPoses(ExtremePoses(plan::Sense{}, SetWith({{&plan::ErrorSet::theta, {-kRight, 0.1}}}),
-                           MomentWith(believed)),
-              {Translation(1, 2, 3) * RotationZ(-kRight) * RotationX(kRight),
-               Translation(1, 2, 3) * RotationZ(0.1) * RotationX(kRight)});
+  ExpectPoses(
+      ExtremePoses(plan::Action{.kind = &domain::kSense},
+                   SetWith({{&plan::ErrorSet::theta, {-kRight, 0.1}}}), MomentWith(believed)),
+      {Translation(1, 2, 3) * RotationZ(-kRight) * RotationX(kRight),
+       Translation(1, 2, 3) * RotationZ(0.1) * RotationX(kRight)});
 }
 
 TEST(ExtremePoses, LeaveTheOtherComponentsAtTheirMiddle) {
   ExpectPoses(
-      ExtremePoses(plan::Sense{},
+      ExtremePoses(plan::Action{.kind = &domain::kSense},
                    SetWith({{&plan::ErrorSet::x, {0, 0.02}}, {&plan::ErrorSet::z, {0.1, 0.3}}}),
                    MomentWith(Pose::Identity())),
       {Translation(0, 0, 0.2), Translation(0.02, 0, 0.2), Translation(0.01, 0, 0.1),
@@ -84,14 +85,18 @@ TEST(ExtremePoses, AreThoseThatCanBeSeen) {
   const execution::Snapshot moment = MomentWith(Pose::Identity());
   const plan::ErrorSet small =
       SetWith({{&plan::ErrorSet::x, {-0.0001, 0.0001}}, {&plan::ErrorSet::theta, {-0.001, 0.001}}});
-  EXPECT_TRUE(ExtremePoses(plan::Sense{}, small, moment).empty());
-  EXPECT_EQ(ExtremePoses(plan::Sense{}, small, moment, {.length = 0.00019}).size(), 2);
-  EXPECT_EQ(ExtremePoses(plan::Sense{}, small, moment, {.angle = 0.0019}).size(), 2);
+  EXPECT_TRUE(ExtremePoses(plan::Action{.kind = &domain::kSense}, small, moment).empty());
+  EXPECT_EQ(ExtremePoses(plan::Action{.kind = &domain::kSense}, small, moment, {.length = 0.00019})
+                .size(),
+            2);
+  EXPECT_EQ(
+      ExtremePoses(plan::Action{.kind = &domain::kSense}, small, moment, {.angle = 0.0019}).size(),
+      2);
 }
 
 TEST(ExtremePoses, HaveNoEndsWhereThereIsNoBound) {
   const double infinity = std::numeric_limits<double>::infinity();
-  ExpectPoses(ExtremePoses(plan::Sense{},
+  ExpectPoses(ExtremePoses(plan::Action{.kind = &domain::kSense},
                            SetWith({{&plan::ErrorSet::x, {-infinity, infinity}},
                                     {&plan::ErrorSet::y, {-0.01, 0.01}}}),
                            MomentWith(Pose::Identity())),
@@ -101,7 +106,7 @@ TEST(ExtremePoses, HaveNoEndsWhereThereIsNoBound) {
 // The grasped point is 0.1 m from the part's origin along the part's x, which is the tool's x. A
 // turn by a right angle about the point brings the origin from the point's -x side to its -y side.
 TEST(ExtremePoses, InTheHandAreTurnedAboutTheGraspedPoint) {
-  const plan::Pickup pickup = PickupWith(Translation(0.1, 0, 0));
+  const plan::Action pickup = PickupWith(Translation(0.1, 0, 0));
   const Pose tool = Translation(1, 0, 0.5);
   const plan::ErrorSet set = SetWith({{&plan::ErrorSet::theta, {0, kRight}}}, true);
   const std::vector<Pose> poses = ExtremePoses(pickup, set, MomentWith(Translation(9, 9, 9), tool));
@@ -110,7 +115,7 @@ TEST(ExtremePoses, InTheHandAreTurnedAboutTheGraspedPoint) {
 }
 
 TEST(ExtremePoses, InTheHandAreShiftedAlongTheAxesOfTheTool) {
-  const plan::Pickup pickup = PickupWith(Pose::Identity());
+  const plan::Action pickup = PickupWith(Pose::Identity());
   const Pose tool = RotationX(kRight);  // its y is the world's z
   const plan::ErrorSet set = SetWith({{&plan::ErrorSet::y, {-0.02, 0.04}}}, true);
   ExpectPoses(ExtremePoses(pickup, set, MomentWith(Pose::Identity(), tool)),
@@ -122,9 +127,9 @@ TEST(ExtremePoses, AreWhereTheErrorsAreObservedAtTheirEnds) {
   const domain::Problem problem = domain::ReadProblem(
       Document::Load(ASSAY_SOURCE_DIR "/scenarios/spar-fig15.yaml"), ASSAY_SOURCE_DIR "/models");
   const Pose planned = Translation(0.5, 0.1, 0) * RotationZ(0.7);
-  plan::Putdown putdown;
+  plan::Action putdown{.kind = &domain::kPutdown};
   putdown.hold.X_PartTool = Translation(0.02, 0.01, 0.03) * RotationX(2);
-  putdown.to.X_WorldPart = planned;
+  putdown.place.X_WorldPart = planned;
   execution::Snapshot moment = MomentWith(Translation(0.001, 0, 0) * planned * RotationZ(0.2),
                                           Translation(0.3, 0.2, 0.1) * RotationX(3));
   for (const bool in_hand : {false, true}) {

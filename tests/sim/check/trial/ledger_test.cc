@@ -112,7 +112,7 @@ TEST_P(WholeTrial, WhatWasDrawnIsWhatIsMeasured) {
 // not reached have no entries applied.
 TEST(Ledger, EndsWithTheTrial) {
   const Case& of = Of("spar-fig13");
-  const plan::StepId putdown = FirstStep<plan::Putdown>(of.certified.plan);
+  const plan::StepId putdown = FirstStep(domain::kPutdown, of.certified.plan);
   const Noise drawn = of.Drawn();
   int heights = 0;
   int unreached = 0;
@@ -165,7 +165,7 @@ class Alone : public testing::Test {
 
 TEST_F(Alone, EachErrorOfTheStartAndOfASensor) {
   const plan::StepId look = plan_.ExecutionOrder().front();
-  ASSERT_TRUE(std::holds_alternative<plan::Sense>(plan_.step(look).action));
+  ASSERT_TRUE(plan_.step(look).action.Is(domain::kSense));
   int tried = 0;
   for (std::size_t i = 0; i < of_.box.size(); ++i) {
     if (!of_.box[i].step.IsNone() && of_.box[i].step != look) continue;
@@ -178,7 +178,7 @@ TEST_F(Alone, EachErrorOfTheStartAndOfASensor) {
 
 // The pickup is poised once, and each error of the hand is applied from there.
 TEST_F(Alone, EachErrorOfTheHand) {
-  const plan::StepId pickup = FirstStep<plan::Pickup>(plan_);
+  const plan::StepId pickup = FirstStep(domain::kPickup, plan_);
   const domain::Problem& problem = of_.certified.problem;
   const scene::Scene scene(problem, {});
   mujoco::Data data = execution::StartOf(problem, scene, {});

@@ -5,6 +5,7 @@
 
 #include "planner/plan/data/condition_table.h"
 #include "sim/execution/commands/action_commands.h"
+#include "tests/planner/plan/actions.h"
 #include "tests/sim/execution/figure15.h"
 
 namespace assay::execution::command_file_test {
@@ -42,14 +43,14 @@ TEST_F(CommandFileTest, IsInTheOrderOfExecution) {
 // The commands of Spar's figure 18 are: open, move above the part, move straight down, close, move
 // straight up.
 TEST_F(CommandFileTest, PickupFollowsFigure18) {
-  const auto pickup = std::get<plan::Pickup>(plan_.steps[1].action);
+  const auto pickup = plan_.steps[1].action;
   const StepCommands commands = CommandsFor(problem_, world_, pickup);
   EXPECT_EQ(Kinds(commands.approach), "OSL");
   EXPECT_EQ(Kinds(commands.advance), "L");
   EXPECT_EQ(Kinds(commands.act), "C");
   EXPECT_EQ(Kinds(commands.depart), "L");
   ASSERT_EQ(Kinds(commands.InOrder()), "OSLLCL");
-  const Pose grasp = pickup.from.X_WorldPart * pickup.hold.X_PartTool;
+  const Pose grasp = pickup.place.X_WorldPart * pickup.hold.X_PartTool;
   EXPECT_TRUE(Line(commands.advance, 0).isApprox(grasp, 1e-12));
   const Vector3 way = grasp.translation() - Line(commands.approach, 2).translation();
   EXPECT_TRUE(way.isApprox(Rules().approach_distance * grasp.linear().col(2), 1e-12));
@@ -61,20 +62,20 @@ TEST_F(CommandFileTest, PickupFollowsFigure18) {
 // A wrongly taken part is released at its believed pose. The hand then goes back by the way it
 // came.
 TEST_F(CommandFileTest, APickupThatFailedGoesBackToWhereItWasPoised) {
-  const auto pickup = std::get<plan::Pickup>(plan_.steps[1].action);
+  const auto pickup = plan_.steps[1].action;
   const StepCommands commands = CommandsFor(problem_, world_, pickup);
   ASSERT_EQ(Kinds(commands.withdraw), "OL");
   const auto& release = std::get<OpenGripper>(commands.withdraw[0]).release;
   ASSERT_TRUE(release.has_value());
   EXPECT_EQ(release->part, pickup.part);
-  EXPECT_EQ(release->X_WorldPart.matrix(), pickup.from.X_WorldPart.matrix());
+  EXPECT_EQ(release->X_WorldPart.matrix(), pickup.place.X_WorldPart.matrix());
   EXPECT_EQ(Line(commands.withdraw, 1).matrix(), Line(commands.approach, 2).matrix());
 }
 
 // The way down of a putdown is that of a pickup, prolonged by the guarded travel.
 TEST_F(CommandFileTest, PutdownGoesOnUntilItMeetsResistance) {
-  const auto pickup = std::get<plan::Pickup>(plan_.steps[1].action);
-  const plan::Putdown putdown{pickup.part, pickup.hold, pickup.from};
+  const auto pickup = plan_.steps[1].action;
+  const plan::Action putdown = plan::Putdown(pickup.part, pickup.hold, pickup.place);
   const StepCommands up = CommandsFor(problem_, world_, pickup);
   const StepCommands down = CommandsFor(problem_, world_, putdown);
   EXPECT_EQ(Kinds(down.approach), "S");
@@ -91,8 +92,8 @@ TEST_F(CommandFileTest, PutdownGoesOnUntilItMeetsResistance) {
 // If the height is certain to a millimetre, the guarded travel is shortened accordingly, so that
 // the pads do not slide farther on the part.
 TEST_F(CommandFileTest, PutdownEndsWhereItMustHaveMetTheTable) {
-  const auto pickup = std::get<plan::Pickup>(plan_.steps[1].action);
-  const plan::Putdown putdown{pickup.part, pickup.hold, pickup.from};
+  const auto pickup = plan_.steps[1].action;
+  const plan::Action putdown = plan::Putdown(pickup.part, pickup.hold, pickup.place);
   const double doubt = 0.001;
   plan::CertifiedPrecondition landing = {.condition = plan::condition::kLandingHeight};
   landing.margin = Rules().guarded_travel - doubt;
@@ -109,7 +110,7 @@ TEST_F(CommandFileTest, PutdownEndsWhereItMustHaveMetTheTable) {
 
 // The fixture clamps from before the parts may touch until the held part is let go.
 TEST_F(CommandFileTest, AFixtureClampsTheFixedPart) {
-  const auto assemble = std::get<plan::Assemble>(plan_.steps[0].action);
+  const auto assemble = plan_.steps[0].action;
   problem_.parts[problem_.mating(assemble.mating).fixed.index()].clamp = 120;
   const StepCommands commands = CommandsFor(problem_, world_, assemble);
   EXPECT_EQ(std::get<Clamp>(commands.advance.front()).force, 120);
@@ -118,18 +119,18 @@ TEST_F(CommandFileTest, AFixtureClampsTheFixedPart) {
 }
 
 TEST_F(CommandFileTest, AssembleGoesAlongTheMatingVector) {
-  const auto assemble = std::get<plan::Assemble>(plan_.steps[0].action);
+  const auto assemble = plan_.steps[0].action;
   const domain::Mating& mating = problem_.mating(assemble.mating);
   const StepCommands commands = CommandsFor(problem_, world_, assemble);
   EXPECT_EQ(Kinds(commands.approach), "SL");
   ASSERT_EQ(Kinds(commands.InOrder()), "SLLOLL");
   const Pose& start = Line(commands.approach, 1);
   const Pose& end = Line(commands.advance, 0);
-  const Vector3 vector = assemble.fixed.X_WorldPart.linear() * mating.mating_vector;
+  const Vector3 vector = assemble.place.X_WorldPart.linear() * mating.mating_vector;
   const Vector3 motion = end.translation() - start.translation();
   EXPECT_LT(motion.cross(vector).norm(), 1e-12);
   EXPECT_NEAR(motion.norm(), vector.norm() + Rules().guarded_travel, 1e-12);
-  const Pose mated = assemble.fixed.X_WorldPart * mating.X_FixedHeld * assemble.hold.X_PartTool;
+  const Pose mated = assemble.place.X_WorldPart * mating.X_FixedHeld * assemble.hold.X_PartTool;
   EXPECT_TRUE((start.translation() + vector).isApprox(mated.translation(), 1e-12));
   EXPECT_TRUE(std::get<MoveStraight>(commands.advance[0]).guard.has_value());
   EXPECT_EQ(Kinds(commands.withdraw), "") << "it is enough to back off a little";
@@ -153,8 +154,8 @@ TEST_F(CommandFileTest, CommandsFollowTheBelief) {
 // A squeeze has the commands of a pickup up to the closing, and those of a putdown from the opening
 // on.
 TEST_F(CommandFileTest, SqueezeClosesAndLetsGoWhereThePartIs) {
-  const auto pickup = std::get<plan::Pickup>(plan_.steps[1].action);
-  const plan::Squeeze squeeze{pickup.part, pickup.hold, pickup.from};
+  const auto pickup = plan_.steps[1].action;
+  const plan::Action squeeze = plan::Squeeze(pickup.part, pickup.hold, pickup.place);
   const std::vector<Command> up = CommandsFor(problem_, world_, pickup).InOrder();
   const std::vector<Command> commands = CommandsFor(problem_, world_, squeeze).InOrder();
   ASSERT_EQ(Kinds(commands), "OSLLCOLL");
@@ -164,14 +165,14 @@ TEST_F(CommandFileTest, SqueezeClosesAndLetsGoWhereThePartIs) {
   const auto& release = std::get<OpenGripper>(commands[5]).release;
   ASSERT_TRUE(release.has_value());
   EXPECT_EQ(release->part, pickup.part);
-  EXPECT_EQ(release->X_WorldPart.matrix(), pickup.from.X_WorldPart.matrix());
+  EXPECT_EQ(release->X_WorldPart.matrix(), pickup.place.X_WorldPart.matrix());
   EXPECT_TRUE(Line(commands, 6).isApprox(Line(commands, 2), 1e-12)) << "out by the way in";
   EXPECT_NEAR(Line(commands, 7).translation().z(), Rules().safe_height, 1e-12);
 }
 
 TEST_F(CommandFileTest, SenseSendsTheArmHomeAndLooks) {
   const plan::Place place{"initial", problem_.part(PartNamed(problem_, "block")).X_WorldPart};
-  const plan::Sense sense{PartNamed(problem_, "block"), "overhead-camera", place};
+  const plan::Action sense = plan::Sense(PartNamed(problem_, "block"), "overhead-camera", place);
   const std::vector<Command> commands = CommandsFor(problem_, world_, sense).InOrder();
   ASSERT_EQ(Kinds(commands), "SW");
   EXPECT_EQ(std::get<MoveAtSafeHeight>(commands[0]).X_WorldTool.matrix(),
@@ -179,13 +180,13 @@ TEST_F(CommandFileTest, SenseSendsTheArmHomeAndLooks) {
   EXPECT_EQ(std::get<Look>(commands[1]).part, sense.part);
   EXPECT_EQ(std::get<Look>(commands[1]).sensor, "overhead-camera");
   EXPECT_EQ(Text(problem_, commands[1]), "look at block with overhead-camera");
-  EXPECT_EQ(Text(problem_, plan::Action(sense)), "sense(block, overhead-camera)");
+  EXPECT_EQ(ShortText(problem_, sense), "sense(block, overhead-camera)");
 }
 
 // The coarse camera promises 0.3 mm and 0.2 degrees, and it measures no heights.
 TEST_F(CommandFileTest, ALookTakesWhatTheSensorKnowsBetter) {
   const PartId block = PartNamed(problem_, "block");
-  plan::PlannedStep step = {"action_3", plan::Sense{block, "coarse-camera", {}}};
+  plan::PlannedStep step = {"action_3", plan::Sense(block, "coarse-camera", {})};
   const auto takes = [&] {
     return std::get<Look>(CommandsFor(problem_, world_, step).act.front()).takes;
   };

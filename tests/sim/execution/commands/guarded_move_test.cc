@@ -5,6 +5,7 @@
 
 #include "sim/execution/walk/executor.h"
 #include "sim/execution/walk/step_execution.h"
+#include "tests/planner/plan/actions.h"
 #include "tests/sim/execution/channel.h"
 #include "tests/sim/execution/figure15.h"
 
@@ -20,8 +21,8 @@ constexpr plan::StepId kPickup(1);
 // Returns a plan in which the peg is picked up and put down where it lay.
 plan::Plan UpAndDown(const domain::Problem& problem) {
   plan::Plan plan = TwoActions(problem);
-  const auto& pickup = std::get<plan::Pickup>(plan.step(kPickup).action);
-  plan.steps[kPutdown.index()].action = plan::Putdown{pickup.part, pickup.hold, pickup.from};
+  const auto& pickup = plan.step(kPickup).action;
+  plan.steps[kPutdown.index()].action = plan::Putdown(pickup.part, pickup.hold, pickup.place);
   return plan;
 }
 
@@ -82,8 +83,8 @@ class GuardedMove : public testing::Test {
   }
   // Returns the height of the tool at which the part would rest on a table at height 0.
   static double ExpectedHeight() {
-    const auto& putdown = std::get<plan::Putdown>(plan().step(kPutdown).action);
-    return (putdown.to.X_WorldPart * putdown.hold.X_PartTool).translation().z();
+    const auto& putdown = plan().step(kPutdown).action;
+    return (putdown.place.X_WorldPart * putdown.hold.X_PartTool).translation().z();
   }
   static double RestingHeight() {
     return RestingPoses(problem(), scene()).at(peg().index()).translation().z();
@@ -115,8 +116,8 @@ TEST_P(Heights, ThePartRestsThere) {
 // The believed pose after the putdown is the planned one, whatever the table's height.
 TEST_P(Heights, ThePartIsBelievedToBeWhereItWasToGo) {
   const Snapshot& end = Onto(GetParam()).trace.All<StepEnd>().at(0)->moment;
-  const auto& putdown = std::get<plan::Putdown>(plan().step(kPutdown).action);
-  EXPECT_EQ(end.parts[peg().index()].believed.matrix(), putdown.to.X_WorldPart.matrix());
+  const auto& putdown = plan().step(kPutdown).action;
+  EXPECT_EQ(end.parts[peg().index()].believed.matrix(), putdown.place.X_WorldPart.matrix());
 }
 
 // The force at the wrist is bounded at every timestep while the part is in the hand.

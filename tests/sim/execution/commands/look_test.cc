@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "sim/execution/walk/executor.h"
+#include "tests/planner/plan/actions.h"
 #include "tests/sim/execution/channel.h"
 #include "tests/sim/execution/figure15.h"
 #include "tests/sim/execution/trace/trace_schema.h"
@@ -22,8 +23,8 @@ class Looking : public testing::Test {
   Looking() : problem_(Figure15()), peg_(PartNamed(problem_, "peg")), plan_(TwoActions(problem_)) {
     plan_.steps[kAssemble.index()].executed = 3;
     plan_.steps[kPickup.index()].executed = 2;
-    const plan::Place place = std::get<plan::Pickup>(plan_.step(kPickup).action).from;
-    plan_.steps.push_back({"action_3", plan::Sense{peg_, "coarse-camera", place}, 3, 1});
+    const plan::Place place = plan_.step(kPickup).action.place;
+    plan_.steps.push_back({"action_3", plan::Sense(peg_, "coarse-camera", place), 3, 1});
   }
 
   static const scene::Scene& scene() {
@@ -92,7 +93,7 @@ TEST_F(Looking, WhatItMeasuresIsBelieved) {
 
 // The overhead camera measures heights as well, and they are used.
 TEST_F(Looking, HeightsThatAreMeasuredAreBelieved) {
-  std::get<plan::Sense>(plan_.steps[kLook.index()].action).sensor = "overhead-camera";
+  plan_.steps[kLook.index()].action.sensor = "overhead-camera";
   const Noise noise = FourErrors(Effect::kSensedX, kLook, {0, 0, 0.0001, 0});
   const LookRecord look = *RunTo(kLook, noise).All<LookRecord>().at(0);
   EXPECT_NEAR(look.believed.translation().z(), look.before.truth.translation().z() - 0.0001, 1e-12);
@@ -120,7 +121,7 @@ TEST_F(Looking, LaterCommandsGoToTheBelievedPlace) {
   const Trace trace = RunTo(kPickup, noise);
   ASSERT_EQ(trace.end().outcome, TrialOutcome::kSucceeded) << trace.end().reason;
   const Pose& believed = trace.All<LookRecord>().at(0)->believed;
-  const auto& pickup = std::get<plan::Pickup>(plan_.step(kPickup).action);
+  const auto& pickup = plan_.step(kPickup).action;
   for (const Milestone* milestone : trace.All<Milestone>()) {
     if (milestone->step != kPickup || milestone->stage != Stage::kReached) continue;
     const Pose told = believed * pickup.hold.X_PartTool;

@@ -3,6 +3,7 @@
 #include <map>
 
 #include "sim/execution/walk/executor.h"
+#include "tests/planner/plan/actions.h"
 #include "tests/sim/execution/figure15.h"
 
 namespace assay::execution::sense_and_squeeze_test {
@@ -15,14 +16,14 @@ constexpr double kStays = 1e-4;  // metres
 // block while the peg is in the hand.
 plan::Plan CarefulPlan(const domain::Problem& problem) {
   plan::Plan plan = TwoActions(problem);
-  const plan::Pickup pickup = std::get<plan::Pickup>(plan.steps[1].action);
+  const plan::Action pickup = plan.steps[1].action;
   const PartId block = PartNamed(problem, "block");
   const plan::Place on_back{"initial", problem.part(block).X_WorldPart};
   plan.steps[0].executed = 5;
   plan.steps[1].executed = 3;
-  plan.steps.push_back({"action_3", plan::Sense{pickup.part, "coarse-camera", pickup.from}, 3, 1});
-  plan.steps.push_back({"action_4", plan::Squeeze{pickup.part, pickup.hold, pickup.from}, 4, 2});
-  plan.steps.push_back({"action_5", plan::Sense{block, "coarse-camera", on_back}, 5, 4});
+  plan.steps.push_back({"action_3", plan::Sense(pickup.part, "coarse-camera", pickup.place), 3, 1});
+  plan.steps.push_back({"action_4", plan::Squeeze(pickup.part, pickup.hold, pickup.place), 4, 2});
+  plan.steps.push_back({"action_5", plan::Sense(block, "coarse-camera", on_back), 5, 4});
   return plan;
 }
 

@@ -108,8 +108,8 @@ TEST_F(Figure15Executed, TheToolFollowsItsCommands) {
 
 // The true positions of the tool lie on a straight line between the ends of the mating motion.
 TEST_F(Figure15Executed, TheMatingMotionIsStraight) {
-  const StepCommands commands = CommandsFor(problem(), WorldModel(problem()),
-                                            std::get<plan::Assemble>(plan().steps[0].action));
+  const StepCommands commands =
+      CommandsFor(problem(), WorldModel(problem()), plan().steps[0].action);
   const Vector3 a = std::get<MoveStraight>(commands.approach[1]).X_WorldTool.translation();
   const Vector3 b = std::get<MoveStraight>(commands.advance[0]).X_WorldTool.translation();
   const Vector3 along = (b - a).normalized();

@@ -138,8 +138,8 @@ class HandChannels : public Channels {
     StepExecution step(plan(), kPickup, execution_);
     ASSERT_FALSE(step.TakeUpNoise());
     ASSERT_FALSE(step.Work());
-    const auto& pickup = std::get<plan::Pickup>(plan().step(kPickup).action);
-    const Pose told = pickup.from.X_WorldPart * pickup.hold.X_PartTool;
+    const auto& pickup = plan().step(kPickup).action;
+    const Pose told = pickup.place.X_WorldPart * pickup.hold.X_PartTool;
     for (const Stage stage : {Stage::kPoised, Stage::kReached}) {
       const TrueAndBelieved tool = ToolAt(stage);
       const Pose off = tool.believed.inverse() * tool.truth;

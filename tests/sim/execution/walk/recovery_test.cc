@@ -90,7 +90,7 @@ class Recovering : public testing::Test {
  protected:
   Recovering()
       : problem_(Figure15()), peg_(PartNamed(problem_, "peg")), plan_(TwoActions(problem_)) {
-    const auto& pickup = std::get<plan::Pickup>(plan_.step(kPickup).action);
+    const auto& pickup = plan_.step(kPickup).action;
     const domain::Mating& mating = problem_.mating(domain::MatingId(0));
     const Pose seated =
         problem_.part(mating.fixed).X_WorldPart * mating.X_FixedHeld * pickup.hold.X_PartTool;
@@ -181,8 +181,8 @@ TEST_F(Recovering, ASearchFindsWhatThePadsMissed) {
   EXPECT_TRUE(trace.All<GraspFact>().back()->holds());
   const TrueAndBelieved& lifted = trace.end().moment.parts[peg_.index()];
   EXPECT_GT(lifted.truth.translation().z(), 0.2) << "it is in the hand";
-  const auto& pickup = std::get<plan::Pickup>(plan_.step(kPickup).action);
-  const Vector3 told = (pickup.from.X_WorldPart * pickup.hold.X_PartTool).translation();
+  const auto& pickup = plan_.step(kPickup).action;
+  const Vector3 told = (pickup.place.X_WorldPart * pickup.hold.X_PartTool).translation();
   const Vector3 tool = trace.end().moment.tool.believed.translation();
   EXPECT_LT((tool - told - recoveries.back()->offset).head<2>().norm(), 1e-6)
       << "straight up from where it was found";
@@ -207,8 +207,8 @@ TEST_F(Recovering, ASearchInVainCallsTheOperator) {
 // The block stands 5 mm beside the hand. The peg is gone, and it is looked for within 15 mm.
 TEST_F(Recovering, NoSearchLeadsTheHandIntoAnotherPart) {
   const PartId block = PartNamed(problem_, "block");
-  const auto& pickup = std::get<plan::Pickup>(plan_.step(kPickup).action);
-  const Pose tool = pickup.from.X_WorldPart * pickup.hold.X_PartTool;
+  const auto& pickup = plan_.step(kPickup).action;
+  const Pose tool = pickup.place.X_WorldPart * pickup.hold.X_PartTool;
   const geometry::CollisionShape hand =
       problem_.workcell->HandShape(problem_.workcell->gripper().max_opening());
   const geometry::CollisionShape& shape = problem_.part(block).model->shape();

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "planner/contingent/grounding/ground_task.h"
+#include "planner/contingent/language/domain.h"
 #include "planner/domain/problem/problem.h"
 #include "planner/plan/data/plan.h"
 
@@ -51,19 +52,14 @@ struct KnowledgeAction {
 // Looks at other parts and later looks are steps of their plans. Each step has done(step), and each
 // verified step has passed(step) and signals(step, error).
 struct PlanKnowledge {
-  std::string domain;   // in the .pks format
-  std::string problem;  // in the .pks format
+  contingent::Domain domain;
+  contingent::Problem problem;
   contingent::GroundTask task;
   std::map<std::string, KnowledgeAction> actions;  // indexed by the names of the task's actions
   // Indexed by the task's constants: the names that errors, parts and poses have in the workcell
   // and in the scenario. These names may be any text.
   std::map<std::string, std::string> names;
 };
-
-// Returns the open poses that decide whether a plan for the worlds `of_plan` works. Every choice of
-// the other open poses leads to one of these worlds.
-std::vector<domain::OpenPose> PosesThatMatter(const std::vector<domain::Problem>& worlds,
-                                              const std::vector<int>& of_plan);
 
 // Returns the plans as a contingent planning problem. The worlds belong to one scenario
 // (domain::ReadWorlds), and each world has at most one plan.
