@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "planner/domain/part/resting.h"
+#include "planner/domain/reach/action_ways.h"
 #include "planner/domain/reach/reachability.h"
 #include "sim/enact/skills/skill.h"
 #include "sim/exec/commands/action_commands.h"
