@@ -1,6 +1,5 @@
 #pragma once
 
-#include "planner/finemotion/contacts/primitive_contact.h"
 #include "planner/finemotion/numeric/zonotope.h"
 
 namespace assay::finemotion {
@@ -17,11 +16,5 @@ struct ForwardProjection {
   double Support(const Eigen::VectorXd& a) const;
   GeneralizedPoint Farthest(const Eigen::VectorXd& a) const;
 };
-
-// Returns a zonotope that holds every point at which a motion of the projection can meet the
-// contact's C-surface (R_1 of the paper, section 4). It is tight in the start, and to first order
-// in the errors of the velocity. Every velocity in `velocity` must approach the surface, which is
-// checked.
-Zonotope RegionAtContact(const ForwardProjection& projection, const PrimitiveContact& contact);
 
 }  // namespace assay::finemotion
