@@ -9,7 +9,7 @@
 #include <variant>
 
 #include "planner/assembly/fine_motion_resolver.h"
-#include "planner/assembly/travel_plan.h"
+#include "planner/assembly/travel/travel_check.h"
 #include "planner/finemotion/replay/strategy_check.h"
 
 namespace assay::assembly {
