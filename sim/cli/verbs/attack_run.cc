@@ -19,7 +19,6 @@
 #include "sim/cli/verbs/noisy_run.h"
 #include "sim/cli/work/noise_floor_cache.h"
 #include "sim/cli/work/output_file.h"
-#include "sim/exec/commands/command_file.h"
 #include "sim/sweep/run/shell.h"
 
 namespace assay::cli {
@@ -117,14 +116,6 @@ class AttackReport {
     return result;
   }
 
-  std::vector<std::string> Actions() const {
-    std::vector<std::string> actions;
-    for (const plan::PlannedStep& step : plan_.steps) {
-      actions.push_back(exec::Text(run_.planned.problem, step.action));
-    }
-    return actions;
-  }
-
   std::string Counterexamples() const {
     std::string text;
     for (const check::Counterexample& example : result_.counterexamples) {
@@ -152,8 +143,8 @@ class AttackReport {
       const auto inconclusive = static_cast<double>(counts.inconclusive);
       if (inconclusive <= kOften * all) continue;
       text += fmt::format(
-          "{} of the {} attempts on step {} ({:.0f} %) are inconclusive: the observation was "
-          "closer to its bound than the noise floor\n",
+          "{} of the {} attempts on step {} ({:.0f} %) are inconclusive: something came closer to "
+          "its bound than the engine can tell\n",
           counts.inconclusive, counts.Total(), plan_.step(id).executed, 100 * inconclusive / all);
     }
     return text;
@@ -173,23 +164,25 @@ class AttackReport {
                  number(ratio.ratio())});
     }
     std::string text =
-        "\nmultiples of the noise: the greatest with guaranteed success, and the least with a "
-        "failed trial\n" +
+        "\nmultiples of the noise: up to where success is guaranteed, and from where it was seen "
+        "to fail\n" +
         table.Text();
     for (const check::ConservatismRatio& ratio : ratios_) {
       if (!ratio.IsFalse()) continue;
-      text += fmt::format("{}: a trial failed within the guaranteed bound\n", ratio.variable);
+      text +=
+          fmt::format("{}: a trial fails with what success is guaranteed for\n", ratio.variable);
     }
     return text;
   }
 
   std::string Report() const {
     const check::VerdictCounts total = tally_.Total();
-    std::string text = "noise floors of the claims\n";
-    text += Text(plan_, experiment_.gate) + "\n" + tally_.Text(Actions()) + Counterexamples();
+    std::string text = "what the engine cannot tell from nothing\n";
+    text += Text(plan_, experiment_.gate) + "\n" + tally_.Text(run_.planned.problem) +
+            Counterexamples();
     text += Ratios();
     if (result_.failed_approaches > 0) {
-      text += fmt::format("\nin {} trials the arm did not reach the start of the next step\n",
+      text += fmt::format("\n{} trials did not come to where the next step begins\n",
                           result_.failed_approaches);
     }
     if (!result_.noiseless.Holds()) return text + Text(plan_, result_.noiseless, experiment_.gate);

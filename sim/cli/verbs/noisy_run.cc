@@ -27,7 +27,6 @@
 #include "sim/cli/work/noise_floor_cache.h"
 #include "sim/cli/work/output_file.h"
 #include "sim/cli/work/trial.h"
-#include "sim/exec/commands/command_file.h"
 #include "sim/exec/execution/executor.h"
 #include "sim/sense/overhead_camera.h"
 #include "sim/sweep/run/shell.h"
@@ -195,19 +194,11 @@ class NoisyTrials {
     return result;
   }
 
-  std::vector<std::string> Actions() const {
-    std::vector<std::string> actions;
-    for (const plan::PlannedStep& step : plan_.steps) {
-      actions.push_back(exec::Text(run_.planned.problem, step.action));
-    }
-    return actions;
-  }
-
   std::string Report() const {
     std::string text = "noise floors of the claims\n";
     text += Text(plan_, experiment_.gate) + "\n";
     if (!noiseless_.Holds()) return text + Text(plan_, noiseless_, experiment_.gate);
-    text += Tally().Text(Actions()) + "\n";
+    text += Tally().Text(run_.planned.problem) + "\n";
     if (!ledger_.empty()) text += Text(ledger_) + "\n";
     constexpr int kMostTold = 3;
     int told = 0;
