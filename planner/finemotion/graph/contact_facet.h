@@ -31,7 +31,7 @@ struct ContactFacet {
 // Returns the facet of a set of surfaces, without points.
 ContactFacet FacetOf(const CSurfaces& surfaces, const SurfaceSet& set);
 
-// Returns x moved so that the facet's gaps, which rounding has left, become 0.
+// Returns x, moved so that the facet's gaps become 0. Rounding has left these gaps.
 ScaledPose Onto(const CSurfaces& surfaces, const ContactFacet& facet, const ScaledPose& x);
 
 }  // namespace assay::finemotion
