@@ -3,13 +3,8 @@
 #include <Eigen/Geometry>
 
 #include "planner/finemotion/numeric/orthogonal_decomposition.h"
-#include "planner/finemotion/search/row_range.h"
 
 namespace assay::finemotion {
-
-double ErrorOf(const SmallVector& row, const Belief& belief) {
-  return SumOfParts(row, belief.errors, belief.tolerances);
-}
 
 PoseChange Closing(const std::vector<const PrimitiveContact*>& contacts, const PoseChange& z,
                    double radius) {

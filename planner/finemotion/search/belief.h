@@ -23,9 +23,6 @@ struct Belief {
   Eigen::VectorXd tolerances = {};  // half widths, metres
 };
 
-// Returns how much errors can change the value of a row.
-double ErrorOf(const SmallVector& row, const Belief& belief);
-
 Pose Displaced(const Pose& X_StationaryMoving, const PoseChange& z);
 // Returns the change that displaces `from` to `to`.
 PoseChange Between(const Pose& from, const Pose& to);

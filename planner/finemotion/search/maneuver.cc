@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "planner/finemotion/numeric/orthogonal_decomposition.h"
+#include "planner/finemotion/search/row_range.h"
 
 namespace assay::finemotion {
 

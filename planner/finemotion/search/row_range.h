@@ -34,6 +34,11 @@ inline double SumOfParts(const SmallVector& row, const PoseChanges& errors,
   return sum;
 }
 
+// Returns how much errors can change the value of a row.
+inline double ErrorOf(const SmallVector& row, const Belief& belief) {
+  return SumOfParts(row, belief.errors, belief.tolerances);
+}
+
 // The range of a linear function over a forward projection: over the start, with all of its errors,
 // and over the velocity, with all of its errors.
 struct RowRange {

@@ -11,7 +11,7 @@
 #include "planner/finemotion/contacts/parallel_edges.h"
 #include "planner/finemotion/search/kept_directions.h"
 #include "planner/finemotion/search/row_range.h"
-#include "planner/finemotion/search/segment.h"
+#include "planner/finemotion/search/segment_model.h"
 
 namespace assay::finemotion {
 
