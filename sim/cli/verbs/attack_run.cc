@@ -143,8 +143,8 @@ class AttackReport {
       const auto inconclusive = static_cast<double>(counts.inconclusive);
       if (inconclusive <= kOften * all) continue;
       text += fmt::format(
-          "{} of the {} attempts on step {} ({:.0f} %) are inconclusive: something came closer to "
-          "its bound than the engine can tell\n",
+          "{} of the {} attempts on step {} ({:.0f} %) are inconclusive: the observation was "
+          "closer to its bound than the noise floor\n",
           counts.inconclusive, counts.Total(), plan_.step(id).executed, 100 * inconclusive / all);
     }
     return text;
@@ -164,25 +164,24 @@ class AttackReport {
                  number(ratio.ratio())});
     }
     std::string text =
-        "\nmultiples of the noise: up to where success is guaranteed, and from where it was seen "
-        "to fail\n" +
+        "\nmultiples of the noise: the greatest with guaranteed success, and the least with a "
+        "failed trial\n" +
         table.Text();
     for (const check::ConservatismRatio& ratio : ratios_) {
       if (!ratio.IsFalse()) continue;
-      text +=
-          fmt::format("{}: a trial fails with what success is guaranteed for\n", ratio.variable);
+      text += fmt::format("{}: a trial failed within the guaranteed bound\n", ratio.variable);
     }
     return text;
   }
 
   std::string Report() const {
     const check::VerdictCounts total = tally_.Total();
-    std::string text = "what the engine cannot tell from nothing\n";
+    std::string text = "noise floors of the claims\n";
     text += Text(plan_, experiment_.gate) + "\n" + tally_.Text(run_.planned.problem) +
             Counterexamples();
     text += Ratios();
     if (result_.failed_approaches > 0) {
-      text += fmt::format("\n{} trials did not come to where the next step begins\n",
+      text += fmt::format("\nin {} trials the arm did not reach the start of the next step\n",
                           result_.failed_approaches);
     }
     if (!result_.noiseless.Holds()) return text + Text(plan_, result_.noiseless, experiment_.gate);
