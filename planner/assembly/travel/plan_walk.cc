@@ -1,4 +1,4 @@
-#include "planner/assembly/plan_walk.h"
+#include "planner/assembly/travel/plan_walk.h"
 
 #include <utility>
 
@@ -66,6 +66,12 @@ bool PlanWalk::IsGuarded(StepId id) const {
   const plan::PlannedStep& step = plan_.step(id);
   return std::holds_alternative<plan::Putdown>(step.action) ||
          (std::holds_alternative<plan::Assemble>(step.action) && !step.strategy);
+}
+
+std::vector<StepId> PlanWalk::Steps() const {
+  std::vector<StepId> steps = plan_.ExecutionOrder();
+  if (!steps.empty()) steps.push_back(StepId::None());
+  return steps;
 }
 
 void PlanWalk::ComeTo(StepId id) {
