@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "planner/base/random.h"
+#include "planner/finemotion/contacts/primitive_contact.h"
 #include "planner/finemotion/graph/forward_projection.h"
 
 namespace assay::workloads {

@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "planner/assembly/resolvers.h"
-#include "planner/assembly/travel_plan.h"
+#include "planner/assembly/travel/travel_plan.h"
 
 namespace assay::assembly {
 

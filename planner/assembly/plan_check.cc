@@ -8,7 +8,7 @@
 #include <utility>
 #include <variant>
 
-#include "planner/assembly/travel_plan.h"
+#include "planner/assembly/travel/travel_check.h"
 #include "planner/finemotion/replay/strategy_check.h"
 
 namespace assay::assembly {

@@ -12,4 +12,9 @@ enum class Outcome {
   kBudget,  // no answer: the budget was spent, or the planner reached one of its limits
 };
 
+// Returns the outcome's name in results: `found`, "none" or "budget".
+constexpr std::string_view Name(Outcome outcome, std::string_view found) {
+  return outcome == Outcome::kFound ? found : outcome == Outcome::kNone ? "none" : "budget";
+}
+
 }  // namespace assay

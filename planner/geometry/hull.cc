@@ -9,6 +9,7 @@ extern "C" {
 }
 
 #include "planner/base/check.h"
+#include "planner/geometry/outline.h"
 #include "planner/geometry/polygon.h"
 
 namespace assay::geometry {
@@ -19,13 +20,8 @@ namespace {
 // triangles whose normals differ by less than about 1e-7.
 constexpr double kTolerance = 1e-7;
 
-// A plane that Qhull found, with its outward normal.
-struct Plane {
-  Vector3 normal;
-  double offset = 0;
-};
-
-struct Outline {
+// The corners of a facet as indices of points, in order.
+struct FacetOutline {
   Vector3 normal;
   std::vector<int> loop;
   double area = 0;
@@ -93,19 +89,19 @@ void DropCollinear(Polygon& polygon, double tolerance) {
 
 // Returns the convex outline of the points that lie on a plane, beginning with the smallest index.
 // It has fewer than three corners if the points do not span the plane.
-Outline OutlineOn(const Plane& plane, const std::vector<Vector3>& points, double tolerance) {
+FacetOutline OutlineOn(const Plane& plane, const std::vector<Vector3>& points, double tolerance) {
   const Vector3 u = plane.normal.unitOrthogonal();
   const Vector3 v = plane.normal.cross(u);
   std::vector<int> on_plane;
   std::vector<Vector2> projected;
   for (int i = 0; i < static_cast<int>(points.size()); ++i) {
-    if (plane.normal.dot(points[i]) < plane.offset - tolerance) continue;
+    if (plane.normal.dot(points[i]) < plane.height - tolerance) continue;
     on_plane.push_back(i);
     projected.emplace_back(u.dot(points[i]), v.dot(points[i]));
   }
   Polygon corners = Hull2(projected);
   DropCollinear(corners, tolerance);
-  Outline outline{plane.normal, {}, Area(corners)};
+  FacetOutline outline{plane.normal, {}, Area(corners)};
   for (const Vector2& corner : corners) {
     outline.loop.push_back(on_plane[std::ranges::find(projected, corner) - projected.begin()]);
   }
@@ -113,7 +109,7 @@ Outline OutlineOn(const Plane& plane, const std::vector<Vector3>& points, double
   return outline;
 }
 
-int SharedCorners(const Outline& a, const Outline& b) {
+int SharedCorners(const FacetOutline& a, const FacetOutline& b) {
   const auto in_b = [&](int i) { return std::ranges::find(b.loop, i) != b.loop.end(); };
   return static_cast<int>(std::ranges::count_if(a.loop, in_b));
 }
@@ -121,20 +117,22 @@ int SharedCorners(const Outline& a, const Outline& b) {
 // Returns the outlines of distinct facets, sorted by loop. Two facets of a convex polyhedron share
 // at most an edge. Outlines that share more are triangles of one facet or slivers from rounding,
 // and only the widest of them is kept.
-std::vector<Outline> DistinctOutlines(const std::vector<Plane>& planes,
-                                      const std::vector<Vector3>& points, double tolerance) {
-  std::vector<Outline> candidates;
+std::vector<FacetOutline> DistinctOutlines(const std::vector<Plane>& planes,
+                                           const std::vector<Vector3>& points, double tolerance) {
+  std::vector<FacetOutline> candidates;
   for (const Plane& plane : planes) {
-    Outline outline = OutlineOn(plane, points, tolerance);
+    FacetOutline outline = OutlineOn(plane, points, tolerance);
     if (outline.loop.size() >= 3) candidates.push_back(std::move(outline));
   }
-  std::ranges::stable_sort(candidates, std::ranges::greater(), &Outline::area);
-  std::vector<Outline> distinct;
-  for (Outline& candidate : candidates) {
-    const auto same = [&](const Outline& other) { return SharedCorners(candidate, other) > 2; };
+  std::ranges::stable_sort(candidates, std::ranges::greater(), &FacetOutline::area);
+  std::vector<FacetOutline> distinct;
+  for (FacetOutline& candidate : candidates) {
+    const auto same = [&](const FacetOutline& other) {
+      return SharedCorners(candidate, other) > 2;
+    };
     if (std::ranges::none_of(distinct, same)) distinct.push_back(std::move(candidate));
   }
-  std::ranges::sort(distinct, {}, &Outline::loop);
+  std::ranges::sort(distinct, {}, &FacetOutline::loop);
   return distinct;
 }
 
@@ -152,10 +150,10 @@ Facet FacetOf(std::vector<int> loop, const std::vector<Vector3>& vertices) {
 }
 
 // Keeps the points that are corners of an outline, in their order, and renumbers the loops.
-ConvexHull Assemble(const std::vector<Outline>& outlines, std::span<const Vector3> points,
+ConvexHull Assemble(const std::vector<FacetOutline>& outlines, std::span<const Vector3> points,
                     const std::vector<int>& kept) {
   std::vector<int> number(kept.size(), -1);
-  for (const Outline& outline : outlines) {
+  for (const FacetOutline& outline : outlines) {
     for (int i : outline.loop) number[i] = 0;
   }
   ConvexHull hull;
@@ -164,7 +162,7 @@ ConvexHull Assemble(const std::vector<Outline>& outlines, std::span<const Vector
     number[i] = static_cast<int>(hull.vertices.size());
     hull.vertices.push_back(points[kept[i]]);
   }
-  for (const Outline& outline : outlines) {
+  for (const FacetOutline& outline : outlines) {
     std::vector<int> loop;
     for (int i : outline.loop) loop.push_back(number[i]);
     hull.facets.push_back(FacetOf(std::move(loop), hull.vertices));
@@ -187,7 +185,7 @@ ConvexHull HullOf(std::span<const Vector3> points) {
   for (int i : kept) centered.push_back(points[i] - bounds.center());
   ASSAY_CHECK(kept.size() >= 4, "{} points do not span three dimensions", points.size());
   std::vector<Plane> planes = QhullRun(centered).Planes();
-  const std::vector<Outline> outlines = DistinctOutlines(planes, centered, tolerance);
+  const std::vector<FacetOutline> outlines = DistinctOutlines(planes, centered, tolerance);
   ASSAY_CHECK(outlines.size() >= 4, "{} points do not span three dimensions", points.size());
   return Assemble(outlines, points, kept);
 }

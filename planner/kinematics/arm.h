@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "planner/geometry/pose.h"
+#include "planner/kinematics/arm_geometry.h"
 #include "planner/kinematics/urdf_model.h"
 
 namespace assay::kinematics {
@@ -57,16 +58,6 @@ class InverseSolutions {
   std::size_t size_ = 0;
 };
 
-// The lengths of the Denavit-Hartenberg table, in metres: alpha = (-90, 0, 90, -90, 90, 0) degrees,
-// a = (0, a2, a3, 0, 0, 0), d = (0, d2, 0, d4, 0, d6).
-struct ArmGeometry {
-  double a2 = 0;  // shoulder axis to elbow axis, > 0
-  double a3 = 0;  // elbow axis to the line of axis 4
-  double d2 = 0;  // offset of the arm's plane from axis 1
-  double d4 = 0;  // elbow to wrist centre, > 0
-  double d6 = 0;  // wrist centre to flange
-};
-
 // The Jacobian about the wrist centre, in the base frame. The last three joints do not move this
 // point.
 struct WristJacobian {
@@ -79,10 +70,7 @@ struct WristJacobian {
 class Arm {
  public:
   // Reads an arm from a URDF file. Throws InputError if the file is not URDF, or if the arm does
-  // not satisfy Lee and Ziegler's convention. At joint values 0, axes 1, 4, 6 must point along the
-  // root's z, and axes 2, 3, 5 along its y. Axes 1 and 2 must meet in the root's origin, and axes
-  // 4, 5, 6 in one point. The frame of the last link, the flange, must have the root's orientation
-  // and its origin on axis 6.
+  // not satisfy Lee and Ziegler's convention (arm_geometry.h).
   static Arm FromUrdf(const std::filesystem::path& file);
 
   const RobotModel& model() const { return model_; }

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "planner/algebra/expression/evaluation.h"
-#include "planner/assembly/way_conditions.h"
+#include "planner/assembly/travel/way_conditions.h"
 #include "planner/base/random.h"
 #include "planner/constraint_posting/uncertainty_phase/verification.h"
 #include "planner/domain/mating/shaft_fit.h"

@@ -3,29 +3,26 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <set>
-#include <span>
 #include <utility>
 
 #include "planner/base/document/document.h"
 #include "planner/base/document/nearest_name.h"
+#include "planner/contingent/format/pddl_formulas.h"
 #include "planner/contingent/format/s_expression.h"
 
 namespace assay::contingent {
 namespace {
 
-constexpr const char* kRootType = "object";
-
-class PddlReader {
+class PddlReader : private PddlFormulas {
  public:
-  explicit PddlReader(const std::string& file) : file_(file) {}
+  using PddlFormulas::PddlFormulas;
 
   Domain ReadDomain(const SExpression& whole) {
     Domain domain;
-    domain.file = file_;
+    domain.file = file();
     domain.name = TitleOf(whole, "domain");
-    domain.types.push_back({.name = kRootType});
+    domain.types.push_back({.name = kPddlRootType});
     for (const SExpression& section : Rest(whole, 2)) ReadDomainSection(section, domain);
     // Some published domains have constants of types that they do not declare.
     for (const TypedName& constant : domain.constants) DeclareType(constant.type, domain);
@@ -35,12 +32,12 @@ class PddlReader {
   static void DeclareType(const std::string& name, Domain& domain) {
     const bool is_declared = std::any_of(domain.types.begin(), domain.types.end(),
                                          [&](const TypedName& t) { return t.name == name; });
-    if (!is_declared) domain.types.push_back({.name = name, .type = kRootType});
+    if (!is_declared) domain.types.push_back({.name = name, .type = kPddlRootType});
   }
 
   Problem ReadProblem(const SExpression& whole, const Domain& domain) {
     Problem problem;
-    problem.file = file_;
+    problem.file = file();
     problem.name = TitleOf(whole, "problem");
     problem.domain = domain.name;
     for (const Symbol& predicate : domain.predicates) problem.init.push_back(Closed(predicate));
@@ -56,29 +53,6 @@ class PddlReader {
   }
 
  private:
-  using Items = std::span<const SExpression>;
-
-  [[noreturn]] void Fail(const SExpression& at, const std::string& what,
-                         const std::string& allowed) const {
-    throw InputError({file_, at.place.line, at.place.column}, what, allowed);
-  }
-
-  static Items Rest(const SExpression& list, std::size_t from) {
-    return Items(list.items).subspan(std::min(from, list.items.size()));
-  }
-
-  const std::string& Word(const SExpression& e, const std::string& what) const {
-    if (e.is_list) Fail(e, "a list", what);
-    return e.word;
-  }
-
-  const SExpression& Only(const SExpression& list) const {
-    if (list.items.size() != 2) {
-      Fail(list, fmt::format("{} items", list.items.size()), "a word and one argument");
-    }
-    return list.items[1];
-  }
-
   std::string TitleOf(const SExpression& whole, const std::string& kind) const {
     if (!whole.BeginsWith("define") || whole.items.size() < 2 || !whole.items[1].BeginsWith(kind)) {
       Fail(whole, "unknown form", fmt::format("(define ({} NAME) ...)", kind));
@@ -99,7 +73,7 @@ class PddlReader {
     if (section.BeginsWith(":requirements")) return;
     if (section.BeginsWith(":types")) {
       for (TypedName& type : TypedNames(Rest(section, 1))) {
-        if (type.name != kRootType) domain.types.push_back(std::move(type));
+        if (type.name != kPddlRootType) domain.types.push_back(std::move(type));
       }
     } else if (section.BeginsWith(":constants")) {
       RequireOnce(!domain.constants.empty(), section);
@@ -143,23 +117,6 @@ class PddlReader {
     } else {
       Fail(section, "unknown section", ":domain, :objects, :init and :goal");
     }
-  }
-
-  // Reads a list of names with types. In `a b - type c`, the untyped name c gets the root type.
-  std::vector<TypedName> TypedNames(Items items) const {
-    std::vector<TypedName> names;
-    std::size_t untyped = 0;
-    for (std::size_t i = 0; i < items.size(); ++i) {
-      if (items[i].Is("-")) {
-        if (++i == items.size()) Fail(items[i - 1], "nothing follows '-'", "a type");
-        for (; untyped < names.size(); ++untyped) names[untyped].type = Word(items[i], "a type");
-      } else {
-        std::string name = Word(items[i], "a name");
-        if (name.starts_with('?')) name.erase(0, 1);
-        names.push_back({.name = std::move(name), .type = kRootType, .place = items[i].place});
-      }
-    }
-    return names;
   }
 
   Action ReadAction(const SExpression& section) {
@@ -241,68 +198,7 @@ class PddlReader {
     }
   }
 
-  // ---- Conditions and effects
-
-  // Returns true for PDDL keywords that are outside the fragment or are not allowed in every place.
-  static bool IsKeyword(const std::string& word) {
-    static constexpr std::array kWords = {
-        "and",   "or",     "oneof",    "unknown",  "when",     "forall",       "exists",
-        "imply", "assign", "increase", "decrease", "scale-up", "probabilistic"};
-    return std::find(kWords.begin(), kWords.end(), word) != kWords.end();
-  }
-
-  // Reads a literal. `allowed` describes, for the message, what may stand there.
-  Literal ReadLiteral(const SExpression& e, const std::string& allowed) const {
-    if (e.BeginsWith("not")) {
-      Literal literal = ReadLiteral(Only(e), allowed);
-      literal.is_positive = !literal.is_positive;
-      return literal;
-    }
-    if (e.items.empty()) Fail(e, "no literal", "(PREDICATE ...) or (not (PREDICATE ...))");
-    Literal literal;
-    literal.place = e.place;
-    literal.predicate = Word(e.items[0], "a predicate");
-    if (IsKeyword(literal.predicate)) {
-      Fail(e,
-           fmt::format("'{}' is a part of PDDL that this reader does not support",
-                       literal.predicate),
-           allowed);
-    }
-    if (literal.predicate == "=") literal.relation = Relation::kEqual;
-    for (const SExpression& item : Rest(e, 1)) {
-      Term term;
-      term.name = Word(item, "a constant or a ?variable");
-      term.place = item.place;
-      if (term.name.starts_with('?')) {
-        term.kind = Term::Kind::kVariable;
-        term.name.erase(0, 1);
-      }
-      literal.arguments.push_back(std::move(term));
-    }
-    if (literal.relation == Relation::kEqual && literal.arguments.size() != 2) {
-      Fail(e, fmt::format("{} sides", literal.arguments.size()), "(= A B)");
-    }
-    return literal;
-  }
-
-  // Returns the condition in negation normal form.
-  Query Condition(const SExpression& e, bool is_positive) const {
-    Query query;
-    query.place = e.place;
-    if (e.BeginsWith("not")) return Condition(Only(e), !is_positive);
-    if ((e.is_list && e.items.empty()) || e.BeginsWith("and") || e.BeginsWith("or")) {
-      const bool is_and = !e.BeginsWith("or");
-      query.kind = is_and == is_positive ? Query::Kind::kAnd : Query::Kind::kOr;
-      for (const SExpression& item : Rest(e, 1)) {
-        query.operands.push_back(Condition(item, is_positive));
-      }
-      return query;
-    }
-    query.kind = Query::Kind::kKnown;
-    query.literals.push_back(ReadLiteral(e, "literals, and, or and not"));
-    query.literals.front().is_positive = is_positive;
-    return query;
-  }
+  // ---- Effects
 
   // Reads an effect. Changes without a further condition are added to `now`, and changes under a
   // further condition to `others`.
@@ -322,7 +218,6 @@ class PddlReader {
     }
   }
 
-  const std::string& file_;
   bool has_goal_ = false;
 };
 

@@ -106,6 +106,24 @@ bool AsksForIgnorance(const GroundTask& task) {
          });
 }
 
+bool HappensByKnowledge(const GroundTask& task) {
+  const auto is_by_knowledge = [](const GroundEffect& effect) {
+    return !effect.is_of_worlds && !effect.condition.IsTrue();
+  };
+  return !std::ranges::all_of(task.updates, [](const GroundEffect& update) {
+    return update.condition.IsTrue();
+  }) || std::ranges::any_of(task.actions, [&](const GroundAction& action) {
+    return std::ranges::any_of(action.effects, is_by_knowledge);
+  });
+}
+
+bool IsMonotone(const GroundTask& task) {
+  return !HappensByKnowledge(task) && !HasNegation(task.goal) &&
+         std::ranges::none_of(task.actions, [](const GroundAction& action) {
+           return HasNegation(action.precondition);
+         });
+}
+
 std::string TextOf(const GroundTask& task, const GroundQuery& query) {
   using Kind = GroundQuery::Kind;
   switch (query.kind) {

@@ -25,6 +25,14 @@ bool HasNegation(const GroundQuery& query);
 // knowledge do harm.
 bool AsksForIgnorance(const GroundTask& task);
 
+// Returns true if some effect depends on what is known or not known, so the change of one world
+// depends on the other worlds.
+bool HappensByKnowledge(const GroundTask& task);
+
+// Returns true if more knowledge never does harm. Then no effect depends on what is known, and no
+// query asks that something is not known.
+bool IsMonotone(const GroundTask& task);
+
 // Returns the text of a query: "K(on(a, b))", "!(Kw(p) | K(n > 2))".
 std::string TextOf(const GroundTask& task, const GroundQuery& query);
 

@@ -5,17 +5,14 @@
 
 #include <algorithm>
 
-#include "planner/base/document/document.h"
-#include "planner/base/document/nearest_name.h"
+#include "planner/contingent/language/term_types.h"
 
 namespace assay::contingent {
 namespace {
 
-using Scope = std::vector<TypedName>;  // visible variables; the last one of a name counts
-
-class Checker {
+class Checker : private TermTypes {
  public:
-  Checker(const SymbolTable& symbols, const std::string& file) : symbols_(symbols), file_(file) {}
+  using TermTypes::TermTypes;
 
   void CheckAction(Action& action) {
     const Scope scope = Extended({}, action.parameters);
@@ -65,9 +62,9 @@ class Checker {
         CheckArguments(PredicateOf(literal), literal.arguments, literal.place, scope);
         return;
       case Relation::kExtern: {
-        const Symbol* const symbol = symbols_.FindExtern(literal.predicate);
+        const Symbol* const symbol = symbols().FindExtern(literal.predicate);
         if (!symbol)
-          FailUnknown(literal.place, "extern", literal.predicate, symbols_.ExternNames());
+          FailUnknown(literal.place, "extern", literal.predicate, symbols().ExternNames());
         CheckArguments(*symbol, literal.arguments, literal.place, scope);
         return;
       }
@@ -82,37 +79,6 @@ class Checker {
   }
 
  private:
-  [[noreturn]] void Fail(Place place, const std::string& what, const std::string& allowed) const {
-    throw InputError({file_, place.line, place.column}, what, allowed);
-  }
-
-  [[noreturn]] void FailUnknown(Place place, const std::string& kind, const std::string& name,
-                                const std::vector<std::string>& known) const {
-    const std::string nearest = NearestName(name, known);
-    Fail(place,
-         nearest.empty() ? fmt::format("unknown {} '{}'", kind, name)
-                         : fmt::format("unknown {} '{}', did you mean '{}'?", kind, name, nearest),
-         known.empty() ? "nothing" : fmt::format("{}", fmt::join(known, ", ")));
-  }
-
-  Scope Extended(const Scope& outer, const std::vector<TypedName>& variables) const {
-    Scope scope = outer;
-    for (const TypedName& variable : variables) {
-      const bool is_twice =
-          std::any_of(scope.begin() + static_cast<std::ptrdiff_t>(outer.size()), scope.end(),
-                      [&](const TypedName& before) { return before.name == variable.name; });
-      if (is_twice) {
-        Fail(variable.place, fmt::format("'?{}' is declared twice", variable.name),
-             "a name of its own for each");
-      }
-      if (!variable.type.empty() && !symbols_.HasType(variable.type)) {
-        FailUnknown(variable.place, "type", variable.type, symbols_.TypeNames());
-      }
-      scope.push_back(variable);
-    }
-    return scope;
-  }
-
   // A conjunction is either one comparison of numbers or any number of literals about objects.
   void CheckConjunction(std::vector<Literal>& literals, const Scope& scope) {
     for (Literal& literal : literals) {
@@ -185,33 +151,15 @@ class Checker {
     CheckLiteral(literal, Extended(scope, change.variables));
   }
 
-  bool IsNumeric(const Literal& literal) const {
-    return literal.relation != Relation::kPredicate && literal.relation != Relation::kExtern &&
-           IsNumeric(literal.arguments.front());
-  }
-
-  bool IsNumeric(const Term& term) const {
-    if (term.kind == Term::Kind::kFunction) {
-      const Symbol* const function = symbols_.FindFunction(term.name);
-      return function != nullptr && function->range == kNumberType;
-    }
-    return term.kind != Term::Kind::kConstant && term.kind != Term::Kind::kVariable;
-  }
-
   const Symbol& PredicateOf(const Literal& literal) const {
-    const Symbol* const symbol = symbols_.FindPredicate(literal.predicate);
+    const Symbol* const symbol = symbols().FindPredicate(literal.predicate);
     if (!symbol) {
-      FailUnknown(literal.place, "predicate", literal.predicate, symbols_.PredicateNames());
+      FailUnknown(literal.place, "predicate", literal.predicate, symbols().PredicateNames());
     }
     if (symbol->parameters.size() != literal.arguments.size()) {
       FailCount(*symbol, literal.arguments.size(), literal.place);
     }
     return *symbol;
-  }
-
-  [[noreturn]] void FailCount(const Symbol& symbol, std::size_t count, Place place) const {
-    Fail(place, fmt::format("'{}' has {} arguments here", symbol.name, count),
-         fmt::format("{}, as declared", symbol.parameters.size()));
   }
 
   void CheckComparison(Literal& literal, const Scope& scope) {
@@ -244,7 +192,7 @@ class Checker {
       Fail(right.place, fmt::format("'{}' is a function, as is the other side", right.name),
            "a constant or a ?variable on one side");
     }
-    if (symbols_.IsA(left_type, right_type) || symbols_.IsA(right_type, left_type)) return;
+    if (symbols().IsA(left_type, right_type) || symbols().IsA(right_type, left_type)) return;
     const bool is_declared = is_left || right.kind == Term::Kind::kFunction;
     const Term& side = is_left || !is_declared ? right : left;
     const Term& other = &side == &left ? right : left;
@@ -260,80 +208,12 @@ class Checker {
     const std::string type = TypeOf(term, scope);
     if (term.kind != Term::Kind::kFunction) {
       Fail(term.place, "not a function",
-           fmt::format("a term of {}", fmt::join(symbols_.FunctionNames(), ", ")));
+           fmt::format("a term of {}", fmt::join(symbols().FunctionNames(), ", ")));
     }
     if (has_error && type != kNumberType) {
       Fail(term.place, "'within' needs a numeric function", "a function of type number");
     }
   }
-
-  void CheckArguments(const Symbol& symbol, std::vector<Term>& arguments, Place place,
-                      const Scope& scope) {
-    if (symbol.parameters.size() != arguments.size()) FailCount(symbol, arguments.size(), place);
-    for (std::size_t i = 0; i < arguments.size(); ++i) {
-      const std::string type = TypeOf(arguments[i], scope);
-      if (arguments[i].kind == Term::Kind::kFunction || type == kNumberType) {
-        Fail(arguments[i].place, "a nested term", "a constant or a variable");
-      }
-      // A variable of a wider type is narrowed when it is bound (grounding.h).
-      const std::string& wanted = symbol.parameters[i].type;
-      if (!symbols_.IsA(type, wanted) && !symbols_.IsA(wanted, type)) {
-        Fail(arguments[i].place, fmt::format("this is of type '{}'", type),
-             fmt::format("'{}', as '{}' is declared", wanted, symbol.name));
-      }
-    }
-  }
-
-  const TypedName* FindVariable(const std::string& name, const Scope& scope) const {
-    const auto found = std::find_if(scope.rbegin(), scope.rend(),
-                                    [&](const TypedName& v) { return v.name == name; });
-    return found != scope.rend() ? &*found : nullptr;
-  }
-
-  std::string TypeOf(Term& term, const Scope& scope) {
-    switch (term.kind) {
-      case Term::Kind::kVariable:
-        return TypeOfVariable(term, scope);
-      case Term::Kind::kConstant:
-        if (const TypedName* constant = symbols_.FindConstant(term.name)) return constant->type;
-        if (!symbols_.FindFunction(term.name)) {
-          FailUnknown(term.place, "constant", term.name, symbols_.ConstantNames());
-        }
-        term.kind = Term::Kind::kFunction;
-        [[fallthrough]];
-      case Term::Kind::kFunction:
-        return TypeOfFunction(term, scope);
-      case Term::Kind::kNumber:
-        return kNumberType;
-      case Term::Kind::kSum:
-      case Term::Kind::kDifference:
-        for (Term& argument : term.arguments) {
-          if (TypeOf(argument, scope) != kNumberType) {
-            Fail(argument.place, "not a number", "numbers, intervals and functions of type number");
-          }
-        }
-        return kNumberType;
-    }
-    return "";
-  }
-
-  std::string TypeOfVariable(const Term& term, const Scope& scope) const {
-    const TypedName* const variable = FindVariable(term.name, scope);
-    if (variable) return variable->type;
-    std::vector<std::string> known;
-    for (const TypedName& in_scope : scope) known.push_back("?" + in_scope.name);
-    FailUnknown(term.place, "variable", "?" + term.name, known);
-  }
-
-  std::string TypeOfFunction(Term& term, const Scope& scope) {
-    const Symbol* const function = symbols_.FindFunction(term.name);
-    if (!function) FailUnknown(term.place, "function", term.name, symbols_.FunctionNames());
-    CheckArguments(*function, term.arguments, term.place, scope);
-    return function->range;
-  }
-
-  const SymbolTable& symbols_;
-  const std::string& file_;
 };
 
 }  // namespace

@@ -18,6 +18,40 @@ constexpr double kGrowth = 1.2;
 // the greatest number of nodes above each other in a tree with repeats
 constexpr int kDeepestRepeat = 2000;
 
+// Returns the atoms that an effect changes only in some worlds, so they may become unknown
+// without a change. The values of functions are included because they depend on each other.
+std::unordered_set<AtomId> ConditionallyChanged(const GroundTask& task) {
+  std::unordered_set<AtomId> atoms;
+  const auto add = [&](const std::vector<GroundEffect>& effects, bool are_all) {
+    for (const GroundEffect& effect : effects) {
+      for (const GroundChange& change : effect.changes) {
+        if (are_all || !effect.condition.IsTrue()) atoms.insert(change.literal.atom);
+        for (const GroundLiteral& l : change.literals) atoms.insert(l.atom);
+      }
+    }
+  };
+  for (const GroundAction& action : task.actions) add(action.effects, false);
+  add(task.updates, true);
+  for (const GroundFunction& function : task.functions) {
+    atoms.insert(function.values.begin(), function.values.end());
+  }
+  return atoms;
+}
+
+// Returns true if the task asserts Kx or bounds, which say something about the present world.
+bool TellsSomething(const GroundTask& task) {
+  const auto is_told = [](const GroundChange& change) {
+    return change.kind == GroundChange::Kind::kRelate || change.kind == GroundChange::Kind::kNarrow;
+  };
+  const auto tells = [&](const GroundEffect& effect) {
+    return std::ranges::any_of(effect.changes, is_told);
+  };
+  return std::ranges::any_of(task.updates, tells) ||
+         std::ranges::any_of(task.actions, [&](const GroundAction& action) {
+           return std::ranges::any_of(action.effects, tells);
+         });
+}
+
 class ExhaustiveTreeSearch {
  public:
   explicit ExhaustiveTreeSearch(KnowledgeSpace& space)
@@ -197,41 +231,6 @@ class ExhaustiveTreeSearch {
     if (literals.size() != 1) return false;  // the formula is a bound or a conjunction
     const AtomId atom = literals.front().atom;
     return knowledge.RelationOf(here, atom) == kAllSets && !conditionally_changed_.contains(atom);
-  }
-
-  // Returns the atoms that an effect changes only in some worlds, so they may become unknown
-  // without a change. The values of functions are included because they depend on each other.
-  static std::unordered_set<AtomId> ConditionallyChanged(const GroundTask& task) {
-    std::unordered_set<AtomId> atoms;
-    const auto add = [&](const std::vector<GroundEffect>& effects, bool are_all) {
-      for (const GroundEffect& effect : effects) {
-        for (const GroundChange& change : effect.changes) {
-          if (are_all || !effect.condition.IsTrue()) atoms.insert(change.literal.atom);
-          for (const GroundLiteral& l : change.literals) atoms.insert(l.atom);
-        }
-      }
-    };
-    for (const GroundAction& action : task.actions) add(action.effects, false);
-    add(task.updates, true);
-    for (const GroundFunction& function : task.functions) {
-      atoms.insert(function.values.begin(), function.values.end());
-    }
-    return atoms;
-  }
-
-  // Returns true if the task asserts Kx or bounds, which say something about the present world.
-  static bool TellsSomething(const GroundTask& task) {
-    const auto is_told = [](const GroundChange& change) {
-      return change.kind == GroundChange::Kind::kRelate ||
-             change.kind == GroundChange::Kind::kNarrow;
-    };
-    const auto tells = [&](const GroundEffect& effect) {
-      return std::ranges::any_of(effect.changes, is_told);
-    };
-    return std::ranges::any_of(task.updates, tells) ||
-           std::ranges::any_of(task.actions, [&](const GroundAction& action) {
-             return std::ranges::any_of(action.effects, tells);
-           });
   }
 
   struct Made {

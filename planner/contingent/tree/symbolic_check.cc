@@ -1,35 +1,15 @@
 #include "planner/contingent/tree/symbolic_check.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cmath>
-#include <map>
 #include <ranges>
 #include <set>
-#include <unordered_map>
 
-#include "planner/contingent/worlds/decision_diagram.h"
-#include "planner/contingent/worlds/variable_order.h"
+#include "planner/contingent/tree/symbolic_worlds.h"
 
 namespace assay::contingent {
 namespace {
-
-// The worlds where an effect makes an atom true, makes it false, or lets it be either.
-struct Fate {
-  Diagram becomes_true = kEmptySet;
-  Diagram becomes_false = kEmptySet;
-  Diagram becomes_open = kEmptySet;
-
-  // Returns true if the effect is the same in all worlds.
-  bool IsCertain() const {
-    const auto is_somewhere = [](Diagram where) { return where != kEmptySet && where != kAllSets; };
-    return !is_somewhere(becomes_true) && !is_somewhere(becomes_false) &&
-           !is_somewhere(becomes_open);
-  }
-  bool IsOpen() const { return becomes_true == kEmptySet && becomes_false == kEmptySet; }
-};
 
 // The state of the check at a node: the worlds of all paths, the formulas sensed on every path and
 // on any path, and the atoms that are open on every path. An atom is open on a path if, for each
@@ -67,15 +47,15 @@ bool IsOfEachWorld(const GroundTask& task, const PlanTree& tree) {
 class SymbolicCheck {
  public:
   SymbolicCheck(const GroundTask& task, const PlanTree& tree)
-      : task_(task), tree_(tree), places_(PlacesOfAtoms(task)), arrivals_(tree.nodes.size()) {}
+      : task_(task), tree_(tree), worlds_(task), arrivals_(tree.nodes.size()) {}
 
   std::optional<TreeCheck> Run() {
     TreeCheck check;
-    const Diagram initial = InitialWorlds();
+    const Diagram initial = worlds_.Initial();
     if (initial == kEmptySet) return std::nullopt;
-    check.worlds = static_cast<std::int64_t>(CountOf(initial));
+    check.worlds = static_cast<std::int64_t>(worlds_.CountOf(initial));
     const std::set<FormulaId> sensed(task_.initial.sensed.begin(), task_.initial.sensed.end());
-    Arrive(tree_.root, {Assumed(initial), sensed, sensed, OpenAtoms(initial)});
+    Arrive(tree_.root, {worlds_.Assumed(initial), sensed, sensed, worlds_.OpenAtoms(initial)});
     for (const NodeId id : std::views::reverse(ChildrenFirst(tree_))) {
       const Arrivals& arrivals = arrivals_[id.index()];
       if (arrivals.worlds == kEmptySet) continue;
@@ -91,86 +71,6 @@ class SymbolicCheck {
   }
 
  private:
-  int Variable(AtomId atom) const { return 2 * places_[atom.index()]; }
-  Diagram WorldsWhere(GroundLiteral literal) {
-    return diagrams_.Literal({Variable(literal.atom), literal.is_positive});
-  }
-  Diagram WorldsWhere(const GroundQuery& condition) {
-    if (condition.kind == GroundQuery::Kind::kKnown) return WorldsWhere(condition.literal);
-    const bool is_and = condition.kind == GroundQuery::Kind::kAnd;
-    Diagram where = is_and ? kAllSets : kEmptySet;
-    for (const GroundQuery& operand : condition.operands) {
-      const Diagram there = WorldsWhere(operand);
-      where = is_and ? diagrams_.And(where, there) : diagrams_.Or(where, there);
-    }
-    return where;
-  }
-
-  Diagram WorldsWhere(const Formula& conjunction) {
-    Diagram where = kAllSets;
-    for (const GroundLiteral& l : conjunction.literals) {
-      where = diagrams_.And(where, WorldsWhere(l));
-    }
-    return where;
-  }
-
-  // ---- Initial worlds
-
-  // Returns the worlds that the initial relations allow, with the known atoms substituted.
-  Diagram InitialWorlds() {
-    Diagram worlds = kAllSets;
-    for (const InitialRelation& relation : task_.initial.relations) {
-      std::vector<Assignment> literals;
-      for (const GroundLiteral& l : relation.literals) {
-        literals.push_back({Variable(l.atom), l.is_positive});
-      }
-      worlds = diagrams_.And(worlds, relation.is_inclusive ? diagrams_.AtLeastOne(literals)
-                                                           : diagrams_.ExactlyOne(literals));
-    }
-    std::vector<Assignment> known;
-    for (const GroundLiteral& l : task_.initial.known) {
-      known.push_back({Variable(l.atom), l.is_positive});
-    }
-    std::ranges::sort(known, {}, &Assignment::variable);
-    return diagrams_.Restrict(worlds, known);
-  }
-
-  Diagram Assumed(Diagram worlds) {
-    for (const GroundLiteral& l : task_.initial.known) {
-      worlds = diagrams_.And(worlds, WorldsWhere(l));
-    }
-    return worlds;
-  }
-
-  // Returns the atoms that neither a relation nor a known literal mentions.
-  std::set<AtomId> OpenAtoms(Diagram initial) {
-    const std::vector<int>& said = diagrams_.Support(initial);
-    std::set<AtomId> open;
-    for (std::size_t a = 0; a < task_.atoms.size(); ++a) {
-      if (!std::ranges::binary_search(said, Variable(AtomId(a)))) open.insert(AtomId(a));
-    }
-    for (const GroundLiteral& l : task_.initial.known) open.erase(l.atom);
-    return open;
-  }
-
-  // Returns the number of choices in `worlds` for the unknown atoms of the initial relations.
-  double CountOf(Diagram worlds) {
-    std::set<int> open;
-    for (const InitialRelation& relation : task_.initial.relations) {
-      for (const GroundLiteral& l : relation.literals) open.insert(Variable(l.atom));
-    }
-    for (const GroundLiteral& l : task_.initial.known) open.erase(Variable(l.atom));
-    std::unordered_map<Diagram, double> shares = {{kEmptySet, 0}, {kAllSets, 1}};
-    return std::round(std::ldexp(ShareOf(worlds, shares), static_cast<int>(open.size())));
-  }
-
-  // Returns the share of all assignments that is in the set.
-  double ShareOf(Diagram f, std::unordered_map<Diagram, double>& known) {
-    if (const auto found = known.find(f); found != known.end()) return found->second;
-    const double share = (ShareOf(diagrams_.low(f), known) + ShareOf(diagrams_.high(f), known)) / 2;
-    return known[f] = share;
-  }
-
   // ---- Walking the tree
 
   void Arrive(NodeId id, Arrivals more) {
@@ -180,7 +80,7 @@ class SymbolicCheck {
       arrivals = std::move(more);
       return;
     }
-    arrivals.worlds = diagrams_.Or(arrivals.worlds, more.worlds);
+    arrivals.worlds = worlds_.Or(arrivals.worlds, more.worlds);
     std::erase_if(arrivals.sensed, [&](FormulaId f) { return !more.sensed.contains(f); });
     arrivals.sensed_somewhere.merge(more.sensed_somewhere);
     std::erase_if(arrivals.open, [&](AtomId a) { return !more.open.contains(a); });
@@ -192,8 +92,7 @@ class SymbolicCheck {
         return Demand(task_.goal, here, "the goal");
       case PlanNode::Kind::kAct: {
         const GroundAction& action = task_.actions[node.action.index()];
-        Demand(action.precondition, here,
-               fmt::format("the precondition of {}", assay::contingent::TextOf(action)));
+        Demand(action.precondition, here, fmt::format("the precondition of {}", TextOf(action)));
         return Arrive(node.children.front(), After(action, here));
       }
       case PlanNode::Kind::kWhether:
@@ -209,14 +108,14 @@ class SymbolicCheck {
     is_told_ &= where != kEmptySet;
     if (where == kEmptySet) return;
     failure_ = fmt::format("{} is not known on some way of the tree, in the world with {}", what,
-                           TextOfAWorld(where));
+                           worlds_.TextOfAWorld(where));
   }
 
   // Returns worlds of a path on which the query is not known. Returns the empty set if this is
   // undecided.
   Diagram WorldsAgainst(const GroundQuery& query, const Arrivals& here) {
     if (query.kind == GroundQuery::Kind::kKnown) {
-      return diagrams_.And(here.worlds, diagrams_.Not(WorldsWhere(query.literal)));
+      return worlds_.And(here.worlds, worlds_.Not(worlds_.Where(query.literal)));
     }
     if (query.kind != GroundQuery::Kind::kAnd) {
       return SurelyFails(query, here) ? here.worlds : kEmptySet;
@@ -226,21 +125,6 @@ class SymbolicCheck {
       if (where != kEmptySet) return where;
     }
     return kEmptySet;
-  }
-
-  // Returns the true atoms of one world of the set. Atoms are false where the set leaves a choice.
-  std::string TextOfAWorld(Diagram worlds) const {
-    std::set<int> holding;
-    while (!diagrams_.IsConstant(worlds)) {
-      const bool can_be_false = diagrams_.low(worlds) != kEmptySet;
-      if (!can_be_false) holding.insert(diagrams_.variable(worlds));
-      worlds = can_be_false ? diagrams_.low(worlds) : diagrams_.high(worlds);
-    }
-    std::vector<std::string> texts;
-    for (std::size_t a = 0; a < task_.atoms.size(); ++a) {
-      if (holding.contains(Variable(AtomId(a)))) texts.push_back(task_.atoms[a]);
-    }
-    return fmt::format("{}", fmt::join(texts, ", "));
   }
 
   // Returns true if the query holds on every path.
@@ -254,7 +138,7 @@ class SymbolicCheck {
       case GroundQuery::Kind::kNot:
         return SurelyFails(query.operands.front(), here);
       case GroundQuery::Kind::kKnown:
-        return diagrams_.Implies(here.worlds, WorldsWhere(query.literal));
+        return worlds_.Implies(here.worlds, worlds_.Where(query.literal));
       case GroundQuery::Kind::kKnownWhether:
         return here.sensed.contains(query.formula) || IsDetermined(query.formula, here);
       case GroundQuery::Kind::kBoundKnown:
@@ -265,8 +149,8 @@ class SymbolicCheck {
   }
 
   bool IsDetermined(FormulaId formula, const Arrivals& here) {
-    const Diagram where = WorldsWhere(task_.formulas[formula.index()]);
-    return diagrams_.Implies(here.worlds, where) || diagrams_.And(here.worlds, where) == kEmptySet;
+    const Diagram where = worlds_.Where(task_.formulas[formula.index()]);
+    return worlds_.Implies(here.worlds, where) || worlds_.And(here.worlds, where) == kEmptySet;
   }
 
   // Returns true if, on each path, the formula is true in some worlds and false in others.
@@ -288,7 +172,7 @@ class SymbolicCheck {
         return SurelyHolds(query.operands.front(), here);
       case GroundQuery::Kind::kKnown:
         return here.open.contains(query.literal.atom) ||
-               diagrams_.And(here.worlds, WorldsWhere(query.literal)) == kEmptySet;
+               worlds_.And(here.worlds, worlds_.Where(query.literal)) == kEmptySet;
       case GroundQuery::Kind::kKnownWhether:
         return !here.sensed_somewhere.contains(query.formula) && IsOpen(query.formula, here);
       case GroundQuery::Kind::kBoundKnown:
@@ -300,9 +184,9 @@ class SymbolicCheck {
 
   // Worlds of both cases may come from different paths, so their presence does not refute the tree.
   void Branch(const PlanNode& node, const Arrivals& here) {
-    const Diagram where = WorldsWhere(task_.formulas[node.formula.index()]);
-    const Diagram if_true = diagrams_.And(here.worlds, where);
-    const Diagram if_false = diagrams_.And(here.worlds, diagrams_.Not(where));
+    const Diagram where = worlds_.Where(task_.formulas[node.formula.index()]);
+    const Diagram if_true = worlds_.And(here.worlds, where);
+    const Diagram if_false = worlds_.And(here.worlds, worlds_.Not(where));
     const bool is_open = if_true != kEmptySet && if_false != kEmptySet;
     if (is_open && !here.sensed.contains(node.formula)) is_told_ = false;
     Arrivals next = here;
@@ -317,55 +201,11 @@ class SymbolicCheck {
 
   // ---- Actions
 
-  std::map<AtomId, Fate> FatesOf(const GroundAction& action) {
-    std::map<AtomId, Fate> fates;
-    for (const GroundEffect& effect : action.effects) {
-      const Diagram where = WorldsWhere(effect.condition);
-      for (const GroundChange& change : effect.changes) {
-        if (change.literal.atom.IsNone()) continue;
-        Fate& fate = fates[change.literal.atom];
-        Diagram& becomes = change.kind == GroundChange::Kind::kForget ? fate.becomes_open
-                           : change.literal.is_positive               ? fate.becomes_true
-                                                                      : fate.becomes_false;
-        becomes = diagrams_.Or(becomes, where);
-      }
-    }
-    return fates;
-  }
-
-  // Returns the worlds after the action. The new value of an atom whose fate depends on the world
-  // is a variable of its own during the computation.
-  Diagram Image(const GroundAction& action, Diagram worlds) {
-    const std::map<AtomId, Fate> fates = FatesOf(action);
-    std::unordered_map<int, Diagram> renamed;
-    for (const auto& [atom, fate] : fates) {
-      if (fate.IsCertain()) continue;
-      worlds = diagrams_.And(worlds, NewValue(atom, fate));
-      renamed[Variable(atom) + 1] = diagrams_.Literal({Variable(atom), true});
-    }
-    for (const auto& [atom, fate] : fates) worlds = diagrams_.Exists(worlds, Variable(atom));
-    worlds = diagrams_.Compose(worlds, renamed);
-    for (const auto& [atom, fate] : fates) {
-      if (!fate.IsCertain() || fate.IsOpen()) continue;
-      worlds = diagrams_.And(worlds, WorldsWhere({atom, fate.becomes_true == kAllSets}));
-    }
-    return worlds;
-  }
-
-  // Becoming true wins over becoming false, and both win over becoming open.
-  Diagram NewValue(AtomId atom, const Fate& fate) {
-    const Diagram now = diagrams_.Literal({Variable(atom) + 1, true});
-    const Diagram stays = diagrams_.Equal(now, diagrams_.Literal({Variable(atom), true}));
-    const Diagram or_open = diagrams_.IfThenElse(fate.becomes_open, kAllSets, stays);
-    const Diagram or_false = diagrams_.IfThenElse(fate.becomes_false, diagrams_.Not(now), or_open);
-    return diagrams_.IfThenElse(fate.becomes_true, now, or_false);
-  }
-
   // A sensed fact that may have changed is removed from those sensed on every path. A sensed fact
   // that may not have changed stays among those sensed on some path.
   Arrivals After(const GroundAction& action, const Arrivals& here) {
     Arrivals next = here;
-    next.worlds = Image(action, here.worlds);
+    next.worlds = worlds_.Image(action, here.worlds);
     std::set<FormulaId> now;
     for (const GroundEffect& effect : action.effects) {
       for (const GroundChange& change : effect.changes) {
@@ -413,8 +253,7 @@ class SymbolicCheck {
 
   const GroundTask& task_;
   const PlanTree& tree_;
-  std::vector<int> places_;
-  DecisionDiagrams diagrams_;
+  SymbolicWorlds worlds_;
   std::vector<Arrivals> arrivals_;  // indexed by node
   std::string failure_;
   bool is_told_ = true;  // false if sets cannot decide some query of the tree

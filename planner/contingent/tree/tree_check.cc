@@ -1,17 +1,19 @@
 #include "planner/contingent/tree/tree_check.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cmath>
 #include <deque>
+#include <optional>
 #include <set>
 #include <utility>
 
 #include "planner/contingent/grounding/ground_query.h"
+#include "planner/contingent/tree/branch_cases.h"
 #include "planner/contingent/tree/symbolic_check.h"
+#include "planner/contingent/tree/tree_failure.h"
 #include "planner/contingent/tree/tree_text.h"
+#include "planner/contingent/tree/world_cover.h"
 #include "planner/contingent/worlds/initial_worlds.h"
 #include "planner/contingent/worlds/world_progression.h"
 
@@ -28,28 +30,6 @@ constexpr std::size_t kMostBeginnings = 1'000;
 // The greatest number of worlds that are each followed among the others.
 constexpr std::size_t kMostFollowed = 2'000;
 
-// Returns true if some effect depends on what is known or not known, so the change of one world
-// depends on the other worlds.
-bool HappensByKnowledge(const GroundTask& task) {
-  const auto is_by_knowledge = [](const GroundEffect& effect) {
-    return !effect.is_of_worlds && !effect.condition.IsTrue();
-  };
-  return !std::ranges::all_of(task.updates, [](const GroundEffect& update) {
-    return update.condition.IsTrue();
-  }) || std::ranges::any_of(task.actions, [&](const GroundAction& action) {
-    return std::ranges::any_of(action.effects, is_by_knowledge);
-  });
-}
-
-// Returns true if more knowledge never does harm. Then no effect depends on what is known, and no
-// query asks that something is not known.
-bool IsMonotone(const GroundTask& task) {
-  return !HappensByKnowledge(task) && !HasNegation(task.goal) &&
-         std::ranges::none_of(task.actions, [](const GroundAction& action) {
-           return HasNegation(action.precondition);
-         });
-}
-
 class Runner {
  public:
   Runner(const GroundTask& task, const PlanTree& tree, const NumberMarks& marks, bool were_drawn,
@@ -60,7 +40,8 @@ class Runner {
         is_monotone_(IsMonotone(task)),
         happens_by_knowledge_(HappensByKnowledge(task)),
         progression_(task, marks, were_drawn || !marks.AreComplete(), most_worlds),
-        most_worlds_(most_worlds) {
+        cover_(task, progression_),
+        failure_(task, progression_, were_drawn, most_worlds) {
     check_.were_drawn = were_drawn;
     check_.are_numbers_sampled = !marks.AreComplete();
   }
@@ -77,11 +58,11 @@ class Runner {
       }
     }
     progression_.Update(history);
-    FailIfTwoValued(history);
-    if (history.worlds.empty()) Fail("the initial knowledge allows no world", history);
+    failure_.FailIfTwoValued(history);
+    if (history.worlds.empty()) failure_.Fail("the initial knowledge allows no world", history);
     RunFrom(tree_.root, std::move(history));
-    check_.holds = !HasFailed();
-    check_.failure = Failure();
+    check_.holds = !failure_.HasHappened();
+    check_.failure = failure_.Text();
     for (std::size_t i = 0; i < is_reached_.size(); ++i) {
       if (!is_reached_[i]) check_.unreached.push_back(NodeId(i));
     }
@@ -89,58 +70,6 @@ class Runner {
   }
 
  private:
-  bool HasFailed() const {
-    return !failure_.empty() || progression_.HasMadeTooMany() || progression_.CouldNotTell() ||
-           progression_.IsRestless();
-  }
-
-  std::string Failure() const {
-    if (!failure_.empty()) return failure_;
-    if (progression_.HasMadeTooMany()) {
-      return fmt::format("more than {} worlds on one way", most_worlds_);
-    }
-    if (progression_.IsRestless()) {
-      return fmt::format("the update rules still change knowledge after {} rounds",
-                         MostRoundsOf(task_));
-    }
-    if (!progression_.CouldNotTell()) return "";
-    return fmt::format("an effect requires that something is unknown; {} cannot decide this",
-                       check_.were_drawn ? "worlds that are drawn" : "a sample of numbers");
-  }
-
-  void Fail(const std::string& what, const History& history, const World* world = nullptr) {
-    if (HasFailed()) return;
-    failure_ = fmt::format("{} after {}", what,
-                           steps_.empty() ? "no step" : fmt::format("{}", fmt::join(steps_, "; ")));
-    if (world == nullptr && !history.worlds.empty()) world = &history.worlds.front();
-    if (world != nullptr) failure_ += fmt::format(", in the world with {}", TextOf(*world));
-  }
-
-  void FailIfTwoValued(const History& history) {
-    const FunctionId function = progression_.TwoValued();
-    if (function.IsNone()) return;
-    Fail(fmt::format("{} gets two values at once", task_.functions[function.index()].text),
-         history);
-  }
-
-  std::string TextOf(const World& world) const {
-    std::vector<std::string> texts;
-    for (std::size_t a = 0; a < task_.atoms.size(); ++a) {
-      if (world.atoms[a] == Truth::kTrue) texts.push_back(task_.atoms[a]);
-    }
-    for (std::size_t slot = 0; slot < world.numbers.size(); ++slot) {
-      const FunctionId function = task_.function_of_slot[slot];
-      texts.push_back(fmt::format("{} {}", task_.functions[function.index()].text,
-                                  TextOf(world.numbers[slot])));
-    }
-    return fmt::format("{}", fmt::join(texts, ", "));
-  }
-
-  static std::string TextOf(const Number& number) {
-    if (number.beside == 0) return fmt::format("= {}", number.value);
-    return fmt::format("just {} {}", number.beside < 0 ? "below" : "above", number.value);
-  }
-
   // ---- Walking the tree
 
   // The continuation of some worlds at a node, with their history.
@@ -158,32 +87,32 @@ class Runner {
   // file.
   void RunFrom(NodeId id, History history) {
     const std::size_t others = ways_.size();
-    const std::size_t steps_above = steps_.size();
+    const std::size_t steps_above = failure_.depth();
     GoOn({.to = id, .history = std::move(history)});
-    while (ways_.size() > others && !HasFailed()) {
+    while (ways_.size() > others && !failure_.HasHappened()) {
       Way way = std::move(ways_.back());
       ways_.pop_back();
-      steps_.resize(way.steps_above);
+      failure_.GoBack(way.steps_above);
       heads_.resize(way.heads_above);
-      if (!way.outcome.empty()) steps_.push_back(way.outcome);
+      if (!way.outcome.empty()) failure_.Step(way.outcome);
       if (way.is_repeat) {
         Return(way.to, way);
       } else {
         Walk(std::move(way));
       }
     }
-    steps_.resize(steps_above);
+    failure_.GoBack(steps_above);
   }
 
   void GoOn(Way way) {
-    way.steps_above = steps_.size();
+    way.steps_above = failure_.depth();
     way.heads_above = heads_.size();
     ways_.push_back(std::move(way));
   }
 
   void Walk(Way way) {
     History& history = way.history;
-    for (NodeId id = way.to; !HasFailed() && IsFollowed(history);) {
+    for (NodeId id = way.to; !failure_.HasHappened() && IsFollowed(history);) {
       const PlanNode& node = tree_.node(id);
       is_reached_[id.index()] = true;
       if (attempt_ == nullptr && IsRepeated(id)) Begin(id, history);
@@ -211,7 +140,7 @@ class Runner {
       attempt_->has_ended = true;
       return;
     }
-    if (!Holds(task_.goal, way.history)) Fail("the goal is not known", way.history);
+    if (!Holds(task_.goal, way.history)) failure_.Fail("the goal is not known", way.history);
     if (!way.is_counted) check_.worlds += static_cast<std::int64_t>(way.history.worlds.size());
   }
 
@@ -229,39 +158,35 @@ class Runner {
     // The precondition was checked for all worlds with this history. It need not be checked for one
     // world.
     if (attempt_ == nullptr && !Holds(action.precondition, history)) {
-      return Fail(
-          fmt::format("the precondition of {} is not known", assay::contingent::TextOf(action)),
-          history);
+      return failure_.Fail(fmt::format("the precondition of {} is not known", TextOf(action)),
+                           history);
     }
-    steps_.push_back(assay::contingent::TextOf(action));
+    failure_.Step(TextOf(action));
     progression_.Apply(action.effects, history);
     progression_.Update(history);
-    FailIfTwoValued(history);
+    failure_.FailIfTwoValued(history);
     if (attempt_ == nullptr && history.worlds.empty()) {
-      Fail("what is known contradicts itself", history);
+      failure_.Fail("what is known contradicts itself", history);
     }
   }
 
   void Branch(const PlanNode& node, Way& way) {
     History& history = way.history;
-    const auto cases = CasesOf(node);
-    for (std::size_t i = 0; i < cases.size(); ++i) {
-      for (const GroundLiteral& literal : cases[i])
-        progression_.SplitBy(literal.atom, history.worlds);
-    }
+    const BranchCases cases(task_, node);
+    cases.Split(progression_, history.worlds);
     std::vector<Worlds> parts(node.children.size());
     for (const World& world : history.worlds) {
-      const int part = PartOf(node, cases, world);
-      if (part < 0) return Fail("no branch is for this value", history, &world);
+      const int part = cases.ChildFor(progression_, world);
+      if (part < 0) return failure_.Fail("no branch is for this value", history, &world);
       parts[part].push_back(world);
     }
-    if (!IsAsked(node, history, parts)) return;
+    if (!IsAsked(node, cases, history, parts)) return;
     for (std::size_t i = parts.size(); i-- > 0;) {  // the part that is added last is run next
       if (parts[i].empty()) continue;
       History next = history;
       next.worlds = std::move(parts[i]);
       progression_.Update(next);
-      if (next.worlds.empty()) return Fail("what is known contradicts itself", next);
+      if (next.worlds.empty()) return failure_.Fail("what is known contradicts itself", next);
       GoOn({.to = node.children[i],
             .history = std::move(next),
             .outcome = "branch " + OutcomeText(task_, node, i),
@@ -270,45 +195,19 @@ class Runner {
     }
   }
 
-  std::string QuestionOf(const PlanNode& node) const {
-    return node.kind == PlanNode::Kind::kValue
-               ? task_.functions[node.function.index()].text
-               : assay::contingent::TextOf(task_, task_.formulas[node.formula.index()]);
-  }
-
-  // Returns the literals on which the branch depends: one list for each child if it asks a
-  // function, and one list if it asks a formula.
-  std::vector<std::vector<GroundLiteral>> CasesOf(const PlanNode& node) const {
-    if (node.kind == PlanNode::Kind::kWhether) {
-      return {task_.formulas[node.formula.index()].literals};
-    }
-    std::vector<std::vector<GroundLiteral>> cases;
-    for (const AtomId value : node.values) cases.push_back({{value, true}});
-    return cases;
-  }
-
-  int PartOf(const PlanNode& node, const std::vector<std::vector<GroundLiteral>>& cases,
-             const World& world) const {
-    if (node.kind == PlanNode::Kind::kWhether) {
-      return progression_.IsTrue(task_.formulas[node.formula.index()], world) ? 0 : 1;
-    }
-    for (std::size_t i = 0; i < cases.size(); ++i) {
-      if (progression_.IsTrue(cases[i].front(), world)) return static_cast<int>(i);
-    }
-    return -1;
-  }
-
   // Returns true if the branch's question has been sensed or has only one answer.
-  bool IsAsked(const PlanNode& node, const History& history, const std::vector<Worlds>& parts) {
+  bool IsAsked(const PlanNode& node, const BranchCases& cases, const History& history,
+               const std::vector<Worlds>& parts) {
     const auto answers =
         std::count_if(parts.begin(), parts.end(), [](const Worlds& w) { return !w.empty(); });
     const bool is_sensed = node.kind == PlanNode::Kind::kWhether
                                ? history.sensed.contains(node.formula)
                                : history.values_sensed.contains(node.function);
     if (answers > 1 && !is_sensed) {
-      Fail(fmt::format("a branch on {}, which has not been sensed,", QuestionOf(node)), history);
+      failure_.Fail(fmt::format("a branch on {}, which has not been sensed,", cases.Question()),
+                    history);
     }
-    return !HasFailed();
+    return !failure_.HasHappened();
   }
 
   void Return(NodeId head, const Way& way) {
@@ -320,55 +219,18 @@ class Runner {
       return;
     }
     const History* begun = Begun(head);
-    if (begun == nullptr) return Fail("a repeat that never began", history);
+    if (begun == nullptr) return failure_.Fail("a repeat that never began", history);
     is_monotone_ ? ReturnToWorlds(head, History(*begun), history) : ReturnKnowing(head, history);
   }
 
-  // Checks that the worlds come back to worlds in which the repeat began, or to cases of them, and
-  // that each of them can continue to the goal. If less has been sensed than at the beginning, the
-  // repeat is run again with the smaller knowledge.
-  void ReturnToWorlds(NodeId head, const History& begun, const History& history) {
-    for (const World& world : history.worlds) {
-      if (!IsCovered(world, begun.worlds))
-        return Fail("a repeat begins in another world", history, &world);
-      if (!CanEnd(head, world, history)) return Fail("a repeat without end", history, &world);
-    }
-    if (!HasSensed(history, begun)) BeginAgain(head, begun, history);
-  }
-
-  // Where more knowledge may do harm, the repeat begins again with each knowledge that comes back.
-  void ReturnKnowing(NodeId head, const History& history) {
-    if (happens_by_knowledge_ && history.worlds.size() > kMostFollowed) {
-      return Fail(fmt::format("a repeat of more than {} worlds, where what happens depends on what "
-                              "is known,",
-                              kMostFollowed),
-                  history);
-    }
-    for (const World& world : history.worlds) {
-      if (!CanEnd(head, world, history)) return Fail("a repeat without end", history, &world);
-    }
-    if (!beginnings_.emplace(head, ToCompare(history)).second) return;
-    if (beginnings_.size() > kMostBeginnings) {
-      return Fail(
-          fmt::format("a repeat that begins with more than {} kinds of knowledge", kMostBeginnings),
-          history);
-    }
-    GoOn({.to = head, .history = history, .is_counted = true});
-  }
+  void ReturnToWorlds(NodeId head, const History& begun, const History& history);
+  void ReturnKnowing(NodeId head, const History& history);
+  bool CanEnd(NodeId head, const World& world, const History& history);
+  void Follow(NodeId head, const World& world, const History& history);
 
   void Begin(NodeId head, const History& history) {
     heads_.emplace_back(head, history);
-    if (!is_monotone_) beginnings_.emplace(head, ToCompare(history));
-  }
-
-  // Returns the history in a form for comparison. Numbers of which nothing is known initially are
-  // ignored.
-  History ToCompare(History history) const {
-    for (World& world : history.worlds) world = WithoutOpen(std::move(world));
-    std::sort(history.worlds.begin(), history.worlds.end());
-    history.worlds.erase(std::unique(history.worlds.begin(), history.worlds.end()),
-                         history.worlds.end());
-    return history;
+    if (!is_monotone_) beginnings_.emplace(head, cover_.ToCompare(history));
   }
 
   // Returns the history that last came to the head of a repeat on this path, or null if there is
@@ -377,111 +239,6 @@ class Runner {
     const auto entry = std::find_if(heads_.rbegin(), heads_.rend(),
                                     [&](const auto& begun) { return begun.first == head; });
     return entry == heads_.rend() ? nullptr : &entry->second;
-  }
-
-  static bool HasSensed(const History& history, const History& begun) {
-    return std::ranges::includes(history.sensed, begun.sensed) &&
-           std::ranges::all_of(begun.values_sensed, [&](const auto& value) {
-             const auto known = history.values_sensed.find(value.first);
-             return known != history.values_sensed.end() && known->second <= value.second;
-           });
-  }
-
-  // Begins the repeat again with the facts that were sensed both times. They become fewer each
-  // time, so this ends.
-  void BeginAgain(NodeId head, const History& begun, const History& history) {
-    History both = begun;
-    std::erase_if(both.sensed, [&](FormulaId f) { return !history.sensed.contains(f); });
-    std::erase_if(both.values_sensed,
-                  [&](const auto& value) { return !history.values_sensed.contains(value.first); });
-    for (auto& [function, error] : both.values_sensed) {
-      error = std::max(error, history.values_sensed.at(function));
-    }
-    GoOn({.to = head, .history = std::move(both), .is_counted = true});
-  }
-
-  // Returns true if a world that is back at the head of a repeat reaches the goal for some outcomes
-  // of the open facts. The check follows this world round the loop until it leaves the loop or has
-  // been everywhere. The world need not be followed further: it is a case of the worlds that began
-  // the repeat, or the repeat begins again with it. In both cases these worlds are run to the end.
-  // So each repeat in a sequence of repeats is followed separately. Other worlds are included where
-  // it matters that the world is not known to be this one.
-  bool CanEnd(NodeId head, const World& world, const History& history) {
-    Attempt attempt{.loop = loops_[head.index()]};
-    attempt_ = &attempt;
-    Follow(head, world, history);
-    while (!attempt.has_ended && !HasFailed() && !attempt.to_follow.empty()) {
-      const auto [at, alone] = std::move(attempt.to_follow.front());
-      attempt.to_follow.pop_front();
-      RunFrom(at, alone);
-    }
-    attempt_ = nullptr;
-    return attempt.has_ended;
-  }
-
-  // Numbers of which nothing is known initially may change on each round, so they are not compared.
-  void Follow(NodeId head, const World& world, const History& history) {
-    const History* begun = Begun(head);
-    if (is_monotone_ && begun != nullptr && !IsCovered(world, begun->worlds)) {
-      return Fail("a repeat begins in another world", history, &world);
-    }
-    History alone = history;
-    if (!happens_by_knowledge_) alone.worlds = {world};
-    for (World& other : alone.worlds) other.is_followed = other == world;
-    History seen = ToCompare(alone);
-    if (is_monotone_) {
-      seen.sensed.clear();
-      seen.values_sensed.clear();
-    }
-    if (!attempt_->returned.emplace(head, std::move(seen)).second) return;
-    if (attempt_->returned.size() > kMostReturns) {
-      return Fail(fmt::format("a repeat through more than {} worlds", kMostReturns), history);
-    }
-    attempt_->to_follow.emplace_back(head, std::move(alone));
-  }
-
-  World WithoutOpen(World world) const {
-    for (std::size_t slot = 0; slot < world.numbers.size(); ++slot) {
-      if (IsOpen(slot)) world.numbers[slot] = {};
-    }
-    return world;
-  }
-
-  bool IsOpen(std::size_t slot) const {
-    const Range& range = task_.initial.ranges[slot];
-    return std::isinf(range.low) && std::isinf(range.high);
-  }
-
-  // Returns true if `world` is a case of `of`. Numbers of which nothing is known initially are not
-  // compared, because any other number serves as well.
-  bool IsCaseOf(const World& world, const World& of) const {
-    for (std::size_t a = 0; a < world.atoms.size(); ++a) {
-      if (of.atoms[a] != Truth::kEither && of.atoms[a] != world.atoms[a]) return false;
-    }
-    for (std::size_t slot = 0; slot < world.numbers.size(); ++slot) {
-      if (!IsOpen(slot) && world.numbers[slot] != of.numbers[slot]) return false;
-    }
-    return true;
-  }
-
-  // Returns true if the world is a case of one of the worlds `by`, or if both of its cases for some
-  // atom are covered.
-  bool IsCovered(const World& world, const Worlds& by) {
-    if (std::any_of(by.begin(), by.end(), [&](const World& w) { return IsCaseOf(world, w); })) {
-      return true;
-    }
-    for (std::size_t a = 0; a < world.atoms.size(); ++a) {
-      const bool tells_apart = world.atoms[a] == Truth::kEither &&
-                               std::any_of(by.begin(), by.end(), [&](const World& w) {
-                                 return w.atoms[a] != Truth::kEither;
-                               });
-      if (!tells_apart) continue;
-      Worlds cases = {world};
-      progression_.SplitBy(AtomId(a), cases);
-      return std::all_of(cases.begin(), cases.end(),
-                         [&](const World& w) { return IsCovered(w, by); });
-    }
-    return false;
   }
 
   // The state of a search round a repeat in one world.
@@ -498,18 +255,95 @@ class Runner {
   bool is_monotone_;
   bool happens_by_knowledge_;
   WorldProgression progression_;
-  std::size_t most_worlds_;
+  WorldCover cover_;
+  TreeFailure failure_;
   Attempt* attempt_ = nullptr;
-  std::vector<Way> ways_;           // the open continuations; the next one is last
-  std::vector<std::string> steps_;  // the steps on the path to the node
+  std::vector<Way> ways_;  // the open continuations; the next one is last
   std::vector<bool> is_reached_;
   std::set<NodeId> repeated_;
   std::vector<std::pair<NodeId, History>> heads_;  // the heads of repeats on the path to the node
   // the beginnings of repeats where more knowledge may do harm
   std::set<std::pair<NodeId, History>> beginnings_;
   TreeCheck check_;
-  std::string failure_;
 };
+
+// Checks that the worlds come back to worlds in which the repeat began, or to cases of them, and
+// that each of them can continue to the goal. If less has been sensed than at the beginning, the
+// repeat is run again with the facts that were sensed both times. They become fewer each time, so
+// this ends.
+void Runner::ReturnToWorlds(NodeId head, const History& begun, const History& history) {
+  for (const World& world : history.worlds) {
+    if (!cover_.IsCovered(world, begun.worlds))
+      return failure_.Fail("a repeat begins in another world", history, &world);
+    if (!CanEnd(head, world, history))
+      return failure_.Fail("a repeat without end", history, &world);
+  }
+  if (HasSensed(history, begun)) return;
+  GoOn({.to = head, .history = WithSensedOf(history, begun), .is_counted = true});
+}
+
+// Where more knowledge may do harm, the repeat begins again with each knowledge that comes back.
+void Runner::ReturnKnowing(NodeId head, const History& history) {
+  if (happens_by_knowledge_ && history.worlds.size() > kMostFollowed) {
+    return failure_.Fail(
+        fmt::format("a repeat of more than {} worlds, where what happens depends on what "
+                    "is known,",
+                    kMostFollowed),
+        history);
+  }
+  for (const World& world : history.worlds) {
+    if (!CanEnd(head, world, history))
+      return failure_.Fail("a repeat without end", history, &world);
+  }
+  if (!beginnings_.emplace(head, cover_.ToCompare(history)).second) return;
+  if (beginnings_.size() > kMostBeginnings) {
+    return failure_.Fail(
+        fmt::format("a repeat that begins with more than {} kinds of knowledge", kMostBeginnings),
+        history);
+  }
+  GoOn({.to = head, .history = history, .is_counted = true});
+}
+
+// Returns true if a world that is back at the head of a repeat reaches the goal for some outcomes
+// of the open facts. The check follows this world round the loop until it leaves the loop or has
+// been everywhere. The world need not be followed further: it is a case of the worlds that began
+// the repeat, or the repeat begins again with it. In both cases these worlds are run to the end.
+// So each repeat in a sequence of repeats is followed separately. Other worlds are included where
+// it matters that the world is not known to be this one.
+bool Runner::CanEnd(NodeId head, const World& world, const History& history) {
+  Attempt attempt{.loop = loops_[head.index()]};
+  attempt_ = &attempt;
+  Follow(head, world, history);
+  while (!attempt.has_ended && !failure_.HasHappened() && !attempt.to_follow.empty()) {
+    const auto [at, alone] = std::move(attempt.to_follow.front());
+    attempt.to_follow.pop_front();
+    RunFrom(at, alone);
+  }
+  attempt_ = nullptr;
+  return attempt.has_ended;
+}
+
+// Numbers of which nothing is known initially may change on each round, so they are not compared.
+void Runner::Follow(NodeId head, const World& world, const History& history) {
+  const History* begun = Begun(head);
+  if (is_monotone_ && begun != nullptr && !cover_.IsCovered(world, begun->worlds)) {
+    return failure_.Fail("a repeat begins in another world", history, &world);
+  }
+  History alone = history;
+  if (!happens_by_knowledge_) alone.worlds = {world};
+  for (World& other : alone.worlds) other.is_followed = other == world;
+  History seen = cover_.ToCompare(alone);
+  if (is_monotone_) {
+    seen.sensed.clear();
+    seen.values_sensed.clear();
+  }
+  if (!attempt_->returned.emplace(head, std::move(seen)).second) return;
+  if (attempt_->returned.size() > kMostReturns) {
+    return failure_.Fail(fmt::format("a repeat through more than {} worlds", kMostReturns),
+                         history);
+  }
+  attempt_->to_follow.emplace_back(head, std::move(alone));
+}
 
 }  // namespace
 

@@ -3,8 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <numbers>
+#include <optional>
 #include <span>
 
 #include "planner/base/check.h"
@@ -23,10 +24,6 @@ using geometry::Box;
 constexpr double kLeastTilt = 2 * kDegrees.factor;
 // Greatest angle between a direction and the down direction of the pose that it names, radians.
 constexpr double kFarthestName = 30 * kDegrees.factor;
-constexpr double kShortestSide = 1e-4;  // least side of a box in the file, metres
-constexpr double kThinnestWall = 1e-5;  // least wall that a pocket may leave, metres
-constexpr double kJointDepth = 1e-6;    // depth of a test whether pieces touch, metres
-constexpr double kLeastCut = 1e-12;     // least volume of a pocket, cubic metres
 constexpr double kAligned = 1e-6;       // greatest difference of unit vectors that should be equal
 constexpr Range kChamfers = {0, 0.02};  // metres
 
@@ -37,40 +34,6 @@ std::string ReadInitial(const Value& value) {
     value.Fail(fmt::format("'{}' cannot begin a label", initial), "one to three capital letters");
   }
   return initial;
-}
-
-Vector3 ReadDirection(const Value& value) {
-  const std::vector<double> numbers = value.Numbers(3);
-  const Vector3 direction(numbers[0], numbers[1], numbers[2]);
-  const double length = direction.stableNorm();
-  if (!(length > 1e-6 && length < 1e6)) {
-    value.Fail("the vector has no usable direction", "three numbers, such as [1, 0, 0]");
-  }
-  return direction / length;
-}
-
-Eigen::Vector4f ReadColor(const Value& value) {
-  const std::vector<double> numbers = value.Numbers(4);
-  Eigen::Vector4f color;
-  for (int i = 0; i < 4; ++i) {
-    const double number = numbers[static_cast<std::size_t>(i)];
-    if (number < 0 || number > 1) {
-      value.Fail(fmt::format("{} is no part of a color", number),
-                 "red, green, blue, alpha in 0..1");
-    }
-    color[i] = static_cast<float>(number);
-  }
-  return color;
-}
-
-// Returns the indices of one name or of a list of names. `what` says what they name: "solid".
-std::vector<int> OneOrMore(const Value& names, const std::vector<std::string>& known,
-                           const char* what) {
-  if (!names.IsList()) return {names.OneOf(known)};
-  std::vector<int> indices;
-  for (const Value& name : names.Items()) indices.push_back(name.OneOf(known));
-  if (indices.empty()) names.Fail("the list is empty", fmt::format("at least one {}", what));
-  return indices;
 }
 
 // Returns the index in SidesOf of the side that looks along a direction; -1 if no side does.
@@ -101,30 +64,6 @@ FaceId ExposedFaceOf(const PartModel& model, const Side& side) {
 Vector3 CentroidOf(const Face& face) {
   const Vector2 center = geometry::Centroid(face.patches);
   return face.X_PartFace * Vector3(center.x(), center.y(), 0);
-}
-
-double Volume(const std::vector<Box>& boxes) {
-  double volume = 0;
-  for (const Box& box : boxes) volume += box.Volume();
-  return volume;
-}
-
-// Returns the solid's pieces without a pocket. Both are in the part frame.
-std::vector<Box> Cut(const std::vector<Box>& pieces, const Box& pocket, const Value& place) {
-  std::vector<Box> rest;
-  for (const Box& piece : pieces) {
-    for (const Box& box : Subtract(piece, pocket)) rest.push_back(box);
-  }
-  if (rest.empty()) place.Fail("the pocket leaves nothing of its solid");
-  if (Volume(pieces) - Volume(rest) < kLeastCut) {
-    place.Fail("the pocket cuts nothing from its solid", "a box that overlaps the solid");
-  }
-  for (const Box& box : rest) {
-    if (2 * box.half_extents.minCoeff() >= kThinnestWall) continue;
-    place.Fail("the pocket leaves a wall that is too thin",
-               fmt::format("walls of at least {} m, or none", kThinnestWall));
-  }
-  return rest;
 }
 
 // Returns the part of a pocket that is inside its solid. Both are before the solid's turn, and so
@@ -199,54 +138,6 @@ std::vector<Wall> WallsOf(const PartModel& model, const Hollow& hollow) {
   return walls;
 }
 
-// A convex piece in two forms, to test whether it hangs together with another piece. Two pieces
-// must share a volume, or a face at least, since edges and corners hold nothing. The reaching form
-// has its sides pushed out a little, along one axis at a time. The other form is drawn in on all
-// sides, by a little less.
-struct Joint {
-  geometry::CollisionShape reaching;
-  geometry::CollisionShape drawn_in;
-
-  explicit Joint(const Box& piece) : reaching(Reaching(piece)), drawn_in(DrawnIn(piece)) {}
-
-  bool HoldsTo(const Joint& other) const {
-    return Overlaps(reaching, Pose::Identity(), other.drawn_in, Pose::Identity(), 0);
-  }
-
- private:
-  static geometry::CollisionShape Reaching(const Box& piece) {
-    std::array<Box, 3> boxes = {piece, piece, piece};
-    for (int axis = 0; axis < 3; ++axis) {
-      boxes[static_cast<std::size_t>(axis)].half_extents[axis] += 1.2 * kJointDepth;
-    }
-    return geometry::CollisionShape(boxes);
-  }
-  static geometry::CollisionShape DrawnIn(Box piece) {
-    piece.half_extents.array() -= kJointDepth;
-    return geometry::CollisionShape({&piece, 1});
-  }
-};
-
-// Returns the first piece that is not connected with the first piece of all, directly or by way of
-// others; -1 if there is none.
-int FirstApart(const std::vector<Box>& pieces) {
-  const std::vector<Joint> joints(pieces.begin(), pieces.end());
-  std::vector<bool> is_reached(pieces.size());
-  std::vector<std::size_t> to_look_from = {0};
-  is_reached[0] = true;
-  while (!to_look_from.empty()) {
-    const Joint& from = joints[to_look_from.back()];
-    to_look_from.pop_back();
-    for (std::size_t i = 0; i < joints.size(); ++i) {
-      if (is_reached[i] || !from.HoldsTo(joints[i])) continue;
-      is_reached[i] = true;
-      to_look_from.push_back(i);
-    }
-  }
-  const auto apart = std::ranges::find(is_reached, false);
-  return apart == is_reached.end() ? -1 : static_cast<int>(apart - is_reached.begin());
-}
-
 StablePoseId NearestTo(const std::vector<StablePose>& poses, const Vector3& direction) {
   const auto likeness = [&](const StablePose& pose) {
     return -direction.dot(pose.X_TablePart.linear().row(2).transpose());
@@ -304,9 +195,8 @@ std::shared_ptr<const PartModel> PartFile::Read(const Document& document, double
   model->name_ = ReadAnyName(root.At("name"));
   model->initial_ = ReadInitial(root.At("initial"));
   model->friction_ = ReadWithin(root.At("friction"), kRatio, {.low = 0.001, .high = 10});
-  PartFile file(clearance);
-  file.ReadPieces(root);
-  file.CheckHangsTogether(root.At("solids"));
+  const PartFile file(root, clearance);
+  file.solids_.CheckHangsTogether(root.At("solids"));
   file.BuildShape(*model, ReadDensity(root));
   if (const auto features = root.Find("features")) file.ReadFeatures(*features, *model);
   model->stable_poses_ = ComputeStablePoses(*model, kLeastTilt);
@@ -315,131 +205,16 @@ std::shared_ptr<const PartModel> PartFile::Read(const Document& document, double
 }
 
 geometry::MassProperties PartFile::ReadMass(const Document& document, double clearance) {
-  PartFile file(clearance);
-  file.ReadPieces(document.root());
-  return geometry::MassOf(file.Pieces(), ReadDensity(document.root()));
+  const PartFile file(document.root(), clearance);
+  return geometry::MassOf(file.solids_.Pieces(), ReadDensity(document.root()));
 }
 
-void PartFile::ReadPieces(const Value& root) {
-  units_ = ReadUnits(root);
-  ReadSolids(root.At("solids"));
-  if (const auto pockets = root.Find("pockets")) ReadPockets(*pockets);
-}
-
-void PartFile::ReadSolids(const Value& solids) {
-  for (const auto& [key, entry] : solids.Entries()) {
-    solids_.push_back(ReadSolid(ReadAnyName(key), entry));
-  }
-  if (solids_.empty()) solids.Fail("a part needs at least one solid");
-}
-
-PartFile::Solid PartFile::ReadSolid(const std::string& name, const Value& entry) const {
-  entry.AllowOnly({"box", "color", "turn"});
-  Solid solid{.name = name,
-              .X_PartSolid = Pose::Identity(),
-              .whole = ReadBox(entry.At("box")),
-              .pieces = {},
-              .color = Eigen::Vector4f(0.7f, 0.7f, 0.7f, 1)};
-  if (const auto turn = entry.Find("turn")) solid.X_PartSolid = ReadTurn(*turn);
-  if (const auto color = entry.Find("color")) solid.color = ReadColor(*color);
-  solid.pieces = {solid.whole.Transformed(solid.X_PartSolid)};
-  return solid;
-}
-
-Pose PartFile::ReadTurn(const Value& turn) const {
-  turn.AllowOnly({"axis", "angle", "about"});
-  const Vector3 axis = ReadDirection(turn.At("axis"));
-  const Pose turned(Eigen::AngleAxisd(ReadAngle(turn.At("angle"), units_), axis));
-  const auto about = turn.Find("about");
-  if (!about) return turned;
-  const Vector3 center = ReadVector3(*about, units_);
-  return geometry::Translation(center) * turned * geometry::Translation(-center);
-}
-
-void PartFile::ReadPockets(const Value& pockets) {
-  for (const auto& [key, entry] : pockets.Entries()) {
-    const Pocket& pocket = pockets_.emplace_back(ReadPocket(ReadAnyName(key), entry));
-    Solid& solid = solids_[static_cast<std::size_t>(pocket.solid)];
-    solid.pieces = Cut(solid.pieces, pocket.box.Transformed(solid.X_PartSolid), entry.At("box"));
-  }
-}
-
-PartFile::Pocket PartFile::ReadPocket(const std::string& name, const Value& entry) const {
-  entry.AllowOnly({"cut_from", "box", "widen"});
-  Pocket pocket{
-      .name = name, .solid = SolidNamed(entry.At("cut_from")), .box = ReadBox(entry.At("box"))};
-  if (const auto widen = entry.Find("widen")) pocket.is_widened = ReadWidening(*widen);
-  Widen(entry, pocket);
-  return pocket;
-}
-
-std::array<bool, 3> PartFile::ReadWidening(const Value& axes) {
-  std::array<bool, 3> is_widened = {};
-  for (const Value& axis : axes.Items()) {
-    is_widened[static_cast<std::size_t>(axis.OneOf({"x", "y", "z"}))] = true;
-  }
-  return is_widened;
-}
-
-void PartFile::Widen(const Value& entry, Pocket& pocket) const {
-  for (int axis = 0; axis < 3; ++axis) {
-    if (!pocket.is_widened[static_cast<std::size_t>(axis)]) continue;
-    double& half = pocket.box.half_extents[axis];
-    half += clearance_;
-    if (2 * half >= kShortestSide) continue;
-    entry.At("box").Fail(
-        fmt::format("a clearance of {} closes the pocket", InUnit(clearance_, units_.length)),
-        "one that leaves a pocket");
-  }
-}
-
-Box PartFile::ReadBox(const Value& corners) const {
-  const std::vector<Value> items = corners.Items();
-  if (items.size() != 2) {
-    corners.Fail(fmt::format("a box has two corners, not {}", items.size()),
-                 "[[x, y, z], [x, y, z]], the lower corner first");
-  }
-  const Vector3 low = ReadVector3(items[0], units_);
-  const Vector3 high = ReadVector3(items[1], units_);
-  for (int axis = 0; axis < 3; ++axis) {
-    if (high[axis] - low[axis] >= kShortestSide) continue;
-    corners.Fail(fmt::format("the box has no length along {}", "xyz"[axis]),
-                 fmt::format("a second corner at least {} beyond the first",
-                             InUnit(kShortestSide, units_.length)));
-  }
-  return Box::FromCorners(low, high);
-}
-
-std::vector<Box> PartFile::Pieces() const {
-  std::vector<Box> pieces;
-  for (const Solid& solid : solids_) {
-    pieces.insert(pieces.end(), solid.pieces.begin(), solid.pieces.end());
-  }
-  return pieces;
-}
-
-void PartFile::CheckHangsTogether(const Value& solids) const {
-  int apart = FirstApart(Pieces());
-  if (apart < 0) return;
-  auto solid = solids_.begin();
-  while (apart >= std::ssize(solid->pieces)) {
-    apart -= static_cast<int>(solid->pieces.size());
-    ++solid;
-  }
-  const Value place = solids.At(solid->name);
-  if (FirstApart(solid->pieces) >= 0) {
-    place.Fail(fmt::format("the pockets cut solid '{}' into unconnected pieces", solid->name),
-               "a solid in one piece");
-  }
-  place.Fail(
-      fmt::format("solid '{}' is not connected to solid '{}', directly or through other solids",
-                  solid->name, solids_.front().name),
-      "solids that overlap, or touch in a face");
-}
+PartFile::PartFile(const Value& root, double clearance)
+    : units_(ReadUnits(root)), solids_(root, units_, clearance) {}
 
 void PartFile::BuildShape(PartModel& model, double density) const {
-  model.boxes_ = Pieces();
-  for (const Solid& solid : solids_) {
+  model.boxes_ = solids_.Pieces();
+  for (const Solid& solid : solids_.solids()) {
     model.colors_.insert(model.colors_.end(), solid.pieces.size(), solid.color);
   }
   std::vector<Vector3> corners;
@@ -484,8 +259,8 @@ Feature PartFile::ReadFeature(const Value& entry, const PartModel& model) const 
 
 void PartFile::ReadFace(const Value& entry, const PartModel& model, Feature& feature) const {
   entry.AllowOnly({"face", "normal", "what"});
-  const Solid& solid = solids_[static_cast<std::size_t>(SolidNamed(entry.At("face")))];
-  const Box box = solid.whole.Transformed(solid.X_PartSolid);
+  const Solid& solid = solids_.SolidNamed(entry.At("face"));
+  const Box box = solid.WholeInPart();
   const Value normal = entry.At("normal");
   const int side = ReadSide(normal, box, solid.name);
   const FaceId id = ExposedFaceOf(model, SidesOf(box)[static_cast<std::size_t>(side)]);
@@ -504,14 +279,13 @@ void PartFile::ReadHole(const Value& entry, const PartModel& model, Feature& fea
   entry.AllowOnly({"hole", "axis", "what", "chamfer"});
   const Value axis = entry.At("axis");
   std::vector<Hollow> hollows;
-  for (int i : PocketsNamed(entry.At("hole"))) {
-    const Pocket& pocket = pockets_[static_cast<std::size_t>(i)];
-    const Solid& solid = solids_[static_cast<std::size_t>(pocket.solid)];
+  for (const PartSolids::Pocket* const pocket : solids_.PocketsNamed(entry.At("hole"))) {
+    const Solid& solid = solids_.SolidOf(*pocket);
     const Pose& X = solid.X_PartSolid;
-    hollows.push_back({.solid = solid.whole.Transformed(X),
-                       .pocket = pocket.box.Transformed(X),
-                       .clipped = Clipped(pocket.box, solid.whole).Transformed(X),
-                       .is_widened = pocket.is_widened});
+    hollows.push_back({.solid = solid.WholeInPart(),
+                       .pocket = pocket->box.Transformed(X),
+                       .clipped = Clipped(pocket->box, solid.whole).Transformed(X),
+                       .is_widened = pocket->is_widened});
     ReadSide(axis, hollows.back().solid, solid.name);
   }
   const Hollow& first = hollows.front();
@@ -538,16 +312,14 @@ void PartFile::ReadHole(const Value& entry, const PartModel& model, Feature& fea
 // The tip is where the solids reach farthest along the axis. The axis runs through the first solid.
 void PartFile::ReadShaft(const Value& entry, const PartModel& model, Feature& feature) const {
   entry.AllowOnly({"shaft", "axis", "what", "chamfer"});
-  const std::vector<int> names = SolidsNamed(entry.At("shaft"));
-  const Solid& first = solids_[static_cast<std::size_t>(names.front())];
-  const Box core = first.whole.Transformed(first.X_PartSolid);
-  const int towards = ReadSide(entry.At("axis"), core, first.name);
+  const std::vector<const Solid*> solids = solids_.SolidsNamed(entry.At("shaft"));
+  const Box core = solids.front()->WholeInPart();
+  const int towards = ReadSide(entry.At("axis"), core, solids.front()->name);
   const Vector3 axis = SidesOf(core)[static_cast<std::size_t>(towards)].normal;
   const Vector3 middle = core.X_FrameBox.translation();
   double tip = 0;  // distance from the middle, metres
-  for (int i : names) {
-    const Solid& solid = solids_[static_cast<std::size_t>(i)];
-    for (const Side& side : SidesOf(solid.whole.Transformed(solid.X_PartSolid))) {
+  for (const Solid* const solid : solids) {
+    for (const Side& side : SidesOf(solid->WholeInPart())) {
       for (const Vector3& corner : side.corners) tip = std::max(tip, axis.dot(corner - middle));
       const FaceId id = ExposedFaceOf(model, side);
       if (!id.IsNone()) feature.faces.push_back(id);
@@ -558,24 +330,6 @@ void PartFile::ReadShaft(const Value& entry, const PartModel& model, Feature& fe
   if (feature.faces.empty()) entry.Fail("the shaft is covered on all sides");
   feature.description = "shaft";
   feature.X_PartFeature = FrameAlong(middle + tip * axis, axis);
-}
-
-int PartFile::SolidNamed(const Value& name) const {
-  std::vector<std::string> names;
-  for (const Solid& solid : solids_) names.push_back(solid.name);
-  return name.OneOf(names);
-}
-
-std::vector<int> PartFile::SolidsNamed(const Value& names) const {
-  std::vector<std::string> known;
-  for (const Solid& solid : solids_) known.push_back(solid.name);
-  return OneOrMore(names, known, "solid");
-}
-
-std::vector<int> PartFile::PocketsNamed(const Value& names) const {
-  std::vector<std::string> known;
-  for (const Pocket& pocket : pockets_) known.push_back(pocket.name);
-  return OneOrMore(names, known, "pocket");
 }
 
 }  // namespace assay::domain

@@ -1,14 +1,11 @@
 #pragma once
 
-#include <array>
 #include <filesystem>
 #include <memory>
-#include <optional>
-#include <string>
-#include <vector>
 
 #include "planner/base/document/document.h"
 #include "planner/domain/part/part_model.h"
+#include "planner/domain/part/part_solids.h"
 #include "planner/domain/problem/units.h"
 
 namespace assay::domain {
@@ -31,36 +28,10 @@ class PartFile {
  private:
   static geometry::MassProperties ReadMass(const Document& document, double clearance);
 
-  // A solid of the file: a box, and the smaller boxes that remain of it after the pockets are cut.
-  struct Solid {
-    std::string name;
-    Pose X_PartSolid = Pose::Identity();  // turn from the coordinates of the file
-    geometry::Box whole;                  // before the turn and the pockets
-    std::vector<geometry::Box> pieces;    // part frame
-    Eigen::Vector4f color;
-  };
-  struct Pocket {
-    std::string name;
-    int solid = 0;      // index of the solid that it is cut from
-    geometry::Box box;  // widened, not clipped; in the coordinates of the solid before its turn
-    std::array<bool, 3> is_widened = {};  // along x, y, z
-  };
+  using Solid = PartSolids::Solid;
 
-  explicit PartFile(double clearance) : clearance_(clearance) {}
+  PartFile(const Value& root, double clearance);  // reads units, solids and pockets
 
-  // Reads units, solids and pockets.
-  void ReadPieces(const Value& root);
-  void ReadSolids(const Value& solids);
-  Solid ReadSolid(const std::string& name, const Value& entry) const;
-  Pose ReadTurn(const Value& turn) const;
-  void ReadPockets(const Value& pockets);
-  Pocket ReadPocket(const std::string& name, const Value& entry) const;
-  static std::array<bool, 3> ReadWidening(const Value& axes);
-  void Widen(const Value& entry, Pocket& pocket) const;
-  geometry::Box ReadBox(const Value& corners) const;
-
-  std::vector<geometry::Box> Pieces() const;
-  void CheckHangsTogether(const Value& solids) const;
   void BuildShape(PartModel& model, double density) const;
 
   void ReadFeatures(const Value& features, PartModel& model) const;
@@ -68,15 +39,9 @@ class PartFile {
   void ReadFace(const Value& entry, const PartModel& model, Feature& feature) const;
   void ReadHole(const Value& entry, const PartModel& model, Feature& feature) const;
   void ReadShaft(const Value& entry, const PartModel& model, Feature& feature) const;
-  int SolidNamed(const Value& name) const;
-  // Return the indices for one name or a list of names.
-  std::vector<int> SolidsNamed(const Value& names) const;
-  std::vector<int> PocketsNamed(const Value& names) const;
 
-  double clearance_;
   Units units_;
-  std::vector<Solid> solids_;
-  std::vector<Pocket> pockets_;
+  PartSolids solids_;
 };
 
 }  // namespace assay::domain

@@ -125,6 +125,16 @@ Vector3 ReadVector3(const Value& value, const Units& units) {
   return {ReadLength(items[0], units), ReadLength(items[1], units), ReadLength(items[2], units)};
 }
 
+Vector3 ReadDirection(const Value& value) {
+  const std::vector<double> numbers = value.Numbers(3);
+  const Vector3 direction(numbers[0], numbers[1], numbers[2]);
+  const double length = direction.stableNorm();
+  if (!(length > 1e-6 && length < 1e6)) {
+    value.Fail("the vector has no usable direction", "three numbers, such as [1, 0, 0]");
+  }
+  return direction / length;
+}
+
 Pose ReadColumns(const Value& value, const Units& units) {
   const auto columns = ItemsOf(value, 4, "four columns: the axes x, y, z and the position");
   // The axes are read one by one: Eigen's comma initializer aborts if an exception interrupts it.

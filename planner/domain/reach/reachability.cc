@@ -10,7 +10,7 @@
 
 #include "planner/base/check.h"
 #include "planner/domain/part/resting.h"
-#include "planner/domain/reach/tool_path.h"
+#include "planner/domain/reach/action_ways.h"
 
 namespace assay::domain {
 namespace {
@@ -133,44 +133,6 @@ bool ClearsTable(const Workcell& workcell, const Grasp& grasp, const Pose& X_Wor
 
 Pose Moved(const Pose& X, const Vector3& by) { return geometry::Translation(by) * X; }
 
-Vector3 Retreat(const Workcell& workcell, const Pose& X_FrameTool) {
-  return -workcell.rules().approach_distance * X_FrameTool.linear().col(2);
-}
-
-Vector3 Raised(const Workcell& workcell, const Vector3& p_World) {
-  return {p_World.x(), p_World.y(), std::max(p_World.z(), workcell.rules().safe_height)};
-}
-
-bool IsStraightAbove(const Vector3& high, const Vector3& low) {
-  return high.z() >= low.z() && (high - low).head<2>().norm() < kRounding;
-}
-
-// The ways of pickup go down, in and up again; putdown goes the same ways backwards. Straight above
-// the grasp, the way up is the way down.
-bool ReachesGrasp(const Workcell& workcell, const Pose& X_WorldTool) {
-  const Vector3 grasp = X_WorldTool.translation();
-  const Vector3 retreated = grasp + Retreat(workcell, X_WorldTool);
-  const std::array corners = {Raised(workcell, retreated), retreated, grasp,
-                              Raised(workcell, grasp)};
-  const std::size_t needed = IsStraightAbove(retreated, grasp) ? 3 : 4;
-  return CanFollow(workcell, X_WorldTool.linear(), std::span(corners).first(needed));
-}
-
-// The ways of assemble go down to where the mating starts, along the mating vector, back and up. If
-// all of them are on one line, a single way is followed.
-bool ReachesMating(const Workcell& workcell, const Pose& X_WorldTool, const Vector3& vector_World) {
-  const Vector3 mated = X_WorldTool.translation();
-  const Vector3 start = mated - vector_World;
-  const Vector3 retreated = mated + Retreat(workcell, X_WorldTool);
-  if (IsStraightAbove(start, mated) && IsStraightAbove(retreated, mated)) {
-    const Vector3& higher = start.z() > retreated.z() ? start : retreated;
-    return CanFollow(workcell, X_WorldTool.linear(), std::array{Raised(workcell, higher), mated});
-  }
-  return CanFollow(
-      workcell, X_WorldTool.linear(),
-      std::array{Raised(workcell, start), start, mated, retreated, Raised(workcell, retreated)});
-}
-
 // A hand, with its fingers open or closed, that goes past the fixed part. Everything is in the
 // fixed part's frame.
 class HandBesideFixed {
@@ -279,6 +241,18 @@ GraspConditions FindMatingIn(const Problem& problem, MatingId id, GraspId grasp,
   return BrokenMating(problem, mating, grasp, InPose(problem, mating.fixed, pose_of_fixed), ask);
 }
 
+// Returns the first of `others`, except `itself`, that the shape goes through.
+PartId FirstHit(const Problem& problem, const CollisionShape& shape, const Pose& X_WorldShape,
+                PartId itself, std::span<const PlacedPart> others) {
+  const double allowance = problem.workcell->rules().contact_allowance;
+  const auto hit = std::ranges::find_if(others, [&](const PlacedPart& other) {
+    return other.part != itself &&
+           Overlaps(shape, X_WorldShape, problem.part(other.part).model->shape(), other.X_WorldPart,
+                    allowance);
+  });
+  return hit == others.end() ? PartId::None() : hit->part;
+}
+
 double Degrees(double radians) { return radians * 180 / std::numbers::pi; }
 double Millimetres(double metres) { return 1000 * metres; }
 
@@ -336,32 +310,16 @@ bool IsMatingPlaceReachableIn(const Problem& problem, MatingId mating, GraspId g
   return FindMatingIn(problem, mating, grasp, pose_of_fixed, Ask::kWhetherAllButClear) == 0;
 }
 
-bool CanApproach(const Workcell& workcell, const Pose& X_WorldTool, const Vector3& approach) {
-  const Vector3 end = X_WorldTool.translation();
-  return CanFollow(workcell, X_WorldTool.linear(), std::array<Vector3, 2>{end - approach, end});
-}
-
 PartId Obstacle(const Problem& problem, const Pose& X_WorldTool, double opening,
                 std::span<const PlacedPart> others) {
-  const CollisionShape hand = problem.workcell->HandShape(opening);
-  const double allowance = problem.workcell->rules().contact_allowance;
-  const auto hit = std::ranges::find_if(others, [&](const PlacedPart& other) {
-    return Overlaps(hand, X_WorldTool, problem.part(other.part).model->shape(), other.X_WorldPart,
-                    allowance);
-  });
-  return hit == others.end() ? PartId::None() : hit->part;
+  return FirstHit(problem, problem.workcell->HandShape(opening), X_WorldTool, PartId::None(),
+                  others);
 }
 
 PartId Obstacle(const Problem& problem, const PlacedPart& moving,
                 std::span<const PlacedPart> others) {
-  const CollisionShape& shape = problem.part(moving.part).model->shape();
-  const double allowance = problem.workcell->rules().contact_allowance;
-  const auto hit = std::ranges::find_if(others, [&](const PlacedPart& other) {
-    return other.part != moving.part &&
-           Overlaps(shape, moving.X_WorldPart, problem.part(other.part).model->shape(),
-                    other.X_WorldPart, allowance);
-  });
-  return hit == others.end() ? PartId::None() : hit->part;
+  return FirstHit(problem, problem.part(moving.part).model->shape(), moving.X_WorldPart,
+                  moving.part, others);
 }
 
 bool HidesMatingFeatures(const Problem& problem, const Mating& mating, StablePoseId pose_of_fixed) {

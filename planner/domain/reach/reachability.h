@@ -84,10 +84,6 @@ std::optional<Limited> Measure(const Problem& problem, GraspCondition condition,
 // its limit.
 Limited MatingLean(const Problem& problem, const Mating& mating, const Pose& X_WorldFixed);
 
-// Returns whether the arm can bring the tool to X_WorldTool by a straight line of `approach` (world
-// frame, ending there), within joint limits and without changing its configuration on the way.
-bool CanApproach(const Workcell& workcell, const Pose& X_WorldTool, const Vector3& approach);
-
 // Returns the first of `others` that hand or fingers would go through when the tool is at
 // X_WorldTool with the given opening. Returns None if they are free.
 PartId Obstacle(const Problem& problem, const Pose& X_WorldTool, double opening,

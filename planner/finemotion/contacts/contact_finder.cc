@@ -5,11 +5,12 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <optional>
 #include <utility>
 
-#include "planner/base/check.h"
-#include "planner/finemotion/contacts/tolerated_part.h"
+#include "planner/finemotion/contacts/edge_crossing.h"
+#include "planner/finemotion/contacts/linear_rows.h"
+#include "planner/finemotion/contacts/parallel_edge_finder.h"
+#include "planner/finemotion/contacts/placed_part.h"
 
 namespace assay::finemotion {
 
@@ -17,7 +18,6 @@ namespace {
 
 constexpr std::size_t kUsualLimits = 4;  // the paper's greatest number, section 3
 constexpr std::size_t kUsualContacts = 32;
-constexpr double kTurnOnTheWay = 0.05;  // radians, more than a part turns in one motion
 constexpr double kFar = std::numeric_limits<double>::infinity();
 
 using Index = std::size_t;
@@ -25,51 +25,7 @@ using Part = ToleratedPart;
 using Edge = ToleratedPart::Edge;
 using Face = ToleratedPart::Face;
 using Region = ToleratedPart::Region;
-using Shift = ToleratedPart::Shift;
-using ShiftAlong = ToleratedPart::ShiftAlong;
 using Vertex = ToleratedPart::Vertex;
-
-}  // namespace
-
-// A part at a pose, in the stationary part's axes.
-struct PlacedEdge {
-  Vector3 start;
-  Vector3 direction;
-  Extent extent;
-};
-
-struct Placed {
-  const Part& part;
-  Pose X;
-  std::vector<PlacedEdge> edges;
-
-  Placed(const Part& placed_part, const Pose& X_StationaryPart)
-      : part(placed_part), X(X_StationaryPart) {
-    edges.reserve(part.edges.size());
-    for (const Edge& edge : part.edges) {
-      const Vector3 start = X * edge.start;
-      const Vector3 direction = Turned(edge.direction);
-      edges.push_back({start, direction, Extent::Of(start, start + edge.length * direction)});
-    }
-  }
-
-  Vector3 Turned(const Vector3& v) const { return X.linear() * v; }
-  Vector3 TurnedBack(const Vector3& v) const { return X.linear().transpose() * v; }
-  Vector3 MovedBack(const Vector3& p) const { return TurnedBack(p - X.translation()); }
-};
-
-namespace {
-
-// The points of two lines that are nearest to each other.
-struct Crossing {
-  double s = 0;  // metres along the first edge from its start
-  double t = 0;  // metres along the second edge from its start
-};
-
-double DistanceToEdge(const Vector3& p, const PlacedEdge& edge, double length) {
-  const double s = std::clamp((p - edge.start).dot(edge.direction), 0.0, length);
-  return (p - edge.start - s * edge.direction).norm();
-}
 
 bool Same(const HalfSpace& a, const HalfSpace& b) {
   return std::abs(a.b - b.b) < kSameSurface && (a.a - b.a).cwiseAbs().maxCoeff() < kSameSurface;
@@ -113,8 +69,7 @@ class Linearizer {
              const ContactRange& range)
       : moving_(moving),
         stationary_(stationary),
-        origin_(moving.X.translation()),
-        dimensions_(kPoseDimensions + tolerances),
+        rows_(moving.X.translation(), tolerances),
         reach_(range.reach),
         turn_(range.turn) {
     contacts_.reserve(kUsualContacts);
@@ -124,7 +79,8 @@ class Linearizer {
   void AddAll() {
     AddVerticesOnFaces(moving_, stationary_);
     AddVerticesOnFaces(stationary_, moving_);
-    ForNearEdges([&](Index moving, Index stationary) { AddEdgeOnEdge(moving, stationary); });
+    ForNearEdges(moving_, stationary_, reach_ + kSamePoint,
+                 [&](Index moving, Index stationary) { AddEdgeOnEdge(moving, stationary); });
   }
 
   void Add(const ContactKey& key) {
@@ -144,28 +100,6 @@ class Linearizer {
   }
 
   std::vector<PrimitiveContact> Take() && { return std::move(contacts_); }
-
-  std::vector<ParallelEdges> NearlyParallel() const {
-    std::vector<ParallelEdges> found;
-    ForNearEdges([&](Index moving, Index stationary) {
-      const PlacedEdge& a = moving_.edges[moving];
-      const PlacedEdge& b = stationary_.edges[stationary];
-      if (!MayBeParallel(a.direction.cross(b.direction).norm())) return;
-      const Edge& edge_a = moving_.part.edges[moving];
-      const Edge& edge_b = stationary_.part.edges[stationary];
-      const Crossing nearest = NearestOf(a, edge_a.length, b, edge_b.length);
-      const Vector3 from_b = a.start + nearest.s * a.direction - b.start - nearest.t * b.direction;
-      if (from_b.norm() > reach_ || !MayPress(edge_a, edge_b)) return;
-      found.push_back({.moving = static_cast<int>(moving),
-                       .stationary = static_cast<int>(stationary),
-                       .along_stationary = Along(stationary_, b, edge_b, moving_, a, edge_a),
-                       .along_moving = Along(moving_, a, edge_a, stationary_, b, edge_b),
-                       .contact = Halfway(a, edge_a, nearest.s, edge_b, from_b)});
-      found.back().contact.moving = found.back().moving;
-      found.back().contact.stationary = found.back().stationary;
-    });
-    return found;
-  }
 
  private:
   // Returns how many of the part's features can take part in a contact of this kind.
@@ -196,18 +130,6 @@ class Linearizer {
     }
   }
 
-  template <class Use>
-  void ForNearEdges(const Use& use) const {
-    const double reach = reach_ + kSamePoint;
-    for (Index i = 0; i < moving_.edges.size(); ++i) {
-      const Extent& extent = moving_.edges[i].extent;
-      if (!stationary_.part.extent.IsNear(extent, reach)) continue;
-      for (Index j = 0; j < stationary_.edges.size(); ++j) {
-        if (stationary_.edges[j].extent.IsNear(extent, reach)) use(i, j);
-      }
-    }
-  }
-
   void AddVertexOnFace(const Placed& with_vertex, Index vertex_index, const Placed& with_face,
                        Index face_index) {
     const Vertex& vertex = with_vertex.part.vertices[vertex_index];
@@ -227,9 +149,10 @@ class Linearizer {
       contact.stationary = static_cast<int>(moving_vertex ? face_index : vertex_index);
       contact.offset = gap;
       contact.normal = with_vertex.part.sign * normal;
-      contact.at = p - origin_;
-      contact.row = Row(contact.normal, contact.at);
-      Tolerances(contact.row) = Along(vertex.shift, with_vertex.TurnedBack(normal)) - face.shift;
+      contact.at = p - rows_.origin();
+      contact.row = rows_.Row(contact.normal, contact.at);
+      rows_.Tolerances(contact.row) =
+          LinearRows::Along(vertex.shift, with_vertex.TurnedBack(normal)) - face.shift;
       contact.limits.reserve(vertex.leaving.size() + region.sides.size());
       AddOverlapLimits(with_vertex, vertex, normal, contact);
       AddExtentLimits(with_vertex, vertex, with_face, region, p_in_face, contact);
@@ -262,7 +185,7 @@ class Linearizer {
       const Vector3 leaving = side.Turned(direction);
       const double rise = n.dot(leaving);
       if (rise < kSameDirection + turn_) {
-        contact.limits.push_back(TurnLimit(side.part.sign * n.cross(leaving), rise));
+        contact.limits.push_back(rows_.TurnLimit(side.part.sign * n.cross(leaving), rise));
       }
     }
   }
@@ -276,8 +199,9 @@ class Linearizer {
     }
     AddNearest(contact, [&](Index which) {
       const Vector3 outward = with_face.Turned(region.sides[which].outward);
-      numeric::SmallVector row = Row(with_vertex.part.sign * outward, contact.at);
-      Tolerances(row) = Along(vertex.shift, with_vertex.TurnedBack(outward)) - region.shifts[which];
+      numeric::SmallVector row = rows_.Row(with_vertex.part.sign * outward, contact.at);
+      rows_.Tolerances(row) =
+          LinearRows::Along(vertex.shift, with_vertex.TurnedBack(outward)) - region.shifts[which];
       return row;
     });
   }
@@ -293,13 +217,11 @@ class Linearizer {
     const double apart = n.dot(between);
     if (apart * apart > reach_ * reach_ * sine2) return;
     const double sine = std::sqrt(sine2);
-    if (MayBeParallel(sine)) return;
+    if (MayBeParallel(sine, turn_)) return;
     n /= sine;
     const double slack = kSameDirection + turn_ / sine;  // the angle by which n may turn
-    const double c = a.direction.dot(b.direction);
-    const Crossing crossing = {(c * b.direction - a.direction).dot(between) / sine2,
-                               (b.direction - c * a.direction).dot(between) / sine2};
-    if (AreBeyondReach(a, edge_a.length, b, edge_b.length, crossing)) return;
+    const Crossing crossing = CrossingOf(a, b, sine2);
+    if (AreBeyondReach(a, edge_a.length, b, edge_b.length, crossing, reach_)) return;
     if (!Separates(n, edge_a, edge_b, slack)) n = -n;
     if (!Separates(n, edge_a, edge_b, slack)) return;
     const Vector3 at = a.start + crossing.s * a.direction;
@@ -309,104 +231,13 @@ class Linearizer {
     contact.stationary = static_cast<int>(stationary);
     contact.offset = n.dot(at - b.start);
     contact.normal = n;
-    contact.at = at - origin_;
-    contact.row = EdgeRow(n, contact.at, edge_a, edge_b);
+    contact.at = at - rows_.origin();
+    contact.row = rows_.EdgeRow(n, contact.at, moving_, edge_a, edge_b);
     contact.limits.reserve(2 * kUsualLimits);
     AddOrientationLimits(moving_, edge_a, b.direction, n, slack, contact);
     AddOrientationLimits(stationary_, edge_b, a.direction, n, slack, contact);
     AddRangeLimits(a, edge_a, b, edge_b, crossing, contact);
     Keep(std::move(contact));
-  }
-
-  bool MayBeParallel(double sine) const { return sine < kSameDirection + turn_; }
-
-  // Returns the nearest points of two nearly parallel edges.
-  static Crossing NearestOf(const PlacedEdge& a, double length_a, const PlacedEdge& b,
-                            double length_b) {
-    const Vector3 between = a.start - b.start;
-    const double c = a.direction.dot(b.direction);
-    const double sine2 = a.direction.cross(b.direction).squaredNorm();
-    if (sine2 > kSameDirection * kSameDirection) {
-      const Crossing at = {(c * b.direction - a.direction).dot(between) / sine2,
-                           (b.direction - c * a.direction).dot(between) / sine2};
-      if (at.s >= 0 && at.s <= length_a && at.t >= 0 && at.t <= length_b) return at;
-    }
-    Crossing nearest;
-    double least = kFar;
-    const auto consider = [&](const Crossing& at) {
-      const double distance = (between + at.s * a.direction - at.t * b.direction).norm();
-      if (distance >= least) return;
-      least = distance;
-      nearest = at;
-    };
-    for (const double s : {0.0, length_a}) {
-      const double t = (between + s * a.direction).dot(b.direction);
-      consider({s, std::clamp(t, 0.0, length_b)});
-    }
-    for (const double t : {0.0, length_b}) {
-      const double s = (t * b.direction - between).dot(a.direction);
-      consider({std::clamp(s, 0.0, length_a), t});
-    }
-    return nearest;
-  }
-
-  // Returns whether the edges can press on each other, perhaps after a turn. They can if some
-  // direction lies between the face normals of the one edge and the reversed normals of the other.
-  // Across the edges, these ranges of directions are angles about the bisectors.
-  bool MayPress(const Edge& moving, const Edge& stationary) const {
-    const auto half_angle = [](const Edge& edge) {
-      return std::acos(std::clamp(edge.normals[0].dot(edge.normals[1]), -1.0, 1.0)) / 2;
-    };
-    const double cosine = -moving_.Turned(moving.Bisector()).dot(stationary.Bisector());
-    return std::acos(std::clamp(cosine, -1.0, 1.0)) <=
-           half_angle(moving) + half_angle(stationary) + 2 * turn_ + kTurnOnTheWay;
-  }
-
-  // Returns the ends of the edge `other` in coordinates with the third axis along the edge `bar`.
-  EdgeAlongEdge Along(const Placed& with_bar, const PlacedEdge& bar, const Edge& bar_edge,
-                      const Placed& with_other, const PlacedEdge& other,
-                      const Edge& other_edge) const {
-    Eigen::Matrix3d axes;  // two directions across the bar, then its own, as rows
-    const Vector3 across = bar.direction.unitOrthogonal();
-    axes << across.transpose(), bar.direction.cross(across).transpose(), bar.direction.transpose();
-    EdgeAlongEdge seen{.ends = {}, .length = bar_edge.length, .elongation = {}};
-    for (const Index which : {0U, 1U}) {
-      const Vector3 p = other.start + (which == 0 ? 0 : other_edge.length) * other.direction;
-      const Vector3 r = p - origin_;
-      Eigen::Matrix3d lever;
-      lever << 0, r.z(), -r.y(), -r.z(), 0, r.x(), r.y(), -r.x(), 0;
-      PointAtEdge& end = seen.ends[which];
-      end.offset = axes * (p - bar.start);
-      end.pose << with_other.part.sign * axes, with_other.part.sign * axes * lever;
-      end.tolerances = axes * (with_other.X.linear() * other_edge.EndShift(which) -
-                               with_bar.X.linear() * bar_edge.shift);
-    }
-    seen.elongation = bar_edge.end_shifts[0].cwiseAbs().cwiseMax(bar_edge.end_shifts[1].cwiseAbs());
-    return seen;
-  }
-
-  PrimitiveContact Halfway(const PlacedEdge& a, const Edge& moving, double s,
-                           const Edge& stationary, const Vector3& from_b) const {
-    const Vector3 n = (stationary.Bisector() - moving_.Turned(moving.Bisector())).normalized();
-    PrimitiveContact contact;
-    contact.kind = ContactKind::kEdgeEdge;
-    contact.offset = n.dot(from_b);
-    contact.normal = n;
-    contact.at = a.start + s * a.direction - origin_;
-    contact.row = EdgeRow(n, contact.at, moving, stationary);
-    return contact;
-  }
-
-  // Returns whether two edges that are not parallel are farther apart than the reach.
-  bool AreBeyondReach(const PlacedEdge& a, double length_a, const PlacedEdge& b, double length_b,
-                      const Crossing& at) const {
-    if (at.s >= 0 && at.s <= length_a && at.t >= 0 && at.t <= length_b) return false;
-    const Vector3 end_a = a.start + length_a * a.direction;
-    const Vector3 end_b = b.start + length_b * b.direction;
-    return DistanceToEdge(a.start, b, length_b) > reach_ &&
-           DistanceToEdge(end_a, b, length_b) > reach_ &&
-           DistanceToEdge(b.start, a, length_a) > reach_ &&
-           DistanceToEdge(end_b, a, length_a) > reach_;
   }
 
   // Returns whether the plane through two crossing edges, with normal n, has the parts on its two
@@ -432,7 +263,7 @@ class Linearizer {
       const Vector3 normal = side.Turned(edge.normals[which]);
       const double over = other.dot(into) < 0 ? -1 : 1;
       contact.limits.push_back(
-          TurnLimit(-side.part.sign * over * normal.cross(other), over * normal.dot(other)));
+          rows_.TurnLimit(-side.part.sign * over * normal.cross(other), over * normal.dot(other)));
     }
   }
 
@@ -450,45 +281,11 @@ class Linearizer {
     AddNearest(contact, [&](Index which) {
       const Edge& edge = which < 2 ? edge_a : edge_b;
       const double sign = which % 2 == 0 ? -1 : 1;
-      numeric::SmallVector row = EdgeRow(sign * slides[which / 2], contact.at, edge_a, edge_b);
-      Tolerances(row) -= sign * edge.end_shifts[which % 2];
+      numeric::SmallVector row =
+          rows_.EdgeRow(sign * slides[which / 2], contact.at, moving_, edge_a, edge_b);
+      rows_.Tolerances(row) -= sign * edge.end_shifts[which % 2];
       return row;
     });
-  }
-
-  // Returns the row for a motion of the moving edge's line against the stationary one's, measured
-  // along `direction`.
-  numeric::SmallVector EdgeRow(const Vector3& direction, const Vector3& r, const Edge& moving,
-                               const Edge& stationary) const {
-    numeric::SmallVector row = Row(direction, r);
-    Tolerances(row) =
-        Along(moving.shift, moving_.TurnedBack(direction)) - Along(stationary.shift, direction);
-    return row;
-  }
-
-  static Eigen::VectorXd Along(const Shift& shift, const Vector3& direction) {
-    return shift.transpose() * direction;
-  }
-
-  // Returns the row direction . (d + w x r), with zeros for the tolerances.
-  numeric::SmallVector Row(const Vector3& direction, const Vector3& r) const {
-    numeric::SmallVector row(dimensions_);
-    row.head<3>() = direction;
-    row.segment<3>(3) = r.cross(direction);
-    Tolerances(row).setZero();
-    return row;
-  }
-
-  Eigen::Ref<Eigen::VectorXd> Tolerances(numeric::SmallVector& row) const {
-    return row.tail(dimensions_ - kPoseDimensions);
-  }
-
-  // Returns the limit axis . w <= rise. A rise that is no more than rounding counts as 0.
-  HalfSpace TurnLimit(const Vector3& axis, double rise) const {
-    HalfSpace limit{.a = Eigen::VectorXd::Zero(dimensions_),
-                    .b = std::abs(rise) < kSameDirection ? 0 : rise};
-    limit.a.segment<3>(3) = axis;
-    return limit;
   }
 
   // Adds the nearest ends as limits. Where rows are accurate, the contact cannot come to ends
@@ -510,8 +307,7 @@ class Linearizer {
 
   const Placed& moving_;
   const Placed& stationary_;
-  Vector3 origin_;
-  Eigen::Index dimensions_;
+  LinearRows rows_;
   double reach_;
   double turn_;
   std::vector<PrimitiveContact> contacts_;
@@ -535,7 +331,8 @@ std::vector<PrimitiveContact> ContactFinder::Near(const Pose& X_StationaryMoving
 std::vector<ParallelEdges> ContactFinder::NearlyParallel(const Pose& X_StationaryMoving,
                                                          const ContactRange& range) const {
   const Placed moving(parts_->moving, X_StationaryMoving);
-  return Linearizer(moving, parts_->placed_stationary, parts_->tolerances, range).NearlyParallel();
+  const LinearRows rows(X_StationaryMoving.translation(), parts_->tolerances);
+  return ParallelEdgeFinder(moving, parts_->placed_stationary, rows, range).Find();
 }
 
 std::vector<PrimitiveContact> ContactFinder::Of(std::span<const ContactKey> keys,

@@ -6,7 +6,7 @@
 
 #include "planner/base/check.h"
 #include "planner/finemotion/graph/projection_image.h"
-#include "planner/geometry/nearest_point.h"
+#include "planner/geometry/convex/nearest_point.h"
 
 namespace assay::finemotion {
 

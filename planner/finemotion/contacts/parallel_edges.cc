@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "planner/finemotion/contacts/meeting.h"
-#include "planner/geometry/nearest_point.h"
+#include "planner/geometry/convex/nearest_point.h"
 
 namespace assay::finemotion {
 

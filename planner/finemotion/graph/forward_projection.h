@@ -1,7 +1,7 @@
 #pragma once
 
-#include "planner/finemotion/contacts/primitive_contact.h"
-#include "planner/geometry/zonotope.h"
+#include "planner/finemotion/contacts/generalized_point.h"
+#include "planner/geometry/convex/zonotope.h"
 
 namespace assay::finemotion {
 
@@ -17,12 +17,5 @@ struct ForwardProjection {
   double Support(const Eigen::VectorXd& a) const;
   GeneralizedPoint Farthest(const Eigen::VectorXd& a) const;
 };
-
-// Returns a zonotope that holds every point at which a motion of the projection can meet the
-// contact's C-surface (R_1 of the paper, section 4). It is tight in the start, and to first order
-// in the errors of the velocity. Every velocity in `velocity` must approach the surface, which is
-// checked.
-geometry::Zonotope RegionAtContact(const ForwardProjection& projection,
-                                   const PrimitiveContact& contact);
 
 }  // namespace assay::finemotion

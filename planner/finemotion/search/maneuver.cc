@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "planner/finemotion/search/row_range.h"
 #include "planner/numeric/orthogonal_decomposition.h"
 
 namespace assay::finemotion {
@@ -88,6 +89,15 @@ std::optional<PoseChange> Complied(const std::vector<const PrimitiveContact*>& k
   z.head<3>() = d;
   z.tail<3>() = w;
   return z;
+}
+
+// Removes the contacts that a motion along d opens.
+void LetGo(std::vector<ContactKey>& kept, const std::vector<PrimitiveContact>& contacts,
+           const Vector3& d) {
+  std::erase_if(kept, [&](const ContactKey& key) {
+    const PrimitiveContact* contact = Find(contacts, key);
+    return contact != nullptr && contact->normal.dot(d) > 1e-9;
+  });
 }
 
 }  // namespace
@@ -192,10 +202,7 @@ std::optional<Maneuvering::Direction> Maneuvering::DirectionOf(const Situation& 
       direction.amount = d.norm();
       if (direction.amount < kLeastMotion) return std::nullopt;
       d /= direction.amount;
-      std::erase_if(direction.kept, [&](const ContactKey& key) {
-        const PrimitiveContact* contact = Find(contacts, key);
-        return contact != nullptr && contact->normal.dot(d) > 1e-9;
-      });
+      LetGo(direction.kept, contacts, d);
       break;
     }
     case Maneuver::Kind::kUpright:

@@ -1,50 +1,13 @@
 #pragma once
 
-#include <Eigen/Core>
-#include <optional>
-#include <span>
 #include <vector>
 
 #include "planner/finemotion/contacts/contact_range.h"
-#include "planner/finemotion/contacts/parallel_edges.h"
 #include "planner/finemotion/contacts/primitive_contact.h"
+#include "planner/finemotion/search/belief.h"
+#include "planner/finemotion/search/segment_model.h"
 
 namespace assay::finemotion {
-
-// A change of the moving part's pose: d is added to its origin, and it is turned by w about its
-// origin. It is the pose's share of a point of generalized space.
-using PoseChange = Eigen::Matrix<double, kPoseDimensions, 1>;
-// One change in each column.
-using PoseChanges = Eigen::Matrix<double, kPoseDimensions, Eigen::Dynamic>;
-
-// The believed pose of the moving part: nominally X, displaced by each errors.col(i) times any
-// factor in -1 .. 1, and in contact with what it keeps. The factors of the first columns belong to
-// the model's tolerances too, in multiples of their half widths.
-struct Belief {
-  Pose X_StationaryMoving = Pose::Identity();
-  PoseChanges errors;
-  std::vector<ContactKey> kept = {};
-  Eigen::VectorXd tolerances = {};  // half widths, metres
-};
-
-// Returns how much errors can change the value of a row.
-double ErrorOf(const numeric::SmallVector& row, const Belief& belief);
-
-Pose Displaced(const Pose& X_StationaryMoving, const PoseChange& z);
-// Returns the change that displaces `from` to `to`.
-PoseChange Between(const Pose& from, const Pose& to);
-
-// Returns the least change of a pose, after the change z, that closes the contacts' gaps to first
-// order. Rotations times `radius` count as lengths.
-PoseChange Closing(const std::vector<const PrimitiveContact*>& contacts, const PoseChange& z,
-                   double radius);
-
-// A straight motion in a contact state, and the contact that ends it.
-struct Command {
-  PoseChange displacement;       // the whole motion without errors
-  std::vector<ContactKey> kept;  // contacts that stay closed; other contacts are let go
-  std::optional<ContactKey> until = {};
-};
 
 // The distance, in metres, by which a kept contact may be beyond its limits, that is, beside its
 // features.
@@ -78,26 +41,6 @@ struct SegmentCheck {
   Belief after = {};
   double longest = 1;  // greatest number of displacements that the motion takes
   TestComparison comparison = {};
-};
-
-// The test that decides whether errors can make a contact.
-enum class MeetingTest {
-  kExact,
-  kEdges,    // the paper's, where there are few enough errors; it misses some contacts
-  kCompare,  // the exact test, compared with the paper's
-};
-
-struct SegmentModel {
-  // The contacts, linearized where the command leads without errors.
-  const std::vector<PrimitiveContact>& contacts;
-  // The relative error of a displacement. In each direction, the translation errs by at most this
-  // fraction of the length plus the turn times the radius. About each axis, the rotation errs by at
-  // most this fraction of the turn.
-  double velocity_error = 0.02;
-  double radius = 0.02;  // metres; a rotation times this radius counts as a length
-  MeetingTest test = MeetingTest::kExact;
-  // Edges that may be parallel, at the same pose. None of them may touch.
-  std::span<const ParallelEdges> parallel_edges = {};
 };
 
 // The unwanted contacts and losses that a check reports.

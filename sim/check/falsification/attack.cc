@@ -8,8 +8,9 @@
 #include <nlopt.hpp>
 
 #include "planner/base/check.h"
+#include "sim/check/falsification/attack_points.h"
+#include "sim/check/falsification/attack_tally.h"
 #include "sim/check/falsification/attacked_step.h"
-#include "sim/check/falsification/main_effects.h"
 #include "sim/check/falsification/shrink.h"
 #include "sim/execution/trial/scheduler.h"
 #include "sim/noise/sampling.h"
@@ -30,12 +31,56 @@ bool Violates(const Sample& sample) {
   return std::ranges::any_of(sample.attempt.claims, &Claim::IsViolated);
 }
 
-double Length(const Claim& claim) { return AsLength(claim.margin, claim.dimension); }
+// Returns the samples whose ends the next step starts from: those whose errors are farthest out in
+// each direction, and some of the others.
+std::vector<const Sample*> FarthestSamples(AttackedStep& step) {
+  std::map<ClaimKey, std::pair<const Sample*, const Sample*>> farthest;  // least and greatest
+  for (const Sample& sample : step.samples()) {
+    if (!sample.attempt.end) continue;
+    for (const Claim& claim : sample.attempt.claims) {
+      if (claim.about != Claimed::kAfter) continue;
+      auto& [low, high] = farthest.try_emplace(KeyOf(claim), &sample, &sample).first->second;
+      if (claim.observed < Find(low->attempt.claims, KeyOf(claim))->observed) low = &sample;
+      if (claim.observed > Find(high->attempt.claims, KeyOf(claim))->observed) high = &sample;
+    }
+  }
+  std::vector<const Sample*> chosen;
+  const auto choose = [&](const Sample* sample) {
+    if (std::ranges::find(chosen, sample) == chosen.end()) chosen.push_back(sample);
+  };
+  for (const auto& [key, ends] : farthest) {
+    choose(ends.first);
+    choose(ends.second);
+  }
+  // Some of the other samples are added, spread evenly over all.
+  const std::size_t stride = std::max<std::size_t>(1, step.samples().size() / kMostStates);
+  for (std::size_t i = 0; i < step.samples().size(); i += stride) {
+    if (step.samples()[i].attempt.end) choose(&step.samples()[i]);
+  }
+  if (chosen.size() > kMostStates) chosen.resize(kMostStates);
+  return chosen;
+}
 
-const Claim* Find(const std::vector<Claim>& claims, const ClaimKey& key) {
-  const auto found =
-      std::ranges::find_if(claims, [&](const Claim& claim) { return KeyOf(claim) == key; });
-  return found == claims.end() ? nullptr : &*found;
+// Subplex (Rowan 1990) is used because margins have kinks and a little noise.
+void Minimize(const std::function<double(const std::vector<double>&)>& f, std::vector<double> point,
+              std::int64_t evaluations) {
+  nlopt::opt search(nlopt::LN_SBPLX, static_cast<unsigned>(point.size()));
+  search.set_lower_bounds(0);
+  search.set_upper_bounds(1);
+  search.set_initial_step(0.25);
+  search.set_maxeval(static_cast<int>(evaluations));
+  using Function = std::function<double(const std::vector<double>&)>;
+  search.set_min_objective([](const std::vector<double>& x, std::vector<double>&,
+                              void* data) { return (*static_cast<const Function*>(data))(x); },
+                           const_cast<Function*>(&f));
+  double least = 0;
+  try {
+    search.optimize(point, least);
+  } catch (const nlopt::roundoff_limited&) {
+    // The search cannot do better than that.
+  } catch (const nlopt::forced_stop&) {
+    // The falsification was stopped, or has found enough violations.
+  }
 }
 
 class Attacker {
@@ -112,7 +157,7 @@ class Attacker {
       return step.attack().Poise(*starts[i].world, starts[i].noise, starts[i].from.get());
     };
     scheduler_.InOrder(starts.size(), poise, [&](std::size_t i, Approach approach) {
-      Count(approach.claims, starts[i].noise, AttackPhase::kVertices);
+      tally_.Count(approach.claims, starts[i].noise, AttackPhase::kVertices);
       if (approach.poised) {
         step.poised().push_back(std::move(*approach.poised));
       } else {
@@ -132,87 +177,18 @@ class Attacker {
     const std::int64_t design = std::min(
         {left, static_cast<std::int64_t>(std::ceil(kShareOfDesign * static_cast<double>(budget))),
          std::int64_t{noise::CornerDesignSize(step.dimensions())}});
-    TryAll(step, Design(step, design));
+    TryAll(step, DesignCorners(step, options_.seed, design));
     if (IsEnough(step)) return;
     step.FindAims();
     TryAll(step, LikelyCorners(step, share(kShareOfExtremes)));
     if (IsEnough(step)) return;
-    TryAll(step, EvenPoints(step, share(kShareOfEven)));
+    TryAll(step, EvenPoints(step, options_.seed, share(kShareOfEven)));
     if (IsEnough(step)) return;
     SearchLocally(step, budget - std::ssize(step.samples()));
   }
 
   bool IsEnough(AttackedStep& step) const {
     return options_.until_violated && std::ranges::any_of(step.samples(), Violates);
-  }
-
-  // A corner and its opposite use the same start, so that effects of starts are not mistaken for
-  // effects of errors.
-  std::vector<Sample> Design(AttackedStep& step, std::int64_t count) const {
-    std::vector<Sample> samples;
-    for (int n = 0; n < count; ++n) {
-      samples.push_back({static_cast<std::size_t>(n / 2) % step.poised().size(),
-                         noise::CornerPoint(step.dimensions(), options_.seed, 1 + n)});
-    }
-    return samples;
-  }
-
-  std::vector<Sample> EvenPoints(AttackedStep& step, std::int64_t count) const {
-    std::vector<Sample> samples;
-    const std::vector<std::int64_t> counts = Allotted(count, step.aims());
-    for (std::size_t i = 0; i < counts.size(); ++i) {
-      for (std::int64_t of_aim = 0; of_aim < counts[i]; ++of_aim) {
-        const int n = static_cast<int>(samples.size());
-        samples.push_back({static_cast<std::size_t>(n) % step.poised().size(),
-                           noise::EvenPoint(step.dimensions(), options_.seed, 1 + n),
-                           AttackPhase::kLowDiscrepancy, step.aims()[i].until});
-      }
-    }
-    return samples;
-  }
-
-  // Returns the corners at which claims are likely to be extreme, judged by the samples so far.
-  // Corners with the least expected margins come first, and none is repeated.
-  static std::vector<Sample> LikelyCorners(AttackedStep& step, std::int64_t count) {
-    std::vector<std::pair<double, Sample>> likely;
-    for (const auto& [key, responses] : Responses(step)) {
-      const Claim& claim = *Find(step.samples().front().attempt.claims, key);
-      const Until until = step.AimAt(key)->until;
-      const LikelyExtremes extremes = ByMainEffects(responses);
-      const auto add = [&](const LikelyExtreme& extreme, double margin) {
-        if (!std::isfinite(margin)) return;
-        likely.emplace_back(AsLength(margin, claim.dimension),
-                            Sample{extreme.start, extreme.corner, AttackPhase::kLikely, until});
-      };
-      add(extremes.least, extremes.least.expected - claim.predicted.low);
-      add(extremes.greatest, claim.predicted.high - extremes.greatest.expected);
-    }
-    std::ranges::stable_sort(likely, {}, [](const auto& entry) { return entry.first; });
-    std::map<std::pair<std::size_t, std::vector<double>>, Until> seen;
-    for (const Sample& sample : step.samples()) seen[{sample.start, sample.point}] = sample.until;
-    std::vector<Sample> samples;
-    for (auto& [margin, sample] : likely) {
-      if (std::ssize(samples) == count) break;
-      const auto [before, is_new] = seen.try_emplace({sample.start, sample.point}, sample.until);
-      if (!is_new && before->second >= sample.until) continue;
-      before->second = sample.until;
-      samples.push_back(std::move(sample));
-    }
-    return samples;
-  }
-
-  // Returns the responses of claims that all samples make and that errors can change.
-  static std::map<ClaimKey, std::vector<CornerResponse>> Responses(AttackedStep& step) {
-    std::map<ClaimKey, std::vector<CornerResponse>> responses;
-    for (const Sample& sample : step.samples()) {
-      for (const Claim& claim : sample.attempt.claims) {
-        if (claim.verdict == ClaimVerdict::kNotClaimed || !claim.dimension) continue;
-        responses[KeyOf(claim)].push_back({&sample.point, sample.start, claim.observed});
-      }
-    }
-    std::erase_if(responses,
-                  [&](const auto& entry) { return entry.second.size() != step.samples().size(); });
-    return responses;
   }
 
   void TryAll(AttackedStep& step, std::vector<Sample> samples) {
@@ -261,26 +237,6 @@ class Attacker {
     std::ranges::move(found, std::back_inserter(step.samples()));
   }
 
-  // Returns the samples with the least margin of each claim. Claims without width are left out,
-  // since any sample attains them.
-  static std::vector<std::pair<ClaimKey, const Sample*>> LeastMargins(AttackedStep& step) {
-    std::map<ClaimKey, std::pair<double, const Sample*>> least;
-    for (const Sample& sample : step.samples()) {
-      for (const Claim& claim : sample.attempt.claims) {
-        if (claim.verdict == ClaimVerdict::kNotClaimed) continue;
-        if (claim.predicted.high - claim.predicted.low <= 2 * claim.gate) continue;
-        const double margin = Length(claim);
-        const auto [at, is_new] = least.try_emplace(KeyOf(claim), margin, &sample);
-        if (!is_new && margin < at->second.first) at->second = {margin, &sample};
-      }
-    }
-    std::vector<std::pair<ClaimKey, const Sample*>> sorted;
-    for (const auto& [key, value] : least) sorted.emplace_back(key, value.second);
-    std::ranges::stable_sort(sorted, {},
-                             [&](const auto& entry) { return least.at(entry.first).first; });
-    return sorted;
-  }
-
   std::vector<Sample> Search(const AttackedStep& step, const Aim& aim, const Sample& start,
                              std::int64_t budget) {
     std::vector<Sample> samples;
@@ -299,89 +255,15 @@ class Attacker {
     return samples;
   }
 
-  // Subplex (Rowan 1990) is used because margins have kinks and a little noise.
-  static void Minimize(const std::function<double(const std::vector<double>&)>& f,
-                       std::vector<double> point, std::int64_t evaluations) {
-    nlopt::opt search(nlopt::LN_SBPLX, static_cast<unsigned>(point.size()));
-    search.set_lower_bounds(0);
-    search.set_upper_bounds(1);
-    search.set_initial_step(0.25);
-    search.set_maxeval(static_cast<int>(evaluations));
-    using Function = std::function<double(const std::vector<double>&)>;
-    search.set_min_objective([](const std::vector<double>& x, std::vector<double>&,
-                                void* data) { return (*static_cast<const Function*>(data))(x); },
-                             const_cast<Function*>(&f));
-    double least = 0;
-    try {
-      search.optimize(point, least);
-    } catch (const nlopt::roundoff_limited&) {
-      // The search cannot do better than that.
-    } catch (const nlopt::forced_stop&) {
-      // The falsification was stopped, or has found enough violations.
-    }
-  }
-
   // Counts the step's samples, and returns the states that the next step starts from.
   std::vector<Start> Collect(AttackedStep& step) {
-    std::map<ClaimKey, std::pair<const Sample*, const Sample*>> farthest;  // least and greatest
-    for (const Sample& sample : step.samples()) {
-      Count(sample);
-      if (!sample.attempt.end) continue;
-      for (const Claim& claim : sample.attempt.claims) {
-        if (claim.about != Claimed::kAfter) continue;
-        auto& [low, high] = farthest.try_emplace(KeyOf(claim), &sample, &sample).first->second;
-        if (claim.observed < Find(low->attempt.claims, KeyOf(claim))->observed) low = &sample;
-        if (claim.observed > Find(high->attempt.claims, KeyOf(claim))->observed) high = &sample;
-      }
-    }
-    std::vector<const Sample*> chosen;
-    const auto choose = [&](const Sample* sample) {
-      if (std::ranges::find(chosen, sample) == chosen.end()) chosen.push_back(sample);
-    };
-    for (const auto& [key, ends] : farthest) {
-      choose(ends.first);
-      choose(ends.second);
-    }
-    // Some of the other samples are added, spread evenly over all.
-    const std::size_t stride = std::max<std::size_t>(1, step.samples().size() / kMostStates);
-    for (std::size_t i = 0; i < step.samples().size(); i += stride) {
-      if (step.samples()[i].attempt.end) choose(&step.samples()[i]);
-    }
+    for (const Sample& sample : step.samples()) tally_.Count(sample);
     std::vector<Start> starts;
-    for (const Sample* sample : chosen) {
-      if (starts.size() == kMostStates) break;
+    for (const Sample* sample : FarthestSamples(step)) {
       starts.push_back({step.poised()[sample->start].world, sample->attempt.noise,
                         std::make_shared<const execution::Checkpoint>(*sample->attempt.end)});
     }
     return starts;
-  }
-
-  void Count(const Sample& sample) {
-    ++result_.attempts;
-    Count(sample.attempt.claims, sample.attempt.noise, sample.phase);
-  }
-  void Count(const std::vector<Claim>& claims, const noise::Noise& noise, AttackPhase phase) {
-    for (const CertificateVerdict& verdict : ByStep(claims)) {
-      result_.certificates[verdict.step.index()].Add(verdict.verdict);
-    }
-    const bool violates = std::ranges::any_of(claims, &Claim::IsViolated);
-    if (violates && !result_.first_violation) result_.first_violation = result_.attempts;
-    for (const Claim& claim : claims) {
-      result_.claims.Add(claim.verdict);
-      if (claim.verdict == ClaimVerdict::kNotClaimed) continue;
-      KeepIfWorst(claim, noise, phase);
-    }
-  }
-
-  void KeepIfWorst(const Claim& claim, const noise::Noise& noise, AttackPhase phase) {
-    const auto found = std::ranges::find_if(
-        result_.worst, [&](const WorstClaim& worst) { return KeyOf(worst.claim) == KeyOf(claim); });
-    const WorstClaim worst = {claim, noise, phase, result_.attempts};
-    if (found == result_.worst.end()) {
-      result_.worst.push_back(worst);
-    } else if (IsWorse(claim, found->claim)) {
-      *found = worst;
-    }
   }
 
   // Violations that need the fewest steps are shrunk first, then those with the most negative
@@ -417,6 +299,7 @@ class Attacker {
   std::mutex mutex_;
   std::atomic<std::int64_t> made_ = 0;
   AttackResult result_;
+  AttackTally tally_{result_};
 };
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "sim/cli/pictures/contact_pictures.h"
+#include "sim/cli/trials/fine_motion_report.h"
 #include "sim/cli/work/output_file.h"
 #include "sim/report/fine_motion/contact_graph_picture.h"
 

@@ -34,18 +34,6 @@ std::string Word(Guarantee guarantee) {
   return "";
 }
 
-std::string Word(Outcome outcome) {
-  switch (outcome) {
-    case Outcome::kFound:
-      return "planned";
-    case Outcome::kNone:
-      return "none";
-    case Outcome::kBudget:
-      return "budget";
-  }
-  return "";
-}
-
 Json CheckToJson(const TreeCheck& check) {
   Json json = {{"holds", check.holds},
                {"worlds", check.worlds},
@@ -81,7 +69,7 @@ ContingentAnswer PlanFor(contingent::GroundTask task, contingent::Wanted wanted,
 }
 
 std::string JsonText(const ContingentAnswer& answer) {
-  Json json = {{"outcome", Word(answer.plan.outcome)}};
+  Json json = {{"outcome", Name(answer.plan.outcome, "planned")}};
   if (answer.plan.outcome == Outcome::kFound) {
     const TreeSize size = contingent::SizeOf(answer.plan.tree);
     if (!answer.is_from_file) json["guarantee"] = Word(answer.plan.guarantee);

@@ -8,6 +8,7 @@
 #include "sim/cli/options/quantity.h"
 #include "sim/cli/plans/table.h"
 #include "sim/cli/trials/json_number.h"
+#include "sim/execution/commands/command_file.h"
 
 namespace assay::cli {
 namespace {
@@ -57,7 +58,7 @@ VerdictCounts VerdictTally::Total() const {
   return total;
 }
 
-std::string VerdictTally::Text(const std::vector<std::string>& actions) const {
+std::string VerdictTally::Text(const domain::Problem& problem) const {
   Table table({{"step", Align::kRight},
                {"action"},
                {"contained", Align::kRight},
@@ -68,9 +69,10 @@ std::string VerdictTally::Text(const std::vector<std::string>& actions) const {
   for (const plan::StepId id : plan_.ExecutionOrder()) {
     const VerdictCounts& counts = counts_[id.index()];
     const auto worst = worst_.find(id);
-    table.Add({std::to_string(plan_.step(id).executed), actions[id.index()],
-               std::to_string(counts.contained), std::to_string(counts.inconclusive),
-               std::to_string(counts.violated), std::to_string(counts.not_claimed),
+    table.Add({std::to_string(plan_.step(id).executed),
+               execution::Text(problem, plan_.step(id).action), std::to_string(counts.contained),
+               std::to_string(counts.inconclusive), std::to_string(counts.violated),
+               std::to_string(counts.not_claimed),
                worst == worst_.end() ? "" : cli::Text(worst->second)});
   }
   return table.Text() +

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "planner/domain/problem/problem.h"
 #include "planner/plan/data/plan.h"
 #include "sim/check/claims/claim.h"
 #include "sim/check/claims/noise_floor.h"
@@ -28,8 +29,8 @@ class VerdictTally {
 
   check::VerdictCounts Total() const;
   // Returns a row for each step in the order of execution, with the verdicts and the worst claim,
-  // and then the verdicts on single claims. `actions` are the steps' names.
-  std::string Text(const std::vector<std::string>& actions) const;
+  // and then the verdicts on single claims.
+  std::string Text(const domain::Problem& problem) const;
   nlohmann::ordered_json ToJson() const;  // counts over all certificates
   nlohmann::ordered_json ClaimsToJson() const;
   nlohmann::ordered_json WorstToJson() const;  // the worst claim of each step

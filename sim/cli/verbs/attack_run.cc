@@ -19,7 +19,6 @@
 #include "sim/cli/verbs/noisy_run.h"
 #include "sim/cli/work/noise_floor_cache.h"
 #include "sim/cli/work/output_file.h"
-#include "sim/execution/commands/command_file.h"
 
 namespace assay::cli {
 namespace {
@@ -116,14 +115,6 @@ class AttackReport {
     return result;
   }
 
-  std::vector<std::string> Actions() const {
-    std::vector<std::string> actions;
-    for (const plan::PlannedStep& step : plan_.steps) {
-      actions.push_back(plan::ShortText(run_.planned.problem, step.action));
-    }
-    return actions;
-  }
-
   std::string Counterexamples() const {
     std::string text;
     for (const check::Counterexample& example : result_.counterexamples) {
@@ -185,7 +176,8 @@ class AttackReport {
   std::string Report() const {
     const check::VerdictCounts total = tally_.Total();
     std::string text = "noise floors of the claims\n";
-    text += Text(plan_, experiment_.gate) + "\n" + tally_.Text(Actions()) + Counterexamples();
+    text += Text(plan_, experiment_.gate) + "\n" + tally_.Text(run_.planned.problem) +
+            Counterexamples();
     text += Ratios();
     if (result_.failed_approaches > 0) {
       text += fmt::format("\nin {} trials the arm did not reach the start of the next step\n",

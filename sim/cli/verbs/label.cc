@@ -28,18 +28,6 @@ struct Options {
   std::int64_t budget = 100'000'000;
 };
 
-std::string Word(Outcome outcome) {
-  switch (outcome) {
-    case Outcome::kFound:
-      return "labeled";
-    case Outcome::kNone:
-      return "none";
-    case Outcome::kBudget:
-      return "budget";
-  }
-  return "";
-}
-
 Json ToJson(const network::NamedLabeling& labeling) {
   Json json = Json::object();
   auto& object = json.get_ref<Json::object_t&>();
@@ -48,7 +36,7 @@ Json ToJson(const network::NamedLabeling& labeling) {
 }
 
 Json ToJson(const network::LabelReport& report, LabelRequest request, double seconds) {
-  Json json = {{"outcome", Word(report.outcome)}};
+  Json json = {{"outcome", Name(report.outcome, "labeled")}};
   if (request == LabelRequest::kFirst && !report.labelings.empty()) {
     json["labeling"] = ToJson(report.labelings.front());
   }

@@ -25,6 +25,7 @@
 #include "sim/cli/program/usage_error.h"
 #include "sim/cli/program/verb.h"
 #include "sim/cli/trials/contact_chain_report.h"
+#include "sim/cli/trials/fine_motion_report.h"
 #include "sim/cli/trials/mating_report.h"
 #include "sim/cli/work/mating_task.h"
 #include "sim/cli/work/mating_trials.h"

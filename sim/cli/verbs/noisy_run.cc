@@ -25,7 +25,6 @@
 #include "sim/cli/trials/verdict_tally.h"
 #include "sim/cli/work/noise_floor_cache.h"
 #include "sim/cli/work/output_file.h"
-#include "sim/execution/commands/command_file.h"
 #include "sim/execution/trial/scheduler.h"
 #include "sim/sweep/store/wilson.h"
 
@@ -201,19 +200,11 @@ class NoisyTrials {
     return result;
   }
 
-  std::vector<std::string> Actions() const {
-    std::vector<std::string> actions;
-    for (const plan::PlannedStep& step : plan_.steps) {
-      actions.push_back(plan::ShortText(run_.planned.problem, step.action));
-    }
-    return actions;
-  }
-
   std::string Report() const {
     std::string text = "noise floors of the claims\n";
     text += Text(plan_, experiment_.gate) + "\n";
     if (!noiseless_.Holds()) return text + Text(plan_, noiseless_, experiment_.gate);
-    text += Tally().Text(Actions()) + "\n";
+    text += Tally().Text(run_.planned.problem) + "\n";
     if (!Ledger().empty()) text += Text(Ledger()) + "\n";
     constexpr int kMostTold = 3;
     int told = 0;

@@ -5,6 +5,8 @@
 #include <limits>
 #include <tuple>
 
+#include "sim/sweep/store/schema.h"
+
 namespace assay::report {
 namespace {
 

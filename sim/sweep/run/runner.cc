@@ -40,6 +40,17 @@ class BatchWriter {
   Clock::time_point written_ = Clock::now();
 };
 
+// Returns the plan of another cell for this cell.
+PlannedCell ForCell(PlannedCell planned, const Cell& cell) {
+  planned.cell = cell;
+  planned.record.cell = cell.number;
+  planned.record.noise = Name(cell.noise);
+  planned.record.sensing = Name(cell.sensing);
+  planned.record.seed = static_cast<std::int64_t>(cell.seed);
+  planned.record.trials = cell.trials;
+  return planned;
+}
+
 class Running {
  public:
   Running(const Sweep& sweep, const Work& work, Store& store, const RunOptions& options)
@@ -150,16 +161,6 @@ class Running {
     }
     store_.Add(added, plan.seconds);
     Tell();
-  }
-
-  static PlannedCell ForCell(PlannedCell planned, const Cell& cell) {
-    planned.cell = cell;
-    planned.record.cell = cell.number;
-    planned.record.noise = Name(cell.noise);
-    planned.record.sensing = Name(cell.sensing);
-    planned.record.seed = static_cast<std::int64_t>(cell.seed);
-    planned.record.trials = cell.trials;
-    return planned;
   }
 
   bool HasPlan(int trial) const {

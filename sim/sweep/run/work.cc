@@ -18,17 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string_view OutcomeName(Outcome outcome) {
-  switch (outcome) {
-    case Outcome::kFound:
-      return "planned";
-    case Outcome::kNone:
-      return "none";
-    case Outcome::kBudget:
-      return "budget";
-  }
-  return "";
-}
+constexpr std::string_view kPlanned = "planned";
 
 scenario::Scenario LoadScenario(const Sweep& sweep, const domain::ModelPath& models,
                                 const Cell& cell) {
@@ -71,7 +61,7 @@ CellRecord RecordOf(const Cell& cell, const domain::Problem& problem,
           .seed = static_cast<std::int64_t>(cell.seed),
           .trials = cell.trials,
           .grasp = std::string(Name(cell.grasp)),
-          .outcome = std::string(OutcomeName(result.outcome)),
+          .outcome = std::string(Name(result.outcome, kPlanned)),
           .actions = static_cast<int>(result.plan.steps.size()),
           .errors = result.plan.errors,
           .proved = found && result.plan.errors == 0,
@@ -108,7 +98,7 @@ class Planning {
 
   PlannedCell Restore(const Cell& cell, const CellRecord& record) const {
     PlannedCell planned{cell, record, nullptr};
-    if (record.outcome != OutcomeName(Outcome::kFound)) return planned;
+    if (record.outcome != kPlanned) return planned;
     scenario::Scenario scenario = LoadScenario(sweep_, models_, cell);
     plan::PlanResult result =
         plan::ReadPlan(Document::Parse(record.plan, fmt::format("plan of cell {}", cell.number)),

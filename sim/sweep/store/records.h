@@ -153,4 +153,24 @@ struct AttackRecord {
   bool operator==(const AttackRecord&) const = default;
 };
 
+// The speed of trials, without falsifications.
+struct Throughput {
+  int trials = 0;
+  std::int64_t steps = 0;  // timesteps of the engine
+  double seconds = 0;      // wall time from the start of the first trial to the end of the last
+
+  double StepsPerSecond() const { return seconds > 0 ? static_cast<double>(steps) / seconds : 0; }
+};
+
+// A start of the program on a database: a row of table `run`. It differs between machines.
+struct RunRecord {
+  std::string started;  // time in UTC
+  std::string shard;    // like "1/1"
+  int jobs = 1;
+  std::string version, machine;
+  int cores = 0;
+  std::string os;
+  Throughput throughput = {};  // empty until the run ends
+};
+
 }  // namespace assay::sweep

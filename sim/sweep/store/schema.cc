@@ -1,11 +1,28 @@
 #include "sim/sweep/store/schema.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <array>
+#include <map>
+#include <string>
+#include <string_view>
+
+#include "planner/base/document/input_error.h"
 
 namespace assay::sweep {
 namespace {
 
-constexpr std::array kRules = {
+constexpr int kApplicationId = 0x41535359;  // "ASSY"
+constexpr int kFormatVersion = 4;           // stored as user_version of the database
+
+// A rule for the contents of rows, beyond the types of their columns. The program accepts only
+// databases that obey all rules.
+struct ContentRule {
+  const char* wrong;  // a query that returns a description of each wrong row
+  const char* allowed;
+};
+constexpr std::array kContentRules = {
     ContentRule{"SELECT 'the sweep has no ' || column1 FROM"
                 " (VALUES ('format'), ('path'), ('text'), ('version'), ('trials'))"
                 " WHERE column1 NOT IN (SELECT key FROM sweep)",
@@ -37,15 +54,13 @@ constexpr std::array kRules = {
                 "contained, violated, inconclusive, not-claimed"},
 };
 
-}  // namespace
-
-const std::span<const ContentRule> kContentRules = kRules;
-
 // Lengths are in metres, angles in radians, and times in seconds. gate.id is a StepId. run.steps
 // are timesteps of the engine in run.seconds, without falsifications. If conservatism.broken or
 // .ratio is NULL, nothing broke the plan. The grid determines the keys, so that the rows of a table
 // have the same order, whatever the order in which they were written.
-const char* const kSchema = R"sql(
+// The tables of an existing database are compared with these statements word for word. Therefore
+// any change, even of a space, needs a new version of the format.
+constexpr const char* kSchema = R"sql(
 CREATE TABLE sweep(key TEXT PRIMARY KEY, value TEXT NOT NULL) WITHOUT ROWID;
 
 CREATE TABLE run(
@@ -116,5 +131,104 @@ CREATE TABLE conservatism(
 CREATE TABLE timing(trial INTEGER PRIMARY KEY REFERENCES trial, seconds REAL NOT NULL);
 CREATE TABLE planning(cell INTEGER PRIMARY KEY REFERENCES cell, seconds REAL NOT NULL);
 )sql";
+
+[[noreturn]] void Refuse(const Database& database, const std::string& what,
+                         const std::string& allowed) {
+  throw InputError({.file = database.file().string()}, what, allowed);
+}
+
+// SQLite stores the statements that made the tables, so that they can be compared with kSchema.
+void RequireTables(const Database& database) {
+  Statement made = database.Prepare("SELECT count(*) FROM sqlite_schema WHERE sql = ?");
+  for (std::string_view rest = kSchema; rest.find(';') != std::string_view::npos;) {
+    std::string_view statement = rest.substr(0, rest.find(';'));
+    rest.remove_prefix(statement.size() + 1);
+    statement.remove_prefix(std::min(statement.find("CREATE"), statement.size()));
+    made.Bind(statement);
+    const bool is_there = made.Next() && made.Integer(0) == 1;
+    if (is_there) continue;
+    Refuse(database,
+           fmt::format("a table or index is missing or differs; expected: {}",
+                       statement.substr(0, statement.find('('))),
+           "the tables as assay sweep makes them");
+  }
+}
+
+// The types are checked because SQLite stores values of any type in any column.
+void RequireTypes(const Database& database) {
+  const std::map<std::string, std::string> allowed = {{"INTEGER", "'integer', 'null'"},
+                                                      {"REAL", "'real', 'integer', 'null'"},
+                                                      {"TEXT", "'text', 'null'"}};
+  Statement columns = database.Prepare(
+      "SELECT m.name, c.name, c.type FROM sqlite_schema m, pragma_table_info(m.name) c"
+      " WHERE m.type = 'table' ORDER BY m.name, c.cid");
+  while (columns.Next()) {
+    const std::string table = columns.Text(0);
+    const std::string column = columns.Text(1);
+    const auto types = allowed.find(columns.Text(2));
+    if (types == allowed.end()) continue;  // a table of another program
+    const std::int64_t wrong =
+        database.Integer(fmt::format("SELECT count(*) FROM \"{}\" WHERE typeof(\"{}\") NOT IN ({})",
+                                     table, column, types->second));
+    if (wrong == 0) continue;
+    Refuse(database,
+           fmt::format("column {} of table {} has {} values of another type", column, table, wrong),
+           types->first);
+  }
+}
+
+void RequireContents(const Database& database) {
+  Statement orphans = database.Prepare("PRAGMA foreign_key_check");
+  if (orphans.Next()) {
+    Refuse(database,
+           fmt::format("a row of table {} belongs to no row of table {}", orphans.Text(0),
+                       orphans.Text(2)),
+           "rows as assay sweep writes them");
+  }
+  for (const auto& [query, allowed] : kContentRules) {
+    Statement wrong = database.Prepare(query);
+    if (wrong.Next()) Refuse(database, wrong.Text(0), allowed);
+  }
+}
+
+}  // namespace
+
+domain::Dimension DimensionNamed(const std::string& unit) {
+  const auto dimension = domain::DimensionIn(unit);
+  if (!dimension) {
+    throw InputError({.file = "the database"}, fmt::format("'{}' is no unit of claims", unit),
+                     "a database as it was written");
+  }
+  return *dimension;
+}
+
+void MakeTables(Database& database) {
+  database.Execute(kSchema);
+  database.Execute(fmt::format("PRAGMA application_id = {}; PRAGMA user_version = {}",
+                               kApplicationId, kFormatVersion));
+}
+
+void RequireSchema(const Database& database) {
+  if (database.Integer("PRAGMA application_id") != kApplicationId) {
+    Refuse(database, "a database of another program", "a database that assay sweep has written");
+  }
+  const std::int64_t version = database.Integer("PRAGMA user_version");
+  if (version != kFormatVersion) {
+    Refuse(database,
+           fmt::format("written in version {} of the format, by {} assay", version,
+                       version < kFormatVersion ? "an older" : "a newer"),
+           fmt::format("version {}: do the sweep again, into a new file, or read it with the "
+                       "program that has written it",
+                       kFormatVersion));
+  }
+  Statement check = database.Prepare("PRAGMA quick_check(1)");
+  if (check.Next() && check.Text(0) != "ok") {
+    Refuse(database, fmt::format("the database is damaged ({})", check.Text(0)),
+           "an undamaged one; sqlite3's .recover saves what can be read");
+  }
+  RequireTables(database);
+  RequireTypes(database);
+  RequireContents(database);
+}
 
 }  // namespace assay::sweep

@@ -1,22 +1,23 @@
 #pragma once
 
-#include <span>
+#include <string>
+
+#include "planner/domain/problem/units.h"
+#include "sim/sweep/store/database.h"
 
 namespace assay::sweep {
 
-inline constexpr int kApplicationId = 0x41535359;  // "ASSY"
-inline constexpr int kFormatVersion = 4;           // stored as user_version of the database
+// Makes the tables of a new database, and marks it as one of this program and of this version of
+// the format.
+void MakeTables(Database& database);
 
-// The SQL statements that make the tables. The tables of an existing database are compared with
-// them word for word. Therefore any change, even of a space, needs a new version of the format.
-extern const char* const kSchema;
+// Throws InputError unless the database is an undamaged one of this program and of this version of
+// the format, with all tables and with contents that obey the rules: the types of the columns, the
+// keys of other tables, and rules for single tables.
+void RequireSchema(const Database& database);
 
-// A rule for the contents of rows, beyond the types of their columns. The program accepts only
-// databases that obey all rules.
-struct ContentRule {
-  const char* wrong;  // a query that returns a description of each wrong row
-  const char* allowed;
-};
-extern const std::span<const ContentRule> kContentRules;
+// Returns the dimension that the column `unit` of a table names. Throws InputError if it names
+// none.
+domain::Dimension DimensionNamed(const std::string& unit);
 
 }  // namespace assay::sweep

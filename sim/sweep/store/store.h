@@ -12,36 +12,12 @@
 
 namespace assay::sweep {
 
-// Returns the dimension that the column `unit` of a table names. Throws InputError if it names
-// none.
-domain::Dimension DimensionNamed(const std::string& unit);
-
 // Returns the facts that identify a sweep, by which its database is distinguished from others. They
 // are the "format" and "text" of the sweep file, the "version" of the program, the number of all
 // "trials", and the text of each scenario file under the key "scenario PATH". The "path" of the
 // sweep file is stored, too, but may differ.
 using SweepFacts = std::map<std::string, std::string>;
 SweepFacts FactsOf(const Sweep& sweep, const std::string& version);
-
-// The speed of trials, without falsifications.
-struct Throughput {
-  int trials = 0;
-  std::int64_t steps = 0;  // timesteps of the engine
-  double seconds = 0;      // wall time from the start of the first trial to the end of the last
-
-  double StepsPerSecond() const { return seconds > 0 ? static_cast<double>(steps) / seconds : 0; }
-};
-
-// A start of the program on a database: a row of table `run`. It differs between machines.
-struct RunRecord {
-  std::string started;  // time in UTC
-  std::string shard;    // like "1/1"
-  int jobs = 1;
-  std::string version, machine;
-  int cores = 0;
-  std::string os;
-  Throughput throughput = {};  // empty until the run ends
-};
 
 // A finished trial and the time that it took.
 struct TimedTrial {
@@ -107,11 +83,6 @@ class Store {
   struct Writing;  // prepared statements
   Store(const std::filesystem::path& file, Database::Access access);
   void Initialize(const SweepFacts& facts);
-  void RequireFormat() const;
-  void RequireTables() const;
-  void RequireTypes() const;
-  void RequireContents() const;
-  [[noreturn]] void Refuse(const std::string& what, const std::string& allowed) const;
   void WriteCell(const CellRecord& cell);
   void WriteGate(int cell, int id, const check::StepNoiseFloor& gate);
   void WriteTrial(const TimedTrial& trial);

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "planner/geometry/zonotope.h"
+#include "planner/geometry/convex/zonotope.h"
 
 namespace assay::geometry {
 

@@ -16,6 +16,7 @@
 
 #include "planner/base/random.h"
 #include "planner/domain/part/resting.h"
+#include "planner/domain/reach/action_ways.h"
 #include "tests/planner/domain/scenario.h"
 
 namespace assay::domain::reachability_test {

@@ -247,10 +247,10 @@ geometry::Zonotope ImageAt(double s, const ProjectionAndContact& given) {
     rows.row(i + 1) = contact.limits[i].a;
     offset[i + 1] = -contact.limits[i].b;
   }
-  geometry::Zonotope moved = projection.velocity;
-  moved.center *= s;
-  moved.generators *= s;
-  return Mapped(rows, offset, Sum(projection.start, moved));
+  const auto& [start, velocity, time] = projection;
+  Eigen::MatrixXd errors(rows.cols(), start.generators.cols() + velocity.generators.cols());
+  errors << start.generators, s * velocity.generators;
+  return {rows * (start.center + s * velocity.center) + offset, rows * errors};
 }
 
 // Returns the part of (gap, excesses) that is outside the contact.
@@ -383,8 +383,8 @@ TEST(Meet, MarginShrinksAsErrorsGrow) {
     const geometry::Zonotope velocity = given.projection.velocity;
     double margin = Meet(given.projection, given.contact).margin;
     for (const double factor : {1.25, 1.5, 2.0, 3.0, 4.0}) {
-      given.projection.start = Scaled(start, factor);
-      given.projection.velocity = Scaled(velocity, factor);
+      given.projection.start.generators = factor * start.generators;
+      given.projection.velocity.generators = factor * velocity.generators;
       const double enlarged = Meet(given.projection, given.contact).margin;
       EXPECT_LE(enlarged, margin + kTolerance);
       margin = enlarged;

@@ -19,8 +19,4 @@ struct Zonotope {
   Eigen::VectorXd Farthest(const Eigen::VectorXd& a) const;
 };
 
-Zonotope Mapped(const Eigen::MatrixXd& linear, const Eigen::VectorXd& offset, const Zonotope& of);
-Zonotope Sum(const Zonotope& a, const Zonotope& b);
-Zonotope Scaled(const Zonotope& region, double factor);  // scales the region about its center
-
 }  // namespace assay::geometry

@@ -1,23 +1,14 @@
 #pragma once
 
-#include <cstdint>
 #include <optional>
 #include <string>
-#include <vector>
 
+#include "planner/assembly/travel/travel_search.h"
 #include "planner/domain/problem/problem.h"
-#include "planner/plan/check/checker.h"
 #include "planner/plan/data/plan.h"
 #include "planner/uncertainty/errors/uncertain_pose.h"
 
 namespace assay::assembly {
-
-struct TravelEffort {
-  // the greatest number of postures at the end of one travel to which paths are searched for
-  int destinations = 4;
-  // the greatest number of postures visited in each search (motion::PathRequest)
-  std::int64_t budget = 100'000;
-};
 
 // Adds to each step its travel and the preconditions about the arm that are proved
 // (way_conditions.h). The usual travel goes from the tool's pose after its retreat straight up,
@@ -35,12 +26,5 @@ struct TravelEffort {
 std::optional<std::string> AddTravels(
     const domain::Problem& problem, const TravelEffort& effort, plan::Plan& plan,
     uncertainty::Propagation propagation = uncertainty::Propagation::kSound);
-
-// Returns the flaws in the paths of a plan: in their ends, their clearance and the claims about
-// them.
-std::vector<plan::Flaw> FlawsOfTravels(const domain::Problem& problem, const plan::Plan& plan);
-
-// The least distance in metres between two bodies on travels, beyond all errors.
-inline constexpr double kTravelClearance = 0.005;
 
 }  // namespace assay::assembly

@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "planner/assembly/part_error_bounds.h"
+#include "planner/assembly/travel/part_error_bounds.h"
 #include "planner/domain/problem/problem.h"
 #include "planner/motion/clear/collision_scene.h"
 #include "planner/plan/check/world_state.h"
@@ -27,6 +27,10 @@ class PlanWalk {
   const domain::Problem& problem() const { return problem_; }
   const domain::Workcell& workcell() const { return *problem_.workcell; }
   const plan::Plan& plan() const { return plan_; }
+
+  // Returns the steps in the order of execution, and then the way home. A plan without steps leaves
+  // the arm at home.
+  std::vector<plan::StepId> Steps() const;
 
   void ComeTo(plan::StepId id);
   void Do(plan::StepId id);

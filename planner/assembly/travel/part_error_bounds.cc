@@ -1,4 +1,4 @@
-#include "planner/assembly/part_error_bounds.h"
+#include "planner/assembly/travel/part_error_bounds.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "planner/assembly/plan_walk.h"
+#include "planner/assembly/travel/plan_walk.h"
 
 #include <utility>
 
@@ -58,6 +58,12 @@ bool PlanWalk::IsGuarded(StepId id) const {
   if (id.IsNone()) return false;
   const plan::PlannedStep& step = plan_.step(id);
   return step.action.kind->Needs(domain::Need::kHolding) && !step.strategy;
+}
+
+std::vector<StepId> PlanWalk::Steps() const {
+  std::vector<StepId> steps = plan_.ExecutionOrder();
+  if (!steps.empty()) steps.push_back(StepId::None());
+  return steps;
 }
 
 void PlanWalk::ComeTo(StepId id) {

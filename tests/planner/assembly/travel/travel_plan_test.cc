@@ -1,4 +1,4 @@
-#include "planner/assembly/travel_plan.h"
+#include "planner/assembly/travel/travel_plan.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -9,6 +9,7 @@
 
 #include "planner/assembly/certified_plan.h"
 #include "planner/assembly/plan_check.h"
+#include "planner/assembly/travel/travel_check.h"
 #include "planner/motion/clear/motion_check.h"
 #include "planner/motion/path/straight_line.h"
 #include "planner/plan/data/condition_table.h"

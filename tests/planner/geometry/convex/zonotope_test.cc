@@ -1,4 +1,4 @@
-#include "planner/geometry/zonotope.h"
+#include "planner/geometry/convex/zonotope.h"
 
 #include <gtest/gtest.h>
 
@@ -46,29 +46,6 @@ TEST(Zonotope, SupportIsTheGreatestOverTheCorners) {
   }
 }
 
-TEST(Zonotope, SupportOfASumIsTheSum) {
-  RandomStream random(7, "sum");
-  for (int trial = 0; trial < 200; ++trial) {
-    const Zonotope a = RandomZonotope(7, 5, random);
-    const Zonotope b = RandomZonotope(7, 3, random);
-    const Eigen::VectorXd direction = RandomVector(7, random);
-    EXPECT_NEAR(Sum(a, b).Support(direction), a.Support(direction) + b.Support(direction),
-                kRounding);
-  }
-}
-
-TEST(Zonotope, SupportOfAnImageIsThatInTheTransposedDirection) {
-  RandomStream random(7, "image");
-  for (int trial = 0; trial < 200; ++trial) {
-    const Zonotope z = RandomZonotope(7, 9, random);
-    const Eigen::MatrixXd linear = RandomMatrix(3, 7, random);
-    const Eigen::VectorXd offset = RandomVector(3, random);
-    const Eigen::VectorXd direction = RandomVector(3, random);
-    EXPECT_NEAR(Mapped(linear, offset, z).Support(direction),
-                z.Support(linear.transpose() * direction) + offset.dot(direction), kRounding);
-  }
-}
-
 TEST(Zonotope, SupportIsPositivelyHomogeneousAndSubadditive) {
   RandomStream random(7, "laws");
   for (int trial = 0; trial < 200; ++trial) {
@@ -78,18 +55,6 @@ TEST(Zonotope, SupportIsPositivelyHomogeneousAndSubadditive) {
     EXPECT_NEAR(z.Support(3 * a), 3 * z.Support(a), kRounding);
     EXPECT_LE(z.Support(a + b), z.Support(a) + z.Support(b) + kRounding);
     EXPECT_GE(z.Support(a) + z.Support(-a), 0);
-  }
-}
-
-TEST(Zonotope, ScaledGrowsAboutTheCenter) {
-  RandomStream random(7, "scaled");
-  for (int trial = 0; trial < 200; ++trial) {
-    const Zonotope z = RandomZonotope(6, 8, random);
-    const Eigen::VectorXd a = RandomVector(6, random);
-    const double middle = a.dot(z.center);
-    EXPECT_NEAR(Scaled(z, 2.5).Support(a) - middle, 2.5 * (z.Support(a) - middle), kRounding);
-    EXPECT_LE(z.Support(a), Scaled(z, 1.5).Support(a));
-    EXPECT_NEAR(Scaled(z, 0).Support(a), middle, kRounding);
   }
 }
 

@@ -1,4 +1,4 @@
-#include "planner/assembly/way_conditions.h"
+#include "planner/assembly/travel/way_conditions.h"
 
 #include <numbers>
 #include <string>

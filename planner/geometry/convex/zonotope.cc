@@ -1,4 +1,4 @@
-#include "planner/geometry/zonotope.h"
+#include "planner/geometry/convex/zonotope.h"
 
 #include "planner/base/check.h"
 
@@ -22,21 +22,6 @@ double Zonotope::Support(const Eigen::VectorXd& a) const {
 Eigen::VectorXd Zonotope::Farthest(const Eigen::VectorXd& a) const {
   const Eigen::VectorXd rises = generators.transpose() * a;
   return center + generators * rises.cwiseSign();
-}
-
-Zonotope Mapped(const Eigen::MatrixXd& linear, const Eigen::VectorXd& offset, const Zonotope& of) {
-  return {linear * of.center + offset, linear * of.generators};
-}
-
-Zonotope Sum(const Zonotope& a, const Zonotope& b) {
-  Zonotope sum{a.center + b.center,
-               Eigen::MatrixXd(a.center.size(), a.generators.cols() + b.generators.cols())};
-  sum.generators << a.generators, b.generators;
-  return sum;
-}
-
-Zonotope Scaled(const Zonotope& region, double factor) {
-  return {region.center, factor * region.generators};
 }
 
 }  // namespace assay::geometry

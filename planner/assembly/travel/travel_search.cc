@@ -1,0 +1,228 @@
+#include "planner/assembly/travel/travel_search.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "planner/base/check.h"
+#include "planner/motion/path/path_search.h"
+#include "planner/motion/path/straight_line.h"
+#include "planner/motion/path/travel.h"
+
+namespace assay::assembly {
+namespace {
+
+using geometry::Pose;
+using geometry::Vector3;
+using kinematics::JointVector;
+using motion::JointPath;
+using motion::MotionCheck;
+using motion::MotionRules;
+using motion::Obstruction;
+using motion::SwayAlong;
+
+// metres between the postures that are checked on straight lines
+constexpr double kLineStep = 0.02;
+// the greatest clearance that is claimed for a path, in metres
+constexpr double kFurthestClearance = 0.1;
+constexpr double kAccuracy = 5e-4;  // the accuracy of the claimed clearance, in metres
+constexpr double kSameOrientation = 1e-9;
+constexpr char kNotStraight[] = "the arm cannot follow the next straight line from this pose";
+
+bool IsTurned(const domain::Workcell& workcell, const Pose& X_WorldTool, const JointVector& q) {
+  return geometry::AngleBetween(motion::ToolAt(workcell, q).linear(), X_WorldTool.linear()) >
+         kSameOrientation;
+}
+
+// Appends a straight line to a pose of the tool from the last posture of the path. Returns false if
+// the arm cannot follow it.
+bool AppendLine(const domain::Workcell& workcell, const Pose& X_WorldTool, JointPath& path) {
+  const auto line = motion::FollowLine(workcell, path.back(), X_WorldTool.translation(), kLineStep);
+  if (line.path) path.insert(path.end(), line.path->q.begin() + 1, line.path->q.end());
+  return line.path.has_value();
+}
+
+std::optional<Obstruction> FindObstruction(MotionCheck& check, const JointPath& path) {
+  for (std::size_t i = 0; i + 1 < path.size(); ++i) {
+    if (auto obstruction = check.FindObstruction(path[i], path[i + 1])) return obstruction;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+TravelSearch::TravelSearch(const PlanWalk& walk, plan::StepId id, const JointVector& from)
+    : walk_(walk),
+      workcell_(walk.workcell()),
+      surroundings_(walk.Surroundings()),
+      scene_(walk.Scene()),
+      route_(walk.RouteTo(id)),
+      doubt_(walk.DoubtOn(id)),
+      is_guarded_(walk.IsGuarded(id)),
+      clearance_(kTravelClearance + HandDoubt(walk.problem())),
+      from_(from) {}
+
+std::optional<TravelSearch::Found> TravelSearch::GoUsually() {
+  JointPath rise = {from_};
+  if (!Rise(rise)) return std::nullopt;
+  const motion::TravelResult over = motion::PlanTravel(
+      walk_.problem(), surroundings_,
+      {.from = rise.back(), .X_WorldTool = Above(), .corners = Corners(), .line_step = kLineStep});
+  const auto* path = std::get_if<JointPath>(&over);
+  if (path == nullptr) return std::nullopt;
+  const plan::Travel travel = {*path, clearance_, true};
+  const std::optional<Way> way = WayBy(travel);
+  const auto certainty = way ? CertaintyOf(*way, clearance_) : std::nullopt;
+  if (!certainty) return std::nullopt;
+  return Found{travel, way->after(), *certainty};
+}
+
+std::variant<TravelSearch::Found, std::string> TravelSearch::Search(const TravelEffort& effort) {
+  in_the_way_ =
+      "no configuration of the arm reaches this pose and can follow the next straight line";
+  int tried = 0;
+  for (const JointVector& end : motion::PosturesAt(workcell_, route_.poised, from_)) {
+    std::optional<Way> way = WayBy({{from_, end}, clearance_, false});
+    if (!way || !IsFree(way->AllOfWork(), AtWork({}))) continue;
+    if (tried++ == effort.destinations) break;
+    motion::PathResult result = FindPath(
+        scene_,
+        {.from = from_, .to = end, .rules = OnTheWay(*way, clearance_), .budget = effort.budget});
+    if (auto* path = std::get_if<JointPath>(&result)) {
+      way->over = *path;
+      const auto certainty = CertaintyOf(*way, clearance_);
+      ASSAY_CHECK(certainty, "a path that was found keeps to its rules");
+      return Found{{*path, ClearanceOf(*way), false}, way->after(), *certainty};
+    }
+    in_the_way_ = std::get<motion::PathFailure>(result).what;
+  }
+  return in_the_way_;
+}
+
+std::optional<Way> TravelSearch::WayBy(const plan::Travel& travel) {
+  Way way = {.rise = {from_}, .over = travel.path, .down = {travel.path.back()}};
+  const bool comes_down = travel.is_usual && !route_.to_work.empty();
+  in_the_way_ = kNotStraight;
+  if (travel.is_usual && !Rise(way.rise)) return std::nullopt;
+  if (comes_down && !AppendLine(workcell_, route_.poised, way.down)) return std::nullopt;
+  way.work = {{way.down.back()}};
+  if (!Work(way.work)) return std::nullopt;
+  way.sway = SwayAlong(workcell_, way.rise, walk_.doubt_left());
+  Take(way.down, way.sway);
+  for (const JointPath& section : way.work) Take(section, way.sway);
+  return way;
+}
+
+std::optional<WayCertainty> TravelSearch::CertaintyOf(const Way& way, double clearance) {
+  const WayCertainty certainty = {way.sway, kTravelClearance};
+  if (!IsFree(way.over, OnTheWay(way, clearance))) return std::nullopt;
+  if (certainty.Reaches() && AreLinesFree(way, ErrorsOf(way))) return certainty;
+  if (!AreLinesFree(way, {})) return std::nullopt;
+  return WayCertainty{way.sway, 0};
+}
+
+// Returns the tool's pose at safe height above its work, or its pose at home.
+Pose TravelSearch::Above() const {
+  return route_.to_work.empty() ? route_.poised : plan::AtSafeHeight(workcell_, route_.poised);
+}
+
+bool TravelSearch::Rise(JointPath& path) const {
+  return !walk_.rises() || AppendLine(workcell_, plan::AtSafeHeight(workcell_, walk_.left()), path);
+}
+
+// Returns the farthest pose to which a guarded move may lead the tool beyond its work.
+Pose TravelSearch::Beyond() const {
+  const Pose& work = route_.to_work.back();
+  const Vector3 way = work.translation() - route_.poised.translation();
+  return geometry::Translation(workcell_.rules().guarded_travel * way.normalized()) * work;
+}
+
+// Follows the straight lines of the work, including the end of a guarded move. Where a strategy
+// has turned the tool, a new section begins at the nearest posture. The motion in between is
+// checked elsewhere.
+bool TravelSearch::Work(std::vector<JointPath>& sections) {
+  std::vector<Pose> poses = route_.to_work;
+  if (is_guarded_) {
+    poses.push_back(Beyond());
+    poses.push_back(route_.to_work.back());
+  }
+  poses.insert(poses.end(), route_.away.begin(), route_.away.end());
+  for (const Pose& pose : poses) {
+    if (!IsTurned(workcell_, pose, sections.back().back())) {
+      if (!AppendLine(workcell_, pose, sections.back())) return false;
+      continue;
+    }
+    const auto q = motion::NearestPosture(workcell_, pose, sections.back().back());
+    if (!q) return false;
+    sections.push_back({*q});
+  }
+  return true;
+}
+
+// Returns the corners of the executor's path from the pose above the work on.
+std::vector<Vector3> TravelSearch::Corners() const {
+  std::vector<Vector3> corners = {route_.poised.translation()};
+  for (const Pose& pose : route_.to_work) corners.push_back(pose.translation());
+  for (const Pose& pose : route_.away) corners.push_back(pose.translation());
+  return corners;
+}
+
+// Extends the sway to another line.
+void TravelSearch::Take(const JointPath& line, motion::Sway& sway) const {
+  if (!sway.is_bounded) return;
+  const motion::Sway other = SwayAlong(workcell_, line, doubt_);
+  sway = {other.is_bounded, sway.turn.cwiseMax(other.turn), std::min(sway.room, other.room)};
+}
+
+TravelSearch::ArmErrors TravelSearch::ErrorsOf(const Way& way) const {
+  return {way.sway.turn, doubt_.Or(walk_.doubt_left())};
+}
+
+// On a travel the arm follows the planned joint values, so no errors are added.
+MotionRules TravelSearch::OnTheWay(const Way& way, double clearance) const {
+  return {.clearance = clearance, .given = {from_, way.down.back()}};
+}
+
+MotionRules TravelSearch::OnLines(const Way& way, const ArmErrors& errors) const {
+  return {.clearance = clearance_,
+          .sway = errors.joints,
+          .tool = errors.tool,
+          .given = {from_, way.down.back()}};
+}
+
+MotionRules TravelSearch::AtWork(const ArmErrors& errors) const {
+  return {.clearance = clearance_,
+          .sway = errors.joints,
+          .tool = errors.tool,
+          .bodies = MotionRules::Bodies::kArm};
+}
+
+bool TravelSearch::IsFree(const JointPath& path, const MotionRules& rules) {
+  if (path.size() < 2) return true;
+  MotionCheck check(scene_, rules);
+  const auto obstruction = FindObstruction(check, path);
+  if (!obstruction) return true;
+  const bool is_work = rules.bodies == MotionRules::Bodies::kArm;
+  in_the_way_ = fmt::format("on the {}, {}", is_work ? "straight lines of its work" : "path",
+                            motion::Describe(scene_, {}, *obstruction));
+  return false;
+}
+
+bool TravelSearch::AreLinesFree(const Way& way, const ArmErrors& errors) {
+  const MotionRules rules = OnLines(way, errors);
+  return IsFree(way.rise, rules) && IsFree(way.down, rules) &&
+         IsFree(way.AllOfWork(), AtWork(errors));
+}
+
+// Returns the greatest clearance that the path surely keeps, up to `kFurthestClearance`.
+double TravelSearch::ClearanceOf(const Way& way) {
+  double kept = clearance_;
+  double refused = kFurthestClearance;
+  while (refused - kept > kAccuracy) {
+    const double middle = (kept + refused) / 2;
+    (IsFree(way.over, OnTheWay(way, middle)) ? kept : refused) = middle;
+  }
+  return kept;
+}
+
+}  // namespace assay::assembly

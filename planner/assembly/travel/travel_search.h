@@ -1,0 +1,111 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "planner/assembly/travel/plan_walk.h"
+#include "planner/assembly/travel/way_conditions.h"
+#include "planner/motion/clear/motion_check.h"
+#include "planner/motion/clear/sway.h"
+
+namespace assay::assembly {
+
+// The least distance in metres between two bodies on travels, beyond all errors.
+inline constexpr double kTravelClearance = 0.005;
+
+// How much is searched for one travel.
+struct TravelEffort {
+  // the greatest number of postures at the end of one travel to which paths are searched for
+  int destinations = 4;
+  // the greatest number of postures visited in each search (motion::PathRequest)
+  std::int64_t budget = 100'000;
+};
+
+// A travel with its own straight lines and the straight lines of the work after it.
+struct Way {
+  motion::JointPath rise;  // straight up from the posture after the previous step
+  motion::JointPath over;  // the travel's path
+  motion::JointPath down;  // straight down to the approach pose
+  // straight lines from the approach pose on; the tool keeps its orientation in each section
+  std::vector<motion::JointPath> work = {};
+  motion::Sway sway = {};
+
+  const kinematics::JointVector& after() const { return work.back().back(); }
+  motion::JointPath AllOfWork() const {
+    motion::JointPath all;
+    for (const motion::JointPath& section : work)
+      all.insert(all.end(), section.begin(), section.end());
+    return all;
+  }
+};
+
+// The search for one travel, with the straight lines of the step after it. The walk must outlive
+// the search.
+class TravelSearch {
+ public:
+  // The walk must have come to the step. `from` are the joint values after the step before.
+  TravelSearch(const PlanWalk& walk, plan::StepId id, const kinematics::JointVector& from);
+
+  const plan::ToolRoute& route() const { return route_; }
+  double clearance() const { return clearance_; }  // the least clearance of travels
+
+  struct Found {
+    plan::Travel travel;
+    kinematics::JointVector after;  // the joint values after the step
+    WayCertainty certainty;
+  };
+
+  // Tries the usual travel: up, across at safe height, and down. Returns none if it is not free.
+  std::optional<Found> GoUsually();
+
+  // Searches for a path around the obstacles. Returns the reason in words if there is none.
+  std::variant<Found, std::string> Search(const TravelEffort& effort);
+
+  // Returns the travel with its straight lines. Returns none if the arm cannot follow them;
+  // in_the_way() then gives the reason.
+  std::optional<Way> WayBy(const plan::Travel& travel);
+
+  // Returns what is proved about the way. Returns none if something is in the way even without
+  // errors of the arm, or if the travel does not keep the claimed clearance.
+  std::optional<WayCertainty> CertaintyOf(const Way& way, double clearance);
+
+  const std::string& in_the_way() const { return in_the_way_; }  // what stopped the last search
+
+ private:
+  // The bounds on the tool's pose error and on the resulting errors of the arm's joints.
+  struct ArmErrors {
+    kinematics::JointVector joints = kinematics::JointVector::Zero();
+    plan::ToolErrorBox tool = {};
+  };
+
+  geometry::Pose Above() const;
+  bool Rise(motion::JointPath& path) const;
+  bool Work(std::vector<motion::JointPath>& sections);
+  geometry::Pose Beyond() const;
+  std::vector<geometry::Vector3> Corners() const;
+
+  void Take(const motion::JointPath& line, motion::Sway& sway) const;
+  ArmErrors ErrorsOf(const Way& way) const;
+  motion::MotionRules OnTheWay(const Way& way, double clearance) const;
+  motion::MotionRules OnLines(const Way& way, const ArmErrors& errors) const;
+  motion::MotionRules AtWork(const ArmErrors& errors) const;
+  bool IsFree(const motion::JointPath& path, const motion::MotionRules& rules);
+  bool AreLinesFree(const Way& way, const ArmErrors& errors);
+  double ClearanceOf(const Way& way);
+
+  const PlanWalk& walk_;
+  const domain::Workcell& workcell_;
+  motion::Surroundings surroundings_;
+  motion::CollisionScene scene_;
+  plan::ToolRoute route_;
+  plan::ToolErrorBox doubt_;
+  bool is_guarded_;
+  double clearance_;
+  kinematics::JointVector from_;
+  std::string in_the_way_;
+};
+
+}  // namespace assay::assembly
