@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "planner/domain/part/resting.h"
+#include "planner/domain/reach/action_ways.h"
 #include "planner/domain/reach/reachability.h"
 #include "planner/plan/data/tool_route.h"
 
