@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "planner/plan/data/action.h"
 #include "sim/cli/options/quantity.h"
 #include "sim/cli/plans/table.h"
 #include "sim/cli/trials/json_number.h"
-#include "sim/execution/commands/command_file.h"
 
 namespace assay::cli {
 namespace {
@@ -70,7 +70,7 @@ std::string VerdictTally::Text(const domain::Problem& problem) const {
     const VerdictCounts& counts = counts_[id.index()];
     const auto worst = worst_.find(id);
     table.Add({std::to_string(plan_.step(id).executed),
-               execution::Text(problem, plan_.step(id).action), std::to_string(counts.contained),
+               plan::ShortText(problem, plan_.step(id).action), std::to_string(counts.contained),
                std::to_string(counts.inconclusive), std::to_string(counts.violated),
                std::to_string(counts.not_claimed),
                worst == worst_.end() ? "" : cli::Text(worst->second)});
