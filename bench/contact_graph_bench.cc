@@ -7,10 +7,10 @@
 #include "bench/harness/contest.h"
 #include "bench/workloads/pegs.h"
 #include "planner/domain/problem/problem_file.h"
+#include "planner/finemotion/contact_graph/contact_chain.h"
+#include "planner/finemotion/contact_graph/contact_graph.h"
 #include "planner/finemotion/contacts/contact_finder.h"
 #include "planner/finemotion/contacts/mating.h"
-#include "planner/finemotion/graph/contact_chain.h"
-#include "planner/finemotion/graph/contact_graph.h"
 #include "planner/geometry/pose.h"
 
 namespace assay::finemotion {

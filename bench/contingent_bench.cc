@@ -11,11 +11,11 @@
 #include <utility>
 
 #include "planner/base/check.h"
-#include "planner/contingent/format/pks_file.h"
-#include "planner/contingent/format/task_file.h"
 #include "planner/contingent/grounding/grounding.h"
+#include "planner/contingent/pks_and_pddl/pks_file.h"
+#include "planner/contingent/pks_and_pddl/task_file.h"
+#include "planner/contingent/plan_tree/tree_check.h"
 #include "planner/contingent/search/contingent_planner.h"
-#include "planner/contingent/tree/tree_check.h"
 
 namespace assay::contingent {
 namespace {

@@ -8,9 +8,9 @@
 #include "bench/harness/contest.h"
 #include "planner/base/random.h"
 #include "planner/domain/problem/problem_file.h"
-#include "planner/motion/clear/swept_volume.h"
-#include "planner/motion/path/joint_trajectory.h"
-#include "planner/motion/path/path_search.h"
+#include "planner/motion/collision/swept_volume.h"
+#include "planner/motion/paths/joint_trajectory.h"
+#include "planner/motion/paths/path_search.h"
 
 namespace assay::motion {
 namespace {

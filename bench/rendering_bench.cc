@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "bench/harness/contest.h"
-#include "planner/base/document/input_error.h"
+#include "planner/base/input_files/input_error.h"
 #include "sim/render/offscreen_context.h"
 #include "sim/render/renderer.h"
 #include "sim/scenario/scenario.h"

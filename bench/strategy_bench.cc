@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include "bench/workloads/pegs.h"
-#include "planner/finemotion/search/strategy_search.h"
+#include "planner/finemotion/strategy_search/strategy_search.h"
 
 namespace assay::finemotion {
 namespace {

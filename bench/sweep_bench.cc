@@ -39,8 +39,8 @@
 
 #include "planner/base/check.h"
 #include "sim/execution/walk/executor.h"
-#include "sim/sweep/run/machine.h"
-#include "sim/sweep/run/runner.h"
+#include "sim/sweep/grid/machine.h"
+#include "sim/sweep/grid/runner.h"
 
 namespace assay {
 namespace {

@@ -3,8 +3,8 @@
 #include <string>
 
 #include "planner/assembly/certified_plan.h"
-#include "sim/check/claims/measure_noise_floor.h"
-#include "sim/check/trial/trial.h"
+#include "sim/check/certificate_claims/measure_noise_floor.h"
+#include "sim/check/trial_verdicts/trial.h"
 #include "sim/noise/error_box.h"
 #include "sim/noise/sampling.h"
 #include "sim/scenario/scenario.h"

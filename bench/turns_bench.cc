@@ -22,8 +22,8 @@
 #include "bench/harness/contest.h"
 #include "bench/peers/labeling_answer.h"
 #include "bench/workloads/networks.h"
-#include "planner/network/search/count.h"
-#include "planner/network/search/search.h"
+#include "planner/network/labeling/count.h"
+#include "planner/network/labeling/search.h"
 
 namespace assay::network {
 namespace {

@@ -3,7 +3,7 @@
 #include <memory>
 #include <span>
 
-#include "planner/algebra/linear/constraint_set.h"
+#include "planner/algebra/sup_inf/constraint_set.h"
 
 namespace assay::peers {
 

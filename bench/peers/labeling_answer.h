@@ -3,7 +3,7 @@
 #include <cstdint>
 
 #include "planner/base/outcome.h"
-#include "planner/network/network/labeling.h"
+#include "planner/network/constraint_network/labeling.h"
 
 namespace assay::peers {
 

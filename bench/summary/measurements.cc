@@ -9,7 +9,7 @@
 #include <set>
 #include <utility>
 
-#include "planner/base/document/input_error.h"
+#include "planner/base/input_files/input_error.h"
 
 namespace assay::bench {
 namespace {

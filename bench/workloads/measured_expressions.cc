@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "planner/base/document/document.h"
+#include "planner/base/input_files/document.h"
 
 namespace assay::workloads {
 namespace {

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "planner/base/check.h"
-#include "planner/network/network/network_file.h"
+#include "planner/network/constraint_network/network_file.h"
 
 namespace assay::workloads {
 namespace {

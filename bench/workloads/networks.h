@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "planner/base/random.h"
-#include "planner/network/network/network.h"
+#include "planner/network/constraint_network/network.h"
 
 namespace assay::workloads {
 

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "planner/finemotion/search/maneuver.h"
+#include "planner/finemotion/strategy_search/maneuver.h"
 
 namespace assay::workloads {
 

@@ -7,7 +7,7 @@
 #include "planner/assembly/knowledge/plan_knowledge.h"
 #include "planner/base/outcome.h"
 #include "planner/constraint_posting/uncertainty_phase/uncertainty_phase.h"
-#include "planner/contingent/tree/plan_tree.h"
+#include "planner/contingent/plan_tree/plan_tree.h"
 
 namespace assay::assembly {
 

@@ -9,7 +9,7 @@
 #include "planner/assembly/strategy_reach.h"
 #include "planner/constraint_posting/resolvers/moment.h"
 #include "planner/constraint_posting/resolvers/sensing_resolver.h"
-#include "planner/finemotion/search/likely_errors.h"
+#include "planner/finemotion/strategy_search/likely_errors.h"
 #include "planner/plan/data/condition_table.h"
 
 namespace assay::assembly {

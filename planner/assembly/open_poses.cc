@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "planner/base/check.h"
-#include "planner/domain/part/look_alike.h"
+#include "planner/domain/parts/look_alike.h"
 
 namespace assay::assembly {
 

@@ -9,7 +9,7 @@
 #include <variant>
 
 #include "planner/assembly/travel/travel_check.h"
-#include "planner/finemotion/replay/strategy_check.h"
+#include "planner/finemotion/strategy_checks/strategy_check.h"
 
 namespace assay::assembly {
 namespace {

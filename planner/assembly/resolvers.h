@@ -5,7 +5,7 @@
 
 #include "planner/constraint_posting/resolvers/resolver.h"
 #include "planner/domain/problem/problem.h"
-#include "planner/uncertainty/errors/uncertain_pose.h"
+#include "planner/uncertainty/error_sets/uncertain_pose.h"
 
 namespace assay::assembly {
 

@@ -3,8 +3,8 @@
 #include <utility>
 #include <vector>
 
-#include "planner/domain/reach/reachability.h"
-#include "planner/domain/reach/tool_path.h"
+#include "planner/domain/reachability/reachability.h"
+#include "planner/domain/reachability/tool_path.h"
 
 namespace assay::assembly {
 namespace {

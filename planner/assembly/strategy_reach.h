@@ -3,7 +3,7 @@
 #include <variant>
 
 #include "planner/domain/problem/problem.h"
-#include "planner/plan/check/world_state.h"
+#include "planner/plan/checker/world_state.h"
 #include "planner/plan/data/plan.h"
 
 namespace assay::assembly {

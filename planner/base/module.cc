@@ -2,7 +2,7 @@
 
 #include <dlfcn.h>
 
-#include "planner/base/document/input_error.h"
+#include "planner/base/input_files/input_error.h"
 
 namespace assay {
 

@@ -1,7 +1,7 @@
 #include "planner/constraint_posting/geometric_relations.h"
 
 #include "planner/domain/actions/condition.h"
-#include "planner/domain/reach/reachability.h"
+#include "planner/domain/reachability/reachability.h"
 
 namespace assay::constraint_posting {
 

@@ -3,8 +3,8 @@
 #include <memory>
 #include <vector>
 
-#include "planner/domain/reach/known_reachability.h"
-#include "planner/network/network/relation.h"
+#include "planner/domain/reachability/known_reachability.h"
+#include "planner/network/constraint_network/relation.h"
 
 namespace assay::constraint_posting {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "planner/domain/problem/problem.h"
-#include "planner/network/network/relation.h"
+#include "planner/network/constraint_network/relation.h"
 
 namespace assay::constraint_posting {
 

@@ -7,8 +7,8 @@
 #include "planner/constraint_posting/geometric_relations.h"
 #include "planner/constraint_posting/ordering_graph.h"
 #include "planner/domain/actions/action_template.h"
-#include "planner/network/network/conflict.h"
-#include "planner/network/network/network.h"
+#include "planner/network/constraint_network/conflict.h"
+#include "planner/network/constraint_network/network.h"
 
 namespace assay::constraint_posting {
 

@@ -13,7 +13,7 @@
 #include "planner/constraint_posting/partial_plan.h"
 #include "planner/constraint_posting/plan_instance.h"
 #include "planner/constraint_posting/world.h"
-#include "planner/domain/mating/mating_classes.h"
+#include "planner/domain/matings/mating_classes.h"
 
 namespace assay::constraint_posting {
 namespace {

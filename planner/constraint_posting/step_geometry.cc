@@ -1,6 +1,6 @@
 #include "planner/constraint_posting/step_geometry.h"
 
-#include "planner/domain/part/resting.h"
+#include "planner/domain/parts/resting.h"
 
 namespace assay::constraint_posting {
 

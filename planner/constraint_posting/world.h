@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "planner/domain/actions/action_template.h"
-#include "planner/domain/reach/reachability.h"
+#include "planner/domain/reachability/reachability.h"
 
 namespace assay::constraint_posting {
 

@@ -8,8 +8,8 @@
 #include <mutex>
 #include <numbers>
 
-#include "planner/base/document/input_error.h"
-#include "planner/base/document/input_file.h"
+#include "planner/base/input_files/input_error.h"
+#include "planner/base/input_files/input_file.h"
 #include "planner/kinematics/xml_outline.h"
 
 namespace assay::kinematics {

@@ -7,8 +7,8 @@
 #include <variant>
 #include <vector>
 
-#include "planner/base/document/input_error.h"
 #include "planner/base/id.h"
+#include "planner/base/input_files/input_error.h"
 #include "planner/geometry/pose.h"
 
 namespace assay::kinematics {

@@ -6,7 +6,7 @@
 #include <array>
 #include <span>
 
-#include "planner/base/document/quotation.h"
+#include "planner/base/input_files/quotation.h"
 
 namespace assay::kinematics {
 namespace {

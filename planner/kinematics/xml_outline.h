@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "planner/base/document/input_error.h"
+#include "planner/base/input_files/input_error.h"
 
 namespace assay::kinematics {
 

@@ -1,4 +1,4 @@
-#include "planner/motion/path/tree_search.h"
+#include "planner/motion/paths/tree_search.h"
 
 #include <ompl/base/MotionValidator.h>
 #include <ompl/base/spaces/RealVectorStateSpace.h>

@@ -8,7 +8,7 @@
 
 #include "planner/algebra/expression/parse.h"
 #include "planner/algebra/expression/text.h"
-#include "planner/base/document/input_error.h"
+#include "planner/base/input_files/input_error.h"
 
 namespace assay::verify {
 namespace {

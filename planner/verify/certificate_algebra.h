@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "planner/algebra/expression/expression.h"
-#include "planner/algebra/linear/constraint_set.h"
+#include "planner/algebra/sup_inf/constraint_set.h"
 #include "planner/plan/data/plan.h"
 
 namespace assay::verify {

@@ -8,12 +8,12 @@
 #include <utility>
 #include <variant>
 
+#include "planner/algebra/bounding_methods/glance.h"
 #include "planner/algebra/bounds/bounds.h"
 #include "planner/algebra/expression/evaluation.h"
 #include "planner/algebra/expression/nodes.h"
-#include "planner/algebra/methods/glance.h"
 #include "planner/plan/data/condition_table.h"
-#include "planner/uncertainty/errors/tip_error.h"
+#include "planner/uncertainty/error_sets/tip_error.h"
 #include "planner/verify/certificate_algebra.h"
 
 namespace assay::verify {

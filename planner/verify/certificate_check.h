@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "planner/plan/check/checker.h"
+#include "planner/plan/checker/checker.h"
 #include "planner/plan/data/plan.h"
 
 namespace assay::verify {

@@ -7,7 +7,7 @@
 #include <sstream>
 
 #include "planner/base/check.h"
-#include "planner/base/document/input_error.h"
+#include "planner/base/input_files/input_error.h"
 
 namespace assay::noise {
 namespace {

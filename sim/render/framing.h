@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "planner/domain/part/part_model.h"
+#include "planner/domain/parts/part_model.h"
 #include "planner/geometry/pose.h"
 #include "sim/render/renderer.h"
 

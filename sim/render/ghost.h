@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "planner/domain/part/part_model.h"
+#include "planner/domain/parts/part_model.h"
 #include "planner/geometry/pose.h"
 #include "sim/render/palette.h"
 

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "planner/domain/mating/shaft_fit.h"
+#include "planner/domain/matings/shaft_fit.h"
 #include "planner/domain/problem/problem.h"
 #include "sim/render/close_up.h"
 #include "sim/scene/scene.h"

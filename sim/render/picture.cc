@@ -5,7 +5,7 @@
 #include <iterator>
 
 #include "planner/base/check.h"
-#include "planner/base/document/input_error.h"
+#include "planner/base/input_files/input_error.h"
 #include "sim/render/picture_library.h"
 
 namespace assay::render {

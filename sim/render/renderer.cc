@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "planner/base/check.h"
-#include "planner/base/document/input_error.h"
+#include "planner/base/input_files/input_error.h"
 #include "sim/mujoco/engine_messages.h"
 #include "sim/render/offscreen_context.h"
 #include "sim/render/picture.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "planner/base/document/input_error.h"
+#include "planner/base/input_files/input_error.h"
 
 namespace assay::scenario {
 namespace {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "planner/base/document/document.h"
+#include "planner/base/input_files/document.h"
 #include "planner/domain/problem/units.h"
 #include "sim/scenario/models_folder.h"
 

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "planner/domain/part/part_file.h"
+#include "planner/domain/parts/part_file.h"
 #include "sim/scene/robot_mjcf.h"
 #include "sim/scene/stage_mjcf.h"
 #include "sim/scene/supporting_boxes.h"

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "planner/domain/part/part_model.h"
+#include "planner/domain/parts/part_model.h"
 
 namespace assay::scene {
 

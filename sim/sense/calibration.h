@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "planner/domain/problem/problem.h"
-#include "planner/domain/reach/reachability.h"
+#include "planner/domain/reachability/reachability.h"
 #include "planner/domain/workcell/uncertainty_operations.h"
 #include "sim/sense/displacement.h"
 #include "sim/sense/pose_sensor.h"

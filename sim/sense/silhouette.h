@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "planner/domain/part/part_model.h"
+#include "planner/domain/parts/part_model.h"
 #include "planner/geometry/box.h"
 #include "planner/geometry/polygon.h"
 #include "sim/sense/view.h"

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "sim/check/measurements/step_events.h"
-#include "sim/check/trial/extreme_poses.h"
+#include "sim/check/trial_verdicts/extreme_poses.h"
 #include "sim/view/pose_data.h"
 
 namespace assay::view {

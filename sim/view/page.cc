@@ -5,11 +5,11 @@
 #include <nlohmann/json.hpp>
 
 #include "planner/plan/data/not_covered.h"
-#include "sim/check/trial/verdict.h"
+#include "sim/check/trial_verdicts/verdict.h"
 #include "sim/render/ghost.h"
-#include "sim/report/page/data_uri.h"
-#include "sim/report/page/element.h"
-#include "sim/report/page/palette.h"
+#include "sim/report/html/data_uri.h"
+#include "sim/report/html/element.h"
+#include "sim/report/html/palette.h"
 #include "sim/view/bundle.h"
 #include "sim/view/error_set_data.h"
 #include "sim/view/occurrence_data.h"

@@ -6,7 +6,7 @@
 
 #include "planner/domain/problem/problem.h"
 #include "planner/plan/data/plan.h"
-#include "sim/check/claims/claim.h"
+#include "sim/check/certificate_claims/claim.h"
 #include "sim/execution/trace/trace.h"
 
 namespace assay::view {

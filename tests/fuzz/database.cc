@@ -1,10 +1,10 @@
 // The target opens the database of a sweep, summarises it and writes the report.
 
-#include "sim/report/page/page.h"
+#include "sim/report/html/page.h"
 #include "sim/report/sections/findings.h"
 #include "sim/report/sections/read_findings.h"
-#include "sim/sweep/store/store.h"
-#include "sim/sweep/store/summary.h"
+#include "sim/sweep/database/store.h"
+#include "sim/sweep/database/summary.h"
 #include "tests/fuzz/reader_input.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

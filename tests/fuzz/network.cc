@@ -1,6 +1,6 @@
 // The target reads a constraint network and labels it with a small budget.
 
-#include "planner/network/network/network_file.h"
+#include "planner/network/constraint_network/network_file.h"
 #include "tests/fuzz/reader_input.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

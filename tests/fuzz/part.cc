@@ -1,8 +1,8 @@
 // The target reads a part file and computes the part's stable poses and grasps.
 
-#include "planner/domain/grasp/grasp.h"
-#include "planner/domain/part/part_file.h"
-#include "planner/domain/part/stable_pose.h"
+#include "planner/domain/grasps/grasp.h"
+#include "planner/domain/parts/part_file.h"
+#include "planner/domain/parts/stable_pose.h"
 #include "planner/domain/workcell/workcell.h"
 #include "planner/domain/workcell/workcell_file.h"
 #include "tests/fuzz/reader_input.h"

@@ -1,6 +1,6 @@
 // The target reads a PDDL domain and one of its problems, with a line of equals signs between them.
 
-#include "planner/contingent/format/pddl_file.h"
+#include "planner/contingent/pks_and_pddl/pddl_file.h"
 #include "tests/fuzz/knowledge.h"
 #include "tests/fuzz/reader_input.h"
 

@@ -3,7 +3,7 @@
 
 #include "planner/assembly/plan_check.h"
 #include "planner/domain/problem/problem_file.h"
-#include "planner/plan/file/plan_file.h"
+#include "planner/plan/plan_files/plan_file.h"
 #include "tests/fuzz/reader_input.h"
 
 namespace {

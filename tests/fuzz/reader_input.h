@@ -7,7 +7,7 @@
 #include <string_view>
 #include <utility>
 
-#include "planner/base/document/input_error.h"
+#include "planner/base/input_files/input_error.h"
 #include "tests/scratch_file.h"
 
 namespace assay::fuzz {

@@ -1,6 +1,6 @@
 // The target reads a sweep file.
 
-#include "sim/sweep/run/sweep_file.h"
+#include "sim/sweep/grid/sweep_file.h"
 #include "tests/fuzz/reader_input.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -1,10 +1,10 @@
 // The target reads a plan tree of the scenario `two-cans` and runs it in every world.
 
-#include "planner/contingent/format/task_file.h"
 #include "planner/contingent/grounding/grounding.h"
 #include "planner/contingent/language/externs.h"
-#include "planner/contingent/tree/tree_check.h"
-#include "planner/contingent/tree/tree_file.h"
+#include "planner/contingent/pks_and_pddl/task_file.h"
+#include "planner/contingent/plan_tree/tree_check.h"
+#include "planner/contingent/plan_tree/tree_file.h"
 #include "tests/fuzz/reader_input.h"
 
 namespace {

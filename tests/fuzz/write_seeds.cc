@@ -8,15 +8,15 @@
 #include <vector>
 
 #include "planner/assembly/certified_plan.h"
-#include "planner/contingent/format/pddl_text.h"
-#include "planner/contingent/format/pks_file.h"
 #include "planner/contingent/grounding/grounding.h"
 #include "planner/contingent/language/externs.h"
+#include "planner/contingent/pks_and_pddl/pddl_text.h"
+#include "planner/contingent/pks_and_pddl/pks_file.h"
+#include "planner/contingent/plan_tree/tree_file.h"
 #include "planner/contingent/search/contingent_planner.h"
-#include "planner/contingent/tree/tree_file.h"
 #include "planner/domain/problem/problem_file.h"
-#include "planner/plan/file/plan_file.h"
-#include "sim/sweep/store/store.h"
+#include "planner/plan/plan_files/plan_file.h"
+#include "sim/sweep/database/store.h"
 #include "tests/fuzz/reader_input.h"
 #include "tests/sim/sweep/false_work.h"
 

@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "planner/domain/part/resting.h"
-#include "planner/domain/reach/reachability.h"
+#include "planner/domain/parts/resting.h"
+#include "planner/domain/reachability/reachability.h"
 
 namespace assay::oracle {
 

@@ -3,9 +3,9 @@
 #include <optional>
 #include <vector>
 
-#include "planner/network/network/label_set.h"
-#include "planner/network/network/labeling.h"
-#include "planner/network/network/network.h"
+#include "planner/network/constraint_network/label_set.h"
+#include "planner/network/constraint_network/labeling.h"
+#include "planner/network/constraint_network/network.h"
 
 // Slow and plain answers about binary constraint networks. The only functions of the library that
 // they use are LabelSet::contains and Relation::Allows.

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "planner/algebra/expression/evaluation.h"
-#include "planner/algebra/linear/constraint_set.h"
+#include "planner/algebra/sup_inf/constraint_set.h"
 #include "planner/base/random.h"
 #include "planner/numeric/interval_arithmetic.h"
 

@@ -12,8 +12,8 @@
 #include "planner/algebra/expression/name.h"
 #include "planner/algebra/expression/parse.h"
 #include "planner/algebra/expression/text.h"
-#include "planner/base/document/document.h"
-#include "planner/base/document/input_file.h"
+#include "planner/base/input_files/document.h"
+#include "planner/base/input_files/input_file.h"
 #include "planner/numeric/interval_arithmetic.h"
 
 namespace assay::algebra {

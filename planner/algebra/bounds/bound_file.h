@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "planner/algebra/linear/constraint_set.h"
+#include "planner/algebra/sup_inf/constraint_set.h"
 
 namespace assay::algebra {
 

@@ -6,10 +6,10 @@
 #include <queue>
 #include <utility>
 
+#include "planner/algebra/bounding_methods/centred.h"
+#include "planner/algebra/bounding_methods/monotone.h"
 #include "planner/algebra/bounds/ascent.h"
 #include "planner/algebra/bounds/feasible_ascent.h"
-#include "planner/algebra/methods/centred.h"
-#include "planner/algebra/methods/monotone.h"
 #include "planner/numeric/interval_arithmetic.h"
 
 namespace assay::algebra {

@@ -7,8 +7,8 @@
 #include "planner/algebra/expression/evaluation.h"
 #include "planner/algebra/expression/index_map.h"
 #include "planner/algebra/expression/nodes.h"
-#include "planner/algebra/forms/compiler.h"
-#include "planner/algebra/forms/normalization.h"
+#include "planner/algebra/normal_forms/compiler.h"
+#include "planner/algebra/normal_forms/normalization.h"
 #include "planner/base/check.h"
 #include "planner/numeric/interval_arithmetic.h"
 

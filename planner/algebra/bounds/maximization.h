@@ -4,9 +4,9 @@
 #include <span>
 #include <vector>
 
-#include "planner/algebra/forms/compiled_form.h"
-#include "planner/algebra/forms/normal_form.h"
-#include "planner/algebra/linear/constraint_set.h"
+#include "planner/algebra/normal_forms/compiled_form.h"
+#include "planner/algebra/normal_forms/normal_form.h"
+#include "planner/algebra/sup_inf/constraint_set.h"
 
 namespace assay::algebra {
 

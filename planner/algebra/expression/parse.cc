@@ -10,7 +10,7 @@
 #include "planner/algebra/expression/name.h"
 #include "planner/algebra/operators/operator_rule.h"
 #include "planner/algebra/operators/table.h"
-#include "planner/base/document/nearest_name.h"
+#include "planner/base/input_files/nearest_name.h"
 
 namespace assay::algebra {
 

@@ -7,7 +7,7 @@
 
 #include "planner/algebra/expression/expression.h"
 #include "planner/algebra/expression/text_scanner.h"
-#include "planner/base/document/input_error.h"
+#include "planner/base/input_files/input_error.h"
 
 namespace assay::algebra {
 

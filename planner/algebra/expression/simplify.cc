@@ -1,7 +1,7 @@
 #include "planner/algebra/expression/simplify.h"
 
-#include "planner/algebra/forms/normal_form.h"
-#include "planner/algebra/forms/normalization.h"
+#include "planner/algebra/normal_forms/normal_form.h"
+#include "planner/algebra/normal_forms/normalization.h"
 
 namespace assay::algebra {
 

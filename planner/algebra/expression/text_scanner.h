@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "planner/base/document/input_error.h"
+#include "planner/base/input_files/input_error.h"
 
 namespace assay::algebra {
 

@@ -3,8 +3,8 @@
 #include <optional>
 #include <vector>
 
-#include "planner/algebra/forms/nested_form.h"
-#include "planner/algebra/forms/normal_form.h"
+#include "planner/algebra/normal_forms/nested_form.h"
+#include "planner/algebra/normal_forms/normal_form.h"
 
 namespace assay::algebra {
 

@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "planner/algebra/methods/quadratic_bound.h"
+#include "planner/algebra/bounding_methods/quadratic_bound.h"
 #include "planner/algebra/multiaffine/multiaffine_form.h"
 #include "planner/algebra/multiaffine/sector.h"
 #include "planner/algebra/multiaffine/trigonometric_polynomial.h"

@@ -2,10 +2,10 @@
 #include <array>
 #include <cmath>
 
-#include "planner/algebra/linear/atom_relations.h"
 #include "planner/algebra/operators/function.h"
 #include "planner/algebra/operators/operator_rule.h"
 #include "planner/algebra/operators/point_or_box.h"
+#include "planner/algebra/sup_inf/atom_relations.h"
 #include "planner/numeric/interval_arithmetic.h"
 
 namespace assay::algebra {

@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "planner/algebra/expression/expression.h"
-#include "planner/algebra/forms/polynomial.h"
+#include "planner/algebra/normal_forms/polynomial.h"
 #include "planner/algebra/operators/operator.h"
 
 namespace assay::algebra {

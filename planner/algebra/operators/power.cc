@@ -2,9 +2,9 @@
 
 #include <array>
 
+#include "planner/algebra/bounding_methods/first_order_form.h"
 #include "planner/algebra/expression/text_writer.h"
-#include "planner/algebra/forms/expansion.h"
-#include "planner/algebra/methods/first_order_form.h"
+#include "planner/algebra/normal_forms/expansion.h"
 #include "planner/algebra/operators/function.h"
 #include "planner/algebra/operators/operator_rule.h"
 #include "planner/algebra/operators/point_or_box.h"

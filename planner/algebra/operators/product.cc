@@ -2,13 +2,13 @@
 #include <functional>
 #include <numeric>
 
+#include "planner/algebra/bounding_methods/first_order_form.h"
 #include "planner/algebra/expression/text_writer.h"
-#include "planner/algebra/forms/expansion.h"
-#include "planner/algebra/forms/step_writer.h"
-#include "planner/algebra/linear/linear_reader.h"
-#include "planner/algebra/methods/first_order_form.h"
+#include "planner/algebra/normal_forms/expansion.h"
+#include "planner/algebra/normal_forms/step_writer.h"
 #include "planner/algebra/operators/folding.h"
 #include "planner/algebra/operators/operator_rule.h"
+#include "planner/algebra/sup_inf/linear_reader.h"
 #include "planner/numeric/interval_arithmetic.h"
 
 namespace assay::algebra {

@@ -1,12 +1,12 @@
 #include <array>
 
 #include "planner/algebra/expression/text_writer.h"
-#include "planner/algebra/forms/expansion.h"
-#include "planner/algebra/forms/step_writer.h"
-#include "planner/algebra/linear/linear_reader.h"
+#include "planner/algebra/normal_forms/expansion.h"
+#include "planner/algebra/normal_forms/step_writer.h"
 #include "planner/algebra/operators/function.h"
 #include "planner/algebra/operators/operator_rule.h"
 #include "planner/algebra/operators/point_or_box.h"
+#include "planner/algebra/sup_inf/linear_reader.h"
 #include "planner/base/check.h"
 #include "planner/numeric/interval_arithmetic.h"
 

@@ -1,8 +1,8 @@
 #include <array>
 #include <cmath>
 
-#include "planner/algebra/forms/expansion.h"
-#include "planner/algebra/methods/first_order_form.h"
+#include "planner/algebra/bounding_methods/first_order_form.h"
+#include "planner/algebra/normal_forms/expansion.h"
 #include "planner/algebra/operators/function.h"
 #include "planner/algebra/operators/operator_rule.h"
 #include "planner/numeric/interval_arithmetic.h"

@@ -1,7 +1,7 @@
 #include "planner/assembly/knowledge/knowledge_constants.h"
 
-#include "planner/contingent/format/pks_lexer.h"
 #include "planner/contingent/language/spelling.h"
+#include "planner/contingent/pks_and_pddl/pks_lexer.h"
 
 namespace assay::assembly {
 

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "planner/uncertainty/errors/tool_error_box.h"
+#include "planner/uncertainty/error_sets/tool_error_box.h"
 #include "planner/uncertainty/preconditions/certify.h"
 
 namespace assay::assembly {

@@ -5,12 +5,12 @@
 
 #include "planner/assembly/travel/part_error_bounds.h"
 #include "planner/domain/problem/problem.h"
-#include "planner/motion/clear/collision_scene.h"
-#include "planner/plan/check/world_state.h"
+#include "planner/motion/collision/collision_scene.h"
+#include "planner/plan/checker/world_state.h"
 #include "planner/plan/data/plan.h"
 #include "planner/plan/data/tool_error_box.h"
 #include "planner/plan/data/tool_route.h"
-#include "planner/uncertainty/errors/uncertain_world.h"
+#include "planner/uncertainty/error_sets/uncertain_world.h"
 
 namespace assay::assembly {
 

@@ -11,7 +11,7 @@
 #include "planner/assembly/travel/plan_walk.h"
 #include "planner/assembly/travel/travel_search.h"
 #include "planner/assembly/travel/way_conditions.h"
-#include "planner/motion/path/straight_line.h"
+#include "planner/motion/paths/straight_line.h"
 
 namespace assay::assembly {
 namespace {

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "planner/domain/problem/problem.h"
-#include "planner/plan/check/checker.h"
+#include "planner/plan/checker/checker.h"
 #include "planner/plan/data/plan.h"
 
 namespace assay::assembly {

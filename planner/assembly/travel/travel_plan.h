@@ -6,7 +6,7 @@
 #include "planner/assembly/travel/travel_search.h"
 #include "planner/domain/problem/problem.h"
 #include "planner/plan/data/plan.h"
-#include "planner/uncertainty/errors/uncertain_pose.h"
+#include "planner/uncertainty/error_sets/uncertain_pose.h"
 
 namespace assay::assembly {
 

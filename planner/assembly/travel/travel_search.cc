@@ -5,9 +5,9 @@
 #include <algorithm>
 
 #include "planner/base/check.h"
-#include "planner/motion/path/path_search.h"
-#include "planner/motion/path/straight_line.h"
-#include "planner/motion/path/travel.h"
+#include "planner/motion/paths/path_search.h"
+#include "planner/motion/paths/straight_line.h"
+#include "planner/motion/paths/travel.h"
 
 namespace assay::assembly {
 namespace {

@@ -8,8 +8,8 @@
 
 #include "planner/assembly/travel/plan_walk.h"
 #include "planner/assembly/travel/way_conditions.h"
-#include "planner/motion/clear/motion_check.h"
-#include "planner/motion/clear/sway.h"
+#include "planner/motion/collision/motion_check.h"
+#include "planner/motion/collision/sway.h"
 
 namespace assay::assembly {
 

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "planner/motion/clear/sway.h"
+#include "planner/motion/collision/sway.h"
 #include "planner/plan/data/certificate.h"
 
 namespace assay::assembly {

@@ -4,7 +4,7 @@
 
 #include "planner/constraint_posting/least_actions.h"
 #include "planner/domain/actions/condition.h"
-#include "planner/domain/mating/mating_classes.h"
+#include "planner/domain/matings/mating_classes.h"
 
 namespace assay::constraint_posting {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "planner/constraint_posting/step_geometry.h"
-#include "planner/domain/reach/known_reachability.h"
+#include "planner/domain/reachability/known_reachability.h"
 
 namespace assay::constraint_posting {
 

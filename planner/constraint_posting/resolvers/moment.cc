@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "planner/domain/part/occlusion.h"
-#include "planner/domain/part/resting.h"
+#include "planner/domain/parts/occlusion.h"
+#include "planner/domain/parts/resting.h"
 
 namespace assay::constraint_posting {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "planner/constraint_posting/resolvers/resolver.h"
-#include "planner/plan/check/world_state.h"
+#include "planner/plan/checker/world_state.h"
 
 namespace assay::constraint_posting {
 

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "planner/constraint_posting/resolvers/moment.h"
-#include "planner/domain/reach/reachability.h"
+#include "planner/domain/reachability/reachability.h"
 
 namespace assay::constraint_posting {
 namespace {

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "planner/constraint_posting/uncertainty_phase/augmentation/augmented_steps.h"
 #include "planner/constraint_posting/uncertainty_phase/combinations.h"
-#include "planner/constraint_posting/uncertainty_phase/instances/augmented_steps.h"
 #include "planner/constraint_posting/uncertainty_phase/shortfall.h"
 #include "planner/constraint_posting/uncertainty_phase/uncertainty_task.h"
 

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "planner/base/check.h"
-#include "planner/constraint_posting/uncertainty_phase/instances/augmented_plan.h"
-#include "planner/constraint_posting/uncertainty_phase/instances/best_instance.h"
-#include "planner/constraint_posting/uncertainty_phase/instances/instance_judge.h"
+#include "planner/constraint_posting/uncertainty_phase/augmentation/augmented_plan.h"
+#include "planner/constraint_posting/uncertainty_phase/augmentation/best_instance.h"
+#include "planner/constraint_posting/uncertainty_phase/augmentation/instance_judge.h"
 
 namespace assay::constraint_posting {
 namespace {

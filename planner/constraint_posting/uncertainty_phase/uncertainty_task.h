@@ -3,9 +3,9 @@
 #include <cstdint>
 #include <optional>
 
-#include "planner/constraint_posting/uncertainty_phase/instances/best_known.h"
+#include "planner/constraint_posting/uncertainty_phase/augmentation/best_known.h"
 #include "planner/constraint_posting/uncertainty_phase/uncertainty_options.h"
-#include "planner/uncertainty/errors/world_tree.h"
+#include "planner/uncertainty/error_sets/world_tree.h"
 
 namespace assay::constraint_posting {
 

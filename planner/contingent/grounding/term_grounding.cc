@@ -4,7 +4,7 @@
 
 #include <utility>
 
-#include "planner/base/document/input_error.h"
+#include "planner/base/input_files/input_error.h"
 #include "planner/contingent/language/decimal.h"
 #include "planner/numeric/interval_arithmetic.h"
 

@@ -6,7 +6,7 @@
 #include "planner/contingent/grounding/ground_task.h"
 #include "planner/contingent/knowledge/knowledge_state.h"
 #include "planner/contingent/knowledge/open_bounds.h"
-#include "planner/contingent/worlds/world_sets.h"
+#include "planner/contingent/world_sets/world_sets.h"
 
 namespace assay::contingent {
 

@@ -9,7 +9,7 @@
 #include "planner/contingent/knowledge/knowledge_queries.h"
 #include "planner/contingent/knowledge/knowledge_state.h"
 #include "planner/contingent/knowledge/number_knowledge.h"
-#include "planner/contingent/worlds/world_sets.h"
+#include "planner/contingent/world_sets/world_sets.h"
 
 namespace assay::contingent {
 

@@ -8,7 +8,7 @@
 
 #include "planner/base/budget.h"
 #include "planner/contingent/knowledge/knowledge_base.h"
-#include "planner/contingent/tree/plan_tree.h"
+#include "planner/contingent/plan_tree/plan_tree.h"
 
 namespace assay::contingent {
 

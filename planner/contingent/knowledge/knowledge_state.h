@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "planner/contingent/grounding/ground_task.h"
-#include "planner/contingent/worlds/decision_diagram.h"
+#include "planner/contingent/world_sets/decision_diagram.h"
 
 namespace assay::contingent {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "planner/contingent/grounding/ground_task.h"
-#include "planner/contingent/tree/plan_tree.h"
+#include "planner/contingent/plan_tree/plan_tree.h"
 
 namespace assay::contingent {
 

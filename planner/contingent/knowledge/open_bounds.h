@@ -4,7 +4,7 @@
 
 #include "planner/contingent/grounding/ground_task.h"
 #include "planner/contingent/knowledge/knowledge_state.h"
-#include "planner/contingent/worlds/decision_diagram.h"
+#include "planner/contingent/world_sets/decision_diagram.h"
 
 namespace assay::contingent {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "planner/base/document/input_error.h"
+#include "planner/base/input_files/input_error.h"
 #include "planner/base/interval.h"
 
 // The content of a contingent planning domain and problem, before anything is checked or grounded.

@@ -5,8 +5,8 @@
 
 #include <set>
 
-#include "planner/base/document/document.h"
-#include "planner/base/document/nearest_name.h"
+#include "planner/base/input_files/document.h"
+#include "planner/base/input_files/nearest_name.h"
 
 namespace assay::contingent {
 namespace {

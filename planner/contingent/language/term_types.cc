@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "planner/base/document/nearest_name.h"
+#include "planner/base/input_files/nearest_name.h"
 
 namespace assay::contingent {
 

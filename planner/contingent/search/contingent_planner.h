@@ -6,7 +6,7 @@
 #include "planner/base/budget.h"
 #include "planner/base/outcome.h"
 #include "planner/contingent/grounding/ground_task.h"
-#include "planner/contingent/tree/plan_tree.h"
+#include "planner/contingent/plan_tree/plan_tree.h"
 
 namespace assay::contingent {
 

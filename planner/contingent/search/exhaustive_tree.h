@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "planner/contingent/knowledge/knowledge_space.h"
-#include "planner/contingent/tree/plan_tree.h"
+#include "planner/contingent/plan_tree/plan_tree.h"
 
 namespace assay::contingent {
 

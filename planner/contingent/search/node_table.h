@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "planner/base/intern_table.h"
-#include "planner/contingent/tree/plan_tree.h"
+#include "planner/contingent/plan_tree/plan_tree.h"
 
 namespace assay::contingent {
 

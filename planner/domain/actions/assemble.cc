@@ -1,6 +1,6 @@
 #include "planner/domain/actions/action_template.h"
 #include "planner/domain/actions/actions.h"
-#include "planner/domain/mating/mating_classes.h"
+#include "planner/domain/matings/mating_classes.h"
 #include "planner/domain/problem/problem.h"
 
 namespace assay::domain {

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "planner/domain/mating/mating_file.h"
-#include "planner/domain/part/stable_pose_names.h"
+#include "planner/domain/matings/mating_file.h"
+#include "planner/domain/parts/stable_pose_names.h"
 #include "planner/domain/problem/name.h"
 #include "planner/domain/problem/part_name.h"
 

@@ -9,13 +9,13 @@
 #include <limits>
 #include <utility>
 
-#include "planner/domain/mating/mating_file.h"
-#include "planner/domain/part/face_contact.h"
-#include "planner/domain/part/part_model.h"
-#include "planner/domain/part/resting.h"
-#include "planner/domain/part/stable_pose_names.h"
+#include "planner/domain/matings/mating_file.h"
+#include "planner/domain/parts/face_contact.h"
+#include "planner/domain/parts/part_model.h"
+#include "planner/domain/parts/resting.h"
+#include "planner/domain/parts/stable_pose_names.h"
 #include "planner/domain/problem/name.h"
-#include "planner/domain/reach/reachability.h"
+#include "planner/domain/reachability/reachability.h"
 
 namespace assay::domain {
 namespace {

@@ -3,7 +3,7 @@
 #include <map>
 #include <string>
 
-#include "planner/base/document/document.h"
+#include "planner/base/input_files/document.h"
 #include "planner/domain/problem/problem.h"
 #include "planner/domain/problem/units.h"
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-#include "planner/base/document/document.h"
+#include "planner/base/input_files/document.h"
 
 namespace assay::domain {
 

@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "planner/domain/actions/actions.h"
-#include "planner/domain/grasp/grasp.h"
-#include "planner/domain/mating/mating.h"
-#include "planner/domain/mating/mating_errors.h"
-#include "planner/domain/part/part_model.h"
+#include "planner/domain/grasps/grasp.h"
+#include "planner/domain/matings/mating.h"
+#include "planner/domain/matings/mating_errors.h"
+#include "planner/domain/parts/part_model.h"
 #include "planner/domain/problem/pose_error.h"
 #include "planner/domain/problem/tolerances.h"
 #include "planner/domain/workcell/uncertainty_operations.h"

@@ -9,10 +9,10 @@
 #include <utility>
 
 #include "planner/base/check.h"
-#include "planner/base/document/quotation.h"
-#include "planner/domain/mating/mating_errors_file.h"
-#include "planner/domain/part/occlusion.h"
-#include "planner/domain/part/part_file.h"
+#include "planner/base/input_files/quotation.h"
+#include "planner/domain/matings/mating_errors_file.h"
+#include "planner/domain/parts/occlusion.h"
+#include "planner/domain/parts/part_file.h"
 #include "planner/domain/problem/goal_file.h"
 #include "planner/domain/problem/initial_poses_file.h"
 #include "planner/domain/problem/name.h"

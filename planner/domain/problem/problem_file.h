@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "planner/base/document/document.h"
+#include "planner/base/input_files/document.h"
 #include "planner/domain/problem/problem.h"
 #include "planner/domain/problem/units.h"
 #include "planner/domain/workcell/model_path.h"

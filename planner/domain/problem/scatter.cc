@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <numbers>
 
-#include "planner/domain/part/resting.h"
+#include "planner/domain/parts/resting.h"
 
 namespace assay::domain {
 namespace {

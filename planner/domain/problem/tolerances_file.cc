@@ -4,7 +4,7 @@
 
 #include <set>
 
-#include "planner/domain/part/part_file.h"
+#include "planner/domain/parts/part_file.h"
 
 namespace assay::domain {
 namespace {

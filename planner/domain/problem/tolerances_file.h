@@ -1,6 +1,6 @@
 #pragma once
 
-#include "planner/base/document/document.h"
+#include "planner/base/input_files/document.h"
 #include "planner/domain/problem/problem.h"
 #include "planner/domain/problem/units.h"
 

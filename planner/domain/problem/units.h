@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "planner/base/document/document.h"
+#include "planner/base/input_files/document.h"
 #include "planner/geometry/pose.h"
 
 namespace assay::domain {

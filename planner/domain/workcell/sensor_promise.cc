@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "planner/base/document/document.h"
+#include "planner/base/input_files/document.h"
 
 namespace assay::domain {
 namespace {

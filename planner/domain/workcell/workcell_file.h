@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <memory>
 
-#include "planner/base/document/document.h"
+#include "planner/base/input_files/document.h"
 #include "planner/domain/problem/units.h"
 #include "planner/domain/workcell/workcell.h"
 

@@ -8,8 +8,8 @@
 #include <set>
 
 #include "planner/base/check.h"
-#include "planner/domain/part/part_file.h"
-#include "planner/finemotion/replay/force_signature.h"
+#include "planner/domain/parts/part_file.h"
+#include "planner/finemotion/strategy_checks/force_signature.h"
 
 namespace assay::finemotion {
 

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "planner/domain/problem/problem.h"
-#include "planner/finemotion/graph/critical_points.h"
-#include "planner/finemotion/search/strategy_search.h"
+#include "planner/finemotion/contact_graph/critical_points.h"
+#include "planner/finemotion/strategy_search/strategy_search.h"
 #include "planner/plan/data/strategy.h"
 
 namespace assay::finemotion {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "planner/base/check.h"
-#include "planner/finemotion/graph/projection_image.h"
+#include "planner/finemotion/contact_graph/projection_image.h"
 #include "planner/geometry/convex/nearest_point.h"
 
 namespace assay::finemotion {

@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "planner/motion/handling/putting_down.h"
-#include "planner/motion/path/path_search.h"
-#include "planner/motion/path/straight_line.h"
+#include "planner/motion/paths/path_search.h"
+#include "planner/motion/paths/straight_line.h"
 #include "planner/plan/data/pushing.h"
 #include "planner/plan/data/tool_route.h"
 

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "planner/motion/path/travel.h"
+#include "planner/motion/paths/travel.h"
 
 namespace assay::motion {
 

@@ -3,7 +3,7 @@
 #include <optional>
 #include <span>
 
-#include "planner/domain/reach/reachability.h"
+#include "planner/domain/reachability/reachability.h"
 #include "planner/plan/data/plan.h"
 
 namespace assay::motion {

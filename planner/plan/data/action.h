@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "planner/domain/actions/actions.h"
-#include "planner/domain/mating/mating.h"
+#include "planner/domain/matings/mating.h"
 #include "planner/geometry/pose.h"
 
 namespace assay::plan {

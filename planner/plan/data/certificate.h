@@ -7,7 +7,7 @@
 
 #include "planner/base/id.h"
 #include "planner/base/interval.h"
-#include "planner/domain/mating/mating.h"
+#include "planner/domain/matings/mating.h"
 #include "planner/plan/data/condition.h"
 #include "planner/plan/data/error_kind.h"
 

@@ -14,8 +14,8 @@ struct ErrorKind {
   domain::Dimension dimension;
 };
 
-// The kinds of errors of parts and of the hand. Files planner/uncertainty/errors/*.h say how they
-// arise.
+// The kinds of errors of parts and of the hand. Files planner/uncertainty/error_sets/*.h say how
+// they arise.
 namespace error {
 
 // displacement of a part in the world's axes, or of the hand in its own axes

@@ -100,7 +100,7 @@ std::vector<int> ContactsInError(const StrategyMotion& motion, const UnwantedCon
 bool Absorbs(const std::optional<Strategy>& strategy, Condition condition);
 
 // Returns, in words, the reasons why the strategy is not well formed; empty if it is well formed. A
-// well-formed strategy need not work (planner/finemotion/replay/strategy_check.h).
+// well-formed strategy need not work (planner/finemotion/strategy_checks/strategy_check.h).
 std::vector<std::string> FlawsOfForm(const Strategy& strategy);
 
 }  // namespace assay::plan

@@ -5,14 +5,14 @@
 #include <optional>
 #include <utility>
 
+#include "planner/algebra/bounding_methods/glance.h"
 #include "planner/algebra/expression/nodes.h"
 #include "planner/algebra/expression/text.h"
-#include "planner/algebra/methods/glance.h"
 #include "planner/base/check.h"
 #include "planner/numeric/interval_arithmetic.h"
-#include "planner/uncertainty/errors/release.h"
-#include "planner/uncertainty/errors/sensing.h"
-#include "planner/uncertainty/errors/squeezing.h"
+#include "planner/uncertainty/error_sets/release.h"
+#include "planner/uncertainty/error_sets/sensing.h"
+#include "planner/uncertainty/error_sets/squeezing.h"
 
 namespace assay::uncertainty {
 namespace {

@@ -36,7 +36,7 @@ CertifiedStep CertifyStep(UncertainWorld& world, const plan::Action& action,
 
 // Returns the certificates of all steps of a plan by StepId. They are computed anew from the
 // problem and the actions, without resolutions. The plan must be executable
-// (planner/plan/check/checker.h), and each of its matings must have a shaft in a hole.
+// (planner/plan/checker/checker.h), and each of its matings must have a shaft in a hole.
 std::vector<plan::Certificate> CertificatesAnew(const domain::Problem& problem,
                                                 const plan::Plan& plan, Propagation propagation,
                                                 const algebra::BoundRequest& request);

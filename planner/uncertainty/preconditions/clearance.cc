@@ -7,7 +7,7 @@
 
 #include "planner/algebra/expression/simplify.h"
 #include "planner/base/interval.h"
-#include "planner/domain/part/part_model.h"
+#include "planner/domain/parts/part_model.h"
 
 namespace assay::uncertainty {
 namespace {

@@ -3,12 +3,12 @@
 #include <limits>
 #include <map>
 
-#include "planner/domain/part/part_model.h"
-#include "planner/domain/part/resting.h"
+#include "planner/domain/parts/part_model.h"
+#include "planner/domain/parts/resting.h"
 #include "planner/kinematics/gripper.h"
-#include "planner/uncertainty/errors/axis_angle.h"
-#include "planner/uncertainty/errors/possible_masses.h"
-#include "planner/uncertainty/errors/squeezing.h"
+#include "planner/uncertainty/error_sets/axis_angle.h"
+#include "planner/uncertainty/error_sets/possible_masses.h"
+#include "planner/uncertainty/error_sets/squeezing.h"
 #include "planner/uncertainty/preconditions/precondition.h"
 #include "planner/uncertainty/preconditions/support.h"
 #include "planner/uncertainty/preconditions/touching_cells.h"

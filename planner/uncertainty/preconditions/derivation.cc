@@ -2,8 +2,8 @@
 
 #include <array>
 
-#include "planner/domain/mating/shaft_fit.h"
-#include "planner/uncertainty/errors/mating_end.h"
+#include "planner/domain/matings/shaft_fit.h"
+#include "planner/uncertainty/error_sets/mating_end.h"
 
 namespace assay::uncertainty {
 namespace {

@@ -4,11 +4,11 @@
 #include <initializer_list>
 
 #include "planner/algebra/expression/simplify.h"
-#include "planner/domain/part/part_model.h"
+#include "planner/domain/parts/part_model.h"
 #include "planner/geometry/box.h"
-#include "planner/uncertainty/errors/axis_angle.h"
-#include "planner/uncertainty/errors/mating_end.h"
-#include "planner/uncertainty/errors/release.h"
+#include "planner/uncertainty/error_sets/axis_angle.h"
+#include "planner/uncertainty/error_sets/mating_end.h"
+#include "planner/uncertainty/error_sets/release.h"
 #include "planner/uncertainty/preconditions/clearance.h"
 #include "planner/uncertainty/preconditions/precondition.h"
 #include "planner/uncertainty/preconditions/touching_cells.h"

@@ -2,10 +2,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "planner/domain/part/part_model.h"
+#include "planner/domain/parts/part_model.h"
 #include "planner/plan/data/carrying.h"
-#include "planner/uncertainty/errors/axis_angle.h"
-#include "planner/uncertainty/errors/possible_masses.h"
+#include "planner/uncertainty/error_sets/axis_angle.h"
+#include "planner/uncertainty/error_sets/possible_masses.h"
 #include "planner/uncertainty/preconditions/grip.h"
 #include "planner/uncertainty/preconditions/precondition.h"
 

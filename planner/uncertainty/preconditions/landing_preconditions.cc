@@ -5,9 +5,9 @@
 #include <limits>
 
 #include "planner/algebra/expression/simplify.h"
-#include "planner/domain/part/part_model.h"
-#include "planner/domain/part/resting.h"
-#include "planner/uncertainty/errors/release.h"
+#include "planner/domain/parts/part_model.h"
+#include "planner/domain/parts/resting.h"
+#include "planner/uncertainty/error_sets/release.h"
 #include "planner/uncertainty/preconditions/precondition.h"
 
 namespace assay::uncertainty {

@@ -5,10 +5,10 @@
 
 #include "planner/algebra/expression/simplify.h"
 #include "planner/base/check.h"
-#include "planner/domain/mating/shaft_fit.h"
+#include "planner/domain/matings/shaft_fit.h"
 #include "planner/numeric/interval_arithmetic.h"
 #include "planner/plan/data/not_covered.h"
-#include "planner/uncertainty/errors/mating_end.h"
+#include "planner/uncertainty/error_sets/mating_end.h"
 #include "planner/uncertainty/preconditions/precondition.h"
 
 namespace assay::uncertainty {

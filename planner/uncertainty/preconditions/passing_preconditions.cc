@@ -3,10 +3,10 @@
 #include <algorithm>
 
 #include "planner/algebra/expression/simplify.h"
-#include "planner/domain/mating/shaft_fit.h"
-#include "planner/domain/part/part_model.h"
+#include "planner/domain/matings/shaft_fit.h"
+#include "planner/domain/parts/part_model.h"
 #include "planner/plan/data/tool_route.h"
-#include "planner/uncertainty/errors/mating_end.h"
+#include "planner/uncertainty/error_sets/mating_end.h"
 #include "planner/uncertainty/preconditions/clearance.h"
 #include "planner/uncertainty/preconditions/precondition.h"
 #include "planner/uncertainty/preconditions/touching_cells.h"

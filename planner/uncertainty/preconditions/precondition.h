@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "planner/plan/data/condition_table.h"
-#include "planner/uncertainty/errors/uncertain_world.h"
+#include "planner/uncertainty/error_sets/uncertain_world.h"
 
 namespace assay::uncertainty {
 

@@ -2,12 +2,12 @@
 #include <cmath>
 #include <limits>
 
-#include "planner/domain/part/part_model.h"
+#include "planner/domain/parts/part_model.h"
 #include "planner/kinematics/gripper.h"
 #include "planner/plan/data/pushing.h"
-#include "planner/uncertainty/errors/axis_angle.h"
-#include "planner/uncertainty/errors/possible_masses.h"
-#include "planner/uncertainty/errors/release.h"
+#include "planner/uncertainty/error_sets/axis_angle.h"
+#include "planner/uncertainty/error_sets/possible_masses.h"
+#include "planner/uncertainty/error_sets/release.h"
 #include "planner/uncertainty/preconditions/grip.h"
 #include "planner/uncertainty/preconditions/precondition.h"
 #include "planner/uncertainty/preconditions/support.h"
@@ -217,13 +217,11 @@ std::vector<Precondition> StandingPreconditions(const UncertainWorld& world, Par
   Preconditions conditions;
   conditions.Less(plan::condition::kStanding, "the part stands after the hand lets it go",
                   standing.FallRatio(tilt), 1);
-                  conditions.Less(plan::condition::kPressed,
-                                  "pads that press the part down do not tip it",
-                                  standing.PressRatio(), 1);
-                  conditions.Greater(plan::condition::kFingertip,
-                                     "the fingers stay above what the part is set on",
-                                     standing.RoomOfFingers(), 0);
-                  return conditions.Take();
+  conditions.Less(plan::condition::kPressed, "pads that press the part down do not tip it",
+                  standing.PressRatio(), 1);
+  conditions.Greater(plan::condition::kFingertip, "the fingers stay above what the part is set on",
+                     standing.RoomOfFingers(), 0);
+  return conditions.Take();
 }
 
 std::vector<Precondition> FixedPreconditions(const UncertainWorld& world, domain::MatingId id,

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <limits>
 
-#include "planner/domain/part/face_contact.h"
-#include "planner/domain/part/part_model.h"
-#include "planner/uncertainty/errors/possible_masses.h"
+#include "planner/domain/parts/face_contact.h"
+#include "planner/domain/parts/part_model.h"
+#include "planner/uncertainty/error_sets/possible_masses.h"
 #include "planner/uncertainty/preconditions/precondition.h"
 
 namespace assay::uncertainty {

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "planner/uncertainty/errors/uncertain_world.h"
+#include "planner/uncertainty/error_sets/uncertain_world.h"
 
 namespace assay::uncertainty {
 

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "planner/domain/part/part_model.h"
+#include "planner/domain/parts/part_model.h"
 #include "planner/plan/data/plan.h"
-#include "planner/uncertainty/errors/uncertain_world.h"
+#include "planner/uncertainty/error_sets/uncertain_world.h"
 
 namespace assay::uncertainty {
 

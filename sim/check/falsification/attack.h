@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "sim/check/claims/noiseless.h"
+#include "sim/check/certificate_claims/noiseless.h"
 #include "sim/check/falsification/attack_result.h"
 
 namespace assay::check {

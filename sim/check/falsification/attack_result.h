@@ -5,8 +5,8 @@
 #include <string_view>
 #include <vector>
 
-#include "sim/check/claims/claim.h"
-#include "sim/check/claims/noiseless.h"
+#include "sim/check/certificate_claims/claim.h"
+#include "sim/check/certificate_claims/noiseless.h"
 
 namespace assay::check {
 

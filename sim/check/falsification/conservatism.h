@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/check/trial/trial.h"
+#include "sim/check/trial_verdicts/trial.h"
 
 namespace assay::check {
 

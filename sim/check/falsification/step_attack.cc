@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "planner/base/check.h"
-#include "sim/check/claims/certificate_check.h"
-#include "sim/check/claims/confirmation.h"
+#include "sim/check/certificate_claims/certificate_check.h"
+#include "sim/check/certificate_claims/confirmation.h"
 #include "sim/execution/walk/executor.h"
 #include "sim/noise/sampling.h"
 

@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
-#include "sim/check/claims/claim.h"
-#include "sim/check/trial/trial.h"
+#include "sim/check/certificate_claims/claim.h"
+#include "sim/check/trial_verdicts/trial.h"
 #include "sim/execution/walk/step_execution.h"
 
 namespace assay::check {

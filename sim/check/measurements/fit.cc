@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "planner/domain/mating/shaft_fit.h"
+#include "planner/domain/matings/shaft_fit.h"
 
 namespace assay::check {
 namespace {

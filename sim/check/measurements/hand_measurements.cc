@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
-#include "planner/domain/part/part_model.h"
+#include "planner/domain/parts/part_model.h"
 #include "planner/kinematics/gripper.h"
 #include "planner/plan/data/condition_table.h"
 #include "sim/check/measurements/fit.h"

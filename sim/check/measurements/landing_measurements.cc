@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "planner/domain/part/part_model.h"
-#include "planner/domain/part/resting.h"
+#include "planner/domain/parts/part_model.h"
+#include "planner/domain/parts/resting.h"
 #include "planner/plan/data/condition_table.h"
 #include "sim/check/measurements/fit.h"
 #include "sim/check/measurements/measurement.h"

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "planner/domain/mating/shaft_fit.h"
-#include "planner/domain/part/part_model.h"
+#include "planner/domain/matings/shaft_fit.h"
+#include "planner/domain/parts/part_model.h"
 #include "planner/plan/data/condition_table.h"
 #include "sim/check/measurements/fit.h"
 #include "sim/check/measurements/measurement.h"

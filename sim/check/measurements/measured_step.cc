@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "planner/base/check.h"
-#include "planner/domain/part/part_model.h"
+#include "planner/domain/parts/part_model.h"
 #include "planner/kinematics/gripper.h"
 #include "planner/plan/data/pushing.h"
 

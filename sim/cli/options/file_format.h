@@ -1,6 +1,6 @@
 #pragma once
 
-#include "planner/base/document/document.h"
+#include "planner/base/input_files/document.h"
 
 namespace assay::cli {
 

@@ -3,7 +3,7 @@
 #include <functional>
 #include <vector>
 
-#include "planner/base/document/input_error.h"
+#include "planner/base/input_files/input_error.h"
 #include "sim/scenario/models_folder.h"
 
 namespace assay::cli {

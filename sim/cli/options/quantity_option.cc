@@ -5,7 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <cmath>
 
-#include "planner/base/document/quotation.h"
+#include "planner/base/input_files/quotation.h"
 
 namespace assay::cli {
 

@@ -5,20 +5,20 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
-#include "planner/plan/file/json_layout.h"
+#include "planner/plan/plan_files/json_layout.h"
 #include "sim/check/falsification/attack.h"
 #include "sim/check/falsification/conservatism.h"
-#include "sim/cli/plans/certificate_text.h"
-#include "sim/cli/plans/table.h"
-#include "sim/cli/program/console.h"
-#include "sim/cli/program/interruption.h"
-#include "sim/cli/program/progress.h"
-#include "sim/cli/program/stopwatch.h"
-#include "sim/cli/trials/json_number.h"
-#include "sim/cli/trials/verdict_tally.h"
+#include "sim/cli/command_line/console.h"
+#include "sim/cli/command_line/interruption.h"
+#include "sim/cli/command_line/progress.h"
+#include "sim/cli/command_line/stopwatch.h"
+#include "sim/cli/plan_output/certificate_text.h"
+#include "sim/cli/plan_output/table.h"
+#include "sim/cli/tasks/noise_floor_cache.h"
+#include "sim/cli/tasks/output_file.h"
+#include "sim/cli/trial_output/json_number.h"
+#include "sim/cli/trial_output/verdict_tally.h"
 #include "sim/cli/verbs/noisy_run.h"
-#include "sim/cli/work/noise_floor_cache.h"
-#include "sim/cli/work/output_file.h"
 
 namespace assay::cli {
 namespace {

@@ -12,19 +12,19 @@
 #include <string>
 #include <vector>
 
-#include "planner/base/document/input_error.h"
+#include "planner/base/input_files/input_error.h"
 #include "planner/domain/workcell/sensor_promise.h"
-#include "planner/plan/file/json_layout.h"
+#include "planner/plan/plan_files/json_layout.h"
+#include "sim/cli/command_line/console.h"
+#include "sim/cli/command_line/progress.h"
+#include "sim/cli/command_line/stopwatch.h"
+#include "sim/cli/command_line/verb.h"
 #include "sim/cli/options/models_folder.h"
 #include "sim/cli/options/quantity.h"
 #include "sim/cli/options/quantity_option.h"
-#include "sim/cli/program/console.h"
-#include "sim/cli/program/progress.h"
-#include "sim/cli/program/stopwatch.h"
-#include "sim/cli/program/verb.h"
-#include "sim/cli/trials/calibration_report.h"
-#include "sim/cli/work/output_file.h"
-#include "sim/cli/work/planned_problem.h"
+#include "sim/cli/tasks/output_file.h"
+#include "sim/cli/tasks/planned_problem.h"
+#include "sim/cli/trial_output/calibration_report.h"
 #include "sim/scenario/models_folder.h"
 #include "sim/sense/overhead_camera.h"
 

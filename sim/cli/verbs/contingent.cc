@@ -3,19 +3,19 @@
 #include <limits>
 #include <memory>
 
-#include "planner/contingent/format/task_file.h"
 #include "planner/contingent/grounding/grounding.h"
 #include "planner/contingent/knowledge/knowledge_base.h"
+#include "planner/contingent/pks_and_pddl/task_file.h"
+#include "planner/contingent/plan_tree/tree_check.h"
+#include "planner/contingent/plan_tree/tree_file.h"
 #include "planner/contingent/search/contingent_planner.h"
-#include "planner/contingent/tree/tree_check.h"
-#include "planner/contingent/tree/tree_file.h"
-#include "sim/cli/program/console.h"
-#include "sim/cli/program/progress.h"
-#include "sim/cli/program/stopwatch.h"
-#include "sim/cli/program/verb.h"
-#include "sim/cli/trees/contingent_report.h"
-#include "sim/cli/trees/dot.h"
-#include "sim/cli/work/output_file.h"
+#include "sim/cli/command_line/console.h"
+#include "sim/cli/command_line/progress.h"
+#include "sim/cli/command_line/stopwatch.h"
+#include "sim/cli/command_line/verb.h"
+#include "sim/cli/tasks/output_file.h"
+#include "sim/cli/tree_output/contingent_report.h"
+#include "sim/cli/tree_output/dot.h"
 
 namespace assay::cli {
 namespace contingent_verb {

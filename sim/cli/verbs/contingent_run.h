@@ -3,9 +3,9 @@
 #include <filesystem>
 #include <optional>
 
-#include "sim/cli/pictures/film.h"
-#include "sim/cli/program/exit_code.h"
-#include "sim/sweep/run/run_command.h"
+#include "sim/cli/command_line/exit_code.h"
+#include "sim/cli/picture_output/film.h"
+#include "sim/sweep/grid/run_command.h"
 
 namespace assay::cli {
 

@@ -6,14 +6,14 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "planner/network/network/network_file.h"
-#include "planner/network/search/count.h"
-#include "planner/plan/file/json_layout.h"
-#include "sim/cli/program/console.h"
-#include "sim/cli/program/progress.h"
-#include "sim/cli/program/stopwatch.h"
-#include "sim/cli/program/verb.h"
-#include "sim/cli/work/output_file.h"
+#include "planner/network/constraint_network/network_file.h"
+#include "planner/network/labeling/count.h"
+#include "planner/plan/plan_files/json_layout.h"
+#include "sim/cli/command_line/console.h"
+#include "sim/cli/command_line/progress.h"
+#include "sim/cli/command_line/stopwatch.h"
+#include "sim/cli/command_line/verb.h"
+#include "sim/cli/tasks/output_file.h"
 
 namespace assay::cli {
 namespace label_verb {

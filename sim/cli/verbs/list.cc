@@ -8,14 +8,14 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "planner/base/document/document.h"
-#include "planner/base/document/input_error.h"
+#include "planner/base/input_files/document.h"
+#include "planner/base/input_files/input_error.h"
 #include "planner/domain/actions/actions.h"
-#include "planner/plan/file/json_layout.h"
+#include "planner/plan/plan_files/json_layout.h"
+#include "sim/cli/command_line/console.h"
+#include "sim/cli/command_line/verb.h"
 #include "sim/cli/options/models_folder.h"
-#include "sim/cli/plans/table.h"
-#include "sim/cli/program/console.h"
-#include "sim/cli/program/verb.h"
+#include "sim/cli/plan_output/table.h"
 #include "sim/execution/predicates/quantity.h"
 #include "sim/execution/skills/skill.h"
 

@@ -4,10 +4,10 @@
 #include <filesystem>
 #include <string>
 
-#include "sim/cli/program/exit_code.h"
-#include "sim/cli/work/planned_problem.h"
+#include "sim/cli/command_line/exit_code.h"
+#include "sim/cli/tasks/planned_problem.h"
 #include "sim/noise/sampling.h"
-#include "sim/sweep/run/run_command.h"
+#include "sim/sweep/grid/run_command.h"
 
 namespace assay::cli {
 

@@ -5,16 +5,16 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "planner/plan/file/json_layout.h"
-#include "sim/check/trial/trial.h"
+#include "planner/plan/plan_files/json_layout.h"
+#include "sim/check/trial_verdicts/trial.h"
+#include "sim/cli/command_line/console.h"
+#include "sim/cli/command_line/progress.h"
+#include "sim/cli/command_line/verb.h"
 #include "sim/cli/options/models_folder.h"
-#include "sim/cli/pictures/film.h"
-#include "sim/cli/plans/plan_text.h"
-#include "sim/cli/program/console.h"
-#include "sim/cli/program/progress.h"
-#include "sim/cli/program/verb.h"
-#include "sim/cli/work/output_file.h"
-#include "sim/cli/work/planned_problem.h"
+#include "sim/cli/picture_output/film.h"
+#include "sim/cli/plan_output/plan_text.h"
+#include "sim/cli/tasks/output_file.h"
+#include "sim/cli/tasks/planned_problem.h"
 
 namespace assay::cli {
 namespace render_verb {

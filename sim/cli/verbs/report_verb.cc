@@ -9,16 +9,16 @@
 #include <system_error>
 
 #include "planner/base/check.h"
+#include "sim/cli/command_line/console.h"
+#include "sim/cli/command_line/progress.h"
+#include "sim/cli/command_line/verb.h"
 #include "sim/cli/options/models_folder.h"
-#include "sim/cli/pictures/film.h"
-#include "sim/cli/program/console.h"
-#include "sim/cli/program/progress.h"
-#include "sim/cli/program/verb.h"
-#include "sim/cli/work/output_file.h"
-#include "sim/cli/work/stored_trial.h"
+#include "sim/cli/picture_output/film.h"
+#include "sim/cli/tasks/output_file.h"
+#include "sim/cli/tasks/stored_trial.h"
 #include "sim/execution/walk/executor.h"
-#include "sim/report/page/csv.h"
-#include "sim/report/page/page.h"
+#include "sim/report/html/csv.h"
+#include "sim/report/html/page.h"
 #include "sim/report/sections/read_findings.h"
 
 namespace assay::cli {

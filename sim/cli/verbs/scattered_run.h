@@ -3,9 +3,9 @@
 #include <cstdint>
 #include <filesystem>
 
-#include "sim/cli/program/exit_code.h"
+#include "sim/cli/command_line/exit_code.h"
 #include "sim/scenario/scenario.h"
-#include "sim/sweep/run/run_command.h"
+#include "sim/sweep/grid/run_command.h"
 
 namespace assay::cli {
 

@@ -11,21 +11,21 @@
 #include <regex>
 #include <thread>
 
-#include "planner/base/document/input_error.h"
-#include "planner/base/document/quotation.h"
-#include "planner/plan/file/json_layout.h"
+#include "planner/base/input_files/input_error.h"
+#include "planner/base/input_files/quotation.h"
+#include "planner/plan/plan_files/json_layout.h"
+#include "sim/cli/command_line/console.h"
+#include "sim/cli/command_line/interruption.h"
+#include "sim/cli/command_line/progress.h"
+#include "sim/cli/command_line/usage_error.h"
+#include "sim/cli/command_line/verb.h"
 #include "sim/cli/options/models_folder.h"
-#include "sim/cli/program/console.h"
-#include "sim/cli/program/interruption.h"
-#include "sim/cli/program/progress.h"
-#include "sim/cli/program/usage_error.h"
-#include "sim/cli/program/verb.h"
-#include "sim/cli/trials/sweep_report.h"
-#include "sim/cli/work/output_file.h"
-#include "sim/sweep/run/machine.h"
-#include "sim/sweep/run/runner.h"
-#include "sim/sweep/run/slurm.h"
-#include "sim/sweep/store/merge.h"
+#include "sim/cli/tasks/output_file.h"
+#include "sim/cli/trial_output/sweep_report.h"
+#include "sim/sweep/database/merge.h"
+#include "sim/sweep/grid/machine.h"
+#include "sim/sweep/grid/runner.h"
+#include "sim/sweep/grid/slurm.h"
 
 namespace assay::cli {
 namespace sweep_verb {

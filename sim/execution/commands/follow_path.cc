@@ -1,6 +1,6 @@
 #include <cmath>
 
-#include "planner/motion/path/straight_line.h"
+#include "planner/motion/paths/straight_line.h"
 #include "sim/execution/robots/execution.h"
 
 namespace assay::execution {

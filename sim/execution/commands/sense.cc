@@ -1,4 +1,4 @@
-#include "planner/uncertainty/errors/sensing.h"
+#include "planner/uncertainty/error_sets/sensing.h"
 #include "sim/execution/commands/action_commands.h"
 
 namespace assay::execution {

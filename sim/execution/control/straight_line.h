@@ -1,7 +1,7 @@
 #pragma once
 
-#include "planner/motion/path/joint_trajectory.h"
-#include "planner/motion/path/straight_line.h"
+#include "planner/motion/paths/joint_trajectory.h"
+#include "planner/motion/paths/straight_line.h"
 #include "sim/execution/control/pace.h"
 
 namespace assay::execution {

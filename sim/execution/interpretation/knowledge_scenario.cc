@@ -8,9 +8,9 @@
 #include <set>
 #include <stdexcept>
 
-#include "planner/contingent/format/task_file.h"
 #include "planner/contingent/grounding/grounding.h"
-#include "planner/motion/clear/part_reach.h"
+#include "planner/contingent/pks_and_pddl/task_file.h"
+#include "planner/motion/collision/part_reach.h"
 #include "sim/execution/interpretation/plan_interpretation.h"
 
 namespace assay::execution {

@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "planner/base/document/document.h"
+#include "planner/base/input_files/document.h"
 #include "sim/execution/interpretation/interpretation.h"
 #include "sim/scenario/scenario.h"
 

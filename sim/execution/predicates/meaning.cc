@@ -3,7 +3,7 @@
 #include <array>
 #include <vector>
 
-#include "planner/domain/part/resting.h"
+#include "planner/domain/parts/resting.h"
 
 namespace assay::execution {
 

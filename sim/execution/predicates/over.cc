@@ -1,4 +1,4 @@
-#include "planner/domain/part/resting.h"
+#include "planner/domain/parts/resting.h"
 #include "sim/execution/predicates/meaning.h"
 
 namespace assay::execution {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "planner/base/document/document.h"
+#include "planner/base/input_files/document.h"
 #include "planner/domain/problem/problem.h"
 
 namespace assay::execution {

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <set>
 
-#include "planner/domain/part/part_model.h"
-#include "planner/motion/path/carrying.h"
+#include "planner/domain/parts/part_model.h"
+#include "planner/motion/paths/carrying.h"
 #include "sim/execution/control/straight_line.h"
 
 namespace assay::execution {

@@ -3,8 +3,8 @@
 #include <optional>
 #include <span>
 
-#include "planner/motion/clear/collision_scene.h"
-#include "planner/motion/path/joint_trajectory.h"
+#include "planner/motion/collision/collision_scene.h"
+#include "planner/motion/paths/joint_trajectory.h"
 #include "sim/execution/robots/collision_watch.h"
 #include "sim/execution/robots/executor_options.h"
 #include "sim/execution/robots/world_model.h"

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "planner/motion/path/joint_trajectory.h"
-#include "planner/motion/path/travel.h"
+#include "planner/motion/paths/joint_trajectory.h"
+#include "planner/motion/paths/travel.h"
 
 namespace assay::execution {
 

@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include "planner/motion/path/travel.h"
+#include "planner/motion/paths/travel.h"
 #include "sim/execution/robots/execution.h"
 
 namespace assay::execution {

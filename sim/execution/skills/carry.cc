@@ -5,7 +5,7 @@
 #include <numbers>
 #include <variant>
 
-#include "planner/motion/path/joint_trajectory.h"
+#include "planner/motion/paths/joint_trajectory.h"
 #include "sim/execution/skills/skill.h"
 
 namespace assay::execution {

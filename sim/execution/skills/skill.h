@@ -6,10 +6,10 @@
 #include <string_view>
 #include <vector>
 
-#include "planner/base/document/document.h"
+#include "planner/base/input_files/document.h"
 #include "planner/base/random.h"
 #include "planner/domain/problem/units.h"
-#include "planner/domain/reach/reachability.h"
+#include "planner/domain/reachability/reachability.h"
 #include "sim/execution/predicates/readings.h"
 #include "sim/execution/predicates/roles.h"
 #include "sim/execution/robots/execution.h"

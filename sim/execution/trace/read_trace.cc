@@ -5,7 +5,7 @@
 #include <optional>
 #include <stdexcept>
 
-#include "planner/base/document/input_error.h"
+#include "planner/base/input_files/input_error.h"
 #include "sim/execution/trace/trace.h"
 
 namespace assay::execution {

@@ -5,7 +5,7 @@
 
 #include <numbers>
 
-#include "planner/domain/part/resting.h"
+#include "planner/domain/parts/resting.h"
 #include "sim/execution/commands/action_commands.h"
 #include "sim/execution/interpretation/knowledge_scenario.h"
 #include "sim/execution/interpretation/plan_interpretation.h"
@@ -23,7 +23,8 @@ constexpr double kRest = 0.5;  // seconds that the robots rest at the end of a t
 // One trial: its simulation, the walk through the tree, and the measurements of both.
 class TreeTrial {
  public:
-  TreeTrial(const KnowledgeScenario& scenario, const TrialWorld& trial, const TrialSettings& settings)
+  TreeTrial(const KnowledgeScenario& scenario, const TrialWorld& trial,
+            const TrialSettings& settings)
       : interpretation_(scenario.interpretation),
         problem_(ProblemOf(scenario, trial.world)),
         settings_(settings),
@@ -166,8 +167,7 @@ class TreeTrial {
                              fmt::join(result_.spilled, ", "), result_.greatest_tilt / kDegree));
     }
     if (!result_.fallen.empty()) {
-      return end(TrialOutcome::kFallen,
-                 fmt::format("{} fell", fmt::join(result_.fallen, ", ")));
+      return end(TrialOutcome::kFallen, fmt::format("{} fell", fmt::join(result_.fallen, ", ")));
     }
     if (!result_.is_goal_true) return end(TrialOutcome::kMissed, "the goal is not true");
   }

@@ -3,7 +3,7 @@
 #include <limits>
 
 #include "planner/base/check.h"
-#include "planner/domain/reach/reachability.h"
+#include "planner/domain/reachability/reachability.h"
 #include "sim/execution/commands/action_commands.h"
 #include "sim/execution/walk/executor.h"
 

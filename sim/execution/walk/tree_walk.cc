@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "planner/base/check.h"
-#include "planner/contingent/tree/tree_text.h"
+#include "planner/contingent/plan_tree/tree_text.h"
 
 namespace assay::execution {
 

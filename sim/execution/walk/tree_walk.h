@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "planner/contingent/tree/plan_tree.h"
+#include "planner/contingent/plan_tree/plan_tree.h"
 #include "sim/execution/trial/trial_outcome.h"
 #include "sim/execution/walk/audit.h"
 
@@ -29,8 +29,8 @@ struct WalkedStep {
 struct Walk {
   std::vector<WalkedStep> steps = {};
   std::vector<TakenBranch> branches = {};
-  std::vector<FalseClaim> false_claims = {};  // the first occurrence of each false claim
-  bool is_flipped = false;                    // some sensed value was made wrong on purpose
+  std::vector<FalseClaim> false_claims = {};    // the first occurrence of each false claim
+  bool is_flipped = false;                      // some sensed value was made wrong on purpose
   TrialOutcome end = TrialOutcome::kSucceeded;  // the walk reached a leaf, or why it ended before
   std::string reason = {};                      // why the walk ended before a leaf
 };

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "planner/contingent/knowledge/knowledge_base.h"
-#include "planner/contingent/tree/tree_text.h"
+#include "planner/contingent/plan_tree/tree_text.h"
 #include "sim/execution/worlds/fault.h"
 
 namespace assay::execution {
@@ -286,7 +286,8 @@ bool Leaf::IsOn(const Walk& walk) const {
   const bool is_same =
       std::ranges::equal(branches, std::span(walk.branches).first(count), {}, choice, choice);
   if (is_repeat) return is_same;
-  const bool is_end = walk.end == TrialOutcome::kSucceeded || walk.end == TrialOutcome::kOperatorCalled;
+  const bool is_end =
+      walk.end == TrialOutcome::kSucceeded || walk.end == TrialOutcome::kOperatorCalled;
   return is_same && is_end && walk.branches.size() == count;
 }
 

@@ -5,7 +5,7 @@
 #include <variant>
 #include <vector>
 
-#include "planner/contingent/tree/plan_tree.h"
+#include "planner/contingent/plan_tree/plan_tree.h"
 #include "sim/execution/interpretation/interpretation.h"
 #include "sim/execution/walk/tree_walk.h"
 

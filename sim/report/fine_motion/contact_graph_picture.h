@@ -2,9 +2,9 @@
 
 #include <string>
 
-#include "planner/finemotion/graph/contact_chain.h"
-#include "sim/check/contacts/contact_sequence.h"
-#include "sim/report/page/element.h"
+#include "planner/finemotion/contact_graph/contact_chain.h"
+#include "sim/check/contact_sequences/contact_sequence.h"
+#include "sim/report/html/element.h"
 
 namespace assay::report {
 

@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "sim/report/page/data_uri.h"
-#include "sim/report/page/head.h"
+#include "sim/report/html/data_uri.h"
+#include "sim/report/html/head.h"
 
 namespace assay::report {
 namespace {

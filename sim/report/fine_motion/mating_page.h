@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/report/page/element.h"
+#include "sim/report/html/element.h"
 
 namespace assay::report {
 

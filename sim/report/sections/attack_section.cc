@@ -6,10 +6,10 @@
 #include <sstream>
 
 #include "sim/noise/error_box.h"
-#include "sim/report/page/chart.h"
-#include "sim/report/page/command.h"
-#include "sim/report/page/data_table.h"
-#include "sim/report/page/figures.h"
+#include "sim/report/html/chart.h"
+#include "sim/report/html/command.h"
+#include "sim/report/html/data_table.h"
+#include "sim/report/html/figures.h"
 #include "sim/report/sections/observations.h"
 #include "sim/report/sections/section.h"
 

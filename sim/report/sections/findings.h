@@ -7,10 +7,10 @@
 #include <string_view>
 #include <vector>
 
-#include "sim/check/claims/claim.h"
+#include "sim/check/certificate_claims/claim.h"
 #include "sim/report/sections/standing.h"
-#include "sim/sweep/store/store.h"
-#include "sim/sweep/store/summary.h"
+#include "sim/sweep/database/store.h"
+#include "sim/sweep/database/summary.h"
 
 namespace assay::report {
 

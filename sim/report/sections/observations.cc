@@ -5,7 +5,7 @@
 #include <limits>
 #include <tuple>
 
-#include "sim/sweep/store/schema.h"
+#include "sim/sweep/database/schema.h"
 
 namespace assay::report {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "sim/report/page/data_uri.h"
+#include "sim/report/html/data_uri.h"
 #include "sim/report/sections/section.h"
 
 namespace assay::report {

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "sim/report/page/cell_name.h"
-#include "sim/report/page/element.h"
+#include "sim/report/html/cell_name.h"
+#include "sim/report/html/element.h"
 #include "sim/report/sections/findings.h"
 
 namespace assay::report {

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <ranges>
 
-#include "sim/report/page/data_table.h"
-#include "sim/report/page/figures.h"
+#include "sim/report/html/data_table.h"
+#include "sim/report/html/figures.h"
 #include "sim/report/sections/section.h"
 
 namespace assay::report {

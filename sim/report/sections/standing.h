@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string_view>
 
-#include "sim/check/claims/claim.h"
+#include "sim/check/certificate_claims/claim.h"
 
 namespace assay::report {
 

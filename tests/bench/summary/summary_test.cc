@@ -11,7 +11,7 @@
 #include "bench/summary/measurements.h"
 #include "bench/summary/plots.h"
 #include "bench/summary/report.h"
-#include "planner/base/document/input_error.h"
+#include "planner/base/input_files/input_error.h"
 #include "tests/scratch_file.h"
 
 namespace assay::bench::summary_test {

@@ -10,13 +10,13 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "planner/contingent/format/pks_file.h"
-#include "planner/contingent/format/pks_text.h"
 #include "planner/contingent/grounding/grounding.h"
 #include "planner/contingent/knowledge/knowledge_base.h"
+#include "planner/contingent/pks_and_pddl/pks_file.h"
+#include "planner/contingent/pks_and_pddl/pks_text.h"
+#include "planner/contingent/plan_tree/tree_check.h"
+#include "planner/contingent/plan_tree/tree_file.h"
 #include "planner/contingent/search/contingent_planner.h"
-#include "planner/contingent/tree/tree_check.h"
-#include "planner/contingent/tree/tree_file.h"
 #include "planner/numeric/interval_arithmetic.h"
 #include "tests/planner/constraint_posting/scenarios.h"
 #include "tests/scratch_file.h"

@@ -3,9 +3,9 @@
 
 #include <nlohmann/json.hpp>
 
-#include "planner/base/document/input_error.h"
-#include "planner/plan/check/checker.h"
-#include "planner/plan/file/plan_file.h"
+#include "planner/base/input_files/input_error.h"
+#include "planner/plan/checker/checker.h"
+#include "planner/plan/plan_files/plan_file.h"
 #include "tests/planner/constraint_posting/scenarios.h"
 #include "tests/planner/constraint_posting/tip_over.h"
 

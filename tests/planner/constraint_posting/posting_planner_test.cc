@@ -8,8 +8,8 @@
 #include <set>
 
 #include "planner/base/random.h"
-#include "planner/plan/check/checker.h"
-#include "planner/plan/file/plan_file.h"
+#include "planner/plan/checker/checker.h"
+#include "planner/plan/plan_files/plan_file.h"
 #include "tests/planner/constraint_posting/scenarios.h"
 #include "tests/planner/plan/actions.h"
 

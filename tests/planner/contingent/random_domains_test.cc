@@ -3,10 +3,10 @@
 #include <gtest/gtest.h>
 
 #include "planner/base/random.h"
-#include "planner/contingent/tree/symbolic_check.h"
-#include "planner/contingent/tree/tree_check.h"
-#include "planner/contingent/tree/tree_text.h"
-#include "planner/contingent/worlds/initial_worlds.h"
+#include "planner/contingent/plan_tree/symbolic_check.h"
+#include "planner/contingent/plan_tree/tree_check.h"
+#include "planner/contingent/plan_tree/tree_text.h"
+#include "planner/contingent/world_sets/initial_worlds.h"
 #include "tests/oracle/belief_search.h"
 #include "tests/planner/contingent/tasks.h"
 

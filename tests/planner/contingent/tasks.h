@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <string>
 
-#include "planner/contingent/format/pks_file.h"
-#include "planner/contingent/format/task_file.h"
 #include "planner/contingent/grounding/grounding.h"
+#include "planner/contingent/pks_and_pddl/pks_file.h"
+#include "planner/contingent/pks_and_pddl/task_file.h"
 #include "planner/contingent/search/contingent_planner.h"
 
 // Tasks for tests, from text and from the scenarios.

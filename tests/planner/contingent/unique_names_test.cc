@@ -4,9 +4,9 @@
 
 #include "planner/base/random.h"
 #include "planner/contingent/knowledge/knowledge_base.h"
-#include "planner/contingent/tree/tree_check.h"
-#include "planner/contingent/worlds/initial_worlds.h"
-#include "planner/contingent/worlds/world_progression.h"
+#include "planner/contingent/plan_tree/tree_check.h"
+#include "planner/contingent/world_sets/initial_worlds.h"
+#include "planner/contingent/world_sets/world_progression.h"
 #include "tests/planner/contingent/tasks.h"
 
 // A function has at most one value in everything that is known about it.

@@ -3,9 +3,9 @@
 #include <memory>
 #include <string>
 
-#include "planner/base/document/document.h"
-#include "planner/domain/part/part_file.h"
-#include "planner/domain/part/part_model.h"
+#include "planner/base/input_files/document.h"
+#include "planner/domain/parts/part_file.h"
+#include "planner/domain/parts/part_model.h"
 #include "planner/kinematics/gripper.h"
 
 // The parts and the gripper of this repository, for tests.

@@ -4,8 +4,8 @@
 #include <fstream>
 #include <sstream>
 
-#include "planner/base/document/input_error.h"
-#include "planner/domain/part/resting.h"
+#include "planner/base/input_files/input_error.h"
+#include "planner/domain/parts/resting.h"
 #include "planner/domain/workcell/workcell_file.h"
 #include "tests/planner/domain/scenario.h"
 #include "tests/scratch_file.h"

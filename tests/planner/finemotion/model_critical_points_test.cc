@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "planner/domain/part/part_file.h"
+#include "planner/domain/parts/part_file.h"
 #include "planner/finemotion/contacts/mating.h"
 #include "tests/planner/domain/scenario.h"
 

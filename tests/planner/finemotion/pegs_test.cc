@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "planner/finemotion/contact_graph/critical_points.h"
 #include "planner/finemotion/contacts/contact_finder.h"
-#include "planner/finemotion/graph/critical_points.h"
 
 namespace assay::finemotion::pegs_test {
 namespace {

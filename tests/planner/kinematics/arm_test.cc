@@ -12,7 +12,7 @@
 #include <sstream>
 
 #include "bench/workloads/reachable_poses.h"
-#include "planner/base/document/input_error.h"
+#include "planner/base/input_files/input_error.h"
 #include "planner/base/random.h"
 #include "tests/oracle/forward_kinematics.h"
 #include "tests/scratch_file.h"

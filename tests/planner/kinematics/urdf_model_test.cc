@@ -5,7 +5,7 @@
 
 #include <fstream>
 
-#include "planner/base/document/input_error.h"
+#include "planner/base/input_files/input_error.h"
 #include "tests/scratch_file.h"
 
 namespace assay::kinematics::urdf_model_test {

@@ -6,7 +6,7 @@
 
 #include "planner/base/random.h"
 #include "planner/domain/problem/problem_file.h"
-#include "planner/motion/clear/collision_scene.h"
+#include "planner/motion/collision/collision_scene.h"
 
 namespace assay::motion {
 

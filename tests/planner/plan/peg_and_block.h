@@ -5,7 +5,7 @@
 #include <cmath>
 #include <string>
 
-#include "planner/base/document/document.h"
+#include "planner/base/input_files/document.h"
 #include "planner/domain/problem/problem_file.h"
 #include "planner/plan/data/plan.h"
 #include "tests/planner/plan/actions.h"

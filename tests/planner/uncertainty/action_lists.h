@@ -5,7 +5,7 @@
 
 #include "planner/constraint_posting/posting_planner.h"
 #include "planner/domain/problem/problem_file.h"
-#include "planner/domain/reach/reachability.h"
+#include "planner/domain/reachability/reachability.h"
 #include "planner/uncertainty/preconditions/certify.h"
 #include "tests/oracle/executed_errors.h"
 

@@ -4,11 +4,11 @@
 #include <filesystem>
 #include <fstream>
 
-#include "planner/domain/part/part_file.h"
+#include "planner/domain/parts/part_file.h"
 #include "planner/plan/data/condition_table.h"
 #include "planner/plan/data/pushing.h"
-#include "planner/uncertainty/errors/possible_masses.h"
-#include "planner/uncertainty/errors/squeezing.h"
+#include "planner/uncertainty/error_sets/possible_masses.h"
+#include "planner/uncertainty/error_sets/squeezing.h"
 #include "planner/uncertainty/preconditions/precondition.h"
 #include "planner/uncertainty/preconditions/support.h"
 #include "tests/planner/uncertainty/part_on_table.h"

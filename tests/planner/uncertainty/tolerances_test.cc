@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
-#include "planner/domain/mating/shaft_fit.h"
-#include "planner/domain/part/part_file.h"
+#include "planner/domain/matings/shaft_fit.h"
+#include "planner/domain/parts/part_file.h"
 #include "planner/plan/data/condition_table.h"
-#include "planner/uncertainty/errors/squeezing.h"
+#include "planner/uncertainty/error_sets/squeezing.h"
 #include "planner/uncertainty/preconditions/precondition.h"
 #include "tests/planner/uncertainty/part_on_table.h"
 

@@ -3,7 +3,7 @@
 
 #include "planner/assembly/certified_plan.h"
 #include "planner/domain/problem/problem_file.h"
-#include "sim/check/trial/verdict.h"
+#include "sim/check/trial_verdicts/verdict.h"
 #include "sim/execution/walk/executor.h"
 
 namespace assay::check::collided_trial_test {

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "planner/assembly/certified_plan.h"
-#include "sim/check/claims/measure_noise_floor.h"
+#include "sim/check/certificate_claims/measure_noise_floor.h"
 #include "sim/check/falsification/attack.h"
 #include "sim/noise/error_box.h"
 #include "sim/noise/sampling.h"

@@ -11,7 +11,7 @@
 #include "planner/assembly/certified_plan.h"
 #include "planner/base/random.h"
 #include "planner/domain/problem/problem_file.h"
-#include "sim/check/trial/trial.h"
+#include "sim/check/trial_verdicts/trial.h"
 #include "sim/noise/error_box.h"
 #include "sim/noise/sampling.h"
 

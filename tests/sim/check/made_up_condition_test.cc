@@ -5,12 +5,12 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "planner/base/document/input_error.h"
+#include "planner/base/input_files/input_error.h"
 #include "planner/constraint_posting/uncertainty_phase/unproved_goals.h"
 #include "planner/plan/data/coverage.h"
-#include "planner/plan/file/certificate_file.h"
+#include "planner/plan/plan_files/certificate_file.h"
 #include "planner/uncertainty/preconditions/certify.h"
-#include "sim/check/claims/certificate_check.h"
+#include "sim/check/certificate_claims/certificate_check.h"
 #include "tests/sim/check/certified.h"
 
 // A kind of precondition that exists only in this file: hands that take a part are turned about the

@@ -16,9 +16,9 @@
 #include <tuple>
 #include <vector>
 
-#include "sim/check/claims/certificate_check.h"
-#include "sim/check/claims/confirmation.h"
-#include "sim/check/claims/measure_noise_floor.h"
+#include "sim/check/certificate_claims/certificate_check.h"
+#include "sim/check/certificate_claims/confirmation.h"
+#include "sim/check/certificate_claims/measure_noise_floor.h"
 #include "sim/check/falsification/attack.h"
 #include "sim/check/falsification/main_effects.h"
 #include "sim/execution/walk/executor.h"

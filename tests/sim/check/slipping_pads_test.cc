@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "sim/check/claims/certificate_check.h"
+#include "sim/check/certificate_claims/certificate_check.h"
 #include "sim/execution/walk/executor.h"
 #include "sim/scene/scene.h"
 #include "tests/sim/check/certified.h"

@@ -2,7 +2,7 @@
 
 #include "planner/base/check.h"
 #include "planner/domain/problem/problem_file.h"
-#include "planner/domain/reach/reachability.h"
+#include "planner/domain/reachability/reachability.h"
 #include "planner/plan/data/plan.h"
 #include "sim/execution/commands/command.h"
 #include "tests/planner/plan/actions.h"

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "planner/base/document/input_error.h"
+#include "planner/base/input_files/input_error.h"
 #include "planner/base/random.h"
 #include "tests/oracle/random_pose.h"
 #include "tests/sim/noise/figure15_careful.h"

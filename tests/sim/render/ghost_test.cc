@@ -4,7 +4,7 @@
 
 #include <numbers>
 
-#include "planner/domain/part/part_file.h"
+#include "planner/domain/parts/part_file.h"
 #include "planner/domain/problem/problem_file.h"
 
 namespace assay::render::ghost_test {

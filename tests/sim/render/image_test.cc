@@ -6,7 +6,7 @@
 #include <cmath>
 #include <fstream>
 
-#include "planner/base/document/input_error.h"
+#include "planner/base/input_files/input_error.h"
 #include "planner/base/random.h"
 #include "sim/render/picture.h"
 #include "tests/scratch_file.h"

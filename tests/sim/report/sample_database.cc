@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "sim/sweep/store/store.h"
+#include "sim/sweep/database/store.h"
 
 namespace assay::report {
 namespace {

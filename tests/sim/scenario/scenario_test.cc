@@ -6,7 +6,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "planner/base/document/input_error.h"
+#include "planner/base/input_files/input_error.h"
 #include "sim/scenario/models_folder.h"
 
 namespace assay::scenario::scenario_test {

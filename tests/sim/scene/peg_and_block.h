@@ -4,7 +4,7 @@
 #include <string>
 
 #include "planner/base/check.h"
-#include "planner/domain/part/part_file.h"
+#include "planner/domain/parts/part_file.h"
 #include "planner/domain/problem/problem.h"
 #include "planner/domain/workcell/workcell_file.h"
 

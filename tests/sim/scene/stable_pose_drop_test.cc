@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "planner/base/random.h"
-#include "planner/domain/part/part_file.h"
+#include "planner/domain/parts/part_file.h"
 #include "sim/scene/scene.h"
 #include "tests/sim/scene/all_parts.h"
 

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "planner/domain/part/part_file.h"
+#include "planner/domain/parts/part_file.h"
 #include "tests/sim/scene/all_parts.h"
 
 namespace assay::scene::supporting_boxes_test {

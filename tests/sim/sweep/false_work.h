@@ -6,7 +6,7 @@
 #include <string>
 
 #include "planner/base/random.h"
-#include "sim/sweep/run/work.h"
+#include "sim/sweep/grid/work.h"
 
 namespace assay::sweep {
 

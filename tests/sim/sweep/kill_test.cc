@@ -10,9 +10,9 @@
 #include <csignal>
 #include <thread>
 
-#include "planner/base/document/input_error.h"
+#include "planner/base/input_files/input_error.h"
 #include "planner/base/random.h"
-#include "sim/sweep/run/runner.h"
+#include "sim/sweep/grid/runner.h"
 #include "tests/sim/sweep/false_work.h"
 #include "tests/sim/sweep/sweep_folder.h"
 #include "tests/sim/sweep/tables.h"

@@ -6,7 +6,7 @@
 #include <fstream>
 #include <string>
 
-#include "sim/sweep/run/sweep_file.h"
+#include "sim/sweep/grid/sweep_file.h"
 #include "tests/scratch_file.h"
 
 namespace assay::sweep {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/sweep/store/database.h"
+#include "sim/sweep/database/database.h"
 
 namespace assay::sweep {
 

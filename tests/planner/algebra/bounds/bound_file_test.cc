@@ -5,8 +5,8 @@
 
 #include <numbers>
 
-#include "planner/algebra/linear/sup_inf.h"
-#include "planner/base/document/input_error.h"
+#include "planner/algebra/sup_inf/sup_inf.h"
+#include "planner/base/input_files/input_error.h"
 #include "planner/numeric/interval_arithmetic.h"
 
 namespace assay::algebra::bound_file_test {
@@ -69,7 +69,8 @@ TEST(BoundFile, DegreesAreRoundedOutward) {
 }
 
 TEST(BoundFile, RefusesWrongEnds) {
-  EXPECT_THAT(ErrorOfEnds("[2, 1]"), AllOf(StartsWith("file:1:"), HasSubstr("is greater than the upper end")));
+  EXPECT_THAT(ErrorOfEnds("[2, 1]"),
+              AllOf(StartsWith("file:1:"), HasSubstr("is greater than the upper end")));
   EXPECT_THAT(ErrorOfEnds("[nan, 1]"), AllOf(StartsWith("file:1:17:"), HasSubstr("'nan'")));
   EXPECT_THAT(ErrorOfEnds("[0, 1e999]"), HasSubstr("1e999"));
   EXPECT_THAT(ErrorOfEnds("[0, 1 rad]"), HasSubstr("N deg"));

@@ -9,7 +9,7 @@
 
 #include "bench/workloads/measured_expressions.h"
 #include "bench/workloads/transform_chains.h"
-#include "planner/algebra/linear/sup_inf.h"
+#include "planner/algebra/sup_inf/sup_inf.h"
 #include "planner/numeric/interval_arithmetic.h"
 #include "tests/oracle/dense_search.h"
 #include "tests/oracle/random_expression.h"

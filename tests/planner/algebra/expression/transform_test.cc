@@ -1,7 +1,7 @@
 #include "planner/algebra/expression/transform.h"
 #include "planner/algebra/expression/evaluation.h"
 #include "planner/algebra/expression/parse.h"
-#include "planner/algebra/forms/normalization.h"
+#include "planner/algebra/normal_forms/normalization.h"
 
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@
 
 #include "planner/algebra/expression/simplify.h"
 #include "planner/algebra/expression/text.h"
-#include "planner/algebra/forms/normal_form.h"
+#include "planner/algebra/normal_forms/normal_form.h"
 #include "planner/base/random.h"
 
 namespace assay::algebra::transform_test {

@@ -1,5 +1,5 @@
 #include "planner/algebra/multiaffine/multiaffine_form.h"
-#include "planner/algebra/forms/normalization.h"
+#include "planner/algebra/normal_forms/normalization.h"
 
 #include <gtest/gtest.h>
 

@@ -10,12 +10,12 @@
 #include "planner/algebra/expression/nodes.h"
 #include "planner/algebra/expression/parse.h"
 #include "planner/algebra/expression/text.h"
-#include "planner/algebra/forms/compiler.h"
-#include "planner/algebra/forms/derivatives.h"
-#include "planner/algebra/forms/normalization.h"
-#include "planner/algebra/linear/sup_inf.h"
+#include "planner/algebra/normal_forms/compiler.h"
+#include "planner/algebra/normal_forms/derivatives.h"
+#include "planner/algebra/normal_forms/normalization.h"
 #include "planner/algebra/operators/operator_rule.h"
 #include "planner/algebra/operators/point_or_box.h"
+#include "planner/algebra/sup_inf/sup_inf.h"
 #include "planner/numeric/interval_arithmetic.h"
 
 namespace assay::algebra::made_up_operator_test {

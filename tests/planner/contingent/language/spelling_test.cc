@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "planner/contingent/format/pks_lexer.h"
+#include "planner/contingent/pks_and_pddl/pks_lexer.h"
 
 namespace assay::contingent::spelling_test {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "planner/domain/part/resting.h"
+#include "planner/domain/parts/resting.h"
 #include "planner/domain/problem/problem_file.h"
 
 namespace assay::domain::scatter_test {

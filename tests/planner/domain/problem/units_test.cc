@@ -7,7 +7,7 @@
 #include <numbers>
 #include <string>
 
-#include "planner/base/document/input_error.h"
+#include "planner/base/input_files/input_error.h"
 
 namespace assay::domain::units_test {
 namespace {

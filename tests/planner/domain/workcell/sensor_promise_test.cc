@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "planner/base/document/input_error.h"
+#include "planner/base/input_files/input_error.h"
 #include "planner/base/random.h"
 #include "planner/domain/workcell/uncertainty_operations_file.h"
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "planner/base/document/input_error.h"
+#include "planner/base/input_files/input_error.h"
 #include "planner/domain/actions/actions.h"
 
 namespace assay::domain::uncertainty_operations_file_test {

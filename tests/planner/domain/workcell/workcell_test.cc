@@ -12,7 +12,7 @@
 #include <sstream>
 #include <tuple>
 
-#include "planner/base/document/input_error.h"
+#include "planner/base/input_files/input_error.h"
 #include "planner/domain/actions/actions.h"
 #include "planner/domain/workcell/workcell_file.h"
 #include "tests/scratch_file.h"

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "planner/domain/problem/problem_file.h"
-#include "planner/motion/clear/collision_scene.h"
+#include "planner/motion/collision/collision_scene.h"
 
 namespace assay::motion {
 

@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "planner/domain/part/resting.h"
-#include "planner/motion/clear/motion_check.h"
-#include "planner/motion/path/straight_line.h"
+#include "planner/domain/parts/resting.h"
+#include "planner/motion/collision/motion_check.h"
+#include "planner/motion/paths/straight_line.h"
 #include "tests/planner/motion/handling/cans.h"
 
 namespace assay::motion::carry_test {

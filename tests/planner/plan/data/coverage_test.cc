@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "planner/plan/check/checker.h"
+#include "planner/plan/checker/checker.h"
 #include "tests/planner/plan/peg_and_block.h"
 
 namespace assay::plan::coverage_test {
@@ -171,7 +171,7 @@ TEST(Coverage, TheCheckerRefusesAnEmptyCertificate) {
 
 // The schema requires the same kinds as the table of kinds.
 TEST(PlanSchema, RequiresWhatTheTableRequires) {
-  std::ifstream file(ASSAY_SOURCE_DIR "/planner/plan/file/plan.schema.json");
+  std::ifstream file(ASSAY_SOURCE_DIR "/planner/plan/plan_files/plan.schema.json");
   const Json definitions = Json::parse(file)["definitions"];
   std::vector<std::string> names;
   std::vector<std::string> reasons = {std::string(kNotPublished)};

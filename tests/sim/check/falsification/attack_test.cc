@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "sim/check/claims/measure_noise_floor.h"
+#include "sim/check/certificate_claims/measure_noise_floor.h"
 #include "sim/check/falsification/conservatism.h"
 #include "sim/check/falsification/shrink.h"
 #include "sim/noise/sampling.h"

@@ -55,7 +55,8 @@ TEST(Contingent, JsonIsBySchema) {
     EXPECT_EQ(ended.code, 0) << ended.err;
     const Json json = ended.Json();
     EXPECT_THAT(SchemaErrors("sim/cli/verbs/contingent.schema.json", json), IsEmpty());
-    EXPECT_THAT(SchemaErrors("planner/contingent/tree/tree.schema.json", json["tree"]), IsEmpty());
+    EXPECT_THAT(SchemaErrors("planner/contingent/plan_tree/tree.schema.json", json["tree"]),
+                IsEmpty());
     EXPECT_EQ(json["check"]["holds"], true);
   }
 }

@@ -13,7 +13,7 @@ using ::testing::IsEmpty;
 using ::testing::Not;
 using ::testing::StartsWith;
 
-constexpr const char* kSchema = "planner/plan/file/plan.schema.json";
+constexpr const char* kSchema = "planner/plan/plan_files/plan.schema.json";
 
 // The planner inserts the assemble first and the pickup second, but the pickup is executed first.
 TEST(Plan, TableIsInTheOrderOfExecution) {

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "planner/base/document/input_error.h"
+#include "planner/base/input_files/input_error.h"
 #include "sim/execution/interpretation/knowledge_scenario.h"
 #include "tests/sim/execution/two_cans.h"
 

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "planner/base/document/input_error.h"
+#include "planner/base/input_files/input_error.h"
 #include "sim/execution/interpretation/knowledge_scenario.h"
 #include "sim/execution/trial/enactment.h"
 #include "sim/execution/walk/audit.h"

@@ -7,7 +7,7 @@
 #include <map>
 #include <sstream>
 
-#include "planner/base/document/input_error.h"
+#include "planner/base/input_files/input_error.h"
 #include "tests/sim/execution/trace/trace_schema.h"
 
 namespace assay::execution::trace_test {

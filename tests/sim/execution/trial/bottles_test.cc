@@ -6,8 +6,8 @@
 #include <sstream>
 #include <string>
 
+#include "planner/contingent/plan_tree/tree_text.h"
 #include "planner/contingent/search/contingent_planner.h"
-#include "planner/contingent/tree/tree_text.h"
 #include "sim/execution/interpretation/knowledge_scenario.h"
 #include "sim/execution/trial/enactment.h"
 #include "sim/render/renderer.h"

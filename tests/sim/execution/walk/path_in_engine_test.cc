@@ -14,8 +14,8 @@
 
 #include "planner/base/random.h"
 #include "planner/domain/problem/problem_file.h"
-#include "planner/motion/path/path_search.h"
-#include "planner/motion/path/straight_line.h"
+#include "planner/motion/paths/path_search.h"
+#include "planner/motion/paths/straight_line.h"
 #include "sim/scene/scene.h"
 
 namespace assay::execution::path_in_engine_test {

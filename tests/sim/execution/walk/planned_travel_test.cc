@@ -4,7 +4,7 @@
 #include <set>
 
 #include "planner/assembly/certified_plan.h"
-#include "planner/motion/path/straight_line.h"
+#include "planner/motion/paths/straight_line.h"
 #include "sim/execution/commands/action_commands.h"
 #include "sim/execution/commands/command_file.h"
 #include "sim/execution/robots/execution.h"

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "planner/algebra/normal_forms/normal_form.h"
+#include "planner/algebra/sup_inf/constraint_set.h"
+#include "planner/algebra/sup_inf/linear_sup_inf.h"
+
+namespace assay::algebra {
+
+// Returns e as a linear form if it is linear as it is written. The column of a variable has the
+// variable's number.
+std::optional<LinearForm> ExactLinearForm(const Expression& e);
+
+// Returns e as a linear form if its normal form is linear and the normal form needed no rounding.
+std::optional<LinearForm> LinearFormOf(const Expression& e);
+
+// The constraints of a set, divided into linear ones and others.
+struct LinearPart {
+  std::vector<LinearForm> at_most_zero;  // the box's ends and the linear inequalities
+  std::vector<Inequality> others;
+};
+LinearPart LinearPartOf(const ConstraintSet& constraints);
+
+// Returns the finite ends of the range as linear forms that are at most 0.
+std::vector<LinearForm> EndsOf(ColumnId column, const Interval& range);
+
+// Returns the intersection of a and b. If it is empty, it returns a, which is conservative; this
+// can happen where constraints contradict each other.
+Interval Narrowed(const Interval& a, const Interval& b);
+
+// Returns the variable's interval, narrowed to its SUP and INF.
+Interval TightenedInterval(VariableId variable, const Interval& interval, const LinearSupInf& core);
+
+// IsNumber returns true for a coefficient that is a single finite number, and IsVariable for a
+// product that is a variable.
+bool IsNumber(const Interval& coefficient);
+bool IsVariable(const std::vector<NormalForm::Factor>& factors);
+
+}  // namespace assay::algebra

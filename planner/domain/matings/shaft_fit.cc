@@ -1,0 +1,261 @@
+#include "planner/domain/matings/shaft_fit.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "planner/base/check.h"
+
+namespace assay::domain {
+namespace {
+
+using geometry::Polygon;
+
+constexpr double kWide = 1e3;  // metres, farther than any part reaches
+constexpr double kFarthestTurn = std::numbers::pi / 8;
+constexpr double kTurnLook = 1e-4;  // radians
+
+bool IsHole(const Feature& feature) { return !feature.mouths.empty(); }
+bool IsShaft(const Feature& feature) { return !IsHole(feature) && !feature.is_plain_face(); }
+
+ShaftFit FitOf(const Part& shaft_part, const Feature& shaft, const Part& hole_part,
+               const Feature& hole, const Pose& X_HoleShaft, bool shaft_is_held) {
+  const Pose X_MouthTip = hole.X_PartFeature.inverse() * X_HoleShaft * shaft.X_PartFeature;
+  return {.hole_model = *hole_part.model,
+          .hole = hole,
+          .shaft_model = *shaft_part.model,
+          .shaft = shaft,
+          .X_HoleShaft = X_HoleShaft,
+          .shaft_is_held = shaft_is_held,
+          .name = fmt::format("{} of {} in {} of {}", shaft.description, shaft_part.name,
+                              hole.description, hole_part.name),
+          .depth = std::max(0.0, -X_MouthTip.translation().z())};
+}
+
+// Returns a bound of the displacement of a shaft that may move by one metre across every slot. It
+// is the distance of the corner between the two slots that are nearest to perpendicular.
+double FarthestIntoCorner(const std::vector<Slot>& slots) {
+  double least = 1;
+  for (const Slot& a : slots) {
+    for (const Slot& b : slots) least = std::min(least, std::abs(a.across.dot(b.across)));
+  }
+  return std::sqrt(2 / (1 - least));
+}
+
+struct FitPlay {
+  double shift = 0;
+  double turn = 0;
+  double tilt = 0;
+};
+
+// Returns the play of one fit. Returns none if there is no shaft inside, or if a side is open.
+std::optional<FitPlay> PlayOf(const ShaftFit& fit, double widening) {
+  const std::vector<Slot> slots = SlotsOf(SideWalls(fit, -widening));
+  if (!HoldAllAround(slots) || !(fit.depth > 0)) return std::nullopt;
+  const Polygon section = CrossSection(fit);
+  double lateral = 0;
+  for (const Slot& slot : slots) {
+    const Extent extent = ExtentOf(fit, section, slot.across);
+    lateral = std::max({lateral, extent.low - slot.low, slot.high - extent.high});
+  }
+  const auto fits = [&](double turn) {
+    return std::ranges::all_of(slots, [&](const Slot& slot) {
+      return ExtentOf(fit, section, slot.across, turn).width() <= slot.high - slot.low &&
+             ExtentOf(fit, section, slot.across, -turn).width() <= slot.high - slot.low;
+    });
+  };
+  double turn = kTurnLook;
+  while (turn < kFarthestTurn && fits(turn)) turn += kTurnLook;
+  if (turn >= kFarthestTurn) turn = std::numbers::pi;  // a turn without limit, as of a round shaft
+
+  // Both ends of the part of the shaft that is inside stay within the play.
+  const double tilt = 2 * lateral / fit.depth;
+  const Pose X_HeldFeature = fit.shaft_is_held ? fit.shaft.X_PartFeature
+                                               : fit.X_HoleShaft.inverse() * fit.hole.X_PartFeature;
+  const Vector3 to_origin = X_HeldFeature.inverse().translation();
+  return FitPlay{.shift = FarthestIntoCorner(slots) * lateral + turn * to_origin.head<2>().norm() +
+                          tilt * to_origin.norm(),
+                 .turn = turn,
+                 .tilt = tilt};
+}
+
+bool AreParallel(const Vector3& a, const Vector3& b) {
+  return std::abs(a.dot(b)) > 1 - kUnitProduct;
+}
+
+// Returns the gap that the fit leaves to the held part across a slot of the hole.
+FitGap GapOf(const ShaftFit& fit, const Polygon& section, const Slot& slot) {
+  const Extent extent = ExtentOf(fit, section, slot.across);
+  const double low = extent.low - slot.low;
+  const double high = slot.high - extent.high;
+  if (fit.shaft_is_held) return {slot.across, low, high};
+  return {fit.X_HoleShaft.linear().transpose() * slot.across, high, low};
+}
+
+void Narrow(std::vector<FitGap>& gaps, FitGap gap) {
+  const auto known = std::ranges::find_if(
+      gaps, [&](const FitGap& other) { return AreParallel(other.across, gap.across); });
+  if (known == gaps.end()) {
+    gaps.push_back(std::move(gap));
+    return;
+  }
+  if (known->across.dot(gap.across) < 0) std::swap(gap.low, gap.high);
+  known->low = std::min(known->low, gap.low);
+  known->high = std::min(known->high, gap.high);
+}
+
+}  // namespace
+
+std::vector<ShaftFit> FitsOf(const Problem& problem, const Mating& mating) {
+  const Part& held_part = problem.part(mating.held);
+  const Part& fixed_part = problem.part(mating.fixed);
+  std::vector<ShaftFit> fits;
+  for (const auto& [of_held, of_fixed] : mating.features) {
+    const Feature& held = *held_part.model->FindFeature(of_held);
+    const Feature& fixed = *fixed_part.model->FindFeature(of_fixed);
+    if (IsShaft(held) && IsHole(fixed)) {
+      fits.push_back(FitOf(held_part, held, fixed_part, fixed, mating.X_FixedHeld, true));
+    } else if (IsHole(held) && IsShaft(fixed)) {
+      fits.push_back(
+          FitOf(fixed_part, fixed, held_part, held, mating.X_FixedHeld.inverse(), false));
+    }
+  }
+  return fits;
+}
+
+std::vector<SideWall> SideWalls(const ShaftFit& fit, double narrowing) {
+  const Vector3 axis = fit.hole.X_PartFeature.linear().col(2);
+  std::vector<SideWall> walls;
+  for (const Wall& wall : fit.hole.walls) {
+    const Face& face = fit.hole_model.faces()[wall.face.index()];
+    if (std::abs(face.normal.dot(axis)) >= kUnitProduct) continue;
+    walls.push_back({face.normal, face.offset});
+    if (wall.moves_with_clearance) walls.back().offset += narrowing;
+  }
+  return walls;
+}
+
+std::vector<Slot> SlotsOf(const std::vector<SideWall>& walls) {
+  std::vector<Slot> slots;
+  for (std::size_t i = 0; i < walls.size(); ++i) {
+    for (std::size_t j = i + 1; j < walls.size(); ++j) {
+      if (walls[i].normal.dot(walls[j].normal) > kUnitProduct - 1) continue;
+      Slot slot = {walls[i].normal, walls[i].offset, -walls[j].offset};
+      const auto known = std::ranges::find_if(
+          slots, [&](const Slot& other) { return AreParallel(other.across, slot.across); });
+      if (known == slots.end()) {
+        slots.push_back(std::move(slot));
+        continue;
+      }
+      if (known->across.dot(slot.across) < 0) slot = {-slot.across, -slot.high, -slot.low};
+      known->low = std::max(known->low, slot.low);
+      known->high = std::min(known->high, slot.high);
+    }
+  }
+  return slots;
+}
+
+std::string NameOf(const ShaftFit& fit, const Slot& slot) {
+  constexpr double kShown = 1e4;
+  Vector3 across = (slot.across * kShown).array().round() / kShown;
+  across.array() += 0.0;  // turns -0 into 0
+  return fmt::format("{} across ({:.4g}, {:.4g}, {:.4g})", fit.name, across.x(), across.y(),
+                     across.z());
+}
+
+bool HoldAllAround(const std::vector<Slot>& slots) { return slots.size() >= 2; }
+
+bool HasShaftInHole(const Problem& problem, const Mating& mating) {
+  return std::ranges::any_of(FitsOf(problem, mating), [](const ShaftFit& fit) {
+    return HoldAllAround(SlotsOf(SideWalls(fit, 0)));
+  });
+}
+
+Extent ExtentOf(const ShaftFit& fit, const Polygon& section, const Vector3& along, double turn) {
+  Extent extent;
+  for (const Vector2& corner : section) {
+    const Vector2 turned = Eigen::Rotation2Dd(turn) * corner;
+    const Vector3 p = fit.shaft.X_PartFeature * Vector3(turned.x(), turned.y(), 0);
+    const double at = along.dot(fit.X_HoleShaft * p);
+    extent.low = std::min(extent.low, at);
+    extent.high = std::max(extent.high, at);
+  }
+  return extent;
+}
+
+std::vector<FitGap> GapsOf(const Problem& problem, const Mating& mating) {
+  std::vector<FitGap> gaps;
+  for (const ShaftFit& fit : FitsOf(problem, mating)) {
+    const Polygon section = CrossSection(fit);
+    for (const Slot& slot : SlotsOf(SideWalls(fit, 0))) Narrow(gaps, GapOf(fit, section, slot));
+  }
+  return gaps;
+}
+
+Polygon CrossSection(const ShaftFit& fit) {
+  const PartModel& model = fit.shaft_model;
+  const Feature& shaft = fit.shaft;
+  const Pose X_FeaturePart = shaft.X_PartFeature.inverse();
+  Polygon section;
+  for (const FaceId id : shaft.faces) {
+    const Face& face = model.faces()[id.index()];
+    const Vector3 normal = X_FeaturePart.linear() * face.normal;
+    if (normal.z() < 1 - kUnitProduct) continue;
+    std::vector<Vector2> points;
+    for (const Polygon& patch : face.patches) {
+      for (const Vector2& p : patch) {
+        points.push_back((X_FeaturePart * face.X_PartFace * Vector3(p.x(), p.y(), 0)).head<2>());
+      }
+    }
+    section = geometry::Hull2(points);
+  }
+  for (const FaceId id : shaft.faces) {
+    const Face& face = model.faces()[id.index()];
+    const Vector3 normal = X_FeaturePart.linear() * face.normal;
+    if (std::abs(normal.z()) > kUnitProduct) continue;
+    const Vector2 n = normal.head<2>();
+    const Vector2 along(-n.y(), n.x());
+    const double offset = face.offset - face.normal.dot(shaft.X_PartFeature.translation());
+    const Vector2 on = offset * n;
+    section = geometry::Intersection(
+        section, {on - kWide * along, on + kWide * along, on + kWide * along - kWide * n,
+                  on - kWide * along - kWide * n});
+  }
+  return section;
+}
+
+bool FitsInside(const std::vector<ShaftFit>& fits, const Pose& X_FixedHeld) {
+  const auto is_inside = [&](const ShaftFit& fit) {
+    const Pose X_HoleShaft = fit.shaft_is_held ? X_FixedHeld : X_FixedHeld.inverse();
+    const std::vector<SideWall> walls = SideWalls(fit, 0);
+    for (const Vector2& corner : CrossSection(fit)) {
+      for (const double behind : {0.0, fit.depth}) {
+        const Vector3 p =
+            X_HoleShaft * fit.shaft.X_PartFeature * Vector3(corner.x(), corner.y(), -behind);
+        const auto is_beyond = [&](const SideWall& wall) {
+          return wall.normal.dot(p) < wall.offset;
+        };
+        if (std::ranges::any_of(walls, is_beyond)) return false;
+      }
+    }
+    return true;
+  };
+  return std::ranges::all_of(fits, is_inside);
+}
+
+SeatPlay PlayInSeat(const Problem& problem, const Mating& mating, double widening) {
+  std::optional<FitPlay> least;
+  double turn = std::numbers::pi;
+  for (const ShaftFit& fit : FitsOf(problem, mating)) {
+    const auto play = PlayOf(fit, widening);
+    if (!play) continue;
+    turn = std::min(turn, play->turn);
+    if (!least || play->shift < least->shift) least = play;
+  }
+  ASSAY_CHECK(least.has_value(), "nothing holds a seated part");
+  return {least->shift, turn + least->tilt};
+}
+
+}  // namespace assay::domain

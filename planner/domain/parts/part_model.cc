@@ -1,0 +1,45 @@
+#include "planner/domain/parts/part_model.h"
+
+#include <algorithm>
+
+#include "planner/geometry/planar_region.h"
+
+namespace assay::domain {
+namespace {
+
+// A hole is touched once a region reaches this far into its mouth or onto its wall, in metres.
+constexpr double kReached = 1e-7;
+
+bool IsUnder(const Feature& feature, FaceId face, const geometry::Polygon& region) {
+  const auto reaches = [&](const auto& part) {
+    return part.face == face && geometry::Gap(part.outline, region) < -kReached;
+  };
+  return std::ranges::any_of(feature.mouths, reaches) ||
+         std::ranges::any_of(feature.walls, reaches);
+}
+
+}  // namespace
+
+const Feature* PartModel::FindFeature(FeatureNumber number) const {
+  const auto found = std::ranges::find(features_, number, &Feature::number);
+  return found == features_.end() ? nullptr : &*found;
+}
+
+std::vector<FeatureNumber> PartModel::FeaturesUnder(FaceId face,
+                                                    const geometry::Polygon& region) const {
+  const bool touched = geometry::Meets(faces_[face.index()].patches, region);
+  std::vector<FeatureNumber> numbers;
+  for (const Feature& feature : features_) {
+    const bool has_face = std::ranges::find(feature.faces, face) != feature.faces.end();
+    if ((touched && has_face) || IsUnder(feature, face, region)) numbers.push_back(feature.number);
+  }
+  return numbers;
+}
+
+StablePoseId PartModel::FindStablePose(std::string_view name) const {
+  const auto found = std::ranges::find(stable_poses_, name, &StablePose::name);
+  if (name.empty() || found == stable_poses_.end()) return StablePoseId::None();
+  return StablePoseId(static_cast<std::size_t>(found - stable_poses_.begin()));
+}
+
+}  // namespace assay::domain

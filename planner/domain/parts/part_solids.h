@@ -1,0 +1,65 @@
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "planner/base/input_files/document.h"
+#include "planner/domain/problem/units.h"
+#include "planner/geometry/box.h"
+
+namespace assay::domain {
+
+// The solids of a part file and the pockets that are cut from them (models/parts/README.md). The
+// constructor reads them. Errors are InputErrors at the place of what is wrong.
+class PartSolids {
+ public:
+  // A solid: a box, and the smaller boxes that remain of it after the pockets are cut.
+  struct Solid {
+    std::string name;
+    geometry::Pose X_PartSolid = geometry::Pose::Identity();  // turn from the file's coordinates
+    geometry::Box whole;                                      // before the turn and the pockets
+    std::vector<geometry::Box> pieces;                        // part frame
+    Eigen::Vector4f color;
+
+    geometry::Box WholeInPart() const { return whole.Transformed(X_PartSolid); }
+  };
+  struct Pocket {
+    std::string name;
+    int solid = 0;      // index of the solid that it is cut from
+    geometry::Box box;  // widened, not clipped; in the coordinates of the solid before its turn
+    std::array<bool, 3> is_widened = {};  // along x, y, z
+  };
+
+  // Reads the keys `solids` and `pockets`. `clearance` is in metres, on each side of the axes along
+  // which a pocket is to be widened; a negative clearance narrows it.
+  PartSolids(const Value& root, const Units& units, double clearance);
+
+  const std::vector<Solid>& solids() const { return solids_; }
+  // Returns what remains of all solids, in the part frame.
+  std::vector<geometry::Box> Pieces() const;
+  // Throws InputError at one of the `solids` if it is not connected with the first one.
+  void CheckHangsTogether(const Value& solids) const;
+
+  const Solid& SolidNamed(const Value& name) const;
+  const Solid& SolidOf(const Pocket& pocket) const;
+  // Return what one name, or a list of names, refers to; at least one element.
+  std::vector<const Solid*> SolidsNamed(const Value& names) const;
+  std::vector<const Pocket*> PocketsNamed(const Value& names) const;
+
+ private:
+  void ReadSolids(const Value& solids);
+  Solid ReadSolid(const std::string& name, const Value& entry) const;
+  geometry::Pose ReadTurn(const Value& turn) const;
+  void ReadPockets(const Value& pockets);
+  Pocket ReadPocket(const std::string& name, const Value& entry) const;
+  void Widen(const Value& entry, Pocket& pocket) const;
+  geometry::Box ReadBox(const Value& corners) const;
+
+  Units units_;
+  double clearance_;
+  std::vector<Solid> solids_;
+  std::vector<Pocket> pockets_;
+};
+
+}  // namespace assay::domain

@@ -1,0 +1,136 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "planner/finemotion/strategy_search/motion_checker.h"
+
+namespace assay::finemotion {
+
+// The parts of a mating, and the way along which the moving part enters: a hole, a slot, or a
+// further step down.
+struct Passage {
+  Polyhedron moving;  // the tip is its origin, and its axes are the stationary part's
+  Polyhedron stationary;
+  // The tip's pose at the first critical point, without errors.
+  Pose X_StationaryEntry = Pose::Identity();
+  Vector3 mating = -Vector3::UnitZ();  // unit vector along the way in
+  // Metres from the first to each further critical point, ascending.
+  std::vector<double> further = {};
+  double depth = 0.003;  // metres from a critical point within which walls are searched for
+  double seat = 0.003;   // metres from the last critical point to the end of the way in
+  std::vector<ModelTolerance> tolerances = {};
+
+  int critical_points() const { return 1 + static_cast<int>(further.size()); }
+  // Returns the tip's pose at critical point i, without errors.
+  Pose X_StationaryEntryAt(int i) const;
+};
+
+inline constexpr double kLinearTurn = 0.045;  // radians within which one linearization is accurate
+// Greatest cosine between the way in and a direction across it.
+inline constexpr double kAcross = 0.1;
+
+// Returns the contacts of a corner with a face that the tip can make across the way in at a
+// critical point.
+std::vector<PrimitiveContact> WallsAt(const Passage& passage, int critical_point,
+                                      const ContactFinder& finder);
+
+// A kind of motion that has a meaning wherever the part is. Strategies are made of maneuvers.
+struct Maneuver {
+  enum class Kind {
+    kMove,     // a move along `direction`, in metres
+    kTurn,     // a turn about `direction`, in radians
+    kLetGo,    // a move away from a contact, along its normal
+    kCenter,   // a move to the middle of the entry, across the way in
+    kUpright,  // a turn to the entry's orientation
+    kAdvance,  // a straight move to the next critical point, in the crevice
+  };
+  Kind kind = Kind::kMove;
+  Vector3 direction = Vector3::Zero();  // unit vector for kMove and kTurn
+  double amount = 0;                    // the greatest amount, in metres or radians
+  bool to_contact = false;  // true: a contact must come before that amount; false: none may come
+  ContactKey contact = {};  // the contact that kLetGo leaves
+};
+
+// Returns the critical point at which a maneuver from `critical_point` ends.
+int PointAfter(const Maneuver& maneuver, int critical_point);
+
+// The believed pose before a maneuver, and the contacts that can be made there.
+struct Situation {
+  Belief belief;
+  std::vector<PrimitiveContact> contacts;
+};
+
+// The result of a maneuver. Turns are divided into motions that are small enough for contacts to be
+// linear. If the maneuver is not certain, the last motion is the one that is not.
+struct Maneuvered {
+  bool certain = false;
+  std::vector<CertainMotion> motions = {};
+  Belief after = {};
+
+  // Returns the least scale at which anything unwanted happens in the motions, as far as their
+  // checks report it.
+  double LeastScale() const;
+  TestComparison Comparison() const;  // sums over all motions
+};
+
+// Maneuvers at one critical point of a passage. They comply with kept contacts: a move goes along
+// them, and a turn about the tip becomes a turn about the contacts by moving as well.
+class Maneuvering {
+ public:
+  // `reach` is the distance in metres within which contacts that a maneuver can come to are
+  // searched for.
+  Maneuvering(const Passage& passage, int critical_point, const MotionChecker& checker,
+              double reach);
+
+  // Returns the normals, outward from the walls, of the faces that the tip can touch across the way
+  // in.
+  const std::vector<Vector3>& laterals() const { return laterals_; }
+
+  Situation At(const Belief& belief) const;
+  Maneuvered Apply(const Situation& situation, const Maneuver& maneuver, Margins margins) const;
+  // Checks that the part comes to the believed pose straight along the way in, from outside,
+  // without touching anything.
+  SegmentCheck CheckReached(const Belief& belief) const;
+  bool IsReached(const Belief& belief) const { return CheckReached(belief).certain; }
+  // Checks that a strategy may end at the believed pose: it is upright, its errors are within the
+  // play, and the way in is free. The unwanted contact is a wall against which the errors are too
+  // great, or whatever stands in the way.
+  SegmentCheck CheckThrough(const Belief& belief) const;
+  bool IsThrough(const Belief& belief) const { return CheckThrough(belief).certain; }
+  // Returns the rotation, as a vector, from this pose to the entry's orientation.
+  Vector3 ToUpright(const Pose& X_StationaryMoving) const;
+  // Returns the number of independent directions in which the errors are greater than the play
+  // between walls.
+  int WideDirections(const Belief& belief) const;
+
+ private:
+  struct Direction;
+  std::optional<Direction> DirectionOf(const Situation& situation, const Maneuver& maneuver) const;
+  PoseChange Refined(const Pose& X, const Command& command) const;
+  // Checks that nothing stands against the part straight along the way in, until shortly before the
+  // next critical point or the seat. It may touch walls, since these lead it.
+  SegmentCheck CheckWayOn(const Belief& belief) const;
+  // Returns whether the errors leave room between the part and the wall.
+  bool IsWithinPlay(const PrimitiveContact& wall, const Belief& belief) const;
+  // Returns the length of the way in to the next critical point or the seat, in metres. It is
+  // shortened by the distance that errors may put the part ahead of its believed pose.
+  double WayToNext(const Belief& belief) const;
+
+  // Returns the distance in metres, across the way in, from the tip to the part's farthest corner.
+  double Breadth() const;
+
+  const Passage& passage_;
+  int critical_point_;
+  Pose X_StationaryEntry_;
+  MotionChecker checker_;
+  double reach_;
+  std::vector<PrimitiveContact> walls_;
+  std::vector<Vector3> laterals_;
+};
+
+// Returns the maneuvers at each critical point of a passage. The result refers to `passage`.
+std::vector<Maneuvering> ManeuveringThrough(const Passage& passage, const MotionChecker& checker,
+                                            double reach);
+
+}  // namespace assay::finemotion

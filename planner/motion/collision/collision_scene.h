@@ -1,0 +1,142 @@
+#pragma once
+
+#include <array>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "planner/base/id.h"
+#include "planner/domain/problem/problem.h"
+#include "planner/domain/reachability/reachability.h"
+#include "planner/geometry/rounded_hull.h"
+#include "planner/kinematics/arm.h"
+
+namespace assay::motion {
+
+using domain::PartId;
+using geometry::Pose;
+using geometry::RoundedHull;
+using geometry::Vector3;
+using kinematics::JointVector;
+
+using BodyId = Id<struct BodyTag>;
+// Poses of the arm's links in its base, as from Arm::LinkPoses.
+using LinkPoses = std::array<Pose, 7>;
+
+// A union of convex polyhedra that moves with one link of the arm, or stands still.
+struct Body {
+  std::string name;                // "upper_arm", "hand", "table", or a part's
+  int link = 0;                    // 0: the arm's base, and everything that stands still
+  std::vector<RoundedHull> hulls;  // in the link's frame
+  // reach[k] is an upper bound on the distance, in metres, of any point of the body from the axis
+  // of joint k + 1. It is 0 for joints that do not move the body.
+  std::array<double, 6> reach = {};
+  Vector3 center = Vector3::Zero();  // center of a ball that contains the body, in the link's frame
+  double ball_radius = 0;
+  double doubt = 0;  // greatest distance of a point of it from its place here, metres
+};
+
+// Two bodies that must not touch; the second is at least as far along the arm.
+struct BodyPair {
+  BodyId first;
+  BodyId second;
+
+  bool operator==(const BodyPair&) const = default;
+};
+
+struct Nearness {
+  BodyPair pair = {};
+  double distance = 0;  // metres, never more than the true distance; 0: they overlap or touch
+};
+
+struct HeldPart {
+  PartId part;
+  Pose X_PartTool;
+};
+
+// Another robot of the workcell, which stands still.
+struct StandingRobot {
+  domain::RobotId robot;
+  JointVector q = JointVector::Zero();
+  double opening = 0;  // distance between its pads, metres
+};
+
+// Everything around the arm while it moves.
+struct Surroundings {
+  std::vector<domain::PlacedPart> parts = {};  // parts that stand still; others are absent
+  std::optional<HeldPart> held = {};
+  std::vector<double> doubts = {};  // by PartId, metres (Body::doubt); empty: no errors
+  double opening = 0;               // distance between the pads, metres
+  // Robots that are not listed stand at their homes with open grippers.
+  std::vector<StandingRobot> robots = {};
+};
+
+// Returns the arm's links, each in its own frame. A link's shapes are its URDF's collisions, or its
+// visuals if there are none. Round shapes are replaced by polyhedra that contain them (cylinders by
+// prisms of 16 sides).
+std::vector<Body> ArmBodies(const kinematics::Arm& arm);
+
+// The workcell as bodies: the arm's links, hand, fingers, held part, table, floor
+// (domain::FloorHeight), parts, and the workcell's other robots ("forearm of right").
+//
+// Some pairs are not tested, since they touch or are kept apart by construction. These are bodies
+// fixed to the same link (so the held part against fingers and hand), and links of the arm that one
+// joint connects. Two joints whose axes meet in a point count as one: base and upper arm, forearm
+// and wrist.
+class CollisionScene {
+ public:
+  CollisionScene(const domain::Problem& problem, const Surroundings& surroundings)
+      : CollisionScene(problem, surroundings, ArmBodies(problem.workcell->arm())) {}
+  // `arm` is the result of ArmBodies, computed once for many surroundings.
+  CollisionScene(const domain::Problem& problem, const Surroundings& surroundings,
+                 std::vector<Body> arm);
+
+  const domain::Workcell& workcell() const { return *workcell_; }
+  const kinematics::Arm& arm() const { return workcell_->arm(); }
+  const std::vector<Body>& bodies() const { return bodies_; }
+  const Body& body(BodyId id) const { return bodies_[static_cast<std::size_t>(id.index())]; }
+  const std::vector<BodyPair>& pairs() const { return pairs_; }
+
+  // Returns whether the body is the hand, the fingers or the held part.
+  bool IsCarried(BodyId id) const;
+  bool IsOfAnotherRobot(BodyId id) const;
+
+  // Returns the distance of two bodies, in metres, never more than the true one. If the distance is
+  // at least `enough`, any value from `enough` up may be returned.
+  double Separation(const BodyPair& pair, const LinkPoses& X_BaseLink, double enough) const;
+  // Returns the distance like the other overload, but faster for a posture near to the last one.
+  // `slabs` was filled for that posture (geometry::Separation, by pair of hulls); it is empty at
+  // first.
+  using Slabs = std::vector<Vector3>;
+  double Separation(const BodyPair& pair, const LinkPoses& X_BaseLink, double enough,
+                    Slabs& slabs) const;
+
+  // Returns the pair that is nearest to touching.
+  Nearness Nearest(const JointVector& q) const;
+
+  // Returns how far any point of the pair's second body moves, seen from its first, while no joint
+  // turns by more than `turn` (radians, >= 0) one way. In metres.
+  double GreatestMotion(const BodyPair& pair, const JointVector& turn) const;
+
+  // Returns a text such as "the hand and the brick".
+  std::string Describe(const BodyPair& pair) const;
+
+ private:
+  Body& Add(std::string name, int link, std::vector<RoundedHull> hulls);
+  void AddGripper(double opening);
+  void AddStage();
+  void AddOtherRobots(const std::vector<StandingRobot>& said);
+  void AddOtherRobot(const domain::Robot& robot, const JointVector& q, double opening);
+  void ListPairs();
+  bool AreNeighbours(int link, int later_link) const;
+
+  std::shared_ptr<const domain::Workcell> workcell_;
+  std::vector<Body> bodies_;
+  std::vector<BodyPair> pairs_;
+  int arm_bodies_ = 0;  // number of the arm's own links, which come first
+  // Bodies of other robots have the indices from others_begin_ up to, but without, others_end_.
+  int others_begin_ = 0;
+  int others_end_ = 0;
+};
+
+}  // namespace assay::motion

@@ -1,0 +1,134 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "planner/motion/collision/collision_scene.h"
+#include "planner/plan/data/tool_error_box.h"
+
+namespace assay::motion {
+
+// Keeps a held object upright: a direction of the tool has a greatest angle from the vertical.
+struct Upright {
+  Vector3 up_Tool = -Vector3::UnitZ();  // unit, tool frame: the direction that should point up
+  double tilt = 0;                      // greatest angle from the world's z, radians
+};
+
+// The rules that a motion must obey everywhere on its way.
+struct MotionRules {
+  // Least distance of every pair of bodies beyond their error bounds (Body::doubt), metres, >= 0.
+  double clearance = 0.01;
+  std::optional<Upright> upright = {};
+  // Errors of the joints, in radians, and of the tool, which may occur at once. Everything keeps
+  // the clearance in spite of them. The tool keeps its orientation in a motion that has these
+  // errors.
+  JointVector sway = JointVector::Zero();
+  plan::ToolErrorBox tool = {};
+  // Postures that are prescribed, such as the ends of straight lines. In these postures, the load
+  // of the arm may be nearer to a body than the clearance. It may then come nearly as near to this
+  // body elsewhere.
+  std::vector<JointVector> given = {};
+  enum class Bodies {
+    kAll,
+    kArm,     // without what the arm carries, which is tested at its work elsewhere
+    kRobots,  // arm and what it carries, but only against the workcell's other robots
+  };
+  Bodies bodies = Bodies::kAll;
+};
+
+// The obstruction of a motion.
+struct Obstruction {
+  enum class Kind {
+    kLimits,  // a joint is out of its range
+    kTilt,    // the upright object leans too far
+    kPair,    // `pair` comes nearer than its clearance
+  };
+  Kind kind = Kind::kPair;
+  BodyPair pair = {};    // the bodies, only for kPair
+  double clearance = 0;  // clearance that `pair` must keep, metres
+  JointVector at = JointVector::Zero();
+};
+
+// Returns a text such as "the hand and the brick are nearer than 10 mm".
+std::string Describe(const CollisionScene& scene, const MotionRules& rules,
+                     const Obstruction& obstruction);
+
+// Decides whether straight motions in joint space obey the rules at every point, not only at
+// samples. A pair is free all along a motion if its distance in the middle is more than its bodies
+// can move on either half. All other pairs are tested again on each half (Schwarzer, Saha and
+// Latombe, "Adaptive Dynamic Collision Checking for Single and Multiple Articulated Robots", 2005).
+// A pair that comes so near to the clearance that the halving does not end counts as obstructed. A
+// path may be refused wrongly if it keeps the clearance by less than kUndecided (kUndecidedOfSway
+// if joints may sway). A path is never accepted wrongly.
+//
+// Where joints may sway, a pair is tested in a box of the joints that move its bodies against each
+// other. The box is halved until the pair is decided. The links from the wrist on are tested
+// against standing bodies as seen from the tool, whose errors are small, and not from the arm's
+// base: their box contains the joints beyond them.
+class MotionCheck {
+ public:
+  MotionCheck(const CollisionScene& scene, const MotionRules& rules);
+
+  // Returns the obstruction; none if all of the motion is free, its ends included. A motion from a
+  // posture to itself tells whether the arm may rest there.
+  std::optional<Obstruction> FindObstruction(const JointVector& from, const JointVector& to);
+
+  const CollisionScene& scene() const { return scene_; }
+  const MotionRules& rules() const { return rules_; }
+  std::int64_t postures() const { return postures_; }  // number of postures tested
+
+  static constexpr double kUndecided = 1e-4;        // metres, or radians of tilt
+  static constexpr double kUndecidedOfSway = 1e-3;  // metres
+
+ private:
+  struct WatchedPair {
+    BodyPair pair;
+    double clearance = 0;  // metres
+    double most = 0;       // upper limit of the clearance with the tool's errors, metres
+    bool is_seen_from_tool = false;
+    // Errors of the joints that move one body against the other.
+    JointVector sway = JointVector::Zero();
+    JointVector reach = JointVector::Zero();  // distance of the second body from their axes, metres
+    CollisionScene::Slabs slabs = {};         // slabs of the posture that was tested last
+  };
+  struct OpenPair {
+    WatchedPair* watched;
+    double motion = 0;  // movement of its bodies on the whole way, metres
+  };
+  // A part of a motion, with the pairs that are not yet known to be free on it.
+  struct Interval {
+    double middle = 0.5;  // shares of the way
+    double half = 0.5;
+    std::vector<OpenPair> pairs;
+    bool tilt_is_open = false;
+  };
+
+  enum class Verdict { kFree, kOpen, kObstructed };
+
+  std::vector<WatchedPair> WatchedPairs() const;
+  WatchedPair Watched(const BodyPair& pair) const;
+  // Returns how far the tool's errors move a body that moves with it, in metres. The body must be
+  // within `near` of its place at this posture.
+  double ErrorOfTool(const Body& body, const LinkPoses& X_BaseLink, double near) const;
+  // Tests a pair whose bodies move by `motion` metres, at the posture q with all errors.
+  Verdict LookAt(const JointVector& q, const LinkPoses& X_BaseLink, double motion,
+                 WatchedPair& watched) const;
+  LinkPoses Swayed(const WatchedPair& watched, const JointVector& q, const LinkPoses& X_BaseLink,
+                   const JointVector& offset) const;
+  double Tilt(const LinkPoses& X_BaseLink) const;  // radians
+  std::vector<OpenPair> OpenPairs(const JointVector& turn);
+  // Removes from the interval all that the posture in its middle, q, shows to be free all along it.
+  // `turn` is the sum of the turns of all joints on the whole way.
+  std::optional<Obstruction> Narrow(Interval& interval, const JointVector& q, double turn);
+
+  const CollisionScene& scene_;
+  MotionRules rules_;
+  std::vector<WatchedPair> watched_;
+  Vector3 up_Flange_ = Vector3::Zero();
+  Vector3 up_Base_ = Vector3::Zero();
+  std::int64_t postures_ = 0;
+};
+
+}  // namespace assay::motion

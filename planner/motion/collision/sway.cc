@@ -1,0 +1,266 @@
+#include "planner/motion/collision/sway.h"
+
+#include <Eigen/LU>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "planner/base/check.h"
+#include "planner/motion/paths/straight_line.h"
+
+namespace assay::motion {
+namespace {
+
+using geometry::Matrix3;
+using Matrix6 = Eigen::Matrix<double, 6, 6>;
+
+// Greatest number of halvings of one cell: near a singular posture there would be no end.
+constexpr int kMostHalvings = 40;
+constexpr int kMostCells = 3'000;     // greatest number of cells of one way
+constexpr double kLeastDoubt = 1e-6;  // least half width of any error: rounding is far smaller
+constexpr double kInflation = 1.2;    // factor on a guess at the turns of joints
+constexpr int kGuesses = 5;           // number of guesses, each computed from the last one
+constexpr double kWidestCell = 0.25;  // greatest turn of a joint in a cell, radians
+
+// Derivatives of the arm in one posture, as the tool moves with it. They are about the wrist's
+// center, through which the last three axes pass, in the world's axes.
+struct Differential {
+  Matrix6 inverse;                // A of the Jacobian J: joint rates by twists of the tool
+  std::array<Matrix6, 6> change;  // |A dJ/dq| for each joint
+  // Distance of the wrist's center from each joint's axis, metres.
+  std::array<double, 6> lever = {};
+};
+
+Vector3 WristInFlange(const domain::Workcell& workcell) {
+  return {0, 0, -workcell.arm().geometry().d6};
+}
+
+// Joint j turns everything behind it about its axis.
+Matrix6 ChangeOf(const Matrix6& jacobian, int j) {
+  const auto velocity = [&](int k) { return Vector3(jacobian.block<3, 1>(0, k)); };
+  const auto axis = [&](int k) { return Vector3(jacobian.block<3, 1>(3, k)); };
+  Matrix6 change;
+  for (int k = 0; k < 6; ++k) {
+    const Vector3 turned = j < k ? Vector3(axis(j).cross(axis(k))) : Vector3::Zero();
+    change.col(k) << axis(std::min(j, k)).cross(velocity(std::max(j, k))), turned;
+  }
+  return change;
+}
+
+// The last three joints do not move the center, so J and A consist of blocks.
+Differential DifferentialAt(const domain::Workcell& workcell, const JointVector& q) {
+  const kinematics::WristJacobian at_wrist = workcell.arm().JacobianAt(q);
+  const Matrix3 R_WorldBase = workcell.X_WorldBase().linear();
+  const Matrix3 center = R_WorldBase * at_wrist.center;
+  const Matrix3 shoulder = R_WorldBase * at_wrist.shoulder;
+  const Matrix3 wrist = R_WorldBase * at_wrist.wrist;
+  const Matrix3 by_velocity = center.inverse();
+  const Matrix3 by_turn = wrist.inverse();
+  Matrix6 jacobian;
+  jacobian << center, Matrix3::Zero(), shoulder, wrist;
+  Differential at;
+  at.inverse << by_velocity, Matrix3::Zero(), -by_turn * shoulder * by_velocity, by_turn;
+  for (int j = 0; j < 6; ++j) at.change[j] = (at.inverse * ChangeOf(jacobian, j)).cwiseAbs();
+  for (int k = 0; k < 3; ++k) at.lever[k] = center.col(k).norm();
+  return at;
+}
+
+// Returns a bound on the difference between the entries of A J(q) and of the identity, if no joint
+// is farther from q0 than r. The first order is the change of J at q0. Second derivatives of axes
+// are at most 1, by two joints before them. The second derivative of the center's velocity by joint
+// k, with respect to joints j and l, is at most the lever of the last of the three. Turns of the
+// joints behind it make this lever grow.
+Matrix6 Departure(const Differential& at, const JointVector& r) {
+  std::array<double, 6> lever = at.lever;
+  for (int k = 5; k >= 0; --k) {
+    for (int j = k + 1; j < 6; ++j) lever[k] += r[j] * lever[j];
+  }
+  Matrix6 departure = Matrix6::Zero();
+  double turned = 0;  // sum over the joints before joint k
+  for (int k = 0; k < 6; ++k) {
+    departure += r[k] * at.change[k];
+    double reached = turned + r[k];
+    double bent = reached * reached * lever[k];
+    for (int j = k + 1; j < 6; ++j) {
+      bent += r[j] * (2 * reached + r[j]) * lever[j];
+      reached += r[j];
+    }
+    departure.col(k) += bent / 2 * at.inverse.leftCols<3>().rowwise().norm() +
+                        turned * turned / 2 * at.inverse.rightCols<3>().rowwise().norm();
+    turned += r[k];
+  }
+  return departure;
+}
+
+// A bound r on the turns of joints within a cell, and the matrix M for it.
+struct Turning {
+  JointVector r;
+  Matrix6 departure;
+};
+
+std::optional<Turning> TurningFor(const Differential& at, const JointVector& twist) {
+  const JointVector least = at.inverse.cwiseAbs() * twist;
+  JointVector r = kInflation * least;
+  for (int guess = 0; guess < kGuesses && r.maxCoeff() < kWidestCell; ++guess) {
+    const Matrix6 departure = Departure(at, r);
+    const JointVector next = least + departure * r;
+    if ((next.array() <= r.array()).all()) return Turning{next, departure};
+    r = kInflation * next;
+  }
+  return std::nullopt;
+}
+
+// The coordinates of a cell: the position along the piece of the line (a share of it), shifts along
+// x, y and z, the turn about the world's z, and the turn about the tool's z.
+using Coordinates = Eigen::Matrix<double, 6, 1>;
+enum Coordinate { kAlong, kX, kY, kZ, kTurn, kSpin };
+
+struct Cell {
+  Coordinates middle = Coordinates::Zero();
+  Coordinates half = Coordinates::Zero();
+  int halvings = 0;
+};
+
+// The way from posture to posture, with the tool on a straight line.
+class Piece {
+ public:
+  Piece(const domain::Workcell& workcell, const JointVector& from, const JointVector& to,
+        const plan::ToolErrorBox& doubt)
+      : workcell_(workcell),
+        middle_((from + to) / 2),
+        indicators_(workcell.arm().IndicatorsOf(from)),
+        X_WorldTool_(ToolAt(workcell, from)),
+        line_(ToolAt(workcell, to).translation() - X_WorldTool_.translation()),
+        wrist_(workcell.gripper().X_FlangeTool().inverse() * WristInFlange(workcell)) {
+    all_.middle[kAlong] = 0.5;
+    all_.half << 0.5, doubt.shift, doubt.turn, doubt.spin;
+    all_.half.tail<5>().array() += kLeastDoubt;
+    errors_ = all_.half;
+    errors_[kAlong] = 0;
+  }
+
+  const Cell& all() const { return all_; }
+
+  // Returns None if the arm does not get there in its present configuration.
+  std::optional<JointVector> PostureIn(const Cell& cell) const {
+    const Coordinates& at = cell.middle;
+    Pose X_WorldTool = X_WorldTool_;
+    X_WorldTool.translation() += at[kAlong] * line_ + at.segment<3>(kX);
+    X_WorldTool.linear() = geometry::RotationZ(at[kTurn]).linear() * X_WorldTool_.linear() *
+                           geometry::RotationZ(at[kSpin]).linear();
+    const auto q = workcell_.arm().Inverse(workcell_.FlangeFor(X_WorldTool), indicators_, middle_);
+    return q ? kinematics::NearestByTurns(*q, middle_) : q;
+  }
+
+  // Returns bounds of the twist, about the wrist's center, that moves the tool from the middle of
+  // the cell to another of its poses. A column bounds the components of the twist if only one of
+  // the coordinates changes.
+  Matrix6 TwistsIn(const Coordinates& half) const {
+    Matrix6 twists = Matrix6::Zero();
+    twists.block<3, 1>(0, kAlong) = half[kAlong] * line_.cwiseAbs();
+    for (int axis = 0; axis < 3; ++axis) twists(axis, kX + axis) = half[kX + axis];
+    // A turn about the vertical does not change the lean of the tool's z.
+    const Vector3 z = X_WorldTool_.linear().col(2);
+    const double across = z.head<2>().norm();
+    const double off_axis = wrist_.head<2>().norm();
+    const double swung = across * std::abs(wrist_.z()) + off_axis;
+    twists.col(kTurn) << swung, swung, 0, 0, 0, 1;
+    twists.col(kSpin) << off_axis, off_axis, off_axis, across, across, std::abs(z.z());
+    twists.col(kTurn) *= half[kTurn];
+    twists.col(kSpin) *= half[kSpin];
+    return twists;
+  }
+  JointVector Errors() const { return TwistsIn(errors_).rowwise().sum(); }
+
+ private:
+  const domain::Workcell& workcell_;
+  JointVector middle_;
+  kinematics::Indicators indicators_;
+  Pose X_WorldTool_;
+  Vector3 line_;
+  Vector3 wrist_;  // the wrist's center in the tool's frame
+  Cell all_;
+  Coordinates errors_;
+};
+
+double RoomOf(const kinematics::Arm& arm, const JointVector& q, const JointVector& r) {
+  double room = std::numeric_limits<double>::infinity();
+  for (int k = 0; k < 6; ++k) {
+    const kinematics::JointLimits& limits = arm.limits()[static_cast<std::size_t>(k)];
+    room = std::min({room, q[k] - r[k] - limits.lower, limits.upper - q[k] - r[k]});
+  }
+  return room;
+}
+
+class WayCover {
+ public:
+  WayCover(const domain::Workcell& workcell, const plan::ToolErrorBox& doubt)
+      : workcell_(workcell), doubt_(doubt) {
+    sway_.is_bounded = true;
+    sway_.room = std::numeric_limits<double>::infinity();
+  }
+
+  void Cover(const JointVector& from, const JointVector& to) {
+    const Piece piece(workcell_, from, to, doubt_);
+    std::vector<Cell> open = {piece.all()};
+    while (!open.empty() && sway_.is_bounded) {
+      const Cell cell = open.back();
+      open.pop_back();
+      const auto q = piece.PostureIn(cell);
+      sway_.is_bounded = q.has_value() && ++cells_ < kMostCells;
+      if (sway_.is_bounded) Look(piece, cell, *q, open);
+    }
+  }
+
+  const Sway& sway() const { return sway_; }
+
+ private:
+  // Adds the cell's bounds to the result, or halves the cell.
+  void Look(const Piece& piece, const Cell& cell, const JointVector& q, std::vector<Cell>& open) {
+    const Differential at = DifferentialAt(workcell_, q);
+    const Matrix6 twists = piece.TwistsIn(cell.half);
+    const auto turning = TurningFor(at, twists.rowwise().sum());
+    if (!turning) {
+      sway_.is_bounded = cell.halvings < kMostHalvings;
+      return Halve(cell, at, twists, open);
+    }
+    const Matrix6 within = Matrix6::Identity() - turning->departure;
+    const JointVector turn = within.partialPivLu().solve(at.inverse.cwiseAbs() * piece.Errors());
+    sway_.turn = sway_.turn.cwiseMax(turn);
+    sway_.room = std::min(sway_.room, RoomOf(workcell_.arm(), q, turning->r));
+  }
+
+  // Halves the cell in the coordinate that turns the joints most.
+  static void Halve(const Cell& cell, const Differential& at, const Matrix6& twists,
+                    std::vector<Cell>& open) {
+    int widest = 0;
+    (at.inverse.cwiseAbs() * twists).colwise().maxCoeff().maxCoeff(&widest);
+    for (const double side : {-0.5, 0.5}) {
+      Cell half = cell;
+      half.middle[widest] += side * cell.half[widest];
+      half.half[widest] /= 2;
+      ++half.halvings;
+      open.push_back(half);
+    }
+  }
+
+  const domain::Workcell& workcell_;
+  const plan::ToolErrorBox& doubt_;
+  Sway sway_;
+  int cells_ = 0;
+};
+
+}  // namespace
+
+Sway SwayAlong(const domain::Workcell& workcell, const JointPath& path,
+               const plan::ToolErrorBox& doubt) {
+  ASSAY_CHECK(!path.empty());
+  WayCover cover(workcell, doubt);
+  for (std::size_t i = 0; i + 1 < path.size(); ++i) cover.Cover(path[i], path[i + 1]);
+  if (path.size() == 1) cover.Cover(path.front(), path.front());
+  return cover.sway();
+}
+
+}  // namespace assay::motion

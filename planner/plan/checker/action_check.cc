@@ -1,0 +1,319 @@
+#include "planner/plan/checker/action_check.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <span>
+
+#include "planner/domain/reachability/reachability.h"
+#include "planner/geometry/box_overlap.h"
+#include "planner/plan/checker/pad_contact.h"
+#include "planner/plan/checker/resting_balance.h"
+#include "planner/plan/checker/straight_reach.h"
+
+namespace assay::plan {
+namespace {
+
+using geometry::Vector3;
+
+constexpr int kApproachIntervals = 10;
+constexpr int kMatingIntervals = 20;
+constexpr double kRounding = 1e-6;  // metres and radians
+constexpr double kDegree = M_PI / 180;
+
+}  // namespace
+
+// The work of an action. The part is at X_WorldPart when the pads close or open, and the hand moves
+// it along `motion` before that.
+struct Handling {
+  PartId part;
+  Hold hold;  // without meaning if the hand does nothing
+  Pose X_WorldPart = Pose::Identity();
+  Vector3 motion = Vector3::Zero();  // metres, world; zero: no motion
+
+  Pose X_WorldTool() const { return X_WorldPart * hold.X_PartTool; }
+};
+
+struct Obstacle {
+  std::string name;
+  std::vector<geometry::Box> boxes;  // world
+};
+
+namespace {
+
+Handling HandlingOf(const domain::Problem& problem, const Action& action) {
+  const Pose& X_WorldPlaced = action.place.X_WorldPart;
+  if (action.kind->leaves != domain::Leaves::kMated) {
+    return {action.part, action.hold, X_WorldPlaced};
+  }
+  const domain::Mating& mating = problem.mating(action.mating);
+  return {mating.held, action.hold, X_WorldPlaced * mating.X_FixedHeld,
+          X_WorldPlaced.linear() * mating.mating_vector};
+}
+
+// The boxes of one moving thing at the samples of its motion.
+struct Sweep {
+  std::string mover;
+  std::vector<std::vector<geometry::Box>> samples;  // world
+};
+
+Sweep SweepAlong(const std::string& mover, const std::vector<geometry::Box>& boxes,
+                 std::span<const Pose> poses) {
+  Sweep sweep{mover, {}};
+  for (const Pose& X_WorldMover : poses)
+    sweep.samples.push_back(geometry::Moved(boxes, X_WorldMover));
+  return sweep;
+}
+
+std::vector<geometry::Box> HandAt(const kinematics::Gripper& gripper, double opening) {
+  std::vector<geometry::Box> boxes = gripper.HandBoxes();
+  std::ranges::copy(gripper.FingerBoxes(opening), std::back_inserter(boxes));
+  return boxes;
+}
+
+double DeepestOverlap(const Sweep& sweep, const Obstacle& obstacle) {
+  double deepest = 0;
+  for (const std::vector<geometry::Box>& sample : sweep.samples) {
+    deepest = std::max(deepest, geometry::OverlapDepth(sample, obstacle.boxes));
+  }
+  return deepest;
+}
+
+double LowestOf(const Sweep& sweep) {
+  double lowest = std::numeric_limits<double>::infinity();
+  for (const std::vector<geometry::Box>& sample : sweep.samples) {
+    lowest = std::min(lowest, geometry::LowestPoint(sample));
+  }
+  return lowest;
+}
+
+}  // namespace
+
+class ActionChecker::Examination {
+ public:
+  Examination(const ActionChecker& checker, const WorldState& before, const Handling& handling)
+      : problem_(checker.problem_),
+        cell_(*checker.problem_.workcell),
+        centers_(checker.centers_),
+        handling_(handling),
+        allowance_(cell_.rules().contact_allowance + kRounding) {
+    CollectObstacles(before);
+  }
+
+  std::vector<std::string> Run(const Action& action) {
+    if (HoldIn(action) != nullptr) {
+      if (!OpensWideEnough()) return findings_;
+      ExamineHand();
+    }
+    if (action.kind->leaves == domain::Leaves::kAtPlace) ExamineResting(action.place.X_WorldPart);
+    if (action.kind->leaves == domain::Leaves::kMated) ExamineMating(action);
+    return findings_;
+  }
+
+ private:
+  const domain::Part& part() const { return problem_.part(handling_.part); }
+  const kinematics::Gripper& gripper() const { return cell_.gripper(); }
+
+  template <class... Args>
+  void Report(fmt::format_string<Args...> text, Args&&... args) {
+    findings_.push_back(fmt::format(text, std::forward<Args>(args)...));
+  }
+
+  void CollectObstacles(const WorldState& before) {
+    for (std::size_t i = 0; i < problem_.parts.size(); ++i) {
+      const PartState& state = before.parts[i];
+      if (PartId(i) == handling_.part || state.status == PartStatus::kHeld) continue;
+      const domain::Part& other = problem_.parts[i];
+      obstacles_.push_back({other.name, geometry::Moved(other.model->boxes(), state.X_WorldPart)});
+    }
+  }
+
+  bool OpensWideEnough() {
+    const double width = handling_.hold.width;
+    if (width > 0 && width <= gripper().max_opening()) return true;
+    Report("the hold is {:.4g} mm wide; the gripper opens from 0 to {:.4g} mm", width * 1e3,
+           gripper().max_opening() * 1e3);
+    return false;
+  }
+
+  void ExamineHand() {
+    ExaminePads();
+    ExamineHandAgainstPart();
+    ExamineLean();
+    ExamineHandAgainstWorld();
+    ExamineReach();
+  }
+
+  // A two-sided grasp needs both pads wholly on the surface. The faces that they press must not lie
+  // on the table (Spar, "Reachability of Grasps", first condition).
+  void ExaminePads() {
+    for (const PadContact& pad : PadContactsOf(handling_.hold, gripper().pad_half_extents())) {
+      const int off = PointsOffSurface(pad, part().model->boxes());
+      if (off > 0) {
+        Report("the {} pad is not wholly on the surface of {}: {} of {} points of it are off",
+               pad.finger, part().name, off, pad.points.size());
+      }
+      const Vector3 normal = handling_.X_WorldPart.linear() * pad.normal;
+      const double height = (handling_.X_WorldPart * pad.points.front()).z();
+      if (normal.z() < -1 + kRounding && height < allowance_) {
+        Report("the {} pad presses a face of {} that lies on the table", pad.finger, part().name);
+      }
+    }
+  }
+
+  // Examines the hand in the part's own frame: closed at the grasp, and open on the straight way to
+  // and from it.
+  void ExamineHandAgainstPart() {
+    const Obstacle held{part().name, part().model->boxes()};
+    const Pose& X_PartTool = handling_.hold.X_PartTool;
+    ReportOverlap(SweepAlong("the closed hand", HandAt(gripper(), handling_.hold.width),
+                             std::array{X_PartTool}),
+                  held);
+    ReportOverlap(SweepAlong("the open hand", HandAt(gripper(), gripper().max_opening()),
+                             Retreat(X_PartTool)),
+                  held);
+  }
+
+  void ExamineLean() {
+    const Vector3 approach = handling_.X_WorldTool().linear().col(2);
+    const double lean = std::acos(std::clamp(-approach.z(), -1.0, 1.0));
+    if (lean <= cell_.rules().tool_lean + kRounding) return;
+    Report("the tool leans {:.4g} degrees from straight down; at most {:.4g} degrees",
+           lean / kDegree, cell_.rules().tool_lean / kDegree);
+  }
+
+  void ExamineHandAgainstWorld() {
+    const Pose X_WorldTool = handling_.X_WorldTool();
+    ExamineSweep(SweepAlong("the open hand", HandAt(gripper(), gripper().max_opening()),
+                            Retreat(X_WorldTool)));
+    ExamineSweep(SweepAlong("the closed hand", HandAt(gripper(), handling_.hold.width),
+                            MotionOf(X_WorldTool)));
+  }
+
+  void ExamineReach() {
+    const Pose X_WorldTool = handling_.X_WorldTool();
+    std::vector<ToolLine> lines = {Retreat(X_WorldTool)};
+    if (!handling_.motion.isZero()) lines.push_back(MotionOf(X_WorldTool));
+    if (const std::optional<std::string> why = WhyOutOfReach(cell_, lines)) Report("{}", *why);
+  }
+
+  void ExamineResting(const Pose& X_WorldPart) {
+    const std::vector<geometry::Box> boxes = geometry::Moved(part().model->boxes(), X_WorldPart);
+    const double lowest = geometry::LowestPoint(boxes);
+    if (!(std::abs(lowest) <= kRounding)) {
+      Report("the lowest point of {} is {:.4g} mm above the table, not on it", part().name,
+             lowest * 1e3);
+    }
+    ExamineBalance(CornersOf(boxes), X_WorldPart * centers_[handling_.part.index()]);
+    const Sweep placed{part().name, {boxes}};
+    for (const Obstacle& obstacle : obstacles_) ReportOverlap(placed, obstacle);
+  }
+
+  void ExamineMating(const Action& action) {
+    ExamineFrictionCone();
+    ExamineMatingFeatures(problem_.mating(action.mating), action.place.X_WorldPart);
+    ExamineSweep(SweepAlong(part().name, part().model->boxes(), MotionOf(handling_.X_WorldPart)));
+  }
+
+  void ExamineBalance(const std::vector<Vector3>& corners, const Vector3& center) {
+    const std::vector<Vector3> touching = TouchingTable(corners);
+    if (!IsSupported(center, touching)) {
+      Report(
+          "{} does not rest stably: its centre of mass at {} is not over the {} corners that "
+          "touch the table",
+          part().name, InMillimetres(center), touching.size());
+    }
+    const auto is_on = [&](const domain::Table& table) {
+      return FirstOutside(corners, table.top) == nullptr;
+    };
+    if (std::ranges::none_of(cell_.tables(), is_on)) {
+      Report("{} reaches beyond the table at {}", part().name,
+             InMillimetres(*FirstOutside(corners, cell_.table().top)));
+    }
+  }
+
+  // The mating motion must push the fixed part onto the table and not along it (Spar, "Stable Poses
+  // and Position Classes"): within atan(friction) of straight down.
+  void ExamineFrictionCone() {
+    const double mu = domain::LeastMatingFriction(problem_);
+    const Vector3& v = handling_.motion;
+    if (-v.z() >= v.norm() / std::sqrt(1 + mu * mu) - kRounding) return;
+    Report(
+        "the mating vector is {:.4g} degrees from straight down, outside the friction cone of "
+        "{:.4g} degrees",
+        std::acos(std::clamp(-v.z() / v.norm(), -1.0, 1.0)) / kDegree, std::atan(mu) / kDegree);
+  }
+
+  void ExamineMatingFeatures(const domain::Mating& mating, const Pose& X_WorldFixed) {
+    const domain::Part& fixed = problem_.part(mating.fixed);
+    for (const auto& [of_held, of_fixed] : mating.features) {
+      const domain::Feature* hole = fixed.model->FindFeature(of_fixed);
+      if (hole != nullptr && IsOnTable(*fixed.model, *hole, X_WorldFixed)) {
+        Report("mating feature {} of {} is on the table", of_fixed.index(), fixed.name);
+      }
+      const domain::Feature* shaft = part().model->FindFeature(of_held);
+      if (shaft != nullptr) ExaminePadsAgainst(*shaft);
+    }
+  }
+
+  void ExaminePadsAgainst(const domain::Feature& feature) {
+    for (const PadContact& pad : PadContactsOf(handling_.hold, gripper().pad_half_extents())) {
+      if (!Covers(pad, *part().model, feature)) continue;
+      Report("the {} pad covers mating feature {} of {}", pad.finger, feature.number.index(),
+             part().name);
+    }
+  }
+
+  // Returns the line from a pose of the tool, in any frame, back along the tool's approach vector.
+  ToolLine Retreat(const Pose& X_FrameTool) const {
+    return LineFrom(X_FrameTool, -cell_.rules().approach_distance * X_FrameTool.linear().col(2),
+                    kApproachIntervals);
+  }
+
+  // Returns the line from a pose back to where the part's last motion starts. Returns the pose
+  // alone if there is no such motion.
+  ToolLine MotionOf(const Pose& X_WorldMover) const {
+    if (handling_.motion.isZero()) return {X_WorldMover};
+    return LineFrom(X_WorldMover, -handling_.motion, kMatingIntervals);
+  }
+
+  void ExamineSweep(const Sweep& sweep) {
+    const double lowest = LowestOf(sweep);
+    if (!(lowest >= -allowance_)) {
+      Report("{} reaches {:.4g} mm below the table's top", sweep.mover, -lowest * 1e3);
+    }
+    for (const Obstacle& obstacle : obstacles_) ReportOverlap(sweep, obstacle);
+  }
+
+  void ReportOverlap(const Sweep& sweep, const Obstacle& obstacle) {
+    const double depth = DeepestOverlap(sweep, obstacle);
+    if (depth <= allowance_) return;
+    Report("{} overlaps {} by {:.4g} mm; at most {:.4g} mm", sweep.mover, obstacle.name,
+           depth * 1e3, cell_.rules().contact_allowance * 1e3);
+  }
+
+  const domain::Problem& problem_;
+  const domain::Workcell& cell_;
+  const std::vector<Vector3>& centers_;
+  Handling handling_;
+  double allowance_;  // overlap that is ignored, metres
+  std::vector<Obstacle> obstacles_;
+  std::vector<std::string> findings_;
+};
+
+ActionChecker::ActionChecker(const domain::Problem& problem) : problem_(problem) {
+  for (const domain::Part& part : problem.parts) {
+    centers_.push_back(CenterOfMass(part.model->boxes()));
+  }
+}
+
+std::vector<std::string> ActionChecker::BrokenConditions(const WorldState& before,
+                                                         const Action& action) const {
+  return Examination(*this, before, HandlingOf(problem_, action)).Run(action);
+}
+
+}  // namespace assay::plan

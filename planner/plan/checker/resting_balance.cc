@@ -1,0 +1,99 @@
+#include "planner/plan/checker/resting_balance.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace assay::plan {
+namespace {
+
+using geometry::Vector2;
+using geometry::Vector3;
+
+constexpr double kTouch = 1e-6;      // metres from the table
+constexpr double kSameLine = 1e-9;   // metres between grid lines that count as one
+constexpr double kHalfPlane = 1e-9;  // radians
+// Uniform grid lines along each axis, in addition to the corners'.
+constexpr int kSubdivisions = 32;
+
+// Returns the grid lines along one axis: the corners' coordinates, and uniform ones between them.
+std::vector<double> GridLines(std::span<const Vector3> corners, int axis) {
+  std::vector<double> lines;
+  for (const Vector3& corner : corners) lines.push_back(corner[axis]);
+  const auto [low, high] = std::ranges::minmax(lines);
+  for (int i = 1; i < kSubdivisions; ++i) lines.push_back(low + (high - low) * i / kSubdivisions);
+  std::ranges::sort(lines);
+  const auto same = [](double a, double b) { return b - a < kSameLine; };
+  lines.erase(std::unique(lines.begin(), lines.end(), same), lines.end());
+  return lines;
+}
+
+}  // namespace
+
+Vector3 CenterOfMass(std::span<const geometry::Box> boxes) {
+  const std::vector<Vector3> corners = CornersOf(boxes);
+  const std::array<std::vector<double>, 3> lines = {GridLines(corners, 0), GridLines(corners, 1),
+                                                    GridLines(corners, 2)};
+  double volume = 0;
+  Vector3 moment = Vector3::Zero();
+  for (std::size_t i = 1; i < lines[0].size(); ++i) {
+    for (std::size_t j = 1; j < lines[1].size(); ++j) {
+      for (std::size_t k = 1; k < lines[2].size(); ++k) {
+        const Vector3 low(lines[0][i - 1], lines[1][j - 1], lines[2][k - 1]);
+        const Vector3 high(lines[0][i], lines[1][j], lines[2][k]);
+        const Vector3 middle = (low + high) / 2;
+        const bool filled = std::ranges::any_of(
+            boxes, [&](const geometry::Box& box) { return box.Contains(middle, 0); });
+        if (!filled) continue;
+        volume += (high - low).prod();
+        moment += (high - low).prod() * middle;
+      }
+    }
+  }
+  return moment / volume;
+}
+
+std::vector<Vector3> CornersOf(std::span<const geometry::Box> boxes) {
+  std::vector<Vector3> corners;
+  for (const geometry::Box& box : boxes) {
+    for (const Vector3& corner : box.Corners()) corners.push_back(corner);
+  }
+  return corners;
+}
+
+std::vector<Vector3> TouchingTable(std::span<const Vector3> points) {
+  std::vector<Vector3> touching;
+  std::ranges::copy_if(points, std::back_inserter(touching),
+                       [](const Vector3& p) { return std::abs(p.z()) <= kTouch; });
+  return touching;
+}
+
+bool IsSupported(const Vector3& p, std::span<const Vector3> points) {
+  std::vector<double> directions;
+  for (const Vector3& point : points) {
+    const Vector2 to_point = (point - p).head<2>();
+    if (to_point.norm() > kTouch) directions.push_back(std::atan2(to_point.y(), to_point.x()));
+  }
+  if (directions.size() < 3) return false;
+  std::ranges::sort(directions);
+  double widest = directions.front() + 2 * M_PI - directions.back();
+  for (std::size_t i = 1; i < directions.size(); ++i) {
+    widest = std::max(widest, directions[i] - directions[i - 1]);
+  }
+  return widest < M_PI - kHalfPlane;
+}
+
+const Vector3* FirstOutside(std::span<const Vector3> points, const geometry::Polygon& polygon) {
+  const auto is_outside = [&](const Vector3& p) {
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+      const Vector2 edge = polygon[(i + 1) % polygon.size()] - polygon[i];
+      const Vector2 to_p = p.head<2>() - polygon[i];
+      if (edge.x() * to_p.y() - edge.y() * to_p.x() < -kTouch * edge.norm()) return true;
+    }
+    return false;
+  };
+  const auto found = std::ranges::find_if(points, is_outside);
+  return found == points.end() ? nullptr : &*found;
+}
+
+}  // namespace assay::plan

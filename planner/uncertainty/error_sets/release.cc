@@ -1,0 +1,196 @@
+#include "planner/uncertainty/error_sets/release.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "planner/algebra/expression/simplify.h"
+#include "planner/domain/matings/shaft_fit.h"
+#include "planner/domain/parts/part_model.h"
+#include "planner/plan/data/pushing.h"
+#include "planner/uncertainty/error_sets/axis_angle.h"
+#include "planner/uncertainty/error_sets/possible_masses.h"
+#include "planner/uncertainty/error_sets/turn_of_push.h"
+#include "planner/uncertainty/preconditions/touching_cells.h"
+
+namespace assay::uncertainty {
+namespace {
+
+Expression SameOrOppositeSense(const Vector3& up, const Expression& theta) {
+  return up.z() < 0 ? -theta : theta;
+}
+
+// Adds the errors that arise when the table sets a leaning part upright.
+void SetUpright(UncertainWorld& world, PartId part, const Leaning& leaning, RestingError& error) {
+  const auto declare = [&](const plan::ErrorKind& kind, double magnitude) {
+    return world.Declare(kind, {-magnitude, magnitude}, part);
+  };
+  error.theta = declare(plan::error::kTheta, leaning.twist);
+  const double settled = world.problem().part(part).model->shape().radius() * leaning.levelling;
+  for (Expression& along : error.displacement)
+    along = along + declare(plan::error::kSettle, settled);
+}
+
+void Yield(UncertainWorld& world, PartId part, RestingError& error) {
+  const double compliance = world.problem().workcell->rules().lateral_compliance;
+  for (Expression& along : error.displacement) {
+    along = along + world.Declare(plan::error::kYield, {-compliance, compliance}, part);
+  }
+}
+
+// Returns whether a part that is let go in its seat may slide until the walls stop it. It may if
+// the seat leans more than the least friction between the two parts can hold.
+bool SlidesInSeat(const domain::Problem& problem, const domain::Mating& mating,
+                  const Vector3& motion) {
+  const double friction = std::max(problem.part(mating.held).model->friction(),
+                                   problem.part(mating.fixed).model->friction()) -
+                          problem.tolerances.friction;
+  return motion.head<2>().norm() > friction * -motion.z();
+}
+
+// Returns whether the push of a mating may drag its fixed part along the table.
+bool Drags(const domain::Problem& problem, const domain::Mating& mating) {
+  const domain::Part& fixed = problem.part(mating.fixed);
+  const double own = fixed.model->friction();
+  const double between = std::max(own, problem.part(mating.held).model->friction());
+  // The least load on the table, in newtons: first the part's least weight, then with the pushes
+  // added.
+  double keeping = std::numeric_limits<double>::infinity();
+  for (const geometry::MassProperties& mass : PossibleMasses(problem, mating.fixed)) {
+    keeping = std::min(keeping, mass.mass * kGravity);
+  }
+  keeping += fixed.clamp + plan::kGreatestPush;
+  return (between + problem.tolerances.friction) * plan::kGreatestPush >=
+         (own - problem.tolerances.friction) * keeping;
+}
+
+}  // namespace
+
+// The part is turned by `turned` about the tool's axes, and the table turns it back until the turn
+// `twist` * up is left. The pads decide about which axes the part is turned back. In every case the
+// turn that is left lies between the twists at which one of the axes needs no turning back: any
+// twist beyond these would have to turn farther about each axis. Turning about several axes adds
+// the products of angles.
+Leaning LeaningOf(const UncertainWorld& world, const Vector3& up, const ManipulatorError& draw) {
+  const HeldError& held = world.held();
+  const auto most = [&](const Expression& angle) { return Magnitude(world.RangeOf(angle)); };
+  Vector3 turned(most(held.tip), most(held.twist), most(draw.theta) + most(held.skew));
+  Leaning leaning;
+  for (const int axis : {0, 1, 2}) leaning.tilt += SwingOf(turned[axis], up[axis]);
+  turned.array() += leaning.tilt * turned.sum();
+  for (const int axis : {0, 1, 2}) {
+    if (up[axis] == 0) continue;
+    const double twist = std::min(std::numbers::pi, turned[axis] / std::abs(up[axis]));
+    Vector3 back = twist * up.cwiseAbs() + turned;
+    back[axis] = 0;
+    leaning.twist = std::max(leaning.twist, twist);
+    leaning.levelling = std::max(leaning.levelling, back.norm());
+  }
+  return leaning;
+}
+
+bool ComesUpright(const UncertainWorld& world, const plan::Hold& hold, const Pose& X_WorldPart) {
+  const HeldError& held = world.held();
+  return std::abs(VerticalInTool(X_WorldPart * hold.X_PartTool).z()) == 1 &&
+         held.tip.IsConstant(0) && held.twist.IsConstant(0);
+}
+
+double SlideOfPads(const UncertainWorld& world, const ManipulatorError& draw,
+                   const RestingError& released) {
+  if (plan::PadsBearResistance(world.problem())) return 0;
+  const double doubt = Magnitude(world.RangeOf(draw.z)) +
+                       Magnitude(world.RangeOf(released.displacement[2])) +
+                       OffInHandOf(world, world.held()).shift.norm();
+  const double travel = world.problem().workcell->rules().guarded_travel;
+  return 2 * std::min(doubt, travel) + plan::kBeyondContact;
+}
+
+RestingError Release(UncertainWorld& world, PartId part, const plan::Hold& hold,
+                     const Transform& X_ToolGrasp, const ManipulatorError& draw,
+                     const Pose& X_WorldPart) {
+  const Pose X_WorldTool = X_WorldPart * hold.X_PartTool;
+  const Transform released = PossibleHeldPose(X_WorldTool, X_ToolGrasp, hold.X_PartTool);
+  RestingError error;
+  error.displacement =
+      algebra::Simplify(released.translation - AsTransform(X_WorldPart).translation);
+  const Vector3 up = VerticalInTool(X_WorldTool);
+  error.theta = SameOrOppositeSense(up, draw.theta + world.held().skew);
+  if (world.propagation() == Propagation::kSound && !ComesUpright(world, hold, X_WorldPart)) {
+    SetUpright(world, part, LeaningOf(world, up, draw), error);
+  }
+  return error;
+}
+
+RestingError ReleaseInSeat(UncertainWorld& world, domain::MatingId id, const plan::Hold& hold,
+                           const Transform& X_ToolGrasp, const ManipulatorError& draw) {
+  const domain::Mating& mating = world.problem().mating(id);
+  const Pose& X_WorldFixed = world.X_WorldPart(mating.fixed);
+  const Pose X_WorldHeld = X_WorldFixed * mating.X_FixedHeld;
+  RestingError error = Release(world, mating.held, hold, X_ToolGrasp, draw, X_WorldHeld);
+  if (world.propagation() == Propagation::kPaper) return error;
+  const Vector3 along = X_WorldFixed.linear() * mating.mating_vector.normalized();
+  if (SlidesInSeat(world.problem(), mating, along)) return LedToSeat(world, id);
+  Yield(world, mating.held, error);
+  const SymbolicVector motion = AsVector(along);
+  const SymbolicVector seat = PossiblePose(X_WorldFixed, world.resting(mating.fixed)) *
+                                  AsVector(mating.X_FixedHeld.translation()) -
+                              AsVector(X_WorldHeld.translation());
+  const Expression farther = algebra::Dot(motion, seat - error.displacement);
+  for (const int axis : {0, 1, 2}) {
+    error.displacement[axis] = algebra::Simplify(error.displacement[axis] + farther * motion[axis]);
+  }
+  return error;
+}
+
+RestingError LedToSeat(UncertainWorld& world, domain::MatingId id) {
+  const domain::Problem& problem = world.problem();
+  const domain::Mating& mating = problem.mating(id);
+  const Pose& X_WorldFixed = world.X_WorldPart(mating.fixed);
+  const RestingError& fixed = world.resting(mating.fixed);
+  const SymbolicVector origin = AsVector(mating.X_FixedHeld.translation());
+  const domain::SeatPlay play = domain::PlayInSeat(problem, mating, problem.tolerances.clearance);
+  const auto declare = [&](const plan::ErrorKind& kind, double magnitude) {
+    return world.Declare(kind, {-magnitude, magnitude}, mating.held);
+  };
+  RestingError error;
+  error.displacement = algebra::Simplify(PossiblePose(X_WorldFixed, fixed) * origin -
+                                         AsTransform(X_WorldFixed) * origin);
+  for (Expression& along : error.displacement)
+    along = along + declare(plan::error::kPlay, play.shift);
+  error.theta = fixed.theta + declare(plan::error::kTurn, play.turn);
+  return error;
+}
+
+Drag DragOfFixed(const UncertainWorld& world, domain::MatingId id, const plan::Hold& hold,
+                 const ManipulatorError& draw) {
+  const domain::Problem& problem = world.problem();
+  const domain::Mating& mating = problem.mating(id);
+  const Pose& X_WorldFixed = world.X_WorldPart(mating.fixed);
+  const Pose X_WorldHeld = X_WorldFixed * mating.X_FixedHeld;
+  double way = problem.workcell->rules().lateral_compliance;
+  if (!ComesUpright(world, hold, X_WorldHeld)) {
+    const Vector3 up = VerticalInTool(X_WorldHeld * hold.X_PartTool);
+    way += problem.part(mating.held).model->shape().radius() * LeaningOf(world, up, draw).levelling;
+  }
+  if (way == 0 || !Drags(problem, mating)) return {};
+  return {way, TurnOfPush(world, mating.fixed, X_WorldFixed, way)};
+}
+
+void DragFixed(UncertainWorld& world, domain::MatingId id, const plan::Hold& hold,
+               const ManipulatorError& draw) {
+  if (world.propagation() == Propagation::kPaper) return;
+  const domain::Mating& mating = world.problem().mating(id);
+  const auto [way, turn] = DragOfFixed(world, id, hold, draw);
+  if (way == 0) return;
+  RestingError error = world.resting(mating.fixed);
+  for (const int axis : {0, 1}) {
+    error.displacement[axis] =
+        error.displacement[axis] + world.Declare(plan::error::kDrag, {-way, way}, mating.fixed);
+  }
+  error.theta = error.theta + world.Declare(plan::error::kThetaDrag, {-turn, turn}, mating.fixed);
+  const BeliefShift shift = world.shift(mating.fixed);
+  world.SetResting(mating.fixed, Pose(world.X_WorldPart(mating.fixed)), error, shift);
+}
+
+}  // namespace assay::uncertainty

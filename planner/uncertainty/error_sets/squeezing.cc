@@ -1,0 +1,213 @@
+#include "planner/uncertainty/error_sets/squeezing.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "planner/algebra/expression/simplify.h"
+#include "planner/domain/parts/part_model.h"
+#include "planner/uncertainty/error_sets/axis_angle.h"
+#include "planner/uncertainty/error_sets/possible_masses.h"
+#include "planner/uncertainty/error_sets/turn_of_push.h"
+
+namespace assay::uncertainty {
+namespace {
+
+constexpr double kRightAngle = std::numbers::pi / 2;
+
+HeldError AsPublished(const UncertainWorld& world, PartId part, const plan::Hold& hold) {
+  Pose R_WorldTool = world.X_WorldPart(part) * hold.X_PartTool;
+  R_WorldTool.translation().setZero();
+  const SymbolicVector D = algebra::Simplify(algebra::Inverse(AsTransform(R_WorldTool)) *
+                                             world.resting(part).displacement);
+  return {.x = D[0], .z = D[2]};
+}
+
+// Returns where the grasped point is before the pads close, in the frame of the true hand.
+SymbolicVector GraspedPoint(const UncertainWorld& world, PartId part, const plan::Hold& hold,
+                            const ManipulatorError& draw) {
+  const Pose X_WorldTool = world.X_WorldPart(part) * hold.X_PartTool;
+  const Transform X_TrueHandPart = algebra::Inverse(AsTransform(X_WorldTool) * draw.AsTransform()) *
+                                   PossiblePose(world.X_WorldPart(part), world.resting(part));
+  return algebra::Simplify(X_TrueHandPart * AsTransform(hold.X_PartTool).translation);
+}
+
+// The greatest friction covers every case: smoother pads let the part slip until it lies flat, and
+// a flat part is one of the results that jammed pads may leave.
+double GreatestPadFriction(const domain::Problem& problem) {
+  return problem.workcell->rules().pad_friction + problem.tolerances.pad_friction;
+}
+
+// The greatest effect that closing the pads may have on the part. Angles are in radians and lengths
+// in metres, about and along the tool's axes; all of them are magnitudes.
+class Closing {
+ public:
+  Closing(const UncertainWorld& world, PartId part, const plan::Hold& hold,
+          const ManipulatorError& draw, const SymbolicVector& grasped)
+      : up_(VerticalInTool(world.X_WorldPart(part) * hold.X_PartTool)),
+        pad_x_(world.problem().workcell->gripper().pad_half_extents().x()),
+        pad_z_(world.problem().workcell->gripper().pad_half_extents().y()),
+        hand_(Magnitude(world.RangeOf(draw.theta))),
+        off_x_(Magnitude(world.RangeOf(grasped[0]))),
+        off_y_(Magnitude(world.RangeOf(grasped[1]))),
+        off_z_(Magnitude(world.RangeOf(grasped[2]))) {
+    const double theta = Magnitude(world.RangeOf(world.resting(part).theta));
+    pushed_turn_ = TurnOfFirstPad(world, part, hold, theta + hand_);
+    turn_ = AtMostRight(theta + pushed_turn_ + hand_);
+    lever_ = LeverOfTurn(world, part, hold, turn_);
+    way_ = turn_ + pushed_turn_;
+    jams_ = !(turn_ + std::atan(GreatestPadFriction(world.problem())) <
+              std::atan(ContactLength() / hold.width));
+  }
+
+  bool jams() const { return jams_; }
+  double turn() const { return turn_; }  // between faces and pads, when they touch
+  double pushed_turn() const { return pushed_turn_; }
+
+  // Returns how much of the part's total turn is about an axis, in radians. In a tool that leans,
+  // flat faces follow the hand's own rotation out of the vertical. Rotations about two axes
+  // together turn the part about the third axis by up to their product.
+  double TurnAbout(int axis) const {
+    if (is_straight()) return axis == 2 ? way_ : 0;
+    const double products = up_.y() == 0 && !jams_ ? 0 : way_ * way_;
+    const double hand = axis == 1 ? way_ + hand_ : 1 + way_;
+    return std::min(TwistOf(AtMostRight(way_), up_[axis]) + products + hand_ * hand,
+                    std::numbers::pi);
+  }
+
+  double SlipX() const {
+    if (is_straight()) return StraightSlip();
+    const Vector3 way = WaysOfGraspedPoint();
+    return way.x() + turn_ * (way.y() + way.z());
+  }
+  double SlipZ() const {
+    if (is_straight()) return 0;
+    const Vector3 way = WaysOfGraspedPoint();
+    return way.z() + turn_ * (way.x() + way.y());
+  }
+  // Returns the y error of a part that jammed: its two contacts lie within the pads, equally far
+  // from the middle.
+  double SkewY() const { return 2 * (pad_x_ + pad_z_) * std::sin(turn_); }
+
+ private:
+  static double AtMostRight(double angle) { return std::min(angle, kRightAngle); }
+
+  bool is_straight() const { return std::abs(up_.z()) == 1; }
+
+  // Returns the length on which the pads touch the faces, even if the part is displaced along them.
+  double ContactLength() const {
+    const double along_x = 2 * pad_x_ - off_x_;
+    return is_straight() ? along_x : std::min(along_x, 2 * pad_z_ - off_z_);
+  }
+
+  // Returns how far the first pad may turn the part while it pushes it to the second one: not at
+  // all if the centre of mass is surely behind the pad.
+  double TurnOfFirstPad(const UncertainWorld& world, PartId part, const plan::Hold& hold,
+                        double turned) const {
+    const Vector3 level = up_.cross(Vector3::UnitY());  // horizontal, along the pads
+    const double reach = pad_x_ * std::abs(level.x()) + pad_z_ * std::abs(level.z());
+    if (up_.y() == 0 && OffsetOfMass(world, part, hold, level, turned).high <= reach) return 0;
+    const double push = off_y_ + 2 * pad_x_ * std::sin(AtMostRight(turned));
+    return AtMostRight(TurnOfPush(world, part, world.X_WorldPart(part), push));
+  }
+
+  // Returns the least and the greatest distance, in metres along an axis of the tool, between the
+  // middle of the pads and the centre of mass of the part. The part may be displaced by its errors,
+  // and turned by up to `turned` radians.
+  Interval OffsetOfMass(const UncertainWorld& world, PartId part, const plan::Hold& hold,
+                        const Vector3& axis, double turned) const {
+    Interval offset = {std::numeric_limits<double>::infinity(), 0};
+    for (const geometry::MassProperties& mass : PossibleMasses(world.problem(), part)) {
+      const Vector3 center = hold.X_PartTool.inverse() * mass.center;
+      const double doubt =
+          std::hypot(off_x_, off_z_) + center.norm() * std::sin(AtMostRight(turned));
+      const double nominal = std::abs(axis.dot(center));
+      offset.low = std::min(offset.low, std::max(0.0, nominal - doubt));
+      offset.high = std::max(offset.high, nominal + doubt);
+    }
+    return offset;
+  }
+
+  // The pads turn the part about a point on the line through their middle in the direction in which
+  // they close. Returns the distance of this point from the middle. The support's friction draws
+  // the point towards the centre of mass. If the centre of mass is far off, the pads' friction
+  // keeps the point between the pads, because they press as hard as the moment of the support's
+  // friction requires. Let a be the distance of a contact from the middle of the pads, d the
+  // distance of the centre of mass from it, and mu the pads' coefficient of friction. A force R of
+  // the support requires the normal force R d / (2 a) at each pad. The friction of both pads, 2 mu
+  // times this force, is more than R if d > a / mu.
+  double LeverOfTurn(const UncertainWorld& world, PartId part, const plan::Hold& hold,
+                     double turned) const {
+    const domain::Problem& problem = world.problem();
+    const double friction =
+        problem.workcell->rules().pad_friction - problem.tolerances.pad_friction;
+    const double contact = is_straight() ? pad_x_ : std::max(pad_x_, pad_z_);
+    const Interval mass = OffsetOfMass(world, part, hold, Vector3::UnitY(), turned);
+    if (friction * mass.low > contact) return hold.width / 2;
+    return std::max(hold.width / 2, mass.high);
+  }
+
+  // Returns the slip of the grasped point in an upright tool. A pushed part turns first to the
+  // turned position and then back; any other only turns back.
+  double StraightSlip() const {
+    const double across = lever_ * (pushed_turn_ + std::sin(turn_));
+    const double along = 2 * pad_x_ * (1 - std::cos(turn_));
+    return across + (pushed_turn_ > 0 ? 2 * along : along);
+  }
+
+  // Returns how far the grasped point moves, in the part's own axes, when the part turns about
+  // points on its faces that the pads reach.
+  Vector3 WaysOfGraspedPoint() const {
+    const Vector3 about(TurnAbout(0), TurnAbout(1), TurnAbout(2));
+    const Vector3 arm(2 * pad_x_, lever_, 2 * pad_z_);
+    return {about.z() * arm.y() + about.y() * arm.z(), about.z() * arm.x() + about.x() * arm.z(),
+            about.x() * arm.y() + about.y() * arm.x()};
+  }
+
+  Vector3 up_;  // the vertical, in the tool's axes
+  double pad_x_;
+  double pad_z_;
+  double hand_;
+  double off_x_;
+  double off_y_;
+  double off_z_;
+  double pushed_turn_ = 0;  // by the first pad
+  double lever_ = 0;        // of the turn, from the middle of the pads
+  double turn_ = 0;
+  double way_ = 0;  // the total turn of the part, there and back
+  bool jams_ = false;
+};
+
+HeldError Sound(UncertainWorld& world, PartId part, const plan::Hold& hold,
+                const ManipulatorError& draw) {
+  const SymbolicVector grasped = GraspedPoint(world, part, hold, draw);
+  const Closing closing(world, part, hold, draw, grasped);
+  const auto declare = [&](const plan::ErrorKind& kind, double magnitude) {
+    return world.Declare(kind, {-magnitude, magnitude}, part);
+  };
+  HeldError held = {.x = grasped[0] + declare(plan::error::kSlip, closing.SlipX()),
+                    .z = grasped[2] + declare(plan::error::kRise, closing.SlipZ()),
+                    .twist = declare(plan::error::kTwist, closing.TurnAbout(1))};
+  if (closing.jams()) {
+    held.y = declare(plan::error::kJam, closing.SkewY());
+    held.skew = declare(plan::error::kSkew, std::min(closing.turn(), closing.TurnAbout(2)));
+    held.tip = declare(plan::error::kTip, std::min(closing.turn(), closing.TurnAbout(0)));
+  }
+  return held;
+}
+
+}  // namespace
+
+double TurnBeforeGrasp(const UncertainWorld& world, PartId part, const plan::Hold& hold,
+                       const ManipulatorError& draw) {
+  return Closing(world, part, hold, draw, GraspedPoint(world, part, hold, draw)).pushed_turn();
+}
+
+HeldError ClosePads(UncertainWorld& world, PartId part, const plan::Hold& hold,
+                    const ManipulatorError& draw) {
+  if (world.propagation() == Propagation::kPaper) return AsPublished(world, part, hold);
+  return Sound(world, part, hold, draw);
+}
+
+}  // namespace assay::uncertainty

@@ -1,0 +1,58 @@
+#include "sim/check/certificate_claims/noise_floor.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace assay::check {
+namespace {
+
+using domain::Dimension;
+
+constexpr double kRounding = 1e-9;  // metres or radians, after products of dozens of poses
+
+// Returns the engine's error that widens a prediction at both ends.
+double EitherWay(const Claim& claim, const StepNoiseFloor& gate) {
+  if (claim.dimension == Dimension::kLength) return gate.lag + gate.penetration + kRounding;
+  if (claim.dimension == Dimension::kAngle) {
+    return gate.lag_turn + gate.penetration / gate.arm + kRounding;
+  }
+  return 0;
+}
+
+double StepSize(const Claim& claim, const StepNoiseFloor& gate) {
+  const auto same = std::ranges::find_if(gate.components, [&](const ClaimNoiseFloor& component) {
+    return component.about == claim.about && component.name == claim.name;
+  });
+  return same == gate.components.end() ? 0 : same->step_size;
+}
+
+}  // namespace
+
+Claim NoiseFloor::Passed(Claim claim) const {
+  const StepNoiseFloor gate = steps.empty() ? StepNoiseFloor{} : steps[claim.step.index()];
+  const double either_way = EitherWay(claim, gate);
+  const double step_size = StepSize(claim, gate);
+  claim.predicted.low -= either_way + std::max(0.0, -step_size);
+  claim.predicted.high += either_way + std::max(0.0, step_size);
+  claim.gate = std::abs(step_size);
+  return claim;
+}
+
+double NoiseFloor::Floor(const Claim& claim) const {
+  const StepNoiseFloor gate = steps.empty() ? StepNoiseFloor{} : steps[claim.step.index()];
+  return EitherWay(claim, gate) + 2 * std::abs(StepSize(claim, gate));
+}
+
+bool NoiseFloor::Hides(const Claim& passed, double clearance) const {
+  const bool is_length = passed.dimension == Dimension::kLength;
+  if (!is_length && passed.dimension != Dimension::kAngle) return false;
+  const StepNoiseFloor gate = steps.empty() ? StepNoiseFloor{} : steps[passed.step.index()];
+  const double either_way = EitherWay(passed, gate);
+  const double width = passed.predicted.high - passed.predicted.low - 2 * either_way -
+                       std::abs(StepSize(passed, gate));
+  const bool has_width = std::isfinite(width) && width > either_way;
+  if (has_width) return Floor(passed) > width;
+  return Floor(passed) > (is_length ? clearance : clearance / gate.arm);
+}
+
+}  // namespace assay::check

@@ -1,0 +1,14 @@
+#include "sim/cli/command_line/verb.h"
+
+#include <array>
+
+namespace assay::cli {
+
+std::span<const Verb* const> Verbs() {
+  static constexpr std::array kVerbs = {
+      &kCheck,  &kPlan,   &kRun,   &kMate,  &kContingent, &kSweep,  &kReplay, &kReport,    &kView,
+      &kRender, &kExport, &kLabel, &kBound, &kCalibrate,  &kDoctor, &kList,   &kCompletion};
+  return kVerbs;
+}
+
+}  // namespace assay::cli

@@ -1,0 +1,79 @@
+#include "sim/cli/picture_output/mating_pictures.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <sstream>
+
+#include "sim/cli/picture_output/contact_pictures.h"
+#include "sim/cli/tasks/output_file.h"
+#include "sim/cli/trial_output/fine_motion_report.h"
+#include "sim/report/fine_motion/contact_graph_picture.h"
+
+namespace assay::cli {
+namespace {
+
+std::string ContentsOf(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  std::ostringstream contents;
+  contents << in.rdbuf();
+  return contents.str();
+}
+
+// Returns "peg into block".
+std::string TitleOf(const PicturedMating& pictured) {
+  const domain::Problem& problem = pictured.planned.problem;
+  return fmt::format("{} into {}", problem.part(pictured.mating.held).name,
+                     problem.part(pictured.mating.fixed).name);
+}
+
+// Returns the plan's motions at a critical point.
+report::MotionRange MotionsAt(const finemotion::FineMotionPlan& plan, std::size_t critical_point) {
+  const auto at = [&](const auto& of) {
+    return static_cast<std::size_t>(of(plan.motions, static_cast<int>(critical_point), {},
+                                       &finemotion::CertainMotion::critical_point) -
+                                    plan.motions.begin());
+  };
+  return {at(std::ranges::lower_bound), at(std::ranges::upper_bound)};
+}
+
+std::vector<report::Element> GraphsOf(const finemotion::ContactChain& chain,
+                                      const finemotion::FineMotionPlan& plan) {
+  const check::PlannedContacts planned = check::PlannedContactsOf(plan);
+  std::vector<report::Element> graphs;
+  for (std::size_t i = 0; i < chain.points.size(); ++i)
+    graphs.push_back(report::ContactGraphPicture(chain.points[i], planned, MotionsAt(plan, i)));
+  return graphs;
+}
+
+}  // namespace
+
+std::vector<std::string> WriteMatingPictures(const std::filesystem::path& folder,
+                                             const PicturedMating& pictured) {
+  const auto& [planned, mating, geometry, chain, plan, strategy, study] = pictured;
+  const scene::Scene scene(planned.problem, planned.simulation.scene);
+  std::vector<ContactPicture> states =
+      WriteContactPictures(folder, planned.problem, scene, mating, strategy);
+  std::vector<std::string> files;
+  for (const ContactPicture& picture : states) files.push_back(picture.file);
+  states.pop_back();  // the last picture shows all states
+  report::MatingSubject subject{.title = TitleOf(pictured),
+                                .summary = SummaryOf(geometry, plan),
+                                .graphs = GraphsOf(chain, plan),
+                                .motions = MotionsOf(plan)};
+  if (study) subject.trials = TrialsOf(*study);
+  int number = 0;
+  for (const ContactPicture& picture : states)
+    subject.pictures.push_back({picture.caption, ContentsOf(folder / picture.file)});
+  for (const report::Element& graph : subject.graphs) {
+    const std::string file = fmt::format("graph-{}.svg", ++number);
+    WriteFile(folder / file, report::SvgFile(graph));
+    files.push_back(file);
+  }
+  WriteFile(folder / "index.html", report::MatingPage(std::move(subject)));
+  files.emplace_back("index.html");
+  return files;
+}
+
+}  // namespace assay::cli

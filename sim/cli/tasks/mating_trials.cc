@@ -1,0 +1,81 @@
+#include "sim/cli/tasks/mating_trials.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "planner/base/random.h"
+#include "sim/cli/command_line/interruption.h"
+#include "sim/cli/command_line/usage_error.h"
+
+namespace assay::cli {
+namespace {
+
+constexpr double kSeated = 1e-3;  // metres from the seat along the way in
+constexpr int kMostDraws = 1000;
+
+}  // namespace
+
+MatingTrials::MatingTrials(const MatingTask& task, const finemotion::MatingGeometry& geometry,
+                           const plan::Strategy& strategy, const MatingTrialSettings& settings)
+    : problem_(task.planned.problem),
+      assemble_(task.assemble),
+      geometry_(geometry),
+      strategy_(strategy),
+      settings_(settings),
+      scene_(task.planned.problem, settings.scene) {}
+
+MatedTrial MatingTrials::RunStrategy(int number, const check::PlannedContacts& contacts) const {
+  const Drawn drawn = DrawnFor(number);
+  check::ContactObserver observer(scene_, problem_.mating(assemble_.mating), geometry_, contacts);
+  execution::MatingTrialOptions options;
+  options.observer = [&observer](const mujoco::Data& data, int motion) {
+    Interruption::BreakOffIfRequested();
+    observer(data, motion);
+  };
+  MatedTrial trial =
+      Told(number, drawn,
+           execution::RunMatingTrial(problem_, scene_, drawn.setting, strategy_, options));
+  const std::vector<check::ContactSpan> bridged = check::Bridged(observer.seen().spans);
+  trial.sequence = {observer.seen(), check::StatesOf(bridged), check::Compare(contacts, bridged)};
+  return trial;
+}
+
+MatedTrial MatingTrials::RunStraight(int number) const {
+  const Drawn drawn = DrawnFor(number);
+  return Told(number, drawn, execution::RunStraightMating(problem_, scene_, drawn.setting));
+}
+
+MatingTrials::Drawn MatingTrials::DrawnFor(int number) const {
+  RandomStream random(settings_.seed, fmt::format("mating trial {}", number));
+  Drawn drawn{.setting = {.mating = assemble_.mating,
+                          .hold = assemble_.hold,
+                          .X_HeldTip = geometry_.X_HeldTip,
+                          .near = settings_.near}};
+  execution::MatingSetting& setting = drawn.setting;
+  const auto most = settings_.beyond * settings_.errors.pose;
+  for (; drawn.redrawn < kMostDraws; ++drawn.redrawn) {
+    for (int i = 0; i < 3; ++i) setting.d[i] = random.Uniform(-most[i], most[i]);
+    for (int i = 0; i < 3; ++i) setting.w[i] = random.Uniform(-most[3 + i], most[3 + i]);
+    if (CanStart(problem_, setting, strategy_)) return drawn;
+  }
+  throw UsageError(fmt::format("mate: --beyond {:g}: with {} draws of errors no trial can begin",
+                               settings_.beyond, kMostDraws));
+}
+
+MatedTrial MatingTrials::Told(int number, const Drawn& drawn,
+                              execution::MatingResult result) const {
+  MatedTrial trial{.number = number, .redrawn = drawn.redrawn, .result = std::move(result)};
+  for (int i = 0; i < finemotion::kPoseDimensions; ++i) {
+    const double half = settings_.errors.pose[i];
+    const double error = std::abs(i < 3 ? drawn.setting.d[i] : drawn.setting.w[i - 3]);
+    if (half > 0) trial.scale = std::max(trial.scale, error / half);
+  }
+  const geometry::Pose at = trial.result.X_FixedHeld * geometry_.X_HeldTip;
+  const geometry::Vector3 left = geometry_.X_FixedSeat.translation() - at.translation();
+  trial.seated = std::abs(left.dot(geometry_.passage.mating)) < kSeated;
+  return trial;
+}
+
+}  // namespace assay::cli

@@ -1,0 +1,125 @@
+#include "sim/cli/tasks/planned_problem.h"
+
+#include <fmt/format.h>
+
+#include <optional>
+#include <string_view>
+
+#include "planner/assembly/certified_plan.h"
+#include "planner/assembly/plan_check.h"
+#include "planner/plan/plan_files/plan_file.h"
+#include "planner/verify/plan_verification.h"
+#include "sim/cli/command_line/progress.h"
+
+namespace assay::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path FindScenario(const fs::path& named, const fs::path& plan_file) {
+  std::error_code ignored;
+  const fs::path beside = plan_file.parent_path() / named;
+  return !fs::exists(named, ignored) && fs::exists(beside, ignored) ? beside : named;
+}
+
+// Shows on a terminal what is being verified.
+class Verification {
+ public:
+  explicit Verification(const PlannedProblem& planned)
+      : submitted_{planned.problem, planned.result.plan, planned.file(), !planned.plan_file.empty(),
+                   [this](std::string_view part) {
+                     progress_.emplace(fmt::format("{} for {}", part, submitted_.problem.name));
+                   }} {}
+
+  const verify::Submitted& submitted() const { return submitted_; }
+
+ private:
+  std::optional<Progress> progress_;
+  verify::Submitted submitted_;
+};
+
+void Locate(const PlannedProblem& planned, std::vector<plan::Flaw>& flaws) {
+  for (plan::Flaw& flaw : flaws) {
+    const auto step = static_cast<std::size_t>(flaw.step.index());
+    if (!flaw.step.IsNone() && step < planned.places.size()) flaw.place = planned.places[step];
+  }
+}
+
+void RequireGoal(const Document& document, const domain::Problem& problem) {
+  if (!problem.goals.empty()) return;
+  throw InputError(
+      {.file = document.file()}, "the goal is about knowledge, so its plan is a tree",
+      "a scenario with a key `goal`; or assay plan and assay run, which know plan trees");
+}
+
+}  // namespace
+
+std::vector<domain::Problem> ReadWorldsToPlan(const Document& document,
+                                              const domain::ModelPath& models,
+                                              const scenario::Overrides& overrides) {
+  std::vector<domain::Problem> worlds = scenario::ReadWorlds(document, models, overrides);
+  RequireGoal(document, worlds.front());
+  return worlds;
+}
+
+PlannedProblem ReadPlan(const Document& plan_file, const domain::ModelPath& models) {
+  const fs::path path = FindScenario(plan::ScenarioOf(plan_file), plan_file.file());
+  scenario::Scenario scenario = scenario::Load(path, models);
+  plan::PlanResult result = plan::ReadPlan(plan_file, scenario.problem);
+  std::vector<FilePlace> places;
+  for (const Value& action : plan_file.root().At("actions").Items()) {
+    places.push_back(action.Place());
+  }
+  return {path.string(),
+          std::move(scenario.problem),
+          std::move(scenario.simulation),
+          std::move(result),
+          plan_file.file(),
+          std::move(places)};
+}
+
+PlannedProblem MakePlan(const Document& document, scenario::Scenario scenario,
+                        const constraint_posting::PlannerOptions& planner,
+                        const constraint_posting::UncertaintyOptions& uncertainty) {
+  RequireGoal(document, scenario.problem);
+  plan::PlanResult result = PlanWithProgress(scenario.problem, planner, uncertainty);
+  return {document.file(), std::move(scenario.problem), std::move(scenario.simulation),
+          std::move(result)};
+}
+
+PlannedProblem ReadOrMakePlan(const Document& document, const domain::ModelPath& models) {
+  return IsPlanFile(document) ? ReadPlan(document, models)
+                              : MakePlan(document, scenario::Read(document, models), {}, {});
+}
+
+bool IsPlanFile(const Document& document) {
+  return document.root().At("format").OneOf({"assay-scenario/1", "assay-plan/2"}) == 1;
+}
+
+plan::PlanResult PlanWithProgress(const domain::Problem& problem,
+                                  const constraint_posting::PlannerOptions& planner,
+                                  const constraint_posting::UncertaintyOptions& uncertainty) {
+  const Progress progress("planning " + problem.name);
+  return assembly::MakeCertifiedPlan(problem, planner, uncertainty);
+}
+
+plan::CheckReport CheckPlan(const domain::Problem& problem, const plan::Plan& plan) {
+  const Progress progress("checking the plan for " + problem.name);
+  return assembly::Check(problem, plan, kMostLinearizations);
+}
+
+plan::CheckReport CheckPlan(const PlannedProblem& planned) {
+  const Verification verification(planned);
+  plan::CheckReport report = verify::Verify(verification.submitted(), kMostLinearizations);
+  Locate(planned, report.flaws);
+  return report;
+}
+
+std::vector<plan::Flaw> CertificateFlaws(const PlannedProblem& planned) {
+  const Verification verification(planned);
+  std::vector<plan::Flaw> flaws = verify::FlawsOfClaims(verification.submitted());
+  Locate(planned, flaws);
+  return flaws;
+}
+
+}  // namespace assay::cli

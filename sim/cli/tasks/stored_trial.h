@@ -1,0 +1,19 @@
+#pragma once
+
+#include <filesystem>
+
+#include "sim/sweep/grid/sweep_file.h"
+#include "sim/sweep/grid/work.h"
+
+namespace assay::cli {
+
+// Returns the sweep file of a database, from its old path in the working directory or from beside
+// the database. Throws InputError if it is not there, or has changed.
+sweep::Sweep SweepOf(const sweep::Store& store);
+
+// Returns the cell of a trial, with the stored plan. `models` are the given folders; if it is
+// empty, the folder is searched for.
+sweep::PlannedCell RestoredCell(const sweep::Store& store, const sweep::TrialRecord& trial,
+                                const domain::ModelPath& models);
+
+}  // namespace assay::cli

@@ -1,0 +1,350 @@
+#include "sim/cli/trial_output/sweep_report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "sim/cli/options/quantity.h"
+#include "sim/cli/plan_output/table.h"
+#include "sim/cli/trial_output/json_number.h"
+#include "sim/cli/trial_output/verdict_tally.h"
+#include "sim/scenario/scenario.h"
+#include "sim/sweep/database/wilson.h"
+#include "sim/sweep/grid/grid.h"
+
+namespace assay::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using sweep::CellRecord;
+using sweep::CellSummary;
+
+// A column that distinguishes cells. It is shown if its values differ.
+struct Axis {
+  const char* name;
+  std::string (*value)(const CellRecord&);
+};
+
+constexpr std::array kAxes = {
+    Axis{"scenario", [](const CellRecord& cell) { return cell.scenario; }},
+    Axis{"clearance mm",
+         [](const CellRecord& cell) { return fmt::format("{:.6g}", 1000 * cell.clearance); }},
+    Axis{"errors", [](const CellRecord& cell) { return fmt::format("x {}", cell.error_scale); }},
+    Axis{"propagation", [](const CellRecord& cell) { return cell.propagation; }},
+    Axis{"resolvers", [](const CellRecord& cell) { return cell.resolvers; }},
+    Axis{"grasp", [](const CellRecord& cell) { return cell.grasp; }},
+    Axis{"sensing", [](const CellRecord& cell) { return cell.sensing; }},
+    Axis{"noise", [](const CellRecord& cell) { return cell.noise; }},
+    Axis{"seed", [](const CellRecord& cell) { return std::to_string(cell.seed); }},
+};
+
+std::vector<Axis> AxesShown(const std::vector<CellSummary>& cells) {
+  std::vector<Axis> shown;
+  for (const Axis& axis : kAxes) {
+    std::set<std::string> values;
+    for (const CellSummary& summary : cells) values.insert(axis.value(summary.cell));
+    if (values.size() > 1) shown.push_back(axis);
+  }
+  return shown;
+}
+
+std::string PlanText(const CellRecord& cell) {
+  if (cell.outcome == "none") return "no plan";
+  if (cell.outcome == "budget") return "budget spent";
+  if (cell.outcome == "untestable") {
+    return fmt::format("{} actions, cannot be tested", cell.actions);
+  }
+  return fmt::format("{} actions, {}", cell.actions,
+                     cell.proved ? "proved" : fmt::format("{} unproved", cell.errors));
+}
+
+bool IsAttack(const CellSummary& summary) {
+  return summary.cell.noise == sweep::Name(sweep::NoiseKind::kAttack);
+}
+
+// Returns a cell's rate: "98.1 % [97.1, 98.8]". A falsification has no rate.
+std::string RateText(const CellSummary& summary) {
+  if (summary.done == 0 || IsAttack(summary)) return "-";
+  const Interval interval = sweep::WilsonInterval(summary.succeeded, summary.done);
+  return fmt::format("{:.1f} % [{:.1f}, {:.1f}]", 100.0 * summary.succeeded / summary.done,
+                     100 * interval.low, 100 * interval.high);
+}
+
+Table CellTable(const SweepResults& results) {
+  const std::vector<Axis> axes = AxesShown(results.cells);
+  std::vector<Table::Column> columns = {{"cell", Align::kRight}};
+  for (const Axis& axis : axes) columns.push_back({axis.name});
+  for (const char* name : {"plan", "trials", "succeeded [95 %]", "contained", "inconclusive",
+                           "violated", "not claimed", "signalled", "recovered", "operator"}) {
+    columns.push_back({name, std::string_view(name) == "plan" ? Align::kLeft : Align::kRight});
+  }
+  Table table(std::move(columns));
+  for (const CellSummary& summary : results.cells) {
+    std::vector<std::string> row = {std::to_string(summary.cell.cell)};
+    for (const Axis& axis : axes) row.push_back(axis.value(summary.cell));
+    const check::VerdictCounts& counts = summary.certificates;
+    row.push_back(PlanText(summary.cell));
+    row.push_back(fmt::format("{} of {}", summary.done, summary.cell.trials));
+    row.push_back(RateText(summary));
+    for (const std::int64_t count :
+         {counts.contained, counts.inconclusive, counts.violated, counts.not_claimed,
+          std::int64_t{summary.with_errors}, std::int64_t{summary.recovered},
+          std::int64_t{summary.operator_called}}) {
+      row.push_back(std::to_string(count));
+    }
+    table.Add(std::move(row));
+  }
+  return table;
+}
+
+// Returns the numbers of failures by outcome: "not-seated: 3".
+std::map<std::string, int> Failures(const SweepResults& results) {
+  std::map<std::string, int> failures;
+  for (const CellSummary& summary : results.cells) {
+    for (const auto& [outcome, count] : summary.failed) failures[outcome] += count;
+  }
+  return failures;
+}
+
+std::string ReplayCommand(const SweepResults& results) {
+  return fmt::format("assay replay {} {}", results.database, results.first_bad);
+}
+
+// Returns the command as a user types it, with the database's name.
+std::string CommandOf(const std::string& replay, const std::string& database) {
+  constexpr std::string_view kStored = "assay replay DB ";
+  if (!replay.starts_with(kStored)) return replay;
+  return fmt::format("assay replay {} {}", database, replay.substr(kStored.size()));
+}
+
+std::string CounterexampleText(const sweep::CounterexampleRecord& example,
+                               const std::string& database) {
+  const Unit unit = ShownUnitOf(example.dimension);
+  return fmt::format("  {}: {}: {} is not in [{:.6g}, {:.6g}] {}{}\n    again: {}\n",
+                     example.action, example.name, InUnit(example.observed, unit),
+                     example.low / unit.factor, example.high / unit.factor, unit.name,
+                     example.replayed ? "" : " (only from a state saved on the way)",
+                     CommandOf(example.replay, database));
+}
+
+std::string AttackText(const CellAttack& cell, const std::string& database) {
+  const sweep::AttackRecord& attack = cell.attack;
+  std::string text = fmt::format("cell {}: {} attempts, {} violated\n", cell.cell, attack.attempts,
+                                 attack.certificates.violated);
+  for (const sweep::CounterexampleRecord& example : attack.counterexamples) {
+    text += CounterexampleText(example, database);
+  }
+  for (const sweep::ConservatismRecord& ratio : attack.conservatism) {
+    text += fmt::format("  {}: guaranteed up to x {:.3g}, {}\n", ratio.variable, ratio.guaranteed,
+                        ratio.broken ? fmt::format("broken at x {:.3g}", *ratio.broken)
+                                     : std::string("never broken"));
+  }
+  return text;
+}
+
+std::string AttacksText(const SweepResults& results) {
+  if (results.attacks.empty()) return "";
+  std::string text = "\nattacks\n";
+  for (const CellAttack& cell : results.attacks) text += AttackText(cell, results.database);
+  return text;
+}
+
+std::string SpeedText(const sweep::RunRecord& run) {
+  const sweep::Throughput& done = run.throughput;
+  return fmt::format(
+      "{} trials, {} engine steps in {:.1f} s on {} threads: {:.0f} steps a second\n", done.trials,
+      done.steps, done.seconds, run.jobs, done.StepsPerSecond());
+}
+
+Json RunJson(const sweep::RunRecord& run) {
+  const sweep::Throughput& done = run.throughput;
+  return {{"shard", run.shard},      {"jobs", run.jobs},
+          {"trials", done.trials},   {"steps", done.steps},
+          {"seconds", done.seconds}, {"steps_per_second", done.StepsPerSecond()}};
+}
+
+Json CounterexampleJson(const sweep::CounterexampleRecord& example, const std::string& database) {
+  return {{"claim", example.claim},       {"action", example.action},
+          {"name", example.name},         {"unit", domain::SiUnitOf(example.dimension).name},
+          {"observed", example.observed}, {"low", OrNull(example.low)},
+          {"high", OrNull(example.high)}, {"margin", example.margin},
+          {"gate", example.gate},         {"noise", example.noise},
+          {"steps", example.steps},       {"replayed", example.replayed},
+          {"multiple", example.multiple}, {"replay", CommandOf(example.replay, database)}};
+}
+
+Json AttackJson(const CellAttack& cell, const std::string& database) {
+  const sweep::AttackRecord& attack = cell.attack;
+  Json json = {{"cell", cell.cell},
+               {"attempts", attack.attempts},
+               {"verdicts", ToJson(attack.certificates)},
+               {"claims", ToJson(attack.claims)},
+               {"counterexamples", Json::array()},
+               {"conservatism", Json::array()}};
+  for (const sweep::CounterexampleRecord& example : attack.counterexamples) {
+    json["counterexamples"].push_back(CounterexampleJson(example, database));
+  }
+  for (const sweep::ConservatismRecord& ratio : attack.conservatism) {
+    json["conservatism"].push_back({{"variable", ratio.variable},
+                                    {"guaranteed", ratio.guaranteed},
+                                    {"broken", OrNull(ratio.broken)},
+                                    {"ratio", OrNull(ratio.ratio)}});
+  }
+  return json;
+}
+
+Json CellJson(const CellSummary& summary) {
+  const CellRecord& cell = summary.cell;
+  const Interval interval = sweep::WilsonInterval(summary.succeeded, summary.done);
+  return {{"cell", cell.cell},
+          {"scenario", cell.scenario},
+          {"clearance", cell.clearance},
+          {"error_scale", cell.error_scale},
+          {"propagation", cell.propagation},
+          {"resolvers", cell.resolvers},
+          {"grasp", cell.grasp},
+          {"sensing", cell.sensing},
+          {"noise", cell.noise},
+          {"seed", cell.seed},
+          {"outcome", cell.outcome},
+          {"actions", cell.actions},
+          {"errors", cell.errors},
+          {"trials", cell.trials},
+          {"done", summary.done},
+          {"succeeded", summary.succeeded},
+          {"interval", {interval.low, interval.high}},
+          {"failed", summary.failed},
+          {"verdicts", ToJson(summary.certificates)},
+          {"signalled", summary.with_errors},
+          {"recovered", summary.recovered},
+          {"operator_called", summary.operator_called}};
+}
+
+// Loads every scenario with every clearance and error scale, so that errors in them are reported.
+void LoadAll(const sweep::Sweep& sweep, const domain::ModelPath& models) {
+  for (const std::string& name : sweep.scenarios) {
+    const std::filesystem::path file = sweep.PathOf(name);
+    for (const std::optional<double>& clearance : sweep.clearances) {
+      for (const double scale : sweep.error_scales) {
+        scenario::Load(file, models, {.clearance = clearance, .error_scale = scale});
+      }
+    }
+  }
+}
+
+}  // namespace
+
+int SweepResults::Done() const {
+  int done = 0;
+  for (const CellSummary& summary : cells) done += summary.done;
+  return done;
+}
+
+int SweepResults::Succeeded() const {
+  int succeeded = 0;
+  for (const CellSummary& summary : cells) succeeded += summary.succeeded;
+  return succeeded;
+}
+
+check::VerdictCounts SweepResults::Certificates() const {
+  check::VerdictCounts sum;
+  for (const CellSummary& summary : cells) {
+    sum += summary.certificates;
+  }
+  return sum;
+}
+
+SweepResults ResultsOf(const sweep::Store& store, const std::string& database) {
+  SweepResults results = {.database = database,
+                          .trials = store.TrialsInAll(),
+                          .cells = sweep::Summarize(store),
+                          .runs = store.Runs(),
+                          .first_bad = static_cast<int>(store.database().Integer(
+                              "SELECT coalesce(min(trial), 0) FROM trial"
+                              " WHERE outcome != 'succeeded' OR violated > 0"))};
+  std::erase_if(results.runs,
+                [](const sweep::RunRecord& run) { return run.throughput.trials == 0; });
+  for (const CellSummary& summary : results.cells) {
+    std::optional<sweep::AttackRecord> attack = store.FindAttack(summary.cell.cell);
+    if (attack) results.attacks.push_back({summary.cell.cell, *std::move(attack)});
+  }
+  return results;
+}
+
+std::string ForPeople(const SweepResults& results) {
+  std::string text = CellTable(results).Text() + AttacksText(results);
+  const int done = results.Done();
+  text += fmt::format("\n{} of {} trials succeeded; {} certificates violated\n",
+                      results.Succeeded(), done, results.Certificates().violated);
+  for (const auto& [outcome, count] : Failures(results)) {
+    text += fmt::format("{}: {}\n", outcome, count);
+  }
+  if (results.first_bad > 0) text += fmt::format("again: {}\n", ReplayCommand(results));
+  for (const CellSummary& summary : results.cells) {
+    if (summary.cell.conflict.empty()) continue;
+    text += fmt::format("cell {}: {}\n", summary.cell.cell, summary.cell.conflict);
+  }
+  if (done < results.trials) {
+    text += fmt::format("{} of {} trials are there\n", done, results.trials);
+  }
+  for (const sweep::RunRecord& run : results.runs) text += SpeedText(run);
+  return text;
+}
+
+Json ToJson(const SweepResults& results) {
+  const std::map<std::string, int> failures = Failures(results);
+  Json json = {{"database", results.database}, {"trials", results.trials},
+               {"done", results.Done()},       {"succeeded", results.Succeeded()},
+               {"failed", failures},           {"verdicts", ToJson(results.Certificates())},
+               {"replay", Json::array()},      {"cells", Json::array()},
+               {"attacks", Json::array()},     {"runs", Json::array()}};
+  if (results.first_bad > 0) json["replay"].push_back(ReplayCommand(results));
+  for (const CellSummary& summary : results.cells) json["cells"].push_back(CellJson(summary));
+  for (const CellAttack& cell : results.attacks) {
+    json["attacks"].push_back(AttackJson(cell, results.database));
+  }
+  for (const sweep::RunRecord& run : results.runs) json["runs"].push_back(RunJson(run));
+  return json;
+}
+
+ExitCode ExitCodeOf(const SweepResults& results) {
+  if (results.first_bad > 0) return ExitCode::kFailed;
+  const auto has = [&](const char* outcome) {
+    return std::ranges::any_of(
+        results.cells, [&](const CellSummary& summary) { return summary.cell.outcome == outcome; });
+  };
+  if (has("untestable")) return ExitCode::kFailed;
+  if (has("none")) return ExitCode::kNoPlan;
+  return has("budget") ? ExitCode::kBudgetSpent : ExitCode::kDone;
+}
+
+Report ReportOn(const sweep::Sweep& sweep, const domain::ModelPath& models) {
+  LoadAll(sweep, models);
+  const std::vector<sweep::Cell> cells = sweep::Cells(sweep);
+  int plans = 0;
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    plans += i == 0 || !sweep::SharePlan(cells[i - 1], cells[i]);
+  }
+  const int trials = sweep::TrialCount(cells);
+  const auto attacks = std::ranges::count(cells, sweep::NoiseKind::kAttack, &sweep::Cell::noise);
+  Report report;
+  report.text = fmt::format("sweep {}: {} trials in {} cells, {} plans\n",
+                            sweep.file.stem().string(), trials, cells.size(), plans);
+  if (attacks > 0) {
+    report.text += fmt::format("{} of the trials are attacks with {} attempts each\n", attacks,
+                               sweep.attempts);
+  }
+  report.json = std::make_shared<const Json>(Json{{"sweep", sweep.file.stem().string()},
+                                                  {"scenarios", sweep.scenarios},
+                                                  {"trials", trials},
+                                                  {"cells", cells.size()},
+                                                  {"attacks", attacks},
+                                                  {"plans", plans}});
+  return report;
+}
+
+}  // namespace assay::cli

@@ -1,0 +1,196 @@
+#include "planner/domain/matings/shaft_fit.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "planner/domain/problem/problem_file.h"
+#include "planner/geometry/collision.h"
+#include "tests/planner/domain/parts.h"
+
+namespace assay::domain::shaft_fit_test {
+namespace {
+
+using ::testing::IsEmpty;
+using ::testing::SizeIs;
+
+Problem Load(const std::string& scenario) {
+  const std::string root = ASSAY_SOURCE_DIR;
+  return ReadProblem(Document::Load(root + "/scenarios/" + scenario + ".yaml"), root + "/models");
+}
+
+// Returns whether the held part collides with the fixed one after a move from its seat.
+bool IsStopped(const Problem& problem, const Mating& mating, const Vector3& moved) {
+  return Overlaps(problem.part(mating.held).model->shape(),
+                  geometry::Translation(moved) * mating.X_FixedHeld,
+                  problem.part(mating.fixed).model->shape(), Pose::Identity(), 0);
+}
+
+// The oracle uses only the boxes of the parts, and no features and walls.
+TEST(ShaftFit, GapsAreHowFarTheSeatedPartCanMove) {
+  for (const char* scenario :
+       {"spar-fig15", "two-pegs", "keyed", "uncertain-sensing", "uncertain-squeezing",
+        "mate-octagonal", "mate-stepped", "mate-t-slot"}) {
+    const Problem problem = Load(scenario);
+    for (const Mating& mating : problem.matings) {
+      const std::vector<FitGap> gaps = GapsOf(problem, mating);
+      ASSERT_GE(gaps.size(), 2u) << scenario;
+      for (const auto& [across, low, high] : gaps) {
+        EXPECT_NEAR(across.dot(mating.mating_vector), 0, 1e-9) << scenario;
+        EXPECT_FALSE(IsStopped(problem, mating, (high - 1e-6) * across)) << scenario;
+        EXPECT_TRUE(IsStopped(problem, mating, (high + 1e-6) * across)) << scenario;
+        EXPECT_FALSE(IsStopped(problem, mating, (low - 1e-6) * -across)) << scenario;
+        EXPECT_TRUE(IsStopped(problem, mating, (low + 1e-6) * -across)) << scenario;
+      }
+    }
+  }
+}
+
+TEST(ShaftFit, OffTheMiddleOneGapIsWiderByAsMuchAsTheOtherIsNarrower) {
+  for (const char* scenario : {"spar-fig15", "uncertain-sensing"}) {
+    const Problem problem = Load(scenario);
+    Mating mating = problem.matings.front();
+    const std::vector<FitGap> centred = GapsOf(problem, mating);
+    const Vector3 off(1e-4, 2e-4, -1e-4);
+    mating.X_FixedHeld.translation() += off;
+    const std::vector<FitGap> moved = GapsOf(problem, mating);
+    ASSERT_EQ(moved.size(), centred.size());
+    for (std::size_t i = 0; i < moved.size(); ++i) {
+      const double along = off.dot(moved[i].across);
+      EXPECT_NEAR(moved[i].low - centred[i].low, along, 1e-12) << scenario;
+      EXPECT_NEAR(moved[i].high - centred[i].high, -along, 1e-12) << scenario;
+    }
+  }
+}
+
+// A nut. Its body is a hexagonal prism of three boxes, one for each pair of sides. Its hole is the
+// intersection of three pockets.
+const char* const kNut = R"(format: assay-part/1
+name: nut
+initial: NU
+units: {length: mm, angle: degree}
+density: 1000
+friction: 0.3
+solids:
+  across: {box: [[-30, -30, 0], [30, 30, 40]]}
+  left: {box: [[-22, -9, 10], [22, 9, 40]], turn: {axis: [0, 0, 1], angle: 60}}
+  right: {box: [[-22, -9, 10], [22, 9, 40]], turn: {axis: [0, 0, 1], angle: 120}}
+pockets:
+  hole: {cut_from: across, box: [[-12, -13.8564065, 10], [12, 13.8564065, 40]], widen: [x, y]}
+  hole-left: {cut_from: left, box: [[-12, -14, 10], [12, 14, 40]], widen: [x]}
+  hole-right: {cut_from: right, box: [[-12, -14, 10], [12, 14, 40]], widen: [x]}
+features:
+  1: {hole: [hole, hole-left, hole-right], axis: [0, 0, 1]}
+  2: {face: across, normal: [0, 0, -1]}
+)";
+const char* const kBolt = R"(format: assay-part/1
+name: bolt
+initial: BL
+units: {length: mm, angle: degree}
+density: 1000
+friction: 0.3
+solids:
+  head: {box: [[-25, -25, 0], [25, 25, 20]]}
+  across: {box: [[-12, -6.9282032, -30], [12, 6.9282032, 0]]}
+  left: {box: [[-12, -6.9282032, -30], [12, 6.9282032, 0]], turn: {axis: [0, 0, 1], angle: 60}}
+  right: {box: [[-12, -6.9282032, -30], [12, 6.9282032, 0]], turn: {axis: [0, 0, 1], angle: 120}}
+features:
+  1: {shaft: [across, left, right], axis: [0, 0, -1]}
+  2: {face: head, normal: [0, 0, 1]}
+)";
+constexpr double kClearance = 0.0008;
+
+Problem BoltInNut() {
+  Problem problem;
+  problem.parts.resize(2);
+  problem.parts[0].name = "bolt";
+  problem.parts[0].model = ParsePart(kBolt, kClearance);
+  problem.parts[1].name = "nut";
+  problem.parts[1].model = ParsePart(kNut, kClearance);
+  return problem;
+}
+
+Mating Seated(int of_bolt, int of_nut) {
+  return {.held = PartId(0),
+          .fixed = PartId(1),
+          .features = {{FeatureNumber(of_bolt), FeatureNumber(of_nut)}},
+          .X_FixedHeld = geometry::Translation(0, 0, 0.04),
+          .mating_vector = Vector3(0, 0, -0.05)};
+}
+
+// The gaps are those across the three pairs of sides, and those into the corners at which a pocket
+// of the body ends.
+TEST(ShaftFit, AHexagonIsHeldAllAround) {
+  const Problem problem = BoltInNut();
+  const Mating mating = Seated(1, 1);
+  EXPECT_TRUE(HasShaftInHole(problem, mating));
+  const std::vector<FitGap> gaps = GapsOf(problem, mating);
+  ASSERT_THAT(gaps, SizeIs(4));
+  for (const auto& [across, low, high] : gaps) {
+    EXPECT_NEAR(low, kClearance, 1e-9);
+    EXPECT_NEAR(high, kClearance, 1e-9);
+    EXPECT_FALSE(IsStopped(problem, mating, (high - 1e-6) * across));
+    EXPECT_TRUE(IsStopped(problem, mating, (high + 1e-6) * across));
+  }
+}
+
+// However a seated part is pushed and turned, it is within its play.
+TEST(ShaftFit, NothingThatFitsIsFartherOffThanThePlay) {
+  const Problem problem = BoltInNut();
+  const Mating mating = Seated(1, 1);
+  const SeatPlay play = PlayInSeat(problem, mating, 0);
+  for (int i = 0; i < 36; ++i) {
+    const double angle = i * std::numbers::pi / 18;
+    const Vector3 direction(std::cos(angle), std::sin(angle), 0);
+    double farthest = 0;
+    while (!IsStopped(problem, mating, farthest * direction)) farthest += 1e-5;
+    EXPECT_LE(farthest - 1e-5, play.shift) << i;
+    EXPECT_GE(play.shift, kClearance);
+  }
+  double turn = 0;
+  const auto is_turned_in = [&](double by) {
+    return !Overlaps(problem.parts[0].model->shape(), mating.X_FixedHeld * geometry::RotationZ(by),
+                     problem.parts[1].model->shape(), Pose::Identity(), 0);
+  };
+  while (is_turned_in(turn)) turn += 1e-4;
+  EXPECT_LE(turn - 1e-4, play.turn);
+}
+
+// The play is used up exactly at the ends of the gaps.
+TEST(ShaftFit, FitsInsideAsFarAsTheGaps) {
+  for (const char* scenario : {"keyed", "uncertain-sensing", "mate-stepped"}) {
+    const Problem problem = Load(scenario);
+    const Mating& mating = problem.matings.front();
+    const std::vector<ShaftFit> fits = FitsOf(problem, mating);
+    EXPECT_TRUE(FitsInside(fits, mating.X_FixedHeld)) << scenario;
+    for (const auto& [across, low, high] : GapsOf(problem, mating)) {
+      const auto moved = [&](double by) {
+        return FitsInside(fits, geometry::Translation(by * across) * mating.X_FixedHeld);
+      };
+      EXPECT_TRUE(moved(high - 1e-9) && moved(-low + 1e-9)) << scenario;
+      EXPECT_FALSE(moved(high + 1e-9) || moved(-low - 1e-9)) << scenario;
+    }
+  }
+}
+
+TEST(ShaftFit, FacesHaveNoFit) {
+  const Problem problem = BoltInNut();
+  for (const auto& mating : {Seated(1, 2), Seated(2, 1), Seated(2, 2)}) {
+    EXPECT_THAT(FitsOf(problem, mating), IsEmpty());
+    EXPECT_FALSE(HasShaftInHole(problem, mating));
+  }
+}
+
+TEST(Slots, TheNarrowestOfParallelWallsAndEachDirectionOnce) {
+  const Vector3 x = Vector3::UnitX(), y = Vector3::UnitY();
+  const std::vector<Slot> slots =
+      SlotsOf({{x, -2}, {-x, -3}, {Vector3(-x), -1}, {y, -5}, {Vector3(x), -1.5}});
+  ASSERT_THAT(slots, SizeIs(1));
+  const double sense = slots[0].across.x();
+  EXPECT_EQ(sense * (sense > 0 ? slots[0].low : slots[0].high), -1.5);
+  EXPECT_EQ(sense * (sense > 0 ? slots[0].high : slots[0].low), 1);
+  EXPECT_FALSE(HoldAllAround(slots)) << "nothing faces the wall along y";
+  EXPECT_TRUE(HoldAllAround(SlotsOf({{x, -2}, {-x, -3}, {y, -5}, {Vector3(-y), -5}})));
+}
+
+}  // namespace
+}  // namespace assay::domain::shaft_fit_test

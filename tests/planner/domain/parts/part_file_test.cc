@@ -1,0 +1,248 @@
+#include "planner/domain/parts/part_file.h"
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/planner/domain/parts.h"
+
+namespace assay::domain::part_file_test {
+namespace {
+
+using testing::HasSubstr;
+
+// A small part that uses every key of the format.
+const std::string kFile = R"(format: assay-part/1
+name: bracket
+initial: BR
+units: {length: mm, angle: degree}
+density: 1000
+friction: 0.3
+solids:
+  body: {box: [[0, 0, 0], [60, 40, 20]], color: [1, 0, 0, 1]}
+  lug: {box: [[20, 10, 20], [40, 30, 50]]}
+pockets:
+  slot: {cut_from: body, box: [[45, 10, 5], [60, 30, 15]], widen: [y]}
+features:
+  1: {face: body, normal: [0, 0, -1], what: bottom}
+  2: {shaft: lug, axis: [0, 0, 1]}
+  3: {hole: slot, axis: [1, 0, 0]}
+stable_poses: {upright: [0, 0, -1]}
+)";
+
+std::string With(const std::string& old_text, const std::string& new_text) {
+  std::string text = kFile;
+  const std::size_t at = text.find(old_text);
+  EXPECT_NE(at, std::string::npos) << old_text;
+  return text.replace(at, old_text.size(), new_text);
+}
+
+std::string ErrorOf(const std::string& text) {
+  try {
+    ParsePart(text);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+TEST(PartFileTest, ReadsEverything) {
+  const auto part = ParsePart(kFile, 0.001);
+  EXPECT_EQ(part->name(), "bracket");
+  EXPECT_EQ(part->initial(), "BR");
+  EXPECT_EQ(part->friction(), 0.3);
+  const double slot = 15 * 22 * 10;  // widened by 1 mm on both sides in y only
+  EXPECT_NEAR(part->mass().mass, 1000 * (60 * 40 * 20 + 20 * 20 * 30 - slot) * 1e-9, 1e-12);
+  EXPECT_EQ(part->features().size(), 3u);
+  EXPECT_EQ(part->FindFeature(FeatureNumber(1))->description, "bottom");
+  EXPECT_EQ(part->FindFeature(FeatureNumber(2))->description, "shaft");
+  EXPECT_FALSE(part->FindStablePose("upright").IsNone());
+  ASSERT_EQ(part->colors().size(), part->boxes().size());
+  EXPECT_EQ(part->colors().front(), Eigen::Vector4f(1, 0, 0, 1));
+}
+
+TEST(PartFileTest, ShaftsAndHolesMayBeChamfered) {
+  std::string text = With("axis: [0, 0, 1]}", "axis: [0, 0, 1], chamfer: 1.5}");
+  const auto part = ParsePart(text);
+  EXPECT_NEAR(part->FindFeature(FeatureNumber(2))->chamfer, 0.0015, 1e-15);
+  EXPECT_EQ(part->FindFeature(FeatureNumber(3))->chamfer, 0);
+  EXPECT_EQ(part->mass().mass, ParsePart(kFile)->mass().mass) << "the boxes do not show it";
+}
+
+TEST(PartFileTest, EveryPartOfTheRepositoryLoads) {
+  for (const std::string& name : PartNames()) {
+    for (double clearance : {0.0, 0.0001, 0.0005, 0.002}) {
+      const auto part = LoadPart(name, clearance);
+      EXPECT_EQ(part->name(), name);
+      for (const StablePose& pose : part->stable_poses()) EXPECT_NE(pose.name, "") << name;
+    }
+  }
+}
+
+TEST(PartFileTest, AFileThatIsNotThereIsWrongInput) {
+  EXPECT_THROW(LoadPart("no-such-part"), InputError);
+}
+
+struct Slip {
+  const char* old_text;
+  const char* new_text;
+  const char* message;
+};
+
+TEST(PartFileTest, EachSlipIsNamed) {
+  const std::vector<Slip> slips = {
+      {"assay-part/1", "assay-part/2", "format"},
+      {"initial: BR", "initial: b", "cannot begin a label"},
+      {"name: bracket", "name: ''", "the name is empty"},
+      {"density: 1000", "density: 0",
+       "part.yaml:5:10: 0 kg/m^3 is out of range; allowed: 1 kg/m^3 to 100000 kg/m^3"},
+      {"density: 1000", "density: -3", "part.yaml:5:10"},
+      {"friction: 0.3", "friction: 0", "part.yaml:6:11"},
+      {"friction: 0.3", "frictoin: 0.3", "did you mean 'friction'"},
+      {"friction: 0.3\n", "", "missing key 'friction'"},
+      {"[60, 40, 20]]", "[0, 40, 20]]", "no length along x"},
+      {"[60, 40, 20]]", "[60, -40, 20]]", "no length along y"},
+      {"[60, 40, 20]]", "[60, 40, 20], [1, 1, 1]]", "two corners, not 3"},
+      {"[60, 40, 20]]", "[60, 40]]", "list"},
+      {"[60, 40, 20]]", "[60, 40, 1e9]]", "part.yaml:8"},
+      {"color: [1, 0, 0, 1]", "color: [2, 0, 0, 1]", "no part of a color"},
+      {"color: [1", "colour: [1", "did you mean 'color'"},
+      {"cut_from: body", "cut_from: bdy", "did you mean 'body'"},
+      {"[[45, 10, 5], [60", "[[65, 10, 5], [70", "cuts nothing"},
+      {"[[45, 10, 5], [60, 30, 15]]", "[[-1, -1, -1], [61, 41, 21]]", "leaves nothing"},
+      {"[60, 30, 15]]", "[59.999, 30, 15]]", "too thin"},
+      {"widen: [y]", "widen: [w]", "x, y, z"},
+      {"face: body", "face: boddy", "did you mean 'body'"},
+      {"normal: [0, 0, -1]", "normal: [0, 1, -1]", "no side that looks this way"},
+      {"normal: [0, 0, -1]", "normal: [0, 0, 0]", "no usable direction"},
+      {"face: body, normal: [0, 0, -1]", "face: lug, normal: [0, 0, -1]", "is covered"},
+      {"normal: [0, 0, -1], what", "what", "missing key 'normal'"},
+      {"hole: slot", "hole: slit", "did you mean 'slot'"},
+      {"hole: slot, axis: [1, 0, 0]", "hole: slot, axis: [0, 1, 0]", "no open mouth"},
+      {"hole: slot, axis: [1, 0, 0]", "hole: slot, axis: [-1, 0, 0]", "no open mouth"},
+      {"hole: slot, axis", "hole: slot, normal", "unknown key 'normal'"},
+      {"hole: slot", "hole: []", "at least one pocket"},
+      {"hole: slot", "hole: [slot, slit]", "did you mean 'slot'"},
+      {"shaft: lug", "shaft: []", "at least one solid"},
+      {"shaft: lug", "shaft: [lug, peg]", "unknown name 'peg'"},
+      {"shaft: lug, axis", "rod: lug, axis", "face, a hole or a shaft"},
+      {"  3: {", "  2.5: {", "integer"},
+      {"  3: {", "  02: {", "feature 2 is given twice"},
+      {"upright: [0, 0, -1]", "upright: [0, 1, -1]", "30 degrees"},
+      {"upright: [0, 0, -1]", "upright: [0, 0, -1], again: [0, 0.1, -1]",
+       "already named 'upright'"},
+      {"axis: [0, 0, 1]}", "axis: [0, 0, 1], chamfer: -1}", "-1 mm is out of range"},
+      {"axis: [1, 0, 0]}", "axis: [1, 0, 0], chamfer: 30}", "allowed: 0 mm to 20 mm"},
+      {"axis: [1, 0, 0]}", "axis: [1, 0, 0], chamfr: 1}", "did you mean 'chamfer'"},
+      {"what: bottom", "chamfer: 1", "unknown key 'chamfer'"},
+      {"solids:\n", "solids: {}\nextra:\n", "unknown key 'extra'"},
+  };
+  for (const Slip& slip : slips) {
+    const std::string message = ErrorOf(With(slip.old_text, slip.new_text));
+    EXPECT_THAT(message, HasSubstr(slip.message)) << slip.new_text;
+    EXPECT_THAT(message, HasSubstr("part.yaml")) << slip.new_text;
+  }
+  EXPECT_EQ(ErrorOf(kFile), "no error");
+}
+
+// A plug in the mouth, or a cap over it, closes a hole.
+TEST(PartFileTest, AMouthMustBeOpen) {
+  for (const char* box : {"[[55, 8, 4], [60, 20, 16]]", "[[60, 5, 8], [70, 25, 12]]"}) {
+    const std::string text = With("pockets:", std::string("  plug: {box: ") + box + "}\npockets:");
+    EXPECT_THAT(ErrorOf(text), HasSubstr("no open mouth")) << box;
+  }
+}
+
+// With a bush in the mouth, the hole is the intersection of slot and bore.
+TEST(PartFileTest, AHoleMayGoThroughSeveralSolids) {
+  const auto with_bush = [](const std::string& bore, const std::string& hole) {
+    std::string text = With("pockets:",
+                            "  bush: {box: [[50, 8, 3], [60, 32, 9]]}\npockets:\n"
+                            "  bore: {cut_from: bush, box: " +
+                                bore + "}");
+    return text.replace(text.find("hole: slot"), 10, hole);
+  };
+  const std::string through = "[[45, 15, 0], [60, 25, 30]]";
+  EXPECT_THAT(ErrorOf(with_bush(through, "hole: slot")), HasSubstr("no open mouth"));
+  EXPECT_THAT(ErrorOf(with_bush("[[45, 15, 0], [55, 25, 30]]", "hole: [slot, bore]")),
+              HasSubstr("no open mouth in common"));
+  const auto part = ParsePart(with_bush(through, "hole: [slot, bore]"));
+  const Feature& hole = *part->FindFeature(FeatureNumber(3));
+  ASSERT_EQ(hole.mouths.size(), 1u);
+  EXPECT_NEAR(geometry::Area(hole.mouths[0].outline), 10 * 10 * 1e-6, 1e-12)
+      << "y from 15 to 25 of the bore, z from 5 to 15 of the slot";
+}
+
+// The lug stands on the body at z = 20.
+TEST(PartFileTest, SolidsHangTogether) {
+  const auto with_lug = [](const char* lug) {
+    return ErrorOf(With("[[20, 10, 20], [40, 30, 50]]", lug));
+  };
+  EXPECT_EQ(with_lug("[[20, 10, 10], [40, 30, 50]]"), "no error") << "in a volume";
+  EXPECT_EQ(with_lug("[[59.9, 10, 20], [90, 30, 50]]"), "no error") << "in a strip of a face";
+  EXPECT_THAT(with_lug("[[20, 10, 20.01], [40, 30, 50]]"),
+              HasSubstr("part.yaml:9:8: solid 'lug' is not connected to solid 'body', directly or "
+                        "through other solids"));
+  EXPECT_THAT(with_lug("[[274, 10, 20], [294, 30, 50]]"), HasSubstr("solid 'lug'"));
+  EXPECT_THAT(with_lug("[[60, 10, 20], [90, 30, 50]]"), HasSubstr("solid 'lug'")) << "in an edge";
+  EXPECT_THAT(with_lug("[[60, 40, 20], [90, 60, 50]]"), HasSubstr("solid 'lug'")) << "in a corner";
+}
+
+// A bridge makes one part of two.
+TEST(PartFileTest, SolidsHangTogetherByOthers) {
+  const std::string apart = With("[[20, 10, 20], [40, 30, 50]]", "[[20, 10, 60], [40, 30, 90]]");
+  EXPECT_THAT(ErrorOf(apart), HasSubstr("solid 'lug'"));
+  std::string bridged = apart;
+  bridged.insert(bridged.find("pockets:"), "  bridge: {box: [[0, 0, 20], [20, 20, 70]]}\n");
+  EXPECT_EQ(ErrorOf(bridged), "no error");
+}
+
+TEST(PartFileTest, PocketsLeaveSolidsInOnePiece) {
+  EXPECT_THAT(ErrorOf(With("[[45, 10, 5], [60, 30, 15]]", "[[10, -1, -1], [15, 41, 21]]")),
+              HasSubstr("the pockets cut solid 'body' into unconnected pieces"));
+}
+
+// The result does not depend on how the whole part is turned.
+TEST(PartFileTest, TurnedSolidsHangTogether) {
+  for (const char* axis : {"[0, 0, 1]", "[1, 2, 3]", "[-2, 1, 0.3]"}) {
+    for (const double angle : {0.0, 12.3, 45.0, 77.0, 100.0}) {
+      const auto with_lug = [&](const std::string& lug) {
+        std::string text = With("color: [1, 0, 0, 1]}",
+                                fmt::format("turn: {{axis: {}, angle: {}}}}}", axis, angle));
+        text.replace(text.find("features:"), std::string::npos, "");
+        return ErrorOf(
+            text.replace(text.find("[[20, 10, 20], [40, 30, 50]]}"), 29,
+                         fmt::format("{}, turn: {{axis: {}, angle: {}}}}}", lug, axis, angle)));
+      };
+      EXPECT_EQ(with_lug("[[20, 10, 20], [40, 30, 50]]"), "no error") << axis << " " << angle;
+      EXPECT_THAT(with_lug("[[20, 10, 20.01], [40, 30, 50]]"), HasSubstr("solid 'lug'"));
+      EXPECT_THAT(with_lug("[[60, 10, 20], [90, 30, 50]]"), HasSubstr("solid 'lug'"));
+    }
+  }
+}
+
+TEST(PartFileTest, APocketTurnsWithItsSolid) {
+  const auto straight = ParsePart(With("stable_poses: {upright: [0, 0, -1]}\n", ""));
+  std::string text = With("stable_poses: {upright: [0, 0, -1]}\n", "");
+  for (const char* color : {"color: [1, 0, 0, 1]}", "[40, 30, 50]]}"}) {
+    std::string turned = color;
+    turned.insert(turned.size() - 1, ", turn: {axis: [0, 0, 1], angle: 90, about: [10, 0, 0]}");
+    text.replace(text.find(color), std::string(color).size(), turned);
+  }
+  text.replace(text.find("hole: slot, axis: [1, 0, 0]"), 27, "hole: slot, axis: [0, 1, 0]");
+  const auto turned = ParsePart(text);
+  const Pose X = geometry::Translation(0.01, 0, 0) * geometry::RotationZ(90 * kDegree) *
+                 geometry::Translation(-0.01, 0, 0);
+  EXPECT_NEAR(turned->mass().mass, straight->mass().mass, 1e-12);
+  EXPECT_LT((turned->mass().center - X * straight->mass().center).norm(), 1e-9);
+  for (int feature : {1, 2, 3}) {
+    const FeatureNumber number(feature);
+    const Pose expected = X * straight->FindFeature(number)->X_PartFeature;
+    const Pose actual = turned->FindFeature(number)->X_PartFeature;
+    EXPECT_LT((actual.translation() - expected.translation()).norm(), 1e-9) << feature;
+    EXPECT_LT((actual.linear().col(2) - expected.linear().col(2)).norm(), 1e-9) << feature;
+  }
+}
+
+}  // namespace
+}  // namespace assay::domain::part_file_test

@@ -1,0 +1,117 @@
+#include "planner/motion/collision/motion_check.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/planner/motion/arm_scene.h"
+
+namespace assay::motion::motion_check_test {
+namespace {
+
+double Tilt(const CollisionScene& scene, const JointVector& q) {
+  const domain::Workcell& workcell = scene.workcell();
+  const Pose X_WorldTool =
+      workcell.X_WorldBase() * scene.arm().Forward(q) * workcell.gripper().X_FlangeTool();
+  return std::acos(std::clamp(-X_WorldTool.linear()(2, 2), -1.0, 1.0));
+}
+
+// Oracle: a motion that is found to be free is free at steps of about a millimetre of the hand.
+TEST(MotionCheck, WhatIsFreeIsFreeAtEveryStep) {
+  const CollisionScene scene(Clutter(), PegInTheHand());
+  MotionCheck check(scene, {.clearance = 0.01});
+  RandomStream random(81, "free");
+  int free = 0;
+  for (int i = 0; i < 20; ++i) {
+    const JointVector from = scene.workcell().home();
+    const JointVector to =
+        from + random.Uniform(0.1, 0.6) * (RandomPosture(scene.arm(), random) - from);
+    if (check.FindObstruction(from, to)) continue;
+    ++free;
+    const int steps = static_cast<int>((to - from).cwiseAbs().sum() / 0.01);
+    for (int k = 0; k <= steps; ++k) {
+      const JointVector q = from + static_cast<double>(k) / steps * (to - from);
+      ASSERT_TRUE(IsClear(scene, q, 0.01)) << i;
+    }
+  }
+  EXPECT_GT(free, 5);
+}
+
+// An obstruction is at the place that is stated, or within the distance that is left undecided.
+TEST(MotionCheck, WhatIsInTheWayIsThere) {
+  const CollisionScene scene(Clutter(), PegInTheHand());
+  MotionCheck check(scene, {.clearance = 0.01});
+  RandomStream random(82, "obstructed");
+  int obstructed = 0;
+  for (int i = 0; i < 60; ++i) {
+    const JointVector from = scene.workcell().home();
+    const JointVector to = RandomPosture(scene.arm(), random);
+    const auto obstruction = check.FindObstruction(from, to);
+    if (!obstruction) continue;
+    ++obstructed;
+    ASSERT_EQ(obstruction->kind, Obstruction::Kind::kPair);
+    const LinkPoses X_BaseLink = scene.arm().LinkPoses(obstruction->at);
+    EXPECT_LE(scene.Separation(obstruction->pair, X_BaseLink, 1), 0.01 + MotionCheck::kUndecided);
+  }
+  EXPECT_GT(obstructed, 10);
+}
+
+// A motion and its reverse are equally free.
+TEST(MotionCheck, BackIsAsForth) {
+  const CollisionScene scene(Clutter(), PartsAtTheStart());
+  MotionCheck check(scene, {});
+  RandomStream random(83, "back");
+  for (int i = 0; i < 40; ++i) {
+    const JointVector a = RandomPosture(scene.arm(), random);
+    const JointVector b = a + 0.2 * (RandomPosture(scene.arm(), random) - a);
+    EXPECT_EQ(check.FindObstruction(a, b).has_value(), check.FindObstruction(b, a).has_value());
+  }
+}
+
+TEST(MotionCheck, LimitsOfTheJoints) {
+  const CollisionScene scene(Clutter(), PartsAtTheStart());
+  MotionCheck check(scene, {});
+  JointVector beyond = scene.workcell().home();
+  beyond[4] = scene.arm().limits()[4].upper + 0.01;
+  const auto obstruction = check.FindObstruction(scene.workcell().home(), beyond);
+  ASSERT_TRUE(obstruction.has_value());
+  EXPECT_EQ(obstruction->kind, Obstruction::Kind::kLimits);
+}
+
+TEST(MotionCheck, UprightAtEveryStep) {
+  const CollisionScene scene(Clutter(), PartsAtTheStart());
+  const double tilt = 0.3;
+  MotionCheck check(scene, {.clearance = 0, .upright = Upright{.tilt = tilt}});
+  MotionCheck anyhow(scene, {.clearance = 0});
+  RandomStream random(84, "upright");
+  int upright = 0;
+  for (int i = 0; i < 200; ++i) {
+    const JointVector from = scene.workcell().home();
+    const JointVector to = from + 0.2 * (RandomPosture(scene.arm(), random) - from);
+    if (anyhow.FindObstruction(from, to)) continue;
+    double greatest = 0;
+    for (int k = 0; k <= 500; ++k)
+      greatest = std::max(greatest, Tilt(scene, from + k / 500.0 * (to - from)));
+    const auto obstruction = check.FindObstruction(from, to);
+    if (!obstruction) {
+      ++upright;
+      EXPECT_LE(greatest, tilt + 1e-9);
+    } else {
+      EXPECT_GE(greatest, tilt - 0.01);
+      EXPECT_EQ(obstruction->kind, Obstruction::Kind::kTilt);
+    }
+  }
+  EXPECT_GT(upright, 5);
+}
+
+// A motion without length asks whether the arm may rest there.
+TEST(MotionCheck, RestIsAMotionOfNothing) {
+  const CollisionScene scene(Clutter(), PartsAtTheStart());
+  MotionCheck check(scene, {.clearance = 0.02});
+  RandomStream random(85, "rest");
+  for (int i = 0; i < 200; ++i) {
+    const JointVector q = RandomPosture(scene.arm(), random);
+    EXPECT_EQ(check.FindObstruction(q, q).has_value(), scene.Nearest(q).distance < 0.02);
+  }
+}
+
+}  // namespace
+}  // namespace assay::motion::motion_check_test

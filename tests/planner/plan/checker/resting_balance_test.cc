@@ -1,0 +1,85 @@
+#include "planner/plan/checker/resting_balance.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+
+#include "tests/oracle/random_pose.h"
+
+namespace assay::plan::resting_balance_test {
+namespace {
+
+using geometry::Box;
+using geometry::Vector2;
+using geometry::Vector3;
+
+constexpr std::uint64_t kSeed = 3;
+
+TEST(CenterOfMass, OfAnL) {
+  const std::array<Box, 2> boxes = {Box::FromCorners({0, 0, 0}, {1, 1, 2}),
+                                    Box::FromCorners({1, 0, 0}, {3, 1, 1})};
+  EXPECT_LT((CenterOfMass(boxes) - Vector3(1.25, 0.5, 0.75)).norm(), 1e-12);
+}
+
+TEST(CenterOfMass, CountsOverlapsOnce) {
+  const std::array<Box, 2> boxes = {Box::FromCorners({0, 0, 0}, {2, 1, 1}),
+                                    Box::FromCorners({1, 0, 0}, {4, 1, 1})};
+  EXPECT_LT((CenterOfMass(boxes) - Vector3(2, 0.5, 0.5)).norm(), 1e-12);
+}
+
+TEST(CenterOfMass, OfATurnedPrismIsNearItsAxis) {
+  const Box bar{geometry::Translation(1, 2, 3), {0.5, 0.1, 0.1}};
+  const std::array<Box, 2> octagon = {
+      bar, Box{bar.X_FrameBox * geometry::RotationX(M_PI / 4), bar.half_extents}};
+  EXPECT_LT((CenterOfMass(octagon) - Vector3(1, 2, 3)).norm(), 0.002);
+}
+
+TEST(CenterOfMass, AgreesWithMassOfForRandomAlignedBoxes) {
+  RandomStream random(kSeed, "boxes");
+  for (int trial = 0; trial < 10; ++trial) {
+    std::vector<Box> boxes;
+    for (int i = 0; i < 4; ++i) {
+      const Vector3 low = oracle::RandomVector(random, 1);
+      boxes.push_back(Box::FromCorners(low, low + Vector3(random.Uniform(0.1, 1), 0.5, 0.4)));
+    }
+    EXPECT_LT((CenterOfMass(boxes) - geometry::MassOf(boxes, 1).center).norm(), 1e-9)
+        << "seed " << kSeed << " trial " << trial;
+  }
+}
+
+TEST(IsSupported, AgreesWithTheConvexHull) {
+  RandomStream random(kSeed, "support");
+  int supported = 0;
+  for (int trial = 0; trial < 2000; ++trial) {
+    std::vector<Vector3> points;
+    std::vector<Vector2> flat;
+    for (int i = 0; i < 3 + random.Index(5); ++i) {
+      points.push_back(oracle::RandomVector(random, 1));
+      flat.push_back(points.back().head<2>());
+    }
+    const Vector3 p = oracle::RandomVector(random, 1);
+    const double depth = geometry::Depth(geometry::Hull2(flat), p.head<2>());
+    if (std::abs(depth) < 1e-6) continue;
+    EXPECT_EQ(IsSupported(p, points), depth > 0) << "seed " << kSeed << " trial " << trial;
+    supported += depth > 0 ? 1 : 0;
+  }
+  EXPECT_GT(supported, 100);
+}
+
+TEST(IsSupported, NotByFewerThanThreePointsNorOnTheRim) {
+  const std::vector<Vector3> edge = {{-1, 0, 0}, {1, 0, 0}};
+  EXPECT_FALSE(IsSupported(Vector3::Zero(), edge));
+  const std::vector<Vector3> triangle = {{-1, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  EXPECT_FALSE(IsSupported(Vector3::Zero(), triangle));
+  EXPECT_TRUE(IsSupported(Vector3(0, 0.1, 5), triangle));
+}
+
+TEST(FirstOutside, NamesThePointThatIsNotOverThePolygon) {
+  const geometry::Polygon square = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+  const std::vector<Vector3> points = {{0, 0, 3}, {1, 0.5, 3}, {1.01, 0.5, 3}};
+  EXPECT_EQ(FirstOutside(points, square), &points[2]);
+  EXPECT_EQ(FirstOutside(std::span(points).first(2), square), nullptr);
+}
+
+}  // namespace
+}  // namespace assay::plan::resting_balance_test

@@ -1,0 +1,116 @@
+#include "planner/uncertainty/error_sets/squeezing.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "planner/domain/parts/part_file.h"
+#include "planner/domain/parts/part_model.h"
+#include "tests/planner/uncertainty/part_on_table.h"
+#include "tests/scratch_file.h"
+
+namespace assay::uncertainty::squeezing_test {
+namespace {
+
+HeldError CloseOn(UncertainWorld& world, const plan::Hold& hold) {
+  return ClosePads(world, kBlock, hold, world.DrawManipulator());
+}
+
+// The error in the hand is D = (R_O R_G)^-1 d. It concerns the part's origin and does not depend on
+// the part's rotation.
+TEST(ClosePads, InPaperModeIsTheOriginsDisplacementInTheToolsAxes) {
+  const domain::Problem problem = UprightBlock({});
+  UncertainWorld world(problem, Propagation::kPaper);
+  const HeldError held = CloseOn(world, HoldFromAbove(problem, Vector3::UnitX()));
+  const SymbolicVector& d = world.resting(kBlock).displacement;
+  EXPECT_EQ(held.x, d[1]);  // the tool's x is the world's y, and the tool's z points down
+  EXPECT_EQ(held.z, -d[2]);
+  EXPECT_TRUE(held.twist.IsConstant(0));
+}
+
+TEST(ClosePads, WithoutErrorsLeavesNone) {
+  const domain::Problem problem = UprightBlock({.length = 0, .angle = 0, .hand = 0});
+  UncertainWorld world(problem, Propagation::kSound);
+  const HeldError held = CloseOn(world, HoldFromAbove(problem, Vector3::UnitX()));
+  for (const Expression& e : {held.x, held.y, held.z, held.twist, held.skew, held.tip}) {
+    EXPECT_NEAR(Magnitude(world.TightRangeOf(e)), 0, 1e-15);
+  }
+}
+
+// A hand from above keeps the errors along the pads. These are the displacement, the lever arm of
+// the rotation, and the slip while the faces turn flush. The slip is at least half the width times
+// the sine of the rotation.
+TEST(ClosePads, FromAboveCoversTheLeverArmAndTheSlip) {
+  const Errors errors;
+  const domain::Problem problem = UprightBlock(errors);
+  const plan::Hold hold = HoldFromAbove(problem, Vector3::UnitX());
+  UncertainWorld world(problem, Propagation::kSound);
+  const HeldError held = CloseOn(world, hold);
+  const double lever = std::abs(hold.X_PartTool.translation().x());
+  const double least = errors.length + (lever + hold.width / 2) * std::sin(errors.angle);
+  EXPECT_GE(Magnitude(world.TightRangeOf(held.x)), least);
+  EXPECT_LE(Magnitude(world.TightRangeOf(held.x)), 1.5 * least);
+  EXPECT_NEAR(Magnitude(world.TightRangeOf(held.z)), errors.length + errors.hand, 1e-9);
+  for (const Expression& e : {held.y, held.twist, held.skew, held.tip}) {
+    EXPECT_TRUE(e.IsConstant(0));
+  }
+}
+
+// With the friction of rubber both contacts may hold the part at the angle at which they met it.
+TEST(ClosePads, PadsThatMayJamLeaveTheRotation) {
+  const Errors errors;
+  domain::Problem problem = UprightBlock(errors);
+  domain::WorkcellRules rules = problem.workcell->rules();
+  rules.pad_friction = 0.8;
+  problem.workcell = problem.workcell->WithRules(rules);
+  UncertainWorld world(problem, Propagation::kSound);
+  const HeldError held = CloseOn(world, HoldFromAbove(problem, Vector3::UnitX()));
+  EXPECT_GE(Magnitude(world.TightRangeOf(held.skew)), errors.angle);
+}
+
+// Returns a thin wall on one side of a plate: pads that close on the wall have the part's centre of
+// mass some 50 mm beside them, in the direction in which they close.
+std::shared_ptr<const domain::PartModel> PlateWithWall() {
+  const std::filesystem::path file = ScratchFile("plate-with-wall.yaml");
+  std::ofstream(file) << R"(format: assay-part/1
+name: plate-with-wall
+initial: W
+units: {length: mm, angle: degree}
+density: 700
+friction: 0.5
+solids:
+  plate: {box: [[-55, -30, 0], [55, 130, 8]], color: [1, 1, 1, 1]}
+  wall: {box: [[-12, -6, 8], [12, 6, 34]], color: [1, 1, 1, 1]}
+features:
+  1: {face: wall, normal: [0, 0, 1], what: top}
+stable_poses: {flat: [0, 0, -1]}
+)";
+  return domain::PartFile::Load(file, 0.001);
+}
+
+double SlipOnWall(double pad_friction) {
+  domain::Problem problem = UprightBlock({.length = 0, .angle = 0.02, .hand = 0});
+  problem.parts[kBlock.index()].model = PlateWithWall();
+  domain::WorkcellRules rules = problem.workcell->rules();
+  rules.pad_friction = pad_friction;
+  problem.workcell = problem.workcell->WithRules(rules);
+  UncertainWorld world(problem, Propagation::kSound);
+  plan::Hold hold = HoldFromAbove(problem, Vector3::UnitY());
+  hold.X_PartTool.translation() = Vector3(0, 0, 0.022);
+  hold.width = 0.012;
+  return Magnitude(world.TightRangeOf(CloseOn(world, hold).x));
+}
+
+// Slippery pads let the table's friction turn the part about its centre of mass, 50 mm off. Pads
+// with more friction than a / 50 mm, a being half their length, hold the point of the turn between
+// them.
+TEST(ClosePads, SlipperyPadsTurnThePartAboutItsCentreOfMass) {
+  const double center = PlateWithWall()->mass().center.y();
+  ASSERT_GT(center, 0.04);
+  const double a = UprightBlock({}).workcell->gripper().pad_half_extents().x();
+  EXPECT_GE(SlipOnWall(0.2 * a / center), center * std::sin(0.02));
+  EXPECT_LT(SlipOnWall(2 * a / center), 0.5 * center * std::sin(0.02));
+}
+
+}  // namespace
+}  // namespace assay::uncertainty::squeezing_test

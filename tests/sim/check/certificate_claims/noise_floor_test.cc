@@ -1,0 +1,141 @@
+#include "sim/check/certificate_claims/noise_floor.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "sim/check/certificate_claims/measure_noise_floor.h"
+#include "sim/check/falsification/attack.h"
+#include "tests/sim/check/certified.h"
+
+namespace assay::check::noise_floor_test {
+namespace {
+
+using domain::Dimension;
+
+constexpr double kRounding = 1e-9;  // added to every prediction
+
+// Returns a noise floor in which penetration turns a part by 1e-4 radians, and in which every
+// figure differs from the others of its unit.
+NoiseFloor Gate() {
+  return {{{.components = {{Claimed::kAfter, "x of peg", 5e-5, 2e-5},
+                           {Claimed::kAfter, "theta of peg", 0, -3e-3},
+                           {Claimed::kPrecondition, "tilt", 0, -4e-3}},
+            .arm = 0.01,
+            .penetration = 1e-6,
+            .lag = 2e-6,
+            .lag_turn = 5e-5}}};
+}
+
+Claim Of(const char* name, std::optional<Dimension> dimension, Interval predicted,
+         Claimed about = Claimed::kAfter) {
+  return {.step = plan::StepId(0),
+          .about = about,
+          .name = name,
+          .dimension = dimension,
+          .predicted = predicted};
+}
+
+TEST(NoiseFloor, WhatTheTimestepDoesIsKnownOnItsSideOnly) {
+  const Claim x = Gate().Passed(Of("x of peg", Dimension::kLength, {-1e-3, 1e-3}));
+  EXPECT_NEAR(x.predicted.low, -1e-3 - 3e-6, 2 * kRounding);
+  EXPECT_NEAR(x.predicted.high, 1e-3 + 3e-6 + 2e-5, 2 * kRounding);
+  EXPECT_DOUBLE_EQ(x.gate, 2e-5);
+  const Claim theta = Gate().Passed(Of("theta of peg", Dimension::kAngle, {-0.1, 0.1}));
+  EXPECT_NEAR(theta.predicted.low, -0.1 - 1.5e-4 - 3e-3, 2 * kRounding);
+  EXPECT_NEAR(theta.predicted.high, 0.1 + 1.5e-4, 2 * kRounding);
+  EXPECT_DOUBLE_EQ(theta.gate, 3e-3);
+}
+
+// A length without a gate of its own gets none from angles or from other lengths, however great.
+TEST(NoiseFloor, GatesOfOtherClaimsAndUnitsAreNotTaken) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  const Claim landing = Gate().Passed(
+      Of("landing height", Dimension::kLength, {0, kInfinity}, Claimed::kPrecondition));
+  EXPECT_NEAR(landing.predicted.low, -3e-6, 2 * kRounding);
+  EXPECT_EQ(landing.predicted.high, kInfinity);
+  EXPECT_EQ(landing.gate, 0);
+  // A claim about another time has another gate, although its name is the same.
+  EXPECT_EQ(Gate().Passed(Of("x of peg", Dimension::kLength, {0, 0}, Claimed::kBefore)).gate, 0);
+  const Claim end = Gate().Passed(Of("comes to its end", std::nullopt, {1, 1}));
+  EXPECT_EQ(end.predicted, (Interval{1, 1}));
+}
+
+TEST(NoiseFloor, RoundingIsAlwaysForgiven) {
+  Claim claim = Of("x of peg", Dimension::kLength, {-1e-3, 1e-3}, Claimed::kBefore);
+  claim.observed = 1e-3 + 1e-12;
+  EXPECT_EQ(Judged(NoiseFloor().Passed(claim)).verdict, ClaimVerdict::kContained);
+  claim.observed = 1e-3 + 1e-8;
+  EXPECT_EQ(Judged(NoiseFloor().Passed(claim)).verdict, ClaimVerdict::kViolated);
+}
+
+// The floor of `x of peg` is 43 micrometres, and that of the tilt is 8.15 mrad.
+TEST(NoiseFloor, HidesWhatIsNarrowerThanItsFloor) {
+  const NoiseFloor gate = Gate();
+  const auto hides = [&](Claim claim, double clearance) {
+    return gate.Hides(gate.Passed(std::move(claim)), clearance);
+  };
+  EXPECT_NEAR(gate.Floor(Of("x of peg", Dimension::kLength, {})), 43e-6, 2 * kRounding);
+  EXPECT_FALSE(hides(Of("x of peg", Dimension::kLength, {-22e-6, 22e-6}), 1e-6));
+  EXPECT_TRUE(hides(Of("x of peg", Dimension::kLength, {-21e-6, 21e-6}), 1));
+  // A claim without a width is compared with the clearance. An angle is compared with the clearance
+  // over the arm.
+  EXPECT_FALSE(hides(Of("x of peg", Dimension::kLength, {0, 0}), 44e-6));
+  EXPECT_TRUE(hides(Of("x of peg", Dimension::kLength, {0, 0}), 42e-6));
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  const Claim tilt = Of("tilt", Dimension::kAngle, {0, kInfinity}, Claimed::kPrecondition);
+  EXPECT_FALSE(hides(tilt, 8.2e-5));
+  EXPECT_TRUE(hides(tilt, 8.1e-5));
+}
+
+class WithoutNoise : public testing::Test {
+ protected:
+  WithoutNoise() {
+    certified_.plan = UpToThePickup(certified_.plan);
+    pickup_ = FirstStep(domain::kPickup, certified_.plan);
+  }
+  AttackResult Attacked() const {
+    const Experiment experiment = {certified_.problem,
+                                   certified_.plan,
+                                   {},
+                                   MeasureNoiseFloor(certified_.problem, certified_.plan, {})};
+    return Attack(experiment, {.attempts = 1, .shrunk = 1});
+  }
+  plan::ErrorSet& InHand() {
+    return certified_.plan.steps[pickup_.index()].certificate.after.front();
+  }
+
+  Certified certified_ = CertifiedPlan("uncertain-known");
+  plan::StepId pickup_;
+};
+
+// The part is where the plan puts it, but the certificate says that it is a millimetre or more
+// away. The offset of 1 mm in the execution without noise does not widen the gate of that claim.
+TEST_F(WithoutNoise, APlanThatLeavesItsOwnCertificateIsViolatedBeforeAnythingIsTried) {
+  InHand().x = {0.001, 0.002};
+  const AttackResult result = Attacked();
+  EXPECT_EQ(result.attempts, 0);
+  ASSERT_EQ(result.noiseless.violated.size(), 1u);
+  EXPECT_EQ(result.noiseless.violated.front().name, "x of peg");
+  EXPECT_EQ(result.certificates[pickup_.index()].violated, 1);
+  ASSERT_EQ(result.counterexamples.size(), 1u);
+  for (const double value : result.counterexamples.front().noise.values()) EXPECT_EQ(value, 0);
+}
+
+// The predicted set has nine tenths of the width of the twist's noise floor. It cannot be tested,
+// and the falsification reports it as hidden.
+TEST_F(WithoutNoise, ASetThatTheEngineDoesNotResolveIsToldBeforeAnythingIsTried) {
+  const NoiseFloor gate = MeasureNoiseFloor(certified_.problem, certified_.plan, {});
+  Claim twist = Of("twist of peg", Dimension::kAngle, {});
+  twist.step = pickup_;
+  const double half = 0.45 * gate.Floor(twist);
+  InHand().twist = {-half, half};
+  const AttackResult result = Attacked();
+  EXPECT_EQ(result.attempts, 0);
+  EXPECT_TRUE(result.noiseless.violated.empty());
+  ASSERT_EQ(result.noiseless.hidden.size(), 1u);
+  EXPECT_EQ(result.noiseless.hidden.front().name, "twist of peg");
+}
+
+}  // namespace
+}  // namespace assay::check::noise_floor_test
