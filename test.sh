@@ -19,10 +19,12 @@ check_single_files() {
 # hand, for all tests under the sanitizers: cmake --preset asan-ubsan &&
 # cmake --build --preset asan-ubsan && ctest --preset asan-ubsan; for all tests of the planner
 # without MuJoCo: likewise with planner-only.
-test_readers_with_sanitizers() {
-  local readers=(base algebra network domain plan contingent)
+readers=(base algebra network domain plan contingent)
+build_readers_with_sanitizers() {
   configure asan-ubsan
   build asan-ubsan "${readers[@]/%/_test}" tests/fuzz/all
+}
+test_readers_with_sanitizers() {
   ASSAY_MUTATIONS=2000 with_progress "Testing with sanitizers" \
     ctest --preset asan-ubsan --tests-regex "^($(IFS='|' && echo "${readers[*]}"))\.|^fuzz\." \
     --exclude-regex "^domain\.(HandClearance|StablePose|Grasp)Test\.|^contingent\.Quarters/(Random|Rich)Domains\..*/[123]$"
@@ -56,7 +58,11 @@ stage=${1:-}
 [[ $stage != --all ]] || check_single_files
 if [[ $stage == --all || $stage == --ci ]]; then
   shift
+  build_readers_with_sanitizers
+  # Most commands of the documents keep one core busy.
+  test_document_commands &
+  documents=$!
   test_readers_with_sanitizers
-  test_document_commands
+  wait "$documents"
 fi
 with_output_and_progress "Testing" ctest --preset release "$@"
