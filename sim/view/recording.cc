@@ -19,7 +19,7 @@ class Table {
   void Add(const Vector3& vector, double quantum) {
     for (const double value : vector) Add(value, quantum);
   }
-  // Of the two quaternions of a rotation it takes the one that is nearer to the row before.
+  // Two quaternions stand for each rotation. The one nearer to the previous row's is stored.
   void Add(const Pose& pose) {
     Add(pose.translation(), kLengthQuantum);
     Eigen::Quaterniond turn(pose.linear());
