@@ -6,6 +6,7 @@
 
 #include "tests/architecture/include_rules.h"
 #include "tests/architecture/library_table.h"
+#include "tests/scratch_file.h"
 
 namespace assay::architecture {
 namespace {
@@ -82,9 +83,7 @@ class BrokenTree : public ::testing::Test {
   }
 
   const std::filesystem::path root_ =
-      std::filesystem::path(::testing::TempDir()) /
-      ("assay-broken-tree-" +
-       std::string(::testing::UnitTest::GetInstance()->current_test_info()->name()));
+      ScratchFile(::testing::UnitTest::GetInstance()->current_test_info()->name());
 };
 
 TEST_F(BrokenTree, TableIsClosedUnderUse) {

@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -10,6 +9,7 @@
 #include "planner/plan/data/condition_table.h"
 #include "planner/uncertainty/preconditions/certify.h"
 #include "tests/planner/uncertainty/action_lists.h"
+#include "tests/scratch_file.h"
 
 // Parts that leave a known room to a hand or to each other. The certificate must state what errors
 // leave of this room. While some room is left, no draw of the errors may make bodies meet.
@@ -108,7 +108,7 @@ double OpenReach(const domain::Workcell& workcell) {
 // Makes a folder of models with two parts of its own, and removes it at the end.
 class NarrowRoom : public ::testing::Test {
  protected:
-  NarrowRoom() : folder_(fs::temp_directory_path() / fmt::format("assay-narrow-{}", getpid())) {
+  NarrowRoom() : folder_(ScratchFile("narrow-room")) {
     fs::remove_all(folder_);
     fs::create_directories(folder_ / "parts");
     for (const char* same : {"robots", "grippers", "workcells"}) {

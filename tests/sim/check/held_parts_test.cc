@@ -14,6 +14,7 @@
 #include "sim/check/trial_verdicts/trial.h"
 #include "sim/noise/error_box.h"
 #include "sim/noise/sampling.h"
+#include "tests/scratch_file.h"
 
 // Checks the precondition `holding` against the engine, for parts of many weights between pads of
 // many frictions and forces.
@@ -68,7 +69,7 @@ Draw DrawScene(RandomStream& random) {
 
 // Returns a folder of the stock models in which the peg has `density` times its usual density.
 fs::path ModelsWith(double density) {
-  const fs::path folder = fs::path(testing::TempDir()) / fmt::format("models-{:.17g}", density);
+  const fs::path folder = ScratchFile(fmt::format("models-{:.17g}", density));
   fs::create_directories(folder / "parts/peg");
   for (const char* same : {"grippers", "robots", "workcells", "parts/block"}) {
     if (!fs::exists(folder / same)) fs::create_directory_symlink(kModels / same, folder / same);

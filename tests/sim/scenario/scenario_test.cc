@@ -8,6 +8,7 @@
 
 #include "planner/base/input_files/input_error.h"
 #include "sim/scenario/models_folder.h"
+#include "tests/scratch_file.h"
 
 namespace assay::scenario::scenario_test {
 namespace {
@@ -22,8 +23,7 @@ const fs::path kRoot = ASSAY_SOURCE_DIR;
 class ScenarioFile : public testing::Test {
  protected:
   ScenarioFile()
-      : folder_(fs::path(testing::TempDir()) /
-                testing::UnitTest::GetInstance()->current_test_info()->name()) {
+      : folder_(ScratchFile(testing::UnitTest::GetInstance()->current_test_info()->name())) {
     fs::create_directories(folder_);
   }
   ~ScenarioFile() override { fs::remove_all(folder_); }

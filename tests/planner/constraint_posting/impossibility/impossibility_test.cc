@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <cstdlib>
 #include <filesystem>
@@ -16,6 +15,7 @@
 #include "planner/constraint_posting/least_actions.h"
 #include "tests/oracle/exhaustive_assembly.h"
 #include "tests/planner/constraint_posting/scenarios.h"
+#include "tests/scratch_file.h"
 
 namespace assay::constraint_posting::impossibility_test {
 namespace {
@@ -32,7 +32,7 @@ using ::testing::SizeIs;
 // placements.
 class Models {
  public:
-  Models() : folder_(fs::temp_directory_path() / fmt::format("assay-impossible-{}", getpid())) {
+  Models() : folder_(ScratchFile("models")) {
     const fs::path models = fs::path(ASSAY_SOURCE_DIR) / "models";
     fs::create_directories(folder_ / "parts");
     for (const char* name : {"robots", "grippers"}) {

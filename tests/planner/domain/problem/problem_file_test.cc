@@ -13,6 +13,7 @@
 
 #include "planner/base/random.h"
 #include "tests/planner/domain/scenario.h"
+#include "tests/scratch_file.h"
 
 namespace assay::domain::problem_file_test {
 namespace {
@@ -415,8 +416,7 @@ TEST_P(Mutations, AreSurvived) {
     texts.push_back(text.substr(text.find("format:")));
   }
   texts.push_back(kBrick.substr(1));
-  const std::filesystem::path last =
-      std::filesystem::path(testing::TempDir()) / fmt::format("mutation-{}.yaml", GetParam());
+  const std::filesystem::path last = ScratchFile(fmt::format("mutation-{}.yaml", GetParam()));
   RandomStream random(20240501, fmt::format("mutations/{}", GetParam()));
   int loaded = 0;
   const int count = MutationCount() / kQuarters;
