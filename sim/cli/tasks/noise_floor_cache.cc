@@ -45,15 +45,16 @@ std::string BytesOf(const fs::path& file) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-std::string KeyOf(const PlannedProblem& planned, std::string_view command) {
+std::string KeyOf(const domain::Problem& problem, const plan::Plan& plan,
+                  const scene::SceneOptions& scene, std::string_view settings) {
   static const std::string program = Digest().Add(BytesOf("/proc/self/exe")).Hex();
   return Digest()
       .Add(program)
       .Add(mj_versionString())
       .Add(DigestOfInputs())
-      .Add(command)
-      .Add(plan::JsonLine(plan::ToJson(planned.result, planned.problem, planned.scenario)))
-      .Add(scene::ToMjcf(planned.problem, planned.simulation.scene))
+      .Add(settings)
+      .Add(plan::JsonLine(plan::ToJson({.plan = plan}, problem, "")))
+      .Add(scene::ToMjcf(problem, scene))
       .Hex();
 }
 
@@ -106,14 +107,12 @@ void Keep(const NoiseFloor& floor, const fs::path& file) {
 
 }  // namespace
 
-NoiseFloor KeptNoiseFloor(const PlannedProblem& planned, std::string_view command) {
-  const plan::Plan& plan = planned.result.plan;
+NoiseFloor KeptNoiseFloor(const domain::Problem& problem, const plan::Plan& plan,
+                          const scene::SceneOptions& scene, std::string_view settings) {
   const fs::path folder = CacheFolder();
-  const auto measured = [&] {
-    return check::MeasureNoiseFloor(planned.problem, plan, planned.simulation.scene);
-  };
+  const auto measured = [&] { return check::MeasureNoiseFloor(problem, plan, scene); };
   if (folder.empty()) return measured();
-  const fs::path file = folder / (KeyOf(planned, command) + ".json");
+  const fs::path file = folder / (KeyOf(problem, plan, scene, settings) + ".json");
   if (std::optional<NoiseFloor> kept = Kept(file, plan.steps.size())) return std::move(*kept);
   NoiseFloor floor = measured();
   Keep(floor, file);

@@ -5,6 +5,7 @@
 #include <system_error>
 
 #include "planner/base/input_files/input_error.h"
+#include "sim/cli/tasks/noise_floor_cache.h"
 
 namespace assay::cli {
 
@@ -27,7 +28,7 @@ sweep::PlannedCell Restored(const sweep::Store& store, const sweep::Sweep& sweep
                             const domain::ModelPath& models, const sweep::Cell& cell,
                             const sweep::CellRecord& record) {
   try {
-    return sweep::RealWork(sweep, models).restore(cell, record);
+    return sweep::RealWork(sweep, models, KeptNoiseFloor).restore(cell, record);
   } catch (const InputError& error) {
     throw InputError({.file = store.file().string()}, error.what(), "");
   }

@@ -31,7 +31,8 @@ class AttackReport {
       : run_(run),
         plan_(run.planned.result.plan),
         experiment_{run.planned.problem, plan_, run.planned.simulation.scene,
-                    KeptNoiseFloor(run.planned, run.command.OfPlan().Text())},
+                    KeptNoiseFloor(run.planned.problem, plan_, run.planned.simulation.scene,
+                                   run.command.OfPlan().Text())},
         tally_(plan_) {}
 
   ExitCode Execute() {

@@ -21,6 +21,7 @@
 #include "sim/cli/options/quantity.h"
 #include "sim/cli/picture_output/film.h"
 #include "sim/cli/plan_output/table.h"
+#include "sim/cli/tasks/noise_floor_cache.h"
 #include "sim/cli/tasks/output_file.h"
 #include "sim/cli/tasks/stored_trial.h"
 #include "sim/cli/trial_output/ledger_report.h"
@@ -199,7 +200,8 @@ ExitCode Execute(const Options& options) {
   const TrialRecord stored = FindTrial(store, options.trial);
   const sweep::Sweep sweep = SweepOf(store);
   const sweep::PlannedCell cell = RestoredCell(store, stored, options.models);
-  const Again again = Repeat(store, sweep::RealWork(sweep, options.models), cell, stored, options);
+  const Again again =
+      Repeat(store, sweep::RealWork(sweep, options.models, KeptNoiseFloor), cell, stored, options);
   const bool equal = again.differences.empty();
   const Json json = {{"trial", stored.trial},
                      {"cell", stored.cell},

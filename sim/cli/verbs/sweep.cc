@@ -20,6 +20,7 @@
 #include "sim/cli/command_line/usage_error.h"
 #include "sim/cli/command_line/verb.h"
 #include "sim/cli/options/models_folder.h"
+#include "sim/cli/tasks/noise_floor_cache.h"
 #include "sim/cli/tasks/output_file.h"
 #include "sim/cli/trial_output/sweep_report.h"
 #include "sim/sweep/database/merge.h"
@@ -174,7 +175,7 @@ ExitCode Show(const sweep::Store& store, const fs::path& database, bool json) {
 
 sweep::RunEnd RunShard(const sweep::Sweep& sweep, const sweep::Shard& shard, sweep::Store& store,
                        const Options& options) {
-  const sweep::Work work = sweep::RealWork(sweep, options.models);
+  const sweep::Work work = sweep::RealWork(sweep, options.models, KeptNoiseFloor);
   const Interruption interruption;
   Narrator narrator(options.jobs, store.MeanSeconds());
   PlanningWatch watch(store.file());

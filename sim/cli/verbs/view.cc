@@ -94,7 +94,8 @@ ExitCode ViewTrace(const Options& options, std::string_view text) {
   }
   const plan::Plan& plan = planned.result.plan;
   const scene::Scene scene(planned.problem, planned.simulation.scene);
-  const check::NoiseFloor gate = KeptNoiseFloor(planned, "assay view");
+  const check::NoiseFloor gate =
+      KeptNoiseFloor(planned.problem, plan, planned.simulation.scene, "assay view");
   Write({.problem = planned.problem,
          .plan = plan,
          .scene = scene,

@@ -7,7 +7,6 @@
 
 #include "planner/assembly/certified_plan.h"
 #include "planner/plan/plan_files/plan_file.h"
-#include "sim/check/certificate_claims/measure_noise_floor.h"
 #include "sim/check/falsification/attack.h"
 #include "sim/check/falsification/conservatism.h"
 #include "sim/sweep/database/recording.h"
@@ -70,6 +69,16 @@ CellRecord RecordOf(const Cell& cell, const domain::Problem& problem,
           .plan = plan::ToJson(result, problem, cell.scenario).dump()};
 }
 
+// Returns the options of a cell that change the problem of its scenario.
+std::string SettingsOf(const Cell& cell) {
+  const auto text = [](const auto& value) {
+    return value ? fmt::format("{}", *value) : "scenario";
+  };
+  return fmt::format("sweep: clearance {}, error scale {}, propagation {}, resolvers {}",
+                     text(cell.clearance), cell.error_scale, Name(cell.propagation),
+                     cell.resolvers ? Name(*cell.resolvers) : "scenario");
+}
+
 check::Experiment ExperimentOf(const Preparation& preparation) {
   return {.problem = preparation.scenario.problem,
           .plan = preparation.plan,
@@ -80,7 +89,8 @@ check::Experiment ExperimentOf(const Preparation& preparation) {
 // Makes the data that all trials of a cell share.
 class Planning {
  public:
-  Planning(const Sweep& sweep, const domain::ModelPath& models) : sweep_(sweep), models_(models) {}
+  Planning(const Sweep& sweep, const domain::ModelPath& models, const NoiseFloorOf& noise_floor)
+      : sweep_(sweep), models_(models), noise_floor_(noise_floor) {}
 
   PlannedCell Plan(const Cell& cell) const {
     scenario::Scenario scenario = LoadScenario(sweep_, models_, cell);
@@ -89,7 +99,8 @@ class Planning {
         {.propagation = cell.propagation, .instances = sweep_.instances});
     PlannedCell planned{cell, RecordOf(cell, scenario.problem, result), nullptr};
     if (result.outcome == Outcome::kFound) {
-      planned.preparation = Prepare(cell, std::move(scenario), std::move(result.plan), nullptr);
+      planned.preparation =
+          Prepare(cell, std::move(scenario), std::move(result.plan), noise_floor_);
       planned.record.gate = planned.preparation->gate;
       ExecuteWithoutNoise(*planned.preparation, planned.record);
     }
@@ -103,7 +114,8 @@ class Planning {
     plan::PlanResult result =
         plan::ReadPlan(Document::Parse(record.plan, fmt::format("plan of cell {}", cell.number)),
                        scenario.problem);
-    planned.preparation = Prepare(cell, std::move(scenario), std::move(result.plan), &record.gate);
+    const auto recorded = [&](const auto&...) { return record.gate; };
+    planned.preparation = Prepare(cell, std::move(scenario), std::move(result.plan), recorded);
     return planned;
   }
 
@@ -118,15 +130,13 @@ class Planning {
 
   std::shared_ptr<const Preparation> Prepare(const Cell& cell, scenario::Scenario scenario,
                                              plan::Plan plan,
-                                             const check::NoiseFloor* known_gate) const {
+                                             const NoiseFloorOf& noise_floor) const {
     auto preparation = std::make_shared<Preparation>();
     scene::SceneOptions& scene = scenario.simulation.scene;
     preparation->run_command = CommandOf(sweep_, models_, cell, scene.grasp);
     scene.grasp = cell.grasp;
     preparation->box = noise::ErrorBox(scenario.problem, plan);
-    preparation->gate = known_gate != nullptr
-                            ? *known_gate
-                            : check::MeasureNoiseFloor(scenario.problem, plan, scene);
+    preparation->gate = noise_floor(scenario.problem, plan, scene, SettingsOf(cell));
     preparation->scenario = std::move(scenario);
     preparation->plan = std::move(plan);
     return preparation;
@@ -134,6 +144,7 @@ class Planning {
 
   const Sweep& sweep_;
   const domain::ModelPath& models_;
+  const NoiseFloorOf& noise_floor_;
 };
 
 bool Senses(const plan::Plan& plan) {
@@ -202,12 +213,13 @@ check::Trial Execute(const PlannedCell& cell, const noise::Noise& noise,
   return check::RunTrial(experiment, noise, options, looks ? Sensing::kCamera : Sensing::kDrawn);
 }
 
-Work RealWork(const Sweep& sweep, const domain::ModelPath& models) {
+Work RealWork(const Sweep& sweep, const domain::ModelPath& models,
+              const NoiseFloorOf& noise_floor) {
   return {
-      .plan = [sweep, models](const Cell& cell) { return Planning(sweep, models).Plan(cell); },
+      .plan = [=](const Cell& cell) { return Planning(sweep, models, noise_floor).Plan(cell); },
       .restore =
-          [sweep, models](const Cell& cell, const CellRecord& record) {
-            return Planning(sweep, models).Restore(cell, record);
+          [=](const Cell& cell, const CellRecord& record) {
+            return Planning(sweep, models, noise_floor).Restore(cell, record);
           },
       .run = RunTrial,
       .attack = [sweep](const PlannedCell& cell,

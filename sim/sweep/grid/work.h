@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "sim/check/trial_verdicts/trial.h"
@@ -55,9 +56,15 @@ struct Work {
   std::function<TimedTrial(const PlannedCell&, const AttackControl&)> attack;
 };
 
+// Returns the noise floor of a plan in a scene. `settings` is a text of the cell's options that
+// change the scenario's problem. Any thread may call it.
+using NoiseFloorOf =
+    std::function<check::NoiseFloor(const domain::Problem& problem, const plan::Plan& plan,
+                                    const scene::SceneOptions& scene, std::string_view settings)>;
+
 // Returns the work that plans with the planner and executes in the simulator. `models` are the
-// folders of models; empty: each scenario's own.
-Work RealWork(const Sweep& sweep, const domain::ModelPath& models);
+// folders of models; empty: each scenario's own. Planning calls `noise_floor`, restoring does not.
+Work RealWork(const Sweep& sweep, const domain::ModelPath& models, const NoiseFloorOf& noise_floor);
 
 // Returns the noise of a trial that is not a falsification.
 noise::Noise NoiseOf(const PlannedCell& cell, int number);
