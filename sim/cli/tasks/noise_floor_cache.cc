@@ -48,12 +48,14 @@ std::string BytesOf(const fs::path& file) {
 std::string KeyOf(const domain::Problem& problem, const plan::Plan& plan,
                   const scene::SceneOptions& scene, std::string_view settings) {
   static const std::string program = Digest().Add(BytesOf("/proc/self/exe")).Hex();
+  plan::PlanResult result;
+  result.plan = plan;
   return Digest()
       .Add(program)
       .Add(mj_versionString())
       .Add(DigestOfInputs())
       .Add(settings)
-      .Add(plan::JsonLine(plan::ToJson({.plan = plan}, problem, "")))
+      .Add(plan::JsonLine(plan::ToJson(result, problem, "")))
       .Add(scene::ToMjcf(problem, scene))
       .Hex();
 }
