@@ -35,9 +35,11 @@
 #include <mutex>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "planner/base/check.h"
+#include "sim/check/certificate_claims/measure_noise_floor.h"
 #include "sim/execution/walk/executor.h"
 #include "sim/sweep/grid/machine.h"
 #include "sim/sweep/grid/runner.h"
@@ -200,8 +202,20 @@ Recording Record(const sweep::PlannedCell& cell, int number) {
   return recording;
 }
 
+// Returns the work of a sweep, all of whose cells have one plan. Its noise floor is measured by the
+// first call alone, since the program keeps it, too (sim/cli/tasks/noise_floor_cache.h).
+sweep::Work WorkOf(const sweep::Sweep& sweep) {
+  return sweep::RealWork(
+      sweep, {},
+      [](const domain::Problem& problem, const plan::Plan& plan, const scene::SceneOptions& scene,
+         std::string_view) {
+        static const check::NoiseFloor kept = check::MeasureNoiseFloor(problem, plan, scene);
+        return kept;
+      });
+}
+
 std::vector<Recording> RecordAll(const sweep::Sweep& sweep) {
-  const sweep::PlannedCell cell = sweep::RealWork(sweep, {}).plan(sweep::Cells(sweep).front());
+  const sweep::PlannedCell cell = WorkOf(sweep).plan(sweep::Cells(sweep).front());
   ASSAY_CHECK(cell.preparation != nullptr, "no plan");
   std::vector<Recording> recordings;
   for (int number = 1; number <= sweep.trials; ++number) {
@@ -343,11 +357,11 @@ struct SweepTurn {
 };
 
 // Runs a sweep. The trials' time includes all that is done for each trial, with the database. The
-// time of the whole sweep includes reading, planning and measuring the noise floor as well. These
-// are done once for a cell, however many trials it has.
+// time of the whole sweep includes reading and planning as well. These are done once for a cell,
+// however many trials it has.
 SweepTurn RunSweep(const sweep::Sweep& sweep, int threads, const Aside& aside) {
   const TemporaryFolder folder;
-  sweep::Work work = sweep::RealWork(sweep, {});
+  sweep::Work work = WorkOf(sweep);
   const Watch watch(work, aside);
   std::optional<Seconds> trials_began;
   const auto tell = [&](const sweep::Advance& advance) {
