@@ -1,6 +1,7 @@
 #include "sim/cli/tree_output/contingent_report.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <nlohmann/json.hpp>
 
@@ -54,6 +55,16 @@ std::string CheckText(const TreeCheck& check) {
       check.unreached.empty() ? "" : fmt::format(", {} nodes unreached", check.unreached.size()));
 }
 
+// Returns why there is no plan, or why none was found.
+std::string RefusalText(const ContingentAnswer& answer, std::int64_t budget) {
+  std::string text = answer.conflict ? cli::Text(answer.task, *answer.conflict)
+                                     : NotFoundText(answer.plan, budget);
+  if (!answer.unserved.empty()) {
+    text += fmt::format("No grasp serves:\n  {}\n", fmt::join(answer.unserved, "\n  "));
+  }
+  return text;
+}
+
 }  // namespace
 
 ContingentAnswer PlanFor(contingent::GroundTask task, contingent::Wanted wanted,
@@ -83,6 +94,9 @@ std::string JsonText(const ContingentAnswer& answer) {
   }
   if (!answer.plan.doubt.empty()) json["doubt"] = answer.plan.doubt;
   if (answer.conflict) json["conflict"] = cli::ToJson(answer.task, *answer.conflict);
+  if (answer.plan.outcome != Outcome::kFound && !answer.unserved.empty()) {
+    json["not_served"] = answer.unserved;
+  }
   if (answer.check) json["check"] = CheckToJson(*answer.check);
   json["expanded"] = answer.plan.states;
   json["seconds"] = answer.seconds;
@@ -91,8 +105,7 @@ std::string JsonText(const ContingentAnswer& answer) {
 
 std::string Text(const ContingentAnswer& answer, bool unfolds, std::int64_t budget) {
   const ContingentPlan& plan = answer.plan;
-  if (plan.outcome == Outcome::kNone) return cli::Text(answer.task, *answer.conflict);
-  if (plan.outcome == Outcome::kBudget) return NotFoundText(plan, budget);
+  if (plan.outcome != Outcome::kFound) return RefusalText(answer, budget);
   const TreeSize size = contingent::SizeOf(plan.tree);
   if (unfolds && size.leaves > kMostUnfolded) {
     throw UsageError(

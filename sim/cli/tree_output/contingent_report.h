@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "planner/contingent/grounding/ground_task.h"
 #include "planner/contingent/plan_tree/tree_check_result.h"
@@ -22,6 +23,9 @@ struct ContingentAnswer {
   bool is_from_file = false;
   std::optional<contingent::TreeCheck> check = {};
   std::optional<contingent::GoalConflict> conflict = {};  // if there is no plan
+  // For tasks of a scenario: the parts that no grasp serves (execution::Interpretation). They may
+  // be the reason why no plan was found.
+  std::vector<std::string> unserved = {};
   double seconds = 0;
 };
 

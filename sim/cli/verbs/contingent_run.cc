@@ -11,7 +11,6 @@
 
 #include "planner/contingent/plan_tree/tree_text.h"
 #include "planner/contingent/search/contingent_planner.h"
-#include "planner/contingent/search/goal_conflict.h"
 #include "planner/plan/plan_files/json_layout.h"
 #include "sim/cli/command_line/console.h"
 #include "sim/cli/command_line/interruption.h"
@@ -177,41 +176,26 @@ ExitCode RefuseAssembly(const execution::PlannedWorlds& planned, const Contingen
   return ExitCodeOf(planned.assembly.outcome);
 }
 
-// Reports that no plan was found. The actions for which there is no grasp are listed, because they
-// may be the reason.
-ExitCode RefuseKnowledge(const execution::Interpretation& interpretation,
-                         const contingent::ContingentPlan& plan, const ContingentRun& run) {
-  const bool is_none = plan.outcome == Outcome::kNone;
-  Json json = {{"outcome", is_none ? "none" : "budget"}, {"not_served", interpretation.unserved}};
-  std::string text = NotFoundText(plan, kKnowledgeStates);
-  if (is_none) {
-    Budget budget(kKnowledgeStates);
-    const auto conflict = contingent::FindGoalConflict(interpretation.task, budget);
-    json["conflict"] = ToJson(interpretation.task, conflict);
-    text = Text(interpretation.task, conflict);
-  }
-  if (!interpretation.unserved.empty()) text += "No grasp serves:\n";
-  for (const std::string& unserved : interpretation.unserved) text += "  " + unserved + "\n";
-  Print(run.json ? plan::JsonText(json) : text);
-  return ExitCodeOf(plan.outcome);
-}
-
-ExitCode Refuse(const execution::Interpretation& interpretation,
-                const contingent::ContingentPlan& plan, const ContingentRun& run) {
-  if (interpretation.planned) return RefuseAssembly(*interpretation.planned, run);
-  return RefuseKnowledge(interpretation, plan, run);
+// Reports that no plan was found for a goal of knowledge, as `assay plan` does.
+ExitCode RefuseKnowledge(const ContingentAnswer& answer, const ContingentRun& run) {
+  Json json = {{"outcome", Name(answer.plan.outcome, "planned")}, {"not_served", answer.unserved}};
+  if (answer.conflict) json["conflict"] = ToJson(answer.task, *answer.conflict);
+  Print(run.json ? plan::JsonText(json) : Text(answer, false, kKnowledgeStates));
+  return ExitCodeOf(answer.plan.outcome);
 }
 
 // Returns the tree of an assembly, which is made already, or plans one.
-contingent::ContingentPlan PlanOf(const execution::Interpretation& interpretation) {
-  if (interpretation.planned) {
-    contingent::ContingentPlan plan;
-    plan.outcome = interpretation.planned->assembly.outcome;
-    plan.tree = interpretation.planned->assembly.tree;
-    return plan;
+ContingentAnswer AnswerOf(const execution::Interpretation& interpretation) {
+  if (!interpretation.planned) {
+    ContingentAnswer answer =
+        PlanFor(interpretation.task, contingent::Wanted::kFirst, kKnowledgeStates);
+    answer.unserved = interpretation.unserved;
+    return answer;
   }
-  Budget budget(kKnowledgeStates);
-  return MakePlan(interpretation.task, contingent::Wanted::kFirst, budget);
+  ContingentAnswer answer{.task = interpretation.task, .plan = {}};
+  answer.plan.outcome = interpretation.planned->assembly.outcome;
+  answer.plan.tree = interpretation.planned->assembly.tree;
+  return answer;
 }
 
 }  // namespace
@@ -219,9 +203,12 @@ contingent::ContingentPlan PlanOf(const execution::Interpretation& interpretatio
 ExitCode RunContingent(const ContingentRun& run) {
   const KnowledgeScenario scenario = execution::Load(
       run.command.input, scenario::FindModels(run.command.input, run.command.models));
-  const contingent::ContingentPlan plan = PlanOf(scenario.interpretation);
-  if (plan.outcome != Outcome::kFound) return Refuse(scenario.interpretation, plan, run);
-  return Enacting(run, scenario, plan.tree).Execute();
+  const ContingentAnswer answer = AnswerOf(scenario.interpretation);
+  if (answer.plan.outcome == Outcome::kFound) {
+    return Enacting(run, scenario, answer.plan.tree).Execute();
+  }
+  if (const auto& planned = scenario.interpretation.planned) return RefuseAssembly(*planned, run);
+  return RefuseKnowledge(answer, run);
 }
 
 }  // namespace assay::cli

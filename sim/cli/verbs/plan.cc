@@ -173,6 +173,7 @@ ExitCode ExecuteKnowledge(const Document& document, const Options& options) {
     return PlanFor(std::move(scenario.interpretation.task), contingent::Wanted::kFirst,
                    kKnowledgeStates);
   }();
+  answer.unserved = std::move(scenario.interpretation.unserved);
   answer.seconds = stopwatch.Seconds();
   Print(options.json ? JsonText(answer) : Text(answer, false, kKnowledgeStates));
   return ExitCodeOf(answer.plan.outcome);

@@ -45,6 +45,32 @@ TEST(ContingentRun, TheCommandThatRepeatsATrialNamesTheModels) {
                                            " --sensing-errors 1 --seed 0 --trial 1");
 }
 
+// Without the place that both arms reach, no bottle can be handed over. Planning and running report
+// the same reasons.
+TEST(ContingentRun, PlanAndRunNameThePartsThatNoGraspServes) {
+  const Folder folder;
+  std::filesystem::copy(kTree / "scenarios/know", folder / "know");
+  std::string problem = TextOf(folder / "know/one-bottle.pks");
+  for (const std::string word :
+       {" shared,", "isReachable(shared, left),", "isReachable(shared, right),"}) {
+    problem.erase(problem.find(word), word.size());
+  }
+  folder.Write("know/one-bottle.pks", problem);
+  const std::string scenario =
+      folder.Write("scenario.yaml", TextOf(kTree / "scenarios/bottles.yaml"));
+  const std::string models = kTree / "models";
+  const Ended run = Assay({"run", scenario, "--models", models});
+  const Ended plan = Assay({"plan", scenario, "--models", models});
+  EXPECT_EQ(run.code, 11) << run.err;
+  EXPECT_EQ(plan.code, 11) << plan.err;
+  EXPECT_EQ(plan.out, run.out);
+  EXPECT_THAT(plan.out, HasSubstr("No grasp serves:\n  bottle (dishwasher, left): none of its "));
+  const nlohmann::json answer = Assay({"plan", scenario, "--models", models, "--json"}).Json();
+  EXPECT_THAT(SchemaErrors("sim/cli/verbs/contingent.schema.json", answer), IsEmpty());
+  EXPECT_EQ(answer["not_served"],
+            Assay({"run", scenario, "--models", models, "--json"}).Json()["not_served"]);
+}
+
 TEST(ContingentRun, PicturesOfEachStep) {
   if (Assay({"doctor", "--json"}).Json()["renderer"] == "") {
     GTEST_SKIP() << "nothing renders on this machine";
