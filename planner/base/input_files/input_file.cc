@@ -119,8 +119,13 @@ bool IsInput(const fs::path& file) {
 std::string DigestOfInputs() {
   ReadFiles& files = Files();
   const std::lock_guard lock(files.mutex);
+  std::vector<std::pair<std::string, std::string>> contents;  // by name
+  for (const auto& [path, digest] : files.digests) {
+    contents.emplace_back(path.filename().string(), digest);
+  }
+  std::ranges::sort(contents);
   Digest all;
-  for (const auto& [path, digest] : files.digests) all.Add(path.string()).Add(digest);
+  for (const auto& [name, digest] : contents) all.Add(name).Add(digest);
   return all.Hex();
 }
 

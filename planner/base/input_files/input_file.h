@@ -25,7 +25,7 @@ void RememberInput(const std::filesystem::path& file);
 bool IsInput(const std::filesystem::path& file);
 
 // Returns a hash of all files that ReadInput has read so far. It depends only on their contents and
-// canonical paths, not on the order of reading.
+// names, not on their folders or on the order of reading. A copy of a project has the same hash.
 std::string DigestOfInputs();
 
 // Throws InputError, with line and column, unless the whole text is UTF-8 without control
