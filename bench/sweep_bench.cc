@@ -5,14 +5,15 @@
 // subtracted. All this is repeated in several rounds, and medians are reported. A loaded machine
 // therefore changes the seconds more than the ratios.
 //
-// The loop is a fair peer because it sees the same contacts. A step costs what its contacts
-// require, and that differs by a factor between a hand on its way and a peg in its hole. All steps
-// of the sweep's executions are recorded once: the state before each step, the controls and the
-// timestep. The loop writes them back and calls mj_step. It is checked to meet as many contacts,
-// with as many iterations of the solver. The check behind the engine's collision of boxes is part
-// of both. The sweep alone does everything else: it compiles scenes, lets the parts settle, draws
-// noise, and runs servos, trajectories, sensing, claims and the database. Settling takes steps as
-// well, but these are not counted.
+// The loop is a fair peer because it sees the same contacts. The cost of a step depends on its
+// contacts. It differs by a factor between a hand on its way and a peg in its hole. All steps of
+// the sweep's executions are recorded once: the state before each step, the controls and the
+// timestep. The loop writes them back and calls mj_step. The benchmark checks that the loop has as
+// many contacts, and as many iterations of the solver, as the sweep. Both the loop and the sweep
+// include the check that follows the engine's collision detection for boxes. The sweep alone does
+// everything else: it compiles scenes, lets the parts settle, draws noise, and runs servos,
+// trajectories, sensing, claims and the database. Settling takes steps as well, but these are not
+// counted.
 //
 // Trials differ in length, and when none is left to begin, one thread waits for the other. With a
 // thousand trials this wait is negligible; with a few it is long. Two threads are therefore judged

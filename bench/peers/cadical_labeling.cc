@@ -46,7 +46,8 @@ class CadicalLabeling::Solver {
     for (int node = 0; node < std::ssize(nodes_); ++node) AddNode(node);
   }
 
-  // Adds an arc's clauses, which hold where `switch_literal` is true. With 0 they hold always.
+  // Adds an arc's clauses, which hold where `switch_literal` is true. If `switch_literal` is 0, the
+  // clauses always hold.
   void AddArc(const Arc& arc, int switch_literal) {
     switch (encoding_) {
       case Encoding::kDirect:

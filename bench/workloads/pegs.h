@@ -32,7 +32,7 @@ Polyhedron SquareHoleShape(double half, double outer, double depth);
 // Returns a box with its corners in the order of BoxShape.
 ConvexPiece BoxPiece(const Vector3& low, const Vector3& high);
 
-// A regular prism about z. One side faces along +x, the others follow at equal angles.
+// A regular prism about z. One side faces along +x. The other sides follow at equal angles.
 struct PrismModel {
   int sides = 4;    // must be even
   double half = 0;  // metres from the axis to a side

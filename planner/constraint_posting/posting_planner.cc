@@ -23,8 +23,8 @@ using domain::Problem;
 // The number of limits on the number of actions among which the judge's snapshots are divided. Five
 // parts in the way take ten more actions than the least limit.
 constexpr int kTurns = 12;
-// The instances of one partial plan may take at most this fraction, one half, of the rest of a
-// turn.
+// The instances of one partial plan may take at most 1 / kMostOfOneTurn of what is left of a turn's
+// budget.
 constexpr int kMostOfOneTurn = 2;
 
 // Returns the labels that bound the number of actions (LeastActions).

@@ -39,7 +39,8 @@ Vector3 ColorAt(const render::Image& image, const Vector2& p) {
                  right * PixelColor(image, column + 1, row + 1));
 }
 
-// The picture along the outward normal of a contour point. Offsets are in pixels.
+// The pixel values of the picture along the outward normal of a contour point. Offsets are in
+// pixels.
 struct Profile {
   const Picture& picture;
   const ContourPoint& point;

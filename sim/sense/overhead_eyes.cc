@@ -12,7 +12,8 @@ namespace {
 
 constexpr int kPixels = 480;  // along each side of a picture
 
-// Returns the positions of the eyes, world frame. They do not move with the simulation.
+// Returns the positions of the camera's eyes in the world frame. They do not move with the
+// simulation.
 std::vector<Vector3> EyesOf(const scene::Scene& scene) {
   std::vector<Vector3> eyes;
   const mujoco::Model& model = scene.model();

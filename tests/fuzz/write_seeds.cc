@@ -69,7 +69,7 @@ void WritePlan(Seeds& seeds) {
   seeds.Write("plan", plan::ToJson(result, problem, scenario.string()).dump());
 }
 
-// Returns the domain files of the folder by the domain's name.
+// Returns the domain files of the folder. The key is the name of the domain.
 std::map<std::string, fs::path> PksDomains() {
   std::map<std::string, fs::path> domains;
   for (const fs::path& file : FilesUnder(kRoot / "scenarios" / "know", ".pks")) {

@@ -34,8 +34,8 @@ struct IsLessPromising {
 
 bool IsFree(const Interval& interval) { return interval.low < interval.high; }
 
-// Returns a place inside the interval to split it at. Returns nothing if the interval is too narrow
-// or too far out.
+// Returns a point inside the interval at which to split it. Returns nothing if the interval is too
+// narrow or too far from zero.
 std::optional<double> SplitPoint(const Interval& x) {
   const bool is_infinite = std::isinf(x.low) || std::isinf(x.high);
   if (!is_infinite) {

@@ -25,9 +25,10 @@ struct Tightening {
   double factor = 1;  // in [0, 1)
 };
 
-// Return the tightenings of a single variable that achieve SUP < limit (INF > limit). Each shrinks
-// its interval as little as possible (to three digits), and the mildest comes first. The result is
-// empty if no tightening of a single variable suffices, or if none is needed.
+// Return the tightenings of a single variable that achieve SUP < limit (INF > limit). Each
+// tightening shrinks the interval of its variable as little as possible (to three digits). The
+// mildest tightening comes first. The result is empty if no tightening of a single variable
+// suffices, or if none is needed.
 std::vector<Tightening> TighteningsToBringSupBelow(double limit, const Expression& e,
                                                    const ConstraintSet& constraints,
                                                    const BoundRequest& request);

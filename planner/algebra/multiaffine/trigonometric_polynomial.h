@@ -43,8 +43,8 @@ class TrigonometricPolynomial {
   std::vector<Wave> waves_;
 };
 
-// Evaluates a trigonometric polynomial over a box: its range, slopes and curvatures. Ends are
-// rounded to nearest.
+// Evaluates a trigonometric polynomial over a box: its range, slopes and curvatures. The ends of
+// these intervals are rounded to nearest.
 class WaveEvaluation {
  public:
   void Enter(const TrigonometricPolynomial& sum, std::span<const numeric::NearestInterval> box);

@@ -14,8 +14,8 @@ struct Folding {
   bool is_absorbed_by_zero = false;
 };
 
-// Returns the sum or product of the operands. Numbers are folded where that is exact, neutral ones
-// are left out, and short sums in a sum (products in a product) are flattened.
+// Returns the sum or product of the operands. Numbers are folded where this is exact. Neutral
+// numbers are left out. Short sums in a sum, and short products in a product, are flattened.
 Expression Combined(const Folding& folding, std::span<const Expression> operands);
 
 }  // namespace assay::algebra

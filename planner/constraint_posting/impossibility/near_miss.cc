@@ -134,8 +134,8 @@ class NearMiss {
   std::vector<Miss> misses_;  // sorted by increasing excess
 };
 
-// Returns the leans of the mating vector in all stable poses of the fixed part in which it is
-// outside the cone.
+// Returns a text about the stable poses of the fixed part in which the mating vector is outside the
+// friction cone. For each of them, the text says how far the mating vector leans.
 std::string FrictionConeText(const Problem& problem, MatingId id) {
   const Mating& mating = problem.mating(id);
   const Part& fixed = problem.part(mating.fixed);

@@ -12,7 +12,7 @@ namespace assay::contingent {
 // The steps on the path through a tree, and the first condition that fails on it.
 class TreeFailure {
  public:
-  // Keeps references. `were_drawn` is true if the worlds are a sample.
+  // The object keeps references to its arguments. `were_drawn` is true if the worlds are a sample.
   TreeFailure(const GroundTask& task, const WorldProgression& progression, bool were_drawn,
               std::size_t most_worlds)
       : task_(task),

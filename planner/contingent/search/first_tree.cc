@@ -61,8 +61,8 @@ class FirstTreeSearch {
     return plan;
   }
 
-  // Completes sub-plans for all states on the path, from its end. Returns none if another outcome
-  // of a step leads nowhere, and bans this step.
+  // Completes sub-plans for all states on the path, beginning at the end of the path. If another
+  // outcome of a step leads nowhere, the function bans this step and returns none.
   std::optional<NodeId> Complete(const Way& way) {
     std::optional<NodeId> plan;
     for (auto leg = way.rbegin(); leg != way.rend(); ++leg) {

@@ -36,7 +36,7 @@ class SubPlans {
     std::vector<GroundLiteral> literals = {};
   };
 
-  // Returns the requirement of the child, which works from the outcome.
+  // Returns the requirement of the child. The child must be a sub-plan that works from the outcome.
   const Requirement& RequirementOf(NodeId child, StateId outcome);
   void File(Entry& entry, int index);
   bool Suits(const Entry& entry, StateId state);

@@ -43,7 +43,7 @@ class WorldProgression {
   bool CouldNotTell() const { return could_not_tell_; }
   // Returns a function that was given two values at once, or none.
   FunctionId TwoValued() const { return two_valued_; }
-  // Returns true if the update rules did not come to rest.
+  // Returns true if the update rules did not reach a fixed point.
   bool IsRestless() const { return is_restless_; }
 
   static bool IsTrue(GroundLiteral literal, const World& world);

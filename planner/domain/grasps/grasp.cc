@@ -19,7 +19,8 @@ namespace {
 
 using geometry::Polygon;
 
-// Greatest angle between opposite normals, radians.
+// Normals count as opposite if they deviate from opposite directions by at most this angle, in
+// radians.
 constexpr double kOpposite = 0.1 * std::numbers::pi / 180;
 constexpr double kGridStep = 4e-3;  // distance between candidate positions, metres
 // Margin around the pads beyond which more is no better, metres.

@@ -188,7 +188,7 @@ void InitialPosesFile::CheckOnTable(const Value& pose, PartId id) const {
             fmt::format("{}", fmt::join(tables, "; or ")));
 }
 
-// The table is convex, so the ends of the displacements suffice.
+// The table is convex, so it is enough to check the ends of the displacements.
 void InitialPosesFile::CheckOnTableWithErrors(const Value& pose, const Part& part) const {
   const Table& table = TableUnder(*problem_.workcell, part, part.X_WorldPart);
   for (const Interval& error : {part.error.x, part.error.y, part.error.theta}) {

@@ -86,7 +86,7 @@ class Workcell {
 
   // Returns the same workcell with other rules.
   std::shared_ptr<const Workcell> WithRules(const WorkcellRules& rules) const;
-  // Returns the same workcell, in which this robot acts.
+  // Returns the same workcell with this robot as the acting robot.
   std::shared_ptr<const Workcell> WorkedBy(RobotId robot) const;
 
  private:

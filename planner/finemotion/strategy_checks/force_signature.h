@@ -28,7 +28,7 @@ ForceSignature SignatureOf(const std::vector<plan::StrategyContact>& contacts, d
                            int sides = 8);
 
 // In the functions below, torques are divided by `length` (metres, about half the part's size) so
-// that they compare with forces. Rays and wrenches count by their directions.
+// that they compare with forces. Only the directions of rays and wrenches matter.
 
 // Returns the sine of the angle between the wrench and the nearest wrench of the signature, or 1 if
 // that angle is at least a right angle.

@@ -223,8 +223,8 @@ class StrategyReplay {
           1e3 * distance);
   }
 
-  // Compares the scale of an unwanted contact. If a face has several regions, the file has the
-  // least of their scales, which comes first.
+  // Compares the scale of an unwanted contact. If a face has several regions, the file has only the
+  // least of their scales, because the contact with this scale comes first.
   void CompareScale(std::size_t index, const Unwanted& unwanted) {
     const std::vector<plan::UnwantedContact>& told = strategy_.motions[index].unwanted;
     const auto claimed = std::ranges::find_if(

@@ -30,8 +30,8 @@ inline constexpr double kLinearTurn = 0.045;  // radians within which one linear
 // Greatest cosine between the way in and a direction across it.
 inline constexpr double kAcross = 0.1;
 
-// Returns the contacts of a corner with a face that the tip can make across the way in at a
-// critical point.
+// Returns the contacts between a corner and a face that the tip can make at a critical point when
+// it moves across the way in.
 std::vector<PrimitiveContact> WallsAt(const Passage& passage, int critical_point,
                                       const ContactFinder& finder);
 

@@ -115,7 +115,8 @@ void SequenceSearch::Refuse(const Node& node, const Maneuvered& done) {
   refused_guidance_ = node.guidance;
 }
 
-// Computes the node's exact cost. Margins take long to compute, and most nodes never come first.
+// Computes the node's exact cost. This is done only for nodes that come first in the queue, because
+// margins take long to compute and most nodes never come first.
 SequenceSearch::NodePointer SequenceSearch::WithExactCost(Node node) {
   const StrategyOptions& options = problem_.options;
   const int point = node.parent->point;

@@ -17,7 +17,7 @@ constexpr double kShareOfGiven = 0.9;
 constexpr double kFar = std::numeric_limits<double>::infinity();
 constexpr int kFirstOfWrist = 4;  // link of the arm: the axes beyond it meet in one point
 constexpr int kLastLink = 6;      // the flange, with which the tool moves
-// Greatest number of boxes of joints that are tested about one posture.
+// The greatest number of boxes in the space of joint angles that are tested around one posture.
 constexpr int kMostBoxes = 1'000;
 
 double AngleBetweenUnits(const Vector3& a, const Vector3& b) {

@@ -20,8 +20,8 @@ struct CarryRequest {
 
 // Plans a path to a posture above a free place of the table (FreePosesOn). From this posture the
 // arm can put the part down along straight lines, on which it stays clear of everything (as
-// PlanTravel asks). `surroundings` must have a held part. If several places and postures failed,
-// the result is the reason of the first one.
+// PlanTravel asks). `surroundings` must have a held part. If several places and postures fail, the
+// result gives the reason why the first of them failed.
 TravelResult PlanCarry(const domain::Problem& problem, const Surroundings& surroundings,
                        const CarryRequest& request);
 

@@ -28,7 +28,7 @@ class JointTrajectory {
   std::vector<Knot> knots_;
 };
 
-// The greatest rates of the joints, rad/s and rad/s^2.
+// The greatest speeds and accelerations of the joints, in rad/s and rad/s^2.
 struct JointRates {
   JointVector speed = JointVector::Zero();
   JointVector acceleration = JointVector::Zero();

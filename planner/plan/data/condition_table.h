@@ -216,7 +216,7 @@ std::vector<std::string> NamesOfConditions(ConditionKinds kinds);
 // Returns the words with which the meaning of a claim ends in this circumstance; none if it is
 // kUsual. Files tell the circumstance by these words alone.
 std::string_view WordsOf(Circumstance circumstance);
-// Returns the circumstance of a claim that a file has with this meaning.
+// Returns the circumstance of a claim to which a plan file gives this meaning.
 Circumstance CircumstanceOf(std::string_view meaning);
 
 // Returns the kinds that fine motion absorbs.

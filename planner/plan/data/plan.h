@@ -38,7 +38,7 @@ struct PlannedStep {
   int inserted = 0;  // position in the order in which the planner added the steps, from 1
   int executed = 0;  // position in the order of execution, from 1
   Certificate certificate = {};
-  // Fine motion that executes a mating; none: straight.
+  // The fine motion that executes a mating. If there is none, the mating is a straight motion.
   std::optional<Strategy> strategy = {};
   std::optional<Travel> travel = {};  // none: the usual way, in any posture
 };

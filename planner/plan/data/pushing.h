@@ -16,7 +16,7 @@ inline constexpr double kGreatestPush = 30;
 inline constexpr double kStrategyPush = 25;
 
 // Returns whether closed pads surely bear the force that stops a guarded move. If they do not, they
-// may slide down on the part that has met something, and the move goes on.
+// may slide down on the held part after it has met an obstacle, so that the move does not stop.
 inline bool PadsBearResistance(const domain::Problem& problem) {
   const domain::WorkcellRules& rules = problem.workcell->rules();
   const double friction = rules.pad_friction - problem.tolerances.pad_friction;

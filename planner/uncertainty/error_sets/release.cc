@@ -68,10 +68,10 @@ bool Drags(const domain::Problem& problem, const domain::Mating& mating) {
 }  // namespace
 
 // The part is turned by `turned` about the tool's axes, and the table turns it back until the turn
-// `twist` * up is left. The pads decide about which axes the part is turned back. In every case the
-// turn that is left lies between the twists at which one of the axes needs no turning back: any
-// twist beyond these would have to turn farther about each axis. Turning about several axes adds
-// the products of angles.
+// `twist` * up is left. The axes about which the part is turned back depend on the pads. At some
+// twists, one of the axes needs no turning back. In every case the turn that is left lies between
+// these twists, because a twist beyond them would need a farther turn about each axis. Turning
+// about several axes adds terms that are products of angles.
 Leaning LeaningOf(const UncertainWorld& world, const Vector3& up, const ManipulatorError& draw) {
   const HeldError& held = world.held();
   const auto most = [&](const Expression& angle) { return Magnitude(world.RangeOf(angle)); };

@@ -175,7 +175,7 @@ class Comparison {
         FindThreshold(unproved, 1, options_.greatest, kFinely * options_.precision).holds;
     // The trials begin at the greatest proved multiple less a tenth, because the engine's own
     // errors (the noise floor) may add up to a tenth of what is certified. Smaller multiples are
-    // tried only if the trials at this one fail.
+    // tried only if the trials at the first multiple fail.
     constexpr double kInside = 0.9;
     const double first = guaranteed > 0 ? kInside * guaranteed : 1;
     return {.variable = NameOf(experiment_.problem, variable),

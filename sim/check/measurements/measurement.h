@@ -36,8 +36,8 @@ struct Measurement {
   bool is_measured() const { return measure != nullptr; }
 };
 
-// Return the measurements of the kinds that belong together. Each *_measurements.cc has one of
-// these functions, and measures its kinds.
+// Each of these functions returns the measurements of one group of kinds of preconditions. Each
+// file *_measurements.cc defines one of these functions.
 std::vector<Measurement> GraspMeasurements();
 std::vector<Measurement> LandingMeasurements();
 std::vector<Measurement> MatingMeasurements();

@@ -40,8 +40,8 @@ struct Trial {
   bool operator_called = false;
 };
 
-// Executes the plan in the scene, where every part lies as the problem says, and judges it. No
-// certificate is checked. Safe to call from many threads.
+// Executes the plan in the scene, where every part lies as the problem says, and judges the
+// execution. No certificate is checked. Many threads may call this function at the same time.
 Trial RunTrial(const domain::Problem& problem, const plan::Plan& plan, const scene::Scene& scene,
                const execution::ExecutorOptions& options);
 // Executes the plan in a world with this noise, judges it, and checks its certificates. Safe to

@@ -26,8 +26,8 @@ class MatingFilm {
 
   const render::FreeCamera& camera() const { return camera_; }
 
-  // Returns the event that has come, if any. Each event is returned once. If several have come at
-  // once, the last is returned.
+  // Returns the event that has just happened, if any. Each event is returned once. If several
+  // events have happened at once, the last one is returned.
   std::optional<Snapshot> Look(const mujoco::Data& data);
   // Returns the event at rest: "seated", or "stopped" if the part is farther than a twentieth of
   // its depth from the seat. Returns nothing if that event was returned before.

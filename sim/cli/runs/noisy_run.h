@@ -37,7 +37,7 @@ struct AttackRun {
   std::int64_t attempts = 1000;
   int jobs = 1;
   std::uint64_t seed = 0;
-  // True to measure how many times the guaranteed noise breaks the plan.
+  // If true, the run measures which multiple of the guaranteed noise breaks the plan.
   bool conservatism = false;
   bool json = false;
 };

@@ -10,7 +10,7 @@
 
 namespace assay::cli {
 
-// Trials with a strategy and trials straight in, and what they show about the plan.
+// Trials with a strategy, trials with a straight motion, and what these trials show about the plan.
 struct MatingStudy {
   std::vector<MatedTrial> strategy = {};  // by number
   std::vector<MatedTrial> straight = {};

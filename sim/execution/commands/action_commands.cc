@@ -30,7 +30,7 @@ void ComeByPath(const std::vector<kinematics::JointVector>& path, const plan::To
   }
 }
 
-// Sets the usual way, in the planned postures.
+// Sets the usual way, which goes through the planned postures.
 void ComeOver(const std::vector<kinematics::JointVector>& path, StepCommands& commands) {
   Command& travel = TravelOf(commands.approach);
   travel = FollowPath{path, std::get<MoveAtSafeHeight>(travel).X_WorldTool};

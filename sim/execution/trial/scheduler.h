@@ -32,7 +32,7 @@ class Scheduler {
   void InOrder(std::size_t count, const Work& work, const Keep& keep) {
     Run(count, Order::kOfIndices, Kept(work, keep));
   }
-  // Calls the same functions, but keeps each result as soon as it is there.
+  // Calls the same functions as the template above, but keeps each result as soon as it is there.
   template <class Work, class Keep>
   void AsDone(std::size_t count, const Work& work, const Keep& keep) {
     Run(count, Order::kOfEnds, Kept(work, keep));

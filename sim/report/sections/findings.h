@@ -17,8 +17,8 @@ namespace assay::report {
 using check::ClaimVerdict;
 using check::VerdictCounts;
 
-// The observations of one claim in the trials of a cell, in the claim's unit. Only trials in which
-// the certificate of its step claimed anything count.
+// The observations of one claim in the trials of a cell, in the claim's unit. A trial counts only
+// if the certificate of the claim's step claimed anything in this trial.
 struct Observed {
   double least = 0, lower_quartile = 0, median = 0, upper_quartile = 0, greatest = 0;
   StandingCounts verdicts = {};  // of all observations, claimed or not

@@ -146,8 +146,8 @@ Database::Database(const std::filesystem::path& file, Access access) : file_(fil
   if (access == Access::kRead) RememberInput(file);
 }
 
-// The operating system releases the lock when the program ends in any way. If the file system has
-// no locks, the transactions of SQLite still exclude each other.
+// The operating system releases the lock when the program ends, however it ends. If the file system
+// has no locks, the transactions of SQLite still exclude each other.
 void Database::KeepOtherWritersOut() {
   lock_.reset(std::fopen(file_.c_str(), "re"));
   if (lock_ != nullptr && flock(fileno(lock_.get()), LOCK_EX | LOCK_NB) != 0 &&

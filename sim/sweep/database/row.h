@@ -93,8 +93,8 @@ inline std::string_view ColumnValue(domain::Dimension dimension) {
   return domain::SiUnitOf(dimension).name;
 }
 
-// Set a member from a column of a row. The contents of the database are right (RequireSchema), but
-// for units, which DimensionNamed checks.
+// Set a member from a column of a row. RequireSchema has ensured that the contents of the database
+// are right, except for units. DimensionNamed checks the units.
 inline void ReadColumn(const Statement& row, int i, int& to) { to = row.Int(i); }
 inline void ReadColumn(const Statement& row, int i, std::int64_t& to) { to = row.Integer(i); }
 inline void ReadColumn(const Statement& row, int i, bool& to) { to = row.Int(i) != 0; }

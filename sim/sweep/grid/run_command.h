@@ -16,7 +16,7 @@ namespace assay::sweep {
 // it.
 struct RunCommand {
   std::filesystem::path input = {};  // scenario or plan file
-  // What is executed.
+  // The following members say what is executed.
   bool scatter = false;
   bool tree = false;
   std::string propagation = "sound";

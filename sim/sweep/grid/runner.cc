@@ -40,7 +40,7 @@ class BatchWriter {
   Clock::time_point written_ = Clock::now();
 };
 
-// Returns the plan of another cell for this cell.
+// Returns a plan that was made for another cell as the plan of this cell.
 PlannedCell ForCell(PlannedCell planned, const Cell& cell) {
   planned.cell = cell;
   planned.record.cell = cell.number;

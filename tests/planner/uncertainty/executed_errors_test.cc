@@ -21,8 +21,8 @@ enum class Inserted { kNothing, kSensing, kSqueezing };
 struct Trial {
   std::string scenario;
   Inserted inserted = Inserted::kNothing;
-  // The error of the hand: this many metres, and ten times as many radians. 0 stands for the
-  // scenario's error.
+  // The error of the hand in metres. Its error in radians is ten times this number. 0 stands for
+  // the scenario's error.
   double gripper = 0;
   double parts = 1;  // factor on the scenario's errors of parts
 };

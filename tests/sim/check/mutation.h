@@ -14,7 +14,8 @@ enum class Lie {
   kHalvedPromise,    // all components of a part's error set are halved after a look
   kErrorNotCarried,  // a right error set after a step is forgotten in the steps after it
   kForgottenError,   // one coordinate of a part's or the hand's error is taken to be 0
-  // The rules of the paper: no lever arm of a turned part, one error of the hand at all poses.
+  // The rules of the paper. They neglect the lever arm of a turned part, and assume that the hand
+  // has the same error at all poses.
   kAsPublished,
   kMovedLimit,  // the margin of a precondition is overstated by a third
 };

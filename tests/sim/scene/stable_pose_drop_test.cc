@@ -55,7 +55,7 @@ void ComeToRest(const Scene& scene, mujoco::Data& data) {
   }
 }
 
-// Returns the angle in the part's frame between the two directions that point down.
+// Returns the angle, in the part's frame, between the directions that point down in the two poses.
 double AngleFrom(const StablePose& pose, const geometry::Pose& X_WorldPart) {
   const Vector3 down_now = X_WorldPart.linear().row(2);
   const Vector3 down_then = pose.X_TablePart.linear().row(2);

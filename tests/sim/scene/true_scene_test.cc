@@ -139,7 +139,8 @@ std::vector<double> ContactFrictions(const SceneOptions& options) {
   return frictions;
 }
 
-// The friction of the pads counts whether the part is rougher than the pads or not.
+// Between a pad and a part, the friction of the pads counts. This is so for parts that are rougher
+// than the pads and for parts that are smoother.
 TEST(TrueScene, BetweenPadAndPartThePadsFrictionCounts) {
   const double pads = PegAndBlock().workcell->rules().pad_friction;
   for (const double error : {-0.1, 0.0, 0.05, 0.5}) {

@@ -35,7 +35,7 @@ TEST(AffineForm, PutsWhatIsNegligibleIntoTheRest) {
   EXPECT_NEAR(form.rest.high, 0.001, 1e-15);
 }
 
-// The remainder of a smooth expression shrinks with the square of the box.
+// The remainder of a smooth expression shrinks with the square of the box's width.
 TEST(AffineForm, LeavesOnlyCurvature) {
   for (const double width : {0.1, 0.01}) {
     ExpressionPool pool;

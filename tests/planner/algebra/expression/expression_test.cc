@@ -80,7 +80,7 @@ TEST_F(ExpressionTest, NumbersInAPoolFoldOnlyExactly) {
   EXPECT_EQ(Sqrt(pool_.Constant(9)), Expression(3));
   EXPECT_EQ(Sqrt(pool_.Constant(2)).op(), Operator::kSqrt);
   EXPECT_EQ(Power(pool_.Constant(-2), 3), Expression(-8));
-  // Outside a pool, constants are computed at once.
+  // Without a pool of expressions, operations on constants are computed at once.
   EXPECT_EQ(Expression(0.1) + 0.2, Expression(0.1 + 0.2));
   EXPECT_EQ(Sin(Expression(1)), Expression(std::sin(1.0)));
 }

@@ -62,7 +62,8 @@ TEST_F(NormalFormTest, FunctionsOfNumbersAreTightNumbers) {
   const NormalForm form = NormalFormOf(Sin(pool_.Constant(0.5)) * Sqrt(pool_.Constant(2)) * x_);
   ASSERT_EQ(form.terms.size(), 1U);
   EXPECT_TRUE(Contains(form.terms[0].coefficient, std::sin(0.5) * std::sqrt(2.0)));
-  // The error is eight units for the sine, four for the root, and four for their product.
+  // The error is at most 16 machine epsilons: eight for the sine, four for the root, and four for
+  // their product.
   EXPECT_LT(Width(form.terms[0].coefficient), 16 * std::numeric_limits<double>::epsilon());
 }
 

@@ -63,8 +63,9 @@ TEST(Decimals, KnownSums) {
   EXPECT_EQ(WidthOf(-kInfinite, kInfinite), kInfinite);
 }
 
-// Oracle: sums in long double. Each double may stand for a decimal up to 2^-53 of its size away, so
-// that the sums of the decimals lie within `off` of the sum of the doubles.
+// The oracle computes sums in long double. The decimal for which a double stands may differ from
+// the double by up to 2^-53 of its size. The sums of the decimals therefore lie within `off` of the
+// sum of the doubles.
 TEST(Decimals, OtherSumsAreEnclosed) {
   RandomStream random(2, "decimals");
   for (int i = 0; i < 100'000; ++i) {

@@ -49,7 +49,7 @@ PolyhedralSet RandomSet(RandomStream& random) {
 
 bool HasRay(const ConeForm& form, int limit) { return std::ranges::count(form.limits, limit) > 0; }
 
-// Returns the distance of z outside the rows and the limits that have rays.
+// Returns by how much z violates the rows, and those limits that have rays.
 double Outside(const PolyhedralSet& set, const ConeForm& form, const GeneralizedPoint& z) {
   double outside = (set.rows * z - set.values).cwiseAbs().maxCoeff();
   for (const int i : form.limits) {

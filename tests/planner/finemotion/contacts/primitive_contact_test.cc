@@ -188,8 +188,8 @@ double DepthIn(const OuterFace& face, const Vector3& p) {
   return depth;
 }
 
-// Returns the least distance to an end from the point where two lines cross, seen along their
-// common normal.
+// Seen along their common normal, the lines of the two edges cross at a point. Returns the least
+// distance from this point to an end of an edge.
 double RangeLeft(const OuterEdge& a, const OuterEdge& b) {
   Eigen::Matrix3d lines;
   lines << a.direction(), -b.direction(), a.direction().cross(b.direction());

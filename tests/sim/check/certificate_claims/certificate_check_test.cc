@@ -156,7 +156,8 @@ TEST_F(CertificateCheckTest, NothingIsClaimedOnceAnUnprovedPreconditionFails) {
   EXPECT_EQ(Named(held, Claimed::kAfter, "y of peg").verdict, ClaimVerdict::kViolated);
 }
 
-// Nothing measures whether the pads hold a part. An unproved `holding` may therefore have failed.
+// No measurement tells whether the pads hold a part. If the precondition `holding` is not proved,
+// it may therefore have failed.
 TEST_F(CertificateCheckTest, NothingIsClaimedAfterWhatIsNeitherProvedNorMeasured) {
   auto& preconditions = plan_.steps[kPickup.index()].certificate.preconditions;
   preconditions.push_back(Precondition(plan::condition::kHolding, -1));

@@ -88,7 +88,7 @@ TEST(ConservatismRatio, IsFalseWhereATrialFailsWithWhatIsGuaranteed) {
   EXPECT_FALSE((ConservatismRatio{.variable = "all", .guaranteed = 2, .broken = 2.5}.IsFalse()));
   EXPECT_TRUE((ConservatismRatio{.variable = "all", .guaranteed = 2, .broken = 2.0}.IsFalse()));
   EXPECT_TRUE((ConservatismRatio{.variable = "all", .guaranteed = 2, .broken = 1.5}.IsFalse()));
-  // The task fails by itself, and nothing about it is guaranteed.
+  // Nothing about this task is guaranteed, so its failure makes no guarantee false.
   EXPECT_FALSE((ConservatismRatio{.variable = "all", .guaranteed = 0, .broken = 0.1}.IsFalse()));
 }
 

@@ -141,8 +141,8 @@ TEST(Mate, TheFixedPartLiesWhereThePlanHasPutIt) {
 }
 
 // At the edge of its reach, the arm can come straight to the hole, but not with every tilt. The
-// result is a spent budget and no proof, because the search from another seed may find a strategy
-// that the arm can execute.
+// result says that the budget was spent. It does not say that there is no plan, because a search
+// from another seed may find a strategy that the arm can execute.
 TEST(Mate, WhereTheArmDoesNotReachNoPlanIsFound) {
   const Folder folder;
   std::string text = TextOf(kSquare);

@@ -108,7 +108,8 @@ TEST_F(CommandFileTest, PutdownEndsWhereItMustHaveMetTheTable) {
   EXPECT_GE(std::get<MoveStraight>(certain.advance[0]).pace.final_length, doubt + beyond);
 }
 
-// The fixture clamps from before the parts may touch until the held part is let go.
+// The fixture begins to clamp before the parts may touch. It clamps until the hand lets the held
+// part go.
 TEST_F(CommandFileTest, AFixtureClampsTheFixedPart) {
   const auto assemble = plan_.steps[0].action;
   problem_.parts[problem_.mating(assemble.mating).fixed.index()].clamp = 120;

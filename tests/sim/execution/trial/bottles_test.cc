@@ -46,8 +46,7 @@ class Bottles : public testing::Test {
   }
 };
 
-// The scenario is that of facts 5.8. It does not say which robot reaches which place. The program
-// computes that.
+// The scenario does not say which robot reaches which place. The program computes this.
 TEST_F(Bottles, HandOverEmergesFromGeometry) {
   const Planned bottle(kOneBottle);
   EXPECT_EQ(

@@ -99,7 +99,8 @@ TEST_F(Figure15Executed, HeldPegSlipsLessThanAFifthOfAMillimetre) {
   }
 }
 
-// The believed pose of the tool is the commanded one. The arm follows it on lines and between them.
+// The believed pose of the tool is the commanded one. The arm follows the commanded pose on
+// straight lines and between them.
 TEST_F(Figure15Executed, TheToolFollowsItsCommands) {
   for (const Sample* sample : trace().All<Sample>()) {
     ASSERT_LT(Error(sample->moment.tool).norm(), 2e-4) << "at " << sample->moment.time << " s";

@@ -43,8 +43,8 @@ INSTANTIATE_TEST_SUITE_P(Scenarios, JudgeLaws,
                            return name;
                          });
 
-// A judgement does not depend on earlier judgements: a new judge gives the same. A beginning that
-// is known costs one snapshot.
+// A judgement does not depend on earlier judgements: a new judge gives the same judgement. If the
+// beginning of an instance has been judged before, it costs one snapshot.
 TEST_P(JudgeLaws, SaysTheSameAgainAndAnew) {
   const domain::Problem problem = LoadScenario(GetParam());
   const UncertaintyOptions options = WithDefaults({});
