@@ -16,8 +16,8 @@ struct ObservedError {
   double observed = 0;
 };
 
-// Returns the components of an error set with their true values at `moment`, a snapshot at which
-// the set is to hold.
+// Returns the components of an error set with their true values at `moment`. The set must be one
+// that is claimed to hold at this snapshot.
 std::vector<ObservedError> ObservedErrors(const domain::Problem& problem,
                                           const plan::Action& action, const plan::ErrorSet& set,
                                           const execution::Snapshot& moment);
