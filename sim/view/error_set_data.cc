@@ -100,4 +100,23 @@ Json ErrorSetsOf(const plan::Plan& plan, const execution::Trace& trace) {
   return all;
 }
 
+Json RegionsOf(const std::vector<WalkedAction>& actions) {
+  Json all = Json::array();
+  double from = 0;
+  for (const WalkedAction& action : actions) {
+    if (!action.end) break;
+    if (action.region) {
+      Json extremes = Json::array();
+      for (const Pose& extreme : action.region->extremes) extremes.push_back(ToJson(extreme));
+      all.push_back({{"part", action.region->part.index()},
+                     {"fixed", true},
+                     {"from", from},
+                     {"to", *action.end},
+                     {"extremes", std::move(extremes)}});
+    }
+    from = *action.end;
+  }
+  return all;
+}
+
 }  // namespace assay::view

@@ -101,6 +101,14 @@ Json GuardsOf(const execution::Trace& trace) {
   return all;
 }
 
+Json CollisionsOf(const execution::Trace& trace) {
+  Json all = Json::array();
+  for (const execution::CollisionRecord* collision : trace.All<execution::CollisionRecord>()) {
+    all.push_back({{"time", collision->time}, {"bodies", {collision->robot, collision->other}}});
+  }
+  return all;
+}
+
 Json ContactsOf(const execution::Trace& trace) {
   std::map<std::pair<std::string, std::string>, std::vector<std::pair<double, double>>> ranges;
   double last = -1;

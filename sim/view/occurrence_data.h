@@ -14,6 +14,9 @@ nlohmann::ordered_json OccurrencesOf(const execution::Trace& trace);
 // Returns the guarded moves: when each began and ended, its direction, and the force that ends it.
 nlohmann::ordered_json GuardsOf(const execution::Trace& trace);
 
+// Returns the collisions: the time of each, and the pair of bodies.
+nlohmann::ordered_json CollisionsOf(const execution::Trace& trace);
+
 // Returns the pairs of bodies that touch, as ranges of time. The world is left out.
 nlohmann::ordered_json ContactsOf(const execution::Trace& trace);
 

@@ -5,7 +5,6 @@
 #include <nlohmann/json.hpp>
 
 #include "planner/plan/data/not_covered.h"
-#include "sim/check/trial_verdicts/verdict.h"
 #include "sim/render/ghost.h"
 #include "sim/report/html/data_uri.h"
 #include "sim/report/html/element.h"
@@ -71,10 +70,6 @@ Json RecordingData(const Recording& recording) {
           {"series", report::DataUri("application/octet-stream", recording.bytes)}};
 }
 
-Json OutcomeData(const check::Verdict& verdict) {
-  return {{"name", execution::Name(verdict.outcome)}, {"reason", verdict.reason}};
-}
-
 Json ColorsData() {
   Json colors = Json::object();
   for (const report::Colour& color : report::kPalette)
@@ -82,24 +77,69 @@ Json ColorsData() {
   return colors;
 }
 
+Json WhyNotData(const std::vector<Reasons>& why_not) {
+  Json all = Json::array();
+  for (const Reasons& reasons : why_not) {
+    all.push_back({{"title", reasons.title}, {"sentences", reasons.sentences}});
+  }
+  return all;
+}
+
+// What is drawn of an execution.
+Json PictureData(const plan::Plan& plan, const scene::Scene& scene, const execution::Trace& trace) {
+  const std::vector<Body> bodies = BodiesOf(scene);
+  return {{"bodies", BodiesData(bodies)},
+          {"errorSets", ErrorSetsOf(plan, trace)},
+          {"collisions", CollisionsOf(trace)},
+          {"recording", RecordingData(Record(scene, bodies, trace))}};
+}
+
+Json BesideData(const plan::Plan& plan, const Beside& beside) {
+  Json data = PictureData(plan, beside.scene, beside.trace);
+  data["name"] = beside.name;
+  data["times"] = TimesOf(plan, beside.trace);
+  return data;
+}
+
+Json TreeData(const std::vector<TreeLine>& lines) {
+  Json all = Json::array();
+  for (const TreeLine& line : lines) {
+    all.push_back({{"depth", line.depth},
+                   {"text", line.text},
+                   {"action", line.is_action},
+                   {"gone", line.is_gone},
+                   {"steps", line.steps}});
+  }
+  return all;
+}
+
+void AddWay(const Way& way, Json& data) {
+  if (!way.lines.empty()) data["tree"] = TreeData(way.lines);
+  if (!way.drawings.empty()) data["drawings"] = way.drawings;
+  for (Json& set : RegionsOf(way.actions)) data["errorSets"].push_back(std::move(set));
+}
+
 Json DataOf(const Subject& subject) {
-  const std::vector<Body> bodies = BodiesOf(subject.scene);
-  return {{"format", "assay-view/1"},
-          {"title", subject.problem.name},
-          {"source", subject.source},
-          {"outcome", OutcomeData(check::Judge(subject.problem, subject.trace, {}))},
-          {"notCovered", plan::NotCovered(subject.plan)},
-          {"colors", ColorsData()},
-          {"bodies", BodiesData(bodies)},
-          {"cameras", CamerasData(subject.scene)},
-          {"parts", PartsData(subject.problem)},
-          {"steps", StepsOf({subject.problem, subject.plan, subject.trace, subject.claims,
-                             subject.plan_file})},
-          {"errorSets", ErrorSetsOf(subject.plan, subject.trace)},
-          {"guards", GuardsOf(subject.trace)},
-          {"contacts", ContactsOf(subject.trace)},
-          {"occurrences", OccurrencesOf(subject.trace)},
-          {"recording", RecordingData(Record(subject.scene, bodies, subject.trace))}};
+  const Executed executed{subject.problem, subject.plan, subject.trace, subject.claims,
+                          subject.plan_file};
+  Json data = {{"format", "assay-view/1"},
+               {"title", subject.problem.name},
+               {"source", subject.source},
+               {"outcome", {{"name", subject.outcome}, {"reason", subject.reason}}},
+               {"notCovered", plan::NotCovered(subject.plan)},
+               {"whyNot", WhyNotData(subject.why_not)},
+               {"colors", ColorsData()},
+               {"cameras", CamerasData(subject.scene)},
+               {"parts", PartsData(subject.problem)},
+               {"steps", subject.way ? StepsOf(executed, subject.way->actions) : StepsOf(executed)},
+               {"guards", GuardsOf(subject.trace)},
+               {"contacts", ContactsOf(subject.trace)},
+               {"occurrences", OccurrencesOf(subject.trace)}};
+  data.update(PictureData(subject.plan, subject.scene, subject.trace));
+  if (!subject.summary.empty()) data["summary"] = subject.summary;
+  if (subject.way) AddWay(*subject.way, data);
+  if (subject.beside) data["beside"] = BesideData(subject.plan, *subject.beside);
+  return data;
 }
 
 // Returns the data as a text that ends no script element.

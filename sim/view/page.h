@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -8,18 +9,41 @@
 #include "sim/check/certificate_claims/claim.h"
 #include "sim/execution/trace/trace.h"
 #include "sim/scene/scene.h"
+#include "sim/view/way.h"
 
 namespace assay::view {
 
-// What a page shows: an execution of a plan in a scene.
+// Another execution of the same plan, which is shown beside the first one.
+struct Beside {
+  std::string name;  // for people: "the plan without noise"
+  const scene::Scene& scene;
+  const execution::Trace& trace;
+};
+
+// Why there is no plan: sentences of one kind.
+struct Reasons {
+  std::string title;  // "These cannot hold together"
+  std::vector<std::string> sentences;
+};
+
+// What a page shows: an execution of a plan in a scene. Without a plan, `plan` has no steps, and
+// the trace has one sample.
 struct Subject {
   const domain::Problem& problem;
   const plan::Plan& plan;
   const scene::Scene& scene;
   const execution::Trace& trace;
+  std::string outcome = {};               // of the execution: "succeeded"
+  std::string reason = {};                // empty if it succeeded
+  std::string summary = {};               // of the plan; empty: the page sums up its certificates
   std::vector<check::Claim> claims = {};  // verdicts on the certificates; empty: there are none
-  std::string source = {};                // what was viewed, for people: "trace out/trace-3.jsonl"
-  std::string plan_file = {};             // for errors
+  std::optional<Beside> beside = {};
+  // For an execution that did not follow one plan. `plan` is then the plan of the execution's
+  // world, or empty if there is none.
+  std::optional<Way> way = {};
+  std::vector<Reasons> why_not = {};  // if there is no plan: the scene is then shown as it lies
+  std::string source = {};            // what was viewed, for people: "trace out/trace-3.jsonl"
+  std::string plan_file = {};         // for errors
 };
 
 // Returns the page as one HTML file, which fetches nothing. Equal subjects give equal bytes.

@@ -1,5 +1,6 @@
 #include "sim/view/step_data.h"
 
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "sim/view/certificate_data.h"
@@ -56,17 +57,22 @@ Json VerdictsOn(plan::StepId step, const std::vector<check::Claim>& claims) {
   return all;
 }
 
-// Returns the time at which each step ended, in the order of execution.
-std::vector<double> EndsOf(const execution::Trace& trace) {
-  std::vector<double> ends;
-  for (const execution::StepEnd* end : trace.All<execution::StepEnd>())
-    ends.push_back(end->moment.time);
-  return ends;
+// Returns when the tool was where it acts, for each step that came so far.
+std::map<plan::StepId, double> ReachedBySteps(const execution::Trace& trace) {
+  std::map<plan::StepId, double> times;
+  for (const execution::Milestone* milestone : trace.All<execution::Milestone>()) {
+    if (milestone->stage == execution::Stage::kReached) {
+      times.try_emplace(milestone->step, milestone->moment.time);
+    }
+  }
+  return times;
 }
 
 Json StepData(const Executed& executed, plan::StepId id) {
   const plan::PlannedStep& step = executed.plan.step(id);
   return {{"number", step.executed},
+          {"planNumber", step.executed},
+          {"planned", true},
           {"name", step.name},
           {"action", plan::ShortText(executed.problem, step.action)},
           {"certified", !step.certificate.before.empty()},
@@ -77,20 +83,59 @@ Json StepData(const Executed& executed, plan::StepId id) {
           {"verdicts", VerdictsOn(id, executed.claims)}};
 }
 
+// An action that is no step of a plan has no certificate.
+Json UnplannedData() {
+  const Json none = Json::array();
+  return {
+      {"number", 0},         {"planNumber", 0},       {"planned", false},      {"name", ""},
+      {"action", ""},        {"certified", false},    {"preconditions", none}, {"notNeeded", none},
+      {"resolutions", none}, {"verifications", none}, {"verdicts", none}};
+}
+
 }  // namespace
 
+Json TimesOf(const plan::Plan& plan, const execution::Trace& trace) {
+  Json times = Json::array();
+  double from = 0;
+  for (const execution::StepEnd* end : trace.All<execution::StepEnd>()) {
+    times.push_back({{"from", from}, {"to", end->moment.time}, {"ended", true}});
+    from = end->moment.time;
+  }
+  if (times.size() < plan.steps.size()) {
+    times.push_back({{"from", from}, {"to", trace.end().moment.time}, {"ended", false}});
+  }
+  return times;
+}
+
 Json StepsOf(const Executed& executed) {
-  const std::vector<double> ends = EndsOf(executed.trace);
+  const Json times = TimesOf(executed.plan, executed.trace);
+  const std::map<plan::StepId, double> reached = ReachedBySteps(executed.trace);
   Json steps = Json::array();
   for (const plan::StepId id : executed.plan.ExecutionOrder()) {
     Json step = StepData(executed, id);
-    const std::size_t place = steps.size();
-    if (place <= ends.size()) {
-      const bool ended = place < ends.size();
-      step["from"] = place == 0 ? 0.0 : ends[place - 1];
-      step["to"] = ended ? ends[place] : executed.trace.end().moment.time;
-      step["ended"] = ended;
+    if (steps.size() < times.size()) step.update(times[steps.size()]);
+    if (const auto found = reached.find(id); found != reached.end()) step["acts"] = found->second;
+    steps.push_back(std::move(step));
+  }
+  return steps;
+}
+
+Json StepsOf(const Executed& executed, const std::vector<WalkedAction>& walked) {
+  const std::map<plan::StepId, double> reached = ReachedBySteps(executed.trace);
+  Json steps = Json::array();
+  double from = 0;
+  for (const WalkedAction& action : walked) {
+    Json step = action.step.IsNone() ? UnplannedData() : StepData(executed, action.step);
+    step["number"] = steps.size() + 1;
+    step["action"] = action.action;
+    for (const Fact& fact : action.facts) step["facts"].push_back({fact.name, fact.value});
+    if (action.drawing) step["drawing"] = *action.drawing;
+    if (action.end) {
+      step.update({{"from", from}, {"to", *action.end}, {"ended", true}});
+      from = *action.end;
     }
+    const auto found = reached.find(action.step);
+    if (found != reached.end()) step["acts"] = found->second;
     steps.push_back(std::move(step));
   }
   return steps;

@@ -8,6 +8,7 @@
 #include "planner/plan/data/plan.h"
 #include "sim/check/certificate_claims/claim.h"
 #include "sim/execution/trace/trace.h"
+#include "sim/view/way.h"
 
 namespace assay::view {
 
@@ -21,8 +22,14 @@ struct Executed {
   std::string plan_file;  // for errors
 };
 
+// Returns the times of the steps that were begun, in the order of execution: "from", "to", and
+// whether the step "ended".
+nlohmann::ordered_json TimesOf(const plan::Plan& plan, const execution::Trace& trace);
+
 // Returns the steps in the order of execution, each with its certificate, its times and its
 // verdicts (README.md, "Data").
 nlohmann::ordered_json StepsOf(const Executed& executed);
+// Returns the actions of a way. Those that are steps of the plan have what these have.
+nlohmann::ordered_json StepsOf(const Executed& executed, const std::vector<WalkedAction>& walked);
 
 }  // namespace assay::view

@@ -2,10 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <fstream>
 #include <sstream>
 
+#include "sim/cli/picture_output/contact_graphs.h"
 #include "sim/cli/picture_output/contact_pictures.h"
 #include "sim/cli/tasks/output_file.h"
 #include "sim/cli/trial_output/fine_motion_report.h"
@@ -28,25 +28,6 @@ std::string TitleOf(const PicturedMating& pictured) {
                      problem.part(pictured.mating.fixed).name);
 }
 
-// Returns the plan's motions at a critical point.
-report::MotionRange MotionsAt(const finemotion::FineMotionPlan& plan, std::size_t critical_point) {
-  const auto at = [&](const auto& of) {
-    return static_cast<std::size_t>(of(plan.motions, static_cast<int>(critical_point), {},
-                                       &finemotion::CertainMotion::critical_point) -
-                                    plan.motions.begin());
-  };
-  return {at(std::ranges::lower_bound), at(std::ranges::upper_bound)};
-}
-
-std::vector<report::Element> GraphsOf(const finemotion::ContactChain& chain,
-                                      const finemotion::FineMotionPlan& plan) {
-  const check::PlannedContacts planned = check::PlannedContactsOf(plan);
-  std::vector<report::Element> graphs;
-  for (std::size_t i = 0; i < chain.points.size(); ++i)
-    graphs.push_back(report::ContactGraphPicture(chain.points[i], planned, MotionsAt(plan, i)));
-  return graphs;
-}
-
 }  // namespace
 
 std::vector<std::string> WriteMatingPictures(const std::filesystem::path& folder,
@@ -60,7 +41,7 @@ std::vector<std::string> WriteMatingPictures(const std::filesystem::path& folder
   states.pop_back();  // the last picture shows all states
   report::MatingSubject subject{.title = TitleOf(pictured),
                                 .summary = SummaryOf(geometry, plan),
-                                .graphs = GraphsOf(chain, plan),
+                                .graphs = ContactGraphs(chain, plan),
                                 .motions = MotionsOf(plan)};
   if (study) subject.trials = TrialsOf(*study);
   int number = 0;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <map>
 #include <memory>
@@ -10,15 +11,14 @@
 #include <optional>
 
 #include "planner/contingent/plan_tree/tree_text.h"
-#include "planner/contingent/search/contingent_planner.h"
 #include "planner/plan/plan_files/json_layout.h"
 #include "sim/cli/command_line/console.h"
 #include "sim/cli/command_line/interruption.h"
 #include "sim/cli/command_line/progress.h"
 #include "sim/cli/command_line/stopwatch.h"
-#include "sim/cli/command_line/usage_error.h"
 #include "sim/cli/picture_output/film.h"
 #include "sim/cli/tasks/output_file.h"
+#include "sim/cli/tasks/tree_worlds.h"
 #include "sim/cli/tree_output/contingent_report.h"
 #include "sim/cli/tree_output/goal_conflict_text.h"
 #include "sim/cli/tree_output/plan_tree_report.h"
@@ -44,16 +44,14 @@ class Enacting {
         scenario_(scenario),
         tree_(tree),
         seed_(run.command.seed.value_or(scenario.scenario.simulation.seed)),
+        worlds_(scenario, tree, seed_, run.command.worlds == "all"),
         study_{.command = run.command.Again(seed_, std::nullopt),
                .can_spill = scenario.interpretation.spill.has_value(),
-               .leaves = execution::LeavesOf(scenario.interpretation.task, tree, kMostLeaves)} {
-    if (study_.leaves.size() == kMostLeaves) {
-      throw UsageError(fmt::format("run: the tree has {} leaves or more", kMostLeaves));
-    }
+               .leaves = worlds_.leaves(),
+               .unreachable = worlds_.unreachable()} {
     if (const auto& planned = scenario.interpretation.planned) {
       study_.words = ActionWords(planned->worlds, planned->assembly);
     }
-    FindWorlds();
   }
 
   ExitCode Execute() {
@@ -81,57 +79,18 @@ class Enacting {
   }
 
  private:
-  static constexpr std::size_t kMostLeaves = 10'000;
-
-  bool IsEveryLeaf() const { return run_.command.worlds == "all"; }
-
   Json Result() const {
     Json json = ToJson(study_);
     if (Interruption::Requested()) json["interrupted"] = true;
     return json;
   }
 
-  // With --worlds all, finds the leaves that a hidden world leads to, as indices among all leaves.
-  void FindWorlds() {
-    if (!IsEveryLeaf()) return;
-    study_.unreachable.resize(study_.leaves.size());
-    for (std::size_t i = 0; i < study_.leaves.size(); ++i) {
-      RandomStream random(seed_, "reachable");
-      const auto found = execution::FindWorld(study_.leaves[i], scenario_.interpretation,
-                                              scenario_.scenario.problem, random);
-      if (const auto* why = std::get_if<std::string>(&found)) {
-        study_.unreachable[i] = *why;
-      } else {
-        reachable_.push_back(i);
-      }
-    }
-    if (reachable_.empty()) {
-      throw UsageError(fmt::format("run: no hidden world leads to a leaf of the tree: {}",
-                                   study_.unreachable.front()));
-    }
-  }
-
-  std::optional<execution::HiddenWorld> WorldFor(std::size_t leaf, RandomStream& random) const {
-    return execution::WorldFor(study_.leaves[leaf], scenario_.interpretation,
-                               scenario_.scenario.problem, random);
-  }
-
   std::vector<int> Numbers() const {
     if (run_.command.trial) return {*run_.command.trial};
-    const int usual = reachable_.empty() ? 1 : static_cast<int>(reachable_.size());
+    const int usual = std::max(1, static_cast<int>(worlds_.reachable_count()));
     std::vector<int> numbers(static_cast<std::size_t>(run_.trials.value_or(usual)));
     for (std::size_t i = 0; i < numbers.size(); ++i) numbers[i] = static_cast<int>(i) + 1;
     return numbers;
-  }
-
-  // With --worlds all, the trials go through the leaves in turn.
-  execution::HiddenWorld WorldOf(int number) const {
-    RandomStream random(seed_, fmt::format("hidden world {}", number));
-    if (reachable_.empty())
-      return execution::DrawnWorld(scenario_.interpretation.hidden,
-                                   scenario_.interpretation.WorldCount(), random);
-    const std::size_t leaf = reachable_[static_cast<std::size_t>(number - 1) % reachable_.size()];
-    return WorldFor(leaf, random).value();
   }
 
   EnactedTrial Run(int number, bool is_pictured) const {
@@ -142,7 +101,8 @@ class Enacting {
       Interruption::BreakOffIfRequested();
     };
 
-    EnactedTrial trial = execution::RunTrial(scenario_, tree_, {number, WorldOf(number)}, settings);
+    EnactedTrial trial =
+        execution::RunTrial(scenario_, tree_, {number, worlds_.WorldOf(number)}, settings);
     if (film) film->Write(run_.folder);
     return trial;
   }
@@ -160,8 +120,8 @@ class Enacting {
   const KnowledgeScenario& scenario_;
   const contingent::PlanTree& tree_;
   const std::uint64_t seed_;
+  const TreeWorlds worlds_;
   EnactmentStudy study_;
-  std::vector<std::size_t> reachable_;
   const Stopwatch stopwatch_;
   std::unique_ptr<Progress> progress_ = std::make_unique<Progress>("enacting");
 };
@@ -184,26 +144,12 @@ ExitCode RefuseKnowledge(const ContingentAnswer& answer, const ContingentRun& ru
   return ExitCodeOf(answer.plan.outcome);
 }
 
-// Returns the tree of an assembly, which is made already, or plans one.
-ContingentAnswer AnswerOf(const execution::Interpretation& interpretation) {
-  if (!interpretation.planned) {
-    ContingentAnswer answer =
-        PlanFor(interpretation.task, contingent::Wanted::kFirst, kKnowledgeStates);
-    answer.unserved = interpretation.unserved;
-    return answer;
-  }
-  ContingentAnswer answer{.task = interpretation.task, .plan = {}};
-  answer.plan.outcome = interpretation.planned->assembly.outcome;
-  answer.plan.tree = interpretation.planned->assembly.tree;
-  return answer;
-}
-
 }  // namespace
 
 ExitCode RunContingent(const ContingentRun& run) {
   const KnowledgeScenario scenario = execution::Load(
       run.command.input, scenario::FindModels(run.command.input, run.command.models));
-  const ContingentAnswer answer = AnswerOf(scenario.interpretation);
+  const ContingentAnswer answer = TreeOf(scenario.interpretation);
   if (answer.plan.outcome == Outcome::kFound) {
     return Enacting(run, scenario, answer.plan.tree).Execute();
   }

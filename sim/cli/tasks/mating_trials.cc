@@ -26,10 +26,11 @@ MatingTrials::MatingTrials(const MatingTask& task, const finemotion::MatingGeome
       settings_(settings),
       scene_(task.planned.problem, settings.scene) {}
 
-MatedTrial MatingTrials::RunStrategy(int number, const check::PlannedContacts& contacts) const {
+MatedTrial MatingTrials::RunStrategy(int number, const check::PlannedContacts& contacts,
+                                     double sample_rate) const {
   const Drawn drawn = DrawnFor(number);
   check::ContactObserver observer(scene_, problem_.mating(assemble_.mating), geometry_, contacts);
-  execution::MatingTrialOptions options;
+  execution::MatingTrialOptions options{.sample_rate = sample_rate};
   options.observer = [&observer](const mujoco::Data& data, int motion) {
     Interruption::BreakOffIfRequested();
     observer(data, motion);
@@ -42,9 +43,11 @@ MatedTrial MatingTrials::RunStrategy(int number, const check::PlannedContacts& c
   return trial;
 }
 
-MatedTrial MatingTrials::RunStraight(int number) const {
+MatedTrial MatingTrials::RunStraight(int number, double sample_rate) const {
   const Drawn drawn = DrawnFor(number);
-  return Told(number, drawn, execution::RunStraightMating(problem_, scene_, drawn.setting));
+  return Told(
+      number, drawn,
+      execution::RunStraightMating(problem_, scene_, drawn.setting, {.sample_rate = sample_rate}));
 }
 
 MatingTrials::Drawn MatingTrials::DrawnFor(int number) const {

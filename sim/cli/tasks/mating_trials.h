@@ -51,8 +51,10 @@ class MatingTrials {
 
   // RunStrategy and RunStraight throw BrokenOff as soon as an interruption is requested
   // (interruption.h).
-  MatedTrial RunStrategy(int number, const check::PlannedContacts& contacts) const;
-  MatedTrial RunStraight(int number) const;
+  // `sample_rate` is that of execution::ExecutorOptions.
+  MatedTrial RunStrategy(int number, const check::PlannedContacts& contacts,
+                         double sample_rate = 0) const;
+  MatedTrial RunStraight(int number, double sample_rate = 0) const;
 
  private:
   struct Drawn {

@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <optional>
 #include <system_error>
 
 #include "planner/base/input_files/input_error.h"
+#include "sim/cli/command_line/usage_error.h"
 #include "sim/cli/tasks/noise_floor_cache.h"
 
 namespace assay::cli {
@@ -19,6 +21,22 @@ sweep::Sweep SweepOf(const sweep::Store& store) {
       sweep::Load(!fs::exists(stored, ignored) && fs::exists(beside, ignored) ? beside : stored);
   store.RequireSameSweep(sweep::FactsOf(sweep, ASSAY_VERSION));
   return sweep;
+}
+
+sweep::TrialRecord StoredTrial(const sweep::Store& store, int number, std::string_view verb) {
+  const int trials = store.TrialsInAll();
+  if (number > trials) {
+    throw UsageError(
+        fmt::format("{}: there is no trial {}; allowed: 1 to {}", verb, number, trials));
+  }
+  const std::optional<sweep::TrialRecord> record = store.FindTrial(number);
+  if (!record) {
+    throw UsageError(
+        fmt::format("{}: trial {} is not in {}: its cell has no plan, or it was not done yet (see "
+                    "assay sweep show)",
+                    verb, number, store.file().string()));
+  }
+  return *record;
 }
 
 namespace {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string_view>
 
 #include "sim/sweep/grid/sweep_file.h"
 #include "sim/sweep/grid/work.h"
@@ -10,6 +11,10 @@ namespace assay::cli {
 // Returns the sweep file of a database, from its old path in the working directory or from beside
 // the database. Throws InputError if it is not there, or has changed.
 sweep::Sweep SweepOf(const sweep::Store& store);
+
+// Returns a trial of a database by its number. `verb` begins the messages. Throws UsageError if
+// there is no such trial, or if it was not done.
+sweep::TrialRecord StoredTrial(const sweep::Store& store, int number, std::string_view verb);
 
 // Returns the cell of a trial, with the stored plan. `models` are the given folders; if it is
 // empty, the folder is searched for.

@@ -124,8 +124,9 @@ std::string FaultText(const EnactmentStudy& study) {
 std::string StepTable(const EnactedTrial& trial, const EnactmentStudy& study) {
   Table table({{"step", Align::kRight}, {"action"}, {"seconds", Align::kRight}});
   for (std::size_t i = 0; i < trial.walk.steps.size(); ++i) {
-    const auto& [action, end] = trial.walk.steps[i];
-    table.Add({fmt::format("{}", i + 1), WordsOf(action, study), fmt::format("{:.1f}", end)});
+    const execution::WalkedStep& step = trial.walk.steps[i];
+    table.Add({fmt::format("{}", i + 1), WordsOf(step.action, study),
+               fmt::format("{:.1f}", step.end)});
   }
   return table.Text();
 }
@@ -142,8 +143,8 @@ Json EnactedTrialJson(const EnactedTrial& trial) {
   }
   json["simulated"] = trial.duration;
   json["steps"] = Json::array();
-  for (const auto& [action, end] : trial.walk.steps) {
-    json["steps"].push_back({{"action", action}, {"end", end}});
+  for (const execution::WalkedStep& step : trial.walk.steps) {
+    json["steps"].push_back({{"action", step.action}, {"end", step.end}});
   }
   json["branches"] = Json::array();
   for (const execution::TakenBranch& branch : trial.walk.branches) {

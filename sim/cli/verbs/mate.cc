@@ -23,6 +23,7 @@
 #include "sim/cli/options/models_folder.h"
 #include "sim/cli/options/quantity.h"
 #include "sim/cli/options/quantity_option.h"
+#include "sim/cli/page_output/mating_page.h"
 #include "sim/cli/picture_output/mating_pictures.h"
 #include "sim/cli/tasks/mating_task.h"
 #include "sim/cli/tasks/mating_trials.h"
@@ -60,6 +61,7 @@ struct Options {
   finemotion::MeetingTest intersection = finemotion::MeetingTest::kExact;
   scene::GraspMode grasp = scene::GraspMode::kWeld;
   std::filesystem::path pictures;  // folder
+  std::filesystem::path page;      // HTML file
   bool json = false;
 };
 
@@ -174,8 +176,8 @@ void Search(Planning& of) {
   of.code = ExitCodeOf(of.plan.outcome);
 }
 
-MatingStudy Tried(const Planning& of, const kinematics::JointVector& near, const Options& options) {
-  Progress progress("mating in physics");
+MatingTrialSettings TrialSettings(const Planning& of, const kinematics::JointVector& near,
+                                  const Options& options) {
   MatingTrialSettings settings{.errors = of.errors,
                                .beyond = options.beyond,
                                .scene = of.task.planned.simulation.scene,
@@ -183,6 +185,12 @@ MatingStudy Tried(const Planning& of, const kinematics::JointVector& near, const
                                .near = near};
   settings.scene.grasp = options.grasp;
   if (options.friction) settings.scene.part_friction = *options.friction;
+  return settings;
+}
+
+MatingStudy Tried(const Planning& of, const kinematics::JointVector& near, const Options& options) {
+  Progress progress("mating in physics");
+  const MatingTrialSettings settings = TrialSettings(of, near, options);
   const MatingTrials trials(of.task, of.geometry, of.strategy, settings);
   const check::PlannedContacts contacts = check::PlannedContactsOf(of.plan);
   const std::vector<int> numbers = NumbersOf(options);
@@ -235,6 +243,22 @@ void Try(const kinematics::JointVector& near, const Options& options, Planning& 
   of.text += FreeText(of);
 }
 
+// Writes the page of one trial.
+void View(const kinematics::JointVector& near, const Options& options, Planning& of) {
+  if (options.page.empty()) return;
+  const double rate = execution::ExecutorOptions().sample_rate;
+  const int number = options.trial.value_or(1);
+  const MatingTrialSettings settings = TrialSettings(of, near, options);
+  const MatingTrials trials(of.task, of.geometry, of.strategy, settings);
+  const MatedTrial strategy = trials.RunStrategy(number, check::PlannedContactsOf(of.plan), rate);
+  const MatedTrial straight = trials.RunStraight(number, rate);
+  const ViewedPage page =
+      MatingPage({of.task, of.geometry, of.chain, of.plan, settings.scene, strategy, straight});
+  WriteFile(options.page, page.html);
+  of.json["page"] = options.page.string();
+  of.text += options.page.string() + "\n";
+}
+
 // A strategy that the arm cannot execute proves nothing: it may be able to execute another
 // strategy, or the same one with the parts in other places.
 void Refuse(const assembly::Unreached& unreached, Planning& of) {
@@ -257,6 +281,7 @@ void Execute(const Options& options, Planning& of) {
   hold = reaching;
   of.json["grasp"] = hold.grasp;
   Try(start, options, of);
+  View(start, options, of);
 }
 
 void Picture(const std::filesystem::path& folder, Planning& of) {
@@ -270,6 +295,7 @@ void Picture(const std::filesystem::path& folder, Planning& of) {
 
 ExitCode Execute(const Options& options) {
   if (!options.pictures.empty()) MakeFolder(options.pictures);
+  if (!options.page.empty()) RequireWritable(options.page);
   Planning planning = Prepared(options);
   Search(planning);
   if (!planning.plan.motions.empty()) {
@@ -346,6 +372,10 @@ Execution Declare(CLI::App& command) {
   command.add_option("--pictures", options->pictures,
                      "folder for pictures of the contact states and their graphs; index.html has "
                      "all of it");
+  command.add_option(
+      "--view", options->page,
+      "HTML file that shows a trial in three dimensions, with the contact states and "
+      "the errors that are left in each: --trial, or the first");
   command.add_flag("--json", options->json, "print the result as JSON");
   AddModelsOption(command, options->models);
   return [options] { return Execute(*options); };

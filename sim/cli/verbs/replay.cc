@@ -49,21 +49,6 @@ struct Options {
   bool json = false;
 };
 
-TrialRecord FindTrial(const sweep::Store& store, int trial) {
-  const int trials = store.TrialsInAll();
-  if (trial > trials) {
-    throw UsageError(fmt::format("replay: there is no trial {}; allowed: 1 to {}", trial, trials));
-  }
-  const std::optional<TrialRecord> record = store.FindTrial(trial);
-  if (!record) {
-    throw UsageError(
-        fmt::format("replay: trial {} is not in {}: its cell has no plan, or it was not done yet "
-                    "(see assay sweep show)",
-                    trial, store.file().string()));
-  }
-  return *record;
-}
-
 bool IsAttack(const sweep::PlannedCell& cell) {
   return cell.cell.noise == sweep::NoiseKind::kAttack;
 }
@@ -197,7 +182,7 @@ Json ToJson(const TrialRecord& record) {
 ExitCode Execute(const Options& options) {
   if (!options.folder.empty()) MakeFolder(options.folder);
   const sweep::Store store = sweep::Store::Open(options.database);
-  const TrialRecord stored = FindTrial(store, options.trial);
+  const TrialRecord stored = StoredTrial(store, options.trial, "replay");
   const sweep::Sweep sweep = SweepOf(store);
   const sweep::PlannedCell cell = RestoredCell(store, stored, options.models);
   const Again again =

@@ -1,27 +1,21 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
+#include <array>
 #include <filesystem>
+#include <fstream>
+#include <limits>
 #include <memory>
 
-#include "planner/base/input_files/input_error.h"
 #include "planner/base/input_files/input_file.h"
-#include "planner/base/input_files/quotation.h"
-#include "sim/check/certificate_claims/certificate_check.h"
-#include "sim/check/trial_verdicts/trial.h"
 #include "sim/cli/command_line/console.h"
-#include "sim/cli/command_line/interruption.h"
-#include "sim/cli/command_line/progress.h"
 #include "sim/cli/command_line/usage_error.h"
 #include "sim/cli/command_line/verb.h"
 #include "sim/cli/options/models_folder.h"
-#include "sim/cli/plan_output/plan_text.h"
-#include "sim/cli/tasks/noise_floor_cache.h"
+#include "sim/cli/page_output/viewed_page.h"
 #include "sim/cli/tasks/output_file.h"
 #include "sim/cli/tasks/planned_problem.h"
 #include "sim/execution/interpretation/knowledge_scenario.h"
-#include "sim/view/page.h"
 
 namespace assay::cli {
 namespace view_verb {
@@ -29,134 +23,105 @@ namespace view_verb {
 namespace fs = std::filesystem;
 
 struct Options {
-  fs::path input;
+  ViewRequest request;
   fs::path page;
-  fs::path plan;  // of a trace; empty: plan.json beside it
-  domain::ModelPath models;
 };
 
 constexpr std::size_t kMostTraceBytes = std::size_t{1} << 30;
 
+// A database may be too large to be read as a whole.
+bool IsDatabase(const fs::path& file) {
+  constexpr std::string_view kMark = "SQLite format 3";
+  std::array<char, kMark.size()> begin{};
+  std::ifstream(file, std::ios::binary).read(begin.data(), begin.size());
+  return std::string_view(begin.data(), begin.size()) == kMark;
+}
+
 bool IsTrace(std::string_view text) { return text.starts_with(R"({"format":"assay-trace/)"); }
 
-void Write(const view::Subject& subject, const fs::path& file) {
-  const std::string page = view::Page(subject);
-  WriteFile(file, page);
-  Print(fmt::format("{}: {:.1f} s in {} kB\n", file.string(), subject.trace.end().moment.time,
-                    (page.size() + 500) / 1000));
+// Only results have no key `format`.
+bool IsResult(std::string_view text) {
+  return text.starts_with("{") && text.find("\"format\"") == std::string_view::npos;
 }
 
-// A trace does not hold its plan.
-fs::path PlanBeside(const Options& options) {
-  if (!options.plan.empty()) return options.plan;
-  const fs::path plan = options.input.parent_path() / "plan.json";
-  std::error_code ignored;
-  if (fs::exists(plan, ignored)) return plan;
-  throw UsageError(fmt::format("view: there is no {} beside the trace; allowed: --plan FILE",
-                               Quote(plan.string())));
+// The options that a kind of input has.
+enum class Numbered { kNo, kTrial, kCounterexample };
+
+void RefuseOptions(const ViewRequest& request, Numbered numbered, bool has_leaves) {
+  if (request.counterexample && numbered != Numbered::kCounterexample) {
+    throw UsageError("view: --counterexample is for databases (see assay view --help)");
+  }
+  if (request.number && numbered == Numbered::kNo) {
+    throw UsageError(
+        "view: numbers of trials are for databases, results and plan trees (see assay view "
+        "--help)");
+  }
+  if (request.is_every_leaf && !has_leaves) {
+    throw UsageError("view: --worlds is for scenarios whose plan is a tree");
+  }
 }
 
-// Returns why the trace is not one of this plan; empty if it is one.
-std::string Mismatch(const execution::Trace& trace, const PlannedProblem& planned) {
-  const domain::Problem& problem = planned.problem;
-  const plan::Plan& plan = planned.result.plan;
-  if (trace.problem != problem.name ||
-      !std::ranges::equal(trace.parts, problem.parts, {}, {}, &domain::Part::name)) {
-    return fmt::format("it is a trace of {}, and the plan {} is for {}", Quote(trace.problem),
-                       planned.plan_file, problem.name);
+ViewedPage Viewed(const ViewRequest& request) {
+  if (IsDatabase(request.input)) {
+    RefuseOptions(request, Numbered::kCounterexample, false);
+    return StoredTrialPage(request);
   }
-  const auto has_step = [&](plan::StepId step) {
-    return step.index() >= 0 && step.index() < static_cast<int>(plan.steps.size());
-  };
-  for (const execution::Milestone* milestone : trace.All<execution::Milestone>()) {
-    if (!has_step(milestone->step)) return "the plan does not have all steps of the trace";
+  const std::string text = ReadInput(
+      request.input, "a scenario file, plan file, trace, result or database", kMostTraceBytes);
+  if (IsResult(text)) {
+    RefuseOptions(request, Numbered::kTrial, false);
+    return ResultPage(request);
   }
-  for (const execution::StepEnd* end : trace.All<execution::StepEnd>()) {
-    if (!has_step(end->step) ||
-        plan::ShortText(problem, plan.step(end->step).action) != end->action) {
-      return fmt::format("{} of the trace is not a step of the plan", Quote(end->action));
-    }
+  if (IsTrace(text)) {
+    RefuseOptions(request, Numbered::kNo, false);
+    return TracePage(request, text);
   }
-  const auto samples = trace.All<execution::Sample>();
-  if (samples.empty()) return "the trace has no samples";
-  const bool same_robots = std::ranges::all_of(samples, [&](const execution::Sample* sample) {
-    return sample->moment.arms.size() == problem.workcell->robots().size();
-  });
-  return same_robots ? "" : "it is a trace of other robots";
-}
-
-ExitCode ViewTrace(const Options& options, std::string_view text) {
-  const execution::Trace trace = execution::ReadTrace(text, options.input.string());
-  const PlannedProblem planned = ReadPlan(Document::Load(PlanBeside(options)), options.models);
-  if (const std::string mismatch = Mismatch(trace, planned); !mismatch.empty()) {
-    throw InputError({.file = options.input.string()}, mismatch,
-                     "a trace of the plan as assay run -o writes it");
-  }
-  const plan::Plan& plan = planned.result.plan;
-  const scene::Scene scene(planned.problem, planned.simulation.scene);
-  const check::NoiseFloor gate =
-      KeptNoiseFloor(planned.problem, plan, planned.simulation.scene, "assay view");
-  Write({.problem = planned.problem,
-         .plan = plan,
-         .scene = scene,
-         .trace = trace,
-         .claims = check::CheckCertificates(planned.problem, plan, trace, gate),
-         .source = "trace " + options.input.string(),
-         .plan_file = planned.plan_file},
-        options.page);
-  return ExitCode::kDone;
-}
-
-// Executes the plan once without noise.
-ExitCode ViewPlan(const Options& options) {
-  const Document document = Document::Load(options.input);
-  const bool is_plan = IsPlanFile(document);
-  if (!is_plan && execution::NeedsATree(document)) {
-    throw UsageError(fmt::format("view: the plan for {} is a tree; allowed: plans without branches",
-                                 Quote(options.input.string())));
-  }
-  const PlannedProblem planned = ReadOrMakePlan(document, options.models);
-  if (planned.result.outcome != Outcome::kFound) {
-    Print(Text(planned.problem, planned.result));
-    return ExitCodeOf(planned.result.outcome);
-  }
-  const plan::Plan& plan = planned.result.plan;
-  const scene::Scene scene(planned.problem, planned.simulation.scene);
-  const check::Trial trial = [&] {
-    const Progress progress("executing the plan for " + planned.problem.name);
-    execution::ExecutorOptions executor;
-    executor.on_timestep = Interruption::BreakOffAfter;
-    return check::RunTrial(planned.problem, plan, scene, executor);
-  }();
-  Write({.problem = planned.problem,
-         .plan = plan,
-         .scene = scene,
-         .trace = trial.trace,
-         .source = fmt::format("{} {}, executed without noise", is_plan ? "plan" : "scenario",
-                               options.input.string()),
-         .plan_file = planned.file()},
-        options.page);
-  const bool done = trial.trace.end().outcome == execution::TrialOutcome::kSucceeded;
-  return done ? ExitCode::kDone : ExitCode::kFailed;
+  const Document document = Document::Parse(text, request.input.string());
+  const bool is_tree = !IsPlanFile(document) && execution::NeedsATree(document);
+  RefuseOptions(request, is_tree ? Numbered::kTrial : Numbered::kNo, is_tree);
+  return is_tree ? TreePage(request) : PlanPage(request, document);
 }
 
 ExitCode Execute(const Options& options) {
   RequireWritable(options.page);
-  const std::string text =
-      ReadInput(options.input, "a scenario file, plan file or trace", kMostTraceBytes);
-  return IsTrace(text) ? ViewTrace(options, text) : ViewPlan(options);
+  const ViewedPage page = Viewed(options.request);
+  WriteFile(options.page, page.html);
+  Print(fmt::format("{}: {:.1f} s in {} kB\n", options.page.string(), page.seconds,
+                    (page.html.size() + 500) / 1000));
+  return page.code;
 }
 
 Execution Declare(CLI::App& command) {
   const auto options = std::make_shared<Options>();
+  ViewRequest& request = options->request;
   command
-      .add_option("input", options->input,
-                  "scenario file or plan file, which is executed once without noise; or a trace")
+      .add_option("input", request.input,
+                  "scenario file or plan file, which is executed once without noise; a trace; the "
+                  "database of a sweep; or the result.json of a run under noise")
       ->required();
+  const CLI::Range numbers(1, std::numeric_limits<int>::max());
+  command
+      .add_option("number", request.number,
+                  "of the trial in a database; of the trial or counterexample in a result; of the "
+                  "trial of a plan tree (1 if left out)")
+      ->check(numbers);
+  command
+      .add_option("--counterexample", request.counterexample,
+                  "which one, if the trial of the database is a falsification; the first if left "
+                  "out")
+      ->check(numbers);
+  command
+      .add_option_function<std::string>(
+          "--worlds",
+          [&request](const std::string& worlds) { request.is_every_leaf = worlds == "all"; },
+          "of a plan tree: drawn: hidden facts are drawn; all: the trials go through the leaves "
+          "and "
+          "repeats of the tree in turn")
+      ->check(CLI::IsMember({"drawn", "all"}));
   command.add_option("-o,--output", options->page, "HTML file to write")->required();
-  command.add_option("--plan", options->plan,
-                     "plan file of a trace; plan.json beside the trace if left out");
-  AddModelsOption(command, options->models);
+  command.add_option("--plan", request.plan,
+                     "plan file of a trace or a result; plan.json beside it if left out");
+  AddModelsOption(command, request.models);
   return [options] { return Execute(*options); };
 }
 
@@ -168,7 +133,7 @@ const Verb kView = {
     .page = "sim/viewing.md",
     .example =
         "assay view scenarios/spar-fig13.yaml -o out/fig13.html\n"
-        "  assay view out/fig13/trace.jsonl -o out/fig13.html",
+        "  assay view fig15.sqlite 17 -o out/trial-17.html",
     .declare = view_verb::Declare,
 };
 

@@ -248,7 +248,8 @@ scene::Load Execution::Carried() const {
 void Execution::SampleIfDue() {
   if (options_.sample_rate <= 0 || data_.time() < samples_ / options_.sample_rate) return;
   trace_.events.push_back(Sample{Now()});
-  ++samples_;
+  // Another robot may have acted for long.
+  while (data_.time() >= samples_ / options_.sample_rate) ++samples_;
 }
 
 void Execution::RecordCollisions() {

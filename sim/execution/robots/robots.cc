@@ -6,6 +6,19 @@
 #include "planner/motion/paths/travel.h"
 
 namespace assay::execution {
+namespace {
+
+double TimeOf(const TraceEvent& event) {
+  return std::visit(
+      [](const auto& record) {
+        if constexpr (requires { record.moment; }) return record.moment.time;
+        if constexpr (requires { record.time; }) return record.time;
+        return 0.0;  // records of the end of an execution, which no robot makes
+      },
+      event);
+}
+
+}  // namespace
 
 Robots::Robots(const domain::Problem& problem, const scene::Scene& scene, mujoco::Data& data,
                const ExecutorOptions& options)
@@ -76,6 +89,16 @@ std::vector<CollisionRecord> Robots::Collisions() const {
   }
   std::ranges::stable_sort(collisions, {}, &CollisionRecord::time);
   return collisions;
+}
+
+Trace Robots::WholeTrace() const {
+  Trace whole = members_.front()->execution->trace();
+  for (std::size_t i = 1; i < members_.size(); ++i) {
+    const Trace& trace = members_[i]->execution->trace();
+    whole.events.insert(whole.events.end(), trace.events.begin(), trace.events.end());
+  }
+  std::ranges::stable_sort(whole.events, {}, TimeOf);
+  return whole;
 }
 
 }  // namespace assay::execution

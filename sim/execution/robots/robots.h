@@ -27,6 +27,8 @@ class Robots {
   std::vector<domain::PartId> Held() const;
   // Returns the forbidden contacts of all robots until now, in the order of time.
   std::vector<CollisionRecord> Collisions() const;
+  // Returns all records of all robots until now, in the order of time.
+  Trace WholeTrace() const;
   // Moves the acting robot home on a path that is clear of everything (motion::PlanWayHome).
   Progress GoHome();
 

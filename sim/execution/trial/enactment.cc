@@ -35,7 +35,7 @@ class JudgedWalk {
         data_(StartOf(problem_, scene_, noise_)),
         tilts_(scene_, data_),
         result_{.number = trial.number, .world = trial.world} {
-    options_.sample_rate = 0;
+    options_.sample_rate = settings.sample_rate;
     options_.noise = noise_;
     options_.on_timestep = [this](const mujoco::Data& data) { tilts_.Look(data); };
   }
@@ -71,6 +71,7 @@ class JudgedWalk {
     result_.duration = data_.time();
     Measure();
     Judge();
+    if (settings_.sample_rate > 0) KeepTrace(robots);
     return std::move(result_);
   }
 
@@ -115,6 +116,13 @@ class JudgedWalk {
     if (!failure) return;
     result_.walk.end = TrialOutcome::kStopped;
     result_.walk.reason = "at the end: " + failure->reason;
+  }
+
+  void KeepTrace(Robots& robots) {
+    result_.trace = robots.WholeTrace();
+    result_.trace.events.emplace_back(ExecutionEnd{
+        .outcome = result_.outcome, .reason = result_.reason, .moment = robots.acting().Now()});
+    result_.scene = scene_.options();
   }
 
   void Measure() {

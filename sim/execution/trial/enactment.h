@@ -8,6 +8,7 @@
 
 #include "sim/execution/interpretation/interpretation.h"
 #include "sim/execution/interpretation/knowledge_scenario.h"
+#include "sim/execution/trace/trace.h"
 #include "sim/execution/walk/tree_walk.h"
 #include "sim/execution/worlds/leaves.h"
 
@@ -29,6 +30,7 @@ struct StepPicture {
 struct TrialSettings {
   std::uint64_t seed = 1;
   double sensing_errors = 0;                                 // see WalkOptions::sensing_errors
+  double sample_rate = 0;                                    // see ExecutorOptions::sample_rate
   std::function<void(const StepPicture&)> on_step_end = {};  // called at the start, too
 };
 
@@ -45,6 +47,9 @@ struct EnactedTrial {
   std::vector<std::string> fallen = {};
   std::vector<CollisionRecord> collisions = {};  // in the order of time
   double duration = 0;                           // seconds of simulated time
+  // With samples: what happened, and the options of the scene of the trial's world.
+  Trace trace = {};
+  scene::SceneOptions scene = {};
 
   // Returns whether the trial failed. A trial succeeds if the goal is reached. In a world whose
   // fault leads to a person, it succeeds if the task is handed over to a person.

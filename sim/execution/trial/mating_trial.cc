@@ -45,7 +45,7 @@ class Trial {
       : mating_(problem.mating(setting.mating)),
         scene_(scene),
         setting_(setting),
-        options_{.sample_rate = 0, .force_limit = options.law.force_limit},
+        options_{.sample_rate = options.sample_rate, .force_limit = options.law.force_limit},
         data_(scene.Start()),
         execution_(problem, scene, data_, options_) {
     scene.SetPart(data_, mating_.fixed, RestingPoses(problem, scene)[mating_.fixed.index()]);
@@ -72,7 +72,7 @@ class Trial {
   Execution& execution() { return execution_; }
   Pose X_WorldFixed() const { return execution_.world().PartPose(mating_.fixed); }
 
-  MatingResult Result(StrategyEnd end) const {
+  MatingResult Result(StrategyEnd end) {
     const bool was_taken = !execution_.world().held().IsNone();
     if (end.outcome != TrialOutcome::kEngineWarning && was_taken && !execution_.IsInHand())
       end.outcome = TrialOutcome::kDropped;
@@ -80,10 +80,18 @@ class Trial {
             .duration = data_.time(),
             .greatest_force = execution_.greatest_force(),
             .X_FixedHeld = scene_.TruePose(data_, mating_.fixed).inverse() *
-                           scene_.TruePose(data_, mating_.held)};
+                           scene_.TruePose(data_, mating_.held),
+            .trace = TraceIfSampled()};
   }
 
  private:
+  Trace TraceIfSampled() {
+    if (options_.sample_rate == 0) return {};
+    Trace trace = execution_.trace();
+    trace.events.emplace_back(ExecutionEnd{.moment = execution_.Now()});
+    return trace;
+  }
+
   const domain::Mating& mating_;
   const scene::Scene& scene_;
   const MatingSetting& setting_;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "sim/execution/control/hybrid_control.h"
+#include "sim/execution/trace/trace.h"
 
 namespace assay::execution {
 
@@ -21,6 +22,7 @@ struct MatingSetting {
 struct MatingTrialOptions {
   ControlLaw law = {};
   MotionObserver observer = {};
+  double sample_rate = 0;  // see ExecutorOptions::sample_rate
 };
 
 struct MatingResult {
@@ -28,6 +30,7 @@ struct MatingResult {
   double duration = 0;        // simulated seconds
   double greatest_force = 0;  // newtons at the wrist
   Pose X_FixedHeld;           // the true pose at the end of the trial
+  Trace trace = {};           // with samples: what happened
 };
 
 // Returns whether a trial of the strategy can begin: the arm reaches the true start of the

@@ -59,6 +59,7 @@ Walk TreeWalk::Go() {
   std::optional<NodeId> at = tree_.root;
   while (at) {
     const PlanNode& node = tree_.node(*at);
+    at_ = *at;
     switch (node.kind) {
       case PlanNode::Kind::kGoal:
         at = Arrive();
@@ -178,7 +179,7 @@ Progress TreeWalk::Do(const GroundAction& action) {
   } else {
     FlipReadings(action);
   }
-  walk_.steps.push_back({text, execution.data().time()});
+  walk_.steps.push_back({text, execution.data().time(), at_});
   return failure;
 }
 

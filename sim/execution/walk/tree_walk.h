@@ -24,6 +24,8 @@ struct TakenBranch {
 struct WalkedStep {
   std::string action;  // "grasp(can1)"
   double end = 0;      // seconds of simulated time
+  // The action's node. If a sensing action is repeated, the branch that asked for it.
+  contingent::NodeId node = contingent::NodeId::None();
 };
 
 struct Walk {
@@ -97,6 +99,7 @@ class TreeWalk {
   Audit audit_;
   contingent::KnowledgeBase knowledge_;
   contingent::KnowledgeState state_;
+  contingent::NodeId at_;
   contingent::ActionId last_;
   Walk walk_;
 };

@@ -12,6 +12,13 @@ std::string ReplayCommand(const std::string& database, int trial) {
   return fmt::format("assay replay {} {}", sweep::Word(database), trial);
 }
 
+std::string ViewCommand(const std::string& database, int trial, std::optional<int> counterexample) {
+  const std::string name = ShellWord(database);
+  if (!counterexample) return fmt::format("assay view {} {} -o trial-{}.html", name, trial, trial);
+  return fmt::format("assay view {} {} --counterexample {} -o counterexample-{}-{}.html", name,
+                     trial, *counterexample, trial, *counterexample);
+}
+
 std::string WithDatabase(const std::string& command, const std::string& database) {
   constexpr std::string_view kWord = " DB ";
   const std::size_t at = (command + " ").find(kWord);

@@ -1,11 +1,17 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
 namespace assay::report {
 
 // Returns the command that runs a trial of a database again.
 std::string ReplayCommand(const std::string& database, int trial);
+
+// Returns the command that makes a page in three dimensions of a trial, or of a counterexample of a
+// falsification (from 1).
+std::string ViewCommand(const std::string& database, int trial,
+                        std::optional<int> counterexample = std::nullopt);
 
 // Returns a stored command with the database's path in place of the word DB.
 std::string WithDatabase(const std::string& command, const std::string& database);

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "sim/report/html/element.h"
+#include "sim/report/sections/standing.h"
 
 namespace assay::report {
 

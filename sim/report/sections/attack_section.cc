@@ -123,6 +123,9 @@ Element Example(const Subject& subject, const CellFindings& cell,
                              NumberText(example.multiple)));
   }
   box.Add(Command(WithDatabase(example.replay, subject.findings.database)));
+  if (cell.attack_trial > 0) {
+    box.Add(Command(ViewCommand(subject.findings.database, cell.attack_trial, example.number)));
+  }
   return box;
 }
 
@@ -138,8 +141,8 @@ void AddExamples(Element& section, const Subject& subject) {
   if (examples.empty()) return;
   section.Add("h3", "Counterexamples");
   section.Add("p",
-              "Each is shrunk: leave out one more error and nothing is violated. The command runs "
-              "it again.");
+              "Each is shrunk: leave out one more error and nothing is violated. The first command "
+              "runs it again, the second one makes a page that shows it in three dimensions.");
   for (Element& example : examples) section.Add(std::move(example));
   if (all > kMostExamples) {
     section.Add("p", fmt::format("Not told here, but in counterexamples.csv: {} more.",

@@ -68,6 +68,7 @@ struct CellFindings {
   // The falsification of the plan. Its worst claims are ordered by step, and its conservatism
   // begins with all errors together.
   std::optional<sweep::AttackRecord> attack = {};
+  int attack_trial = 0;  // the number of the falsification's trial in the sweep; 0: there is none
   // The trials of the same plan without noise. If control_done is 0, there are none.
   int control_done = 0;
   int control_succeeded = 0;
@@ -76,6 +77,14 @@ struct CellFindings {
   bool is_control() const { return cell().noise == "none"; }
   bool is_attack() const { return cell().noise == "attack"; }
   bool has_conservatism() const { return attack && !attack->conservatism.empty(); }
+};
+
+// A trial that failed, or that violated a certificate. Falsifications are left out.
+struct FailedTrial {
+  int trial = 0;  // number in the sweep, from 1
+  int cell = 0;
+  std::string outcome;
+  std::string reason;
 };
 
 // The trials of which pictures are taken, by their numbers in the sweep; 0 if there is none.
@@ -93,6 +102,8 @@ struct Findings {
   double mean_trial_seconds = 0;
   double planning_seconds = 0;  // the sum over all cells
   NotableTrials notable;
+  std::vector<FailedTrial> failures = {};  // the first ones, in the order of their numbers
+  std::int64_t failures_in_all = 0;
 
   int trials() const;  // the number of trials of the whole sweep, done or not
   int done() const;

@@ -66,6 +66,12 @@ std::optional<sweep::AttackRecord> ReadAttack(const sweep::Store& store, int cel
   return attack;
 }
 
+int AttackTrial(const Database& database, int cell) {
+  Statement row = database.Prepare("SELECT trial FROM trial WHERE cell = ?");
+  row.Bind(cell);
+  return row.Next() ? row.Int(0) : 0;
+}
+
 // Returns whether two cells differ only in the noise of their trials.
 bool SamePlan(const CellRecord& a, const CellRecord& b) {
   return a.scenario == b.scenario && a.clearance == b.clearance && a.error_scale == b.error_scale &&
@@ -91,6 +97,7 @@ CellFindings ReadCell(const sweep::Store& store, sweep::CellSummary summary) {
                     .recovery = {},
                     .steps = ReadSteps(store, number),
                     .attack = ReadAttack(store, number)};
+  if (cell.attack) cell.attack_trial = AttackTrial(store.database(), number);
   cell.recovery = ReadRecovery(store.database(), cell.cell(), plan);
   const std::map<std::string, std::string> actions = ActionsOf(plan);
   for (StepFindings& step : cell.steps) {
@@ -99,6 +106,22 @@ CellFindings ReadCell(const sweep::Store& store, sweep::CellSummary summary) {
     }
   }
   return cell;
+}
+
+void ReadFailures(const Database& database, Findings& findings) {
+  constexpr std::int64_t kMostFailures = 100;
+  Statement row = database.Prepare(
+      "SELECT trial, cell, trial.outcome, reason, trial.violated FROM trial JOIN cell USING(cell) "
+      "WHERE (trial.outcome <> 'succeeded' OR trial.violated > 0) AND cell.noise <> 'attack' ORDER "
+      "BY trial");
+  while (row.Next()) {
+    if (++findings.failures_in_all > kMostFailures) continue;
+    const bool is_violated = row.Int(4) > 0;
+    const std::string outcome = row.Text(2);
+    findings.failures.push_back({row.Int(0), row.Int(1),
+                                 is_violated ? outcome + ", a certificate violated" : outcome,
+                                 row.Text(3)});
+  }
 }
 
 }  // namespace
@@ -114,6 +137,7 @@ Findings ReadFindings(const sweep::Store& store, const std::string& database) {
     findings.cells.push_back(ReadCell(store, std::move(summary)));
   }
   AddControls(findings.cells);
+  ReadFailures(store.database(), findings);
   Statement planning = store.database().Prepare("SELECT total(seconds) FROM planning");
   if (planning.Next()) findings.planning_seconds = planning.Real(0);
   return findings;

@@ -41,6 +41,7 @@ const std::vector<Section>& Sections() {
   static const std::vector<Section> kSections = {
       {"summary", "In short", SummaryOf},
       {"outcomes", "Outcome rates", Outcomes},
+      {"failures", "Failed trials", Failures},
       {"recoveries", "Verifications and recoveries", Recoveries},
       {"verdicts", "Verdicts on certificates", Verdicts},
       {"error-sets", "Predicted and observed errors", ErrorSets},

@@ -35,6 +35,7 @@ const std::vector<Section>& Sections();
 
 Element SummaryOf(const Subject& subject);
 Element Outcomes(const Subject& subject);
+Element Failures(const Subject& subject);
 Element Recoveries(const Subject& subject);
 Element Verdicts(const Subject& subject);
 Element ErrorSets(const Subject& subject);

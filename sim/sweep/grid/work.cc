@@ -202,12 +202,11 @@ noise::Noise NoiseOf(const PlannedCell& cell, int number) {
 }
 
 check::Trial Execute(const PlannedCell& cell, const noise::Noise& noise,
-                     execution::Observer* observer) {
+                     execution::Observer* observer, double sample_rate) {
   const Preparation& preparation = *cell.preparation;
   const check::Experiment experiment = ExperimentOf(preparation);
-  // Verdicts do not use the series of samples.
   execution::ExecutorOptions options;
-  options.sample_rate = 0;
+  options.sample_rate = sample_rate;
   options.observer = observer;
   const bool looks = cell.cell.sensing == Sensing::kCamera && Senses(preparation.plan);
   return check::RunTrial(experiment, noise, options, looks ? Sensing::kCamera : Sensing::kDrawn);

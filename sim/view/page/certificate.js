@@ -4,14 +4,32 @@ import {colorOf, MARKS, standingOf, uncoveredOf, VERDICT_MARKS, VERDICTS} from '
 import {countText, quantityText, rangeText} from './units.js';
 
 // The certificate of one step: what was claimed, how far it is from its limit, and what costs most.
-export function certificateOf(step, data) {
+// `showWhere` is called with a sentence about what is not proved, to show it in the picture.
+export function certificateOf(step, data, showWhere) {
   const standing = standingOf(step, data.colors);
   return element(
       'section', {class: 'certificate', 'aria-label': `Certificate of step ${step.number}`},
-      element('h2', {}, `Step ${step.number}: ${step.action}`),
-      element('p', {class: 'lead'}, leadOf(step, standing)), ...uncoveredTexts(step, data),
-      ...step.preconditions.map((group, i) => preconditionOf(group, data.colors, i === 0)),
+      element('h2', {}, `Step ${step.number}: ${step.action}`), ...leadsOf(step, standing),
+      ...factsOf(step, data), ...uncoveredTexts(step, data),
+      ...step.preconditions.map(
+          (group, i) => preconditionOf(group, data.colors, i === 0, showWhere)),
       ...notNeededOf(step), ...doneOf(step), ...observedOf(step, data.colors));
+}
+
+function leadsOf(step, standing) {
+  if (!step.planned) return step.facts ? [] : [element('p', {}, 'The action has no certificate.')];
+  return [element('p', {class: 'lead'}, leadOf(step, standing))];
+}
+
+// What is known of an action that is no step of a plan, with its drawing.
+function factsOf(step, data) {
+  if (!step.facts) return [];
+  const rows = step.facts.map(
+      ([name, value]) =>
+          element('tr', {}, element('th', {scope: 'row'}, name), element('td', {}, value)));
+  const drawing = element('div', {class: 'drawing'});
+  if (step.drawing !== undefined) drawing.innerHTML = data.drawings[step.drawing];
+  return [element('table', {class: 'facts'}, ...rows), drawing];
 }
 
 function leadOf(step, standing) {
@@ -39,7 +57,7 @@ function uncoveredTexts(step, data) {
 }
 
 // A kind of precondition: one line, which opens to the whole proof.
-function preconditionOf(group, colors, isFirst) {
+function preconditionOf(group, colors, isFirst, showWhere) {
   const color = colorOf(group.standing, colors);
   const margin = group.standing === 'open' ?
       element('b', {}, `${quantityText(-group.margin, group.unit)} short`) :
@@ -57,8 +75,13 @@ function preconditionOf(group, colors, isFirst) {
               'span', {class: 'name'}, group.condition,
               element('small', {}, group.count > 1 ? ` × ${group.count}` : '')),
           marginChart(group, color), element('span', {class: 'value'}, margin)),
-      element('p', {}, `${group.meaning}. ${standingSentence(group)}`), boundTable(group),
+      element('p', {}, `${group.meaning}. ${standingSentence(group)}`),
+      ...(group.standing === 'open' ? [whereButton(group, showWhere)] : []), boundTable(group),
       ...costsOf(group), ...remedyOf(group));
+}
+
+function whereButton(group, showWhere) {
+  return element('button', {class: 'where', onclick: () => showWhere(group.meaning)}, 'Show where');
 }
 
 function standingSentence(group) {

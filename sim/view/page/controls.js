@@ -59,6 +59,8 @@ export class ViewOptions {
       showsBelieved: this.toggleOf('showsBelieved', 'believed poses', BELIEVED, 'b'),
       showsSets: this.toggleOf('showsSets', 'predicted errors', data.colors.predicted, 'e'),
     };
+    if (data.beside)
+      this.toggles.showsBeside = this.toggleOf('showsBeside', 'beside', '#52606f', 'p');
     this.root = element(
         'div', {class: 'options'},
         element('div', {class: 'group', role: 'group', 'aria-label': 'Camera'}, ...this.cameras),

@@ -1,8 +1,7 @@
 import {element} from './dom.js';
 
-// The keys, each with what it does.
-export function keysOf({player, steps, viewport, options, help}) {
-  const names = viewport.cameraNames();
+// Each key with what it does.
+export function timeKeys({player, steps}) {
   return [
     {keys: [' ', 'k'], shown: 'space', text: 'play or pause', act: () => player.toggle()},
     {
@@ -30,6 +29,12 @@ export function keysOf({player, steps, viewport, options, help}) {
     {keys: ['End'], shown: 'end', text: 'to the end', act: () => player.seek(player.end)},
     {keys: ['+', '='], shown: '+', text: 'faster', act: () => player.faster(1)},
     {keys: ['-'], shown: '−', text: 'slower', act: () => player.faster(-1)},
+  ];
+}
+
+export function cameraKeys({viewport, options, help}) {
+  const names = viewport.cameraNames();
+  return [
     ...names.map((name, i) => ({
                    keys: [String(i + 1)],
                    shown: String(i + 1),
@@ -44,6 +49,13 @@ export function keysOf({player, steps, viewport, options, help}) {
     },
     {keys: ['b'], shown: 'b', text: 'believed poses', act: () => options.toggle('showsBelieved')},
     {keys: ['e'], shown: 'e', text: 'predicted errors', act: () => options.toggle('showsSets')},
+    ...(viewport.beside ? [{
+      keys: ['p'],
+      shown: 'p',
+      text: viewport.beside.name,
+      act: () => options.toggle('showsBeside')
+    }] :
+                          []),
     {keys: ['?', 'h'], shown: '?', text: 'these keys', act: help},
   ];
 }

@@ -1,6 +1,6 @@
 import {Controls, ViewOptions} from './controls.js';
 import {element} from './dom.js';
-import {helpOf, keysOf, listenToKeys} from './keys.js';
+import {cameraKeys, helpOf, listenToKeys, timeKeys} from './keys.js';
 import {Player} from './player.js';
 import {Readings} from './readings.js';
 import {Recording} from './recording.js';
@@ -8,6 +8,7 @@ import {Steps} from './steps.js';
 import style from './style.css';
 import {Timeline} from './timeline.js';
 import {Viewport} from './viewport.js';
+import {WhyNot} from './why_not.js';
 
 // Draws before each repaint of the screen while something changes.
 function animate(player, viewport) {
@@ -21,29 +22,48 @@ function animate(player, viewport) {
   requestAnimationFrame(frame);
 }
 
-function show(data) {
+// A scene for which there is no plan stands still.
+function showStill(data) {
+  const recording = new Recording(data);
+  const viewport = new Viewport(data, recording);
+  const help = () => dialog.showModal();
+  const options = new ViewOptions(viewport, data, help);
+  const keys = cameraKeys({viewport, options, help});
+  const dialog = helpOf(keys);
+  document.body.append(
+      element('main', {}, element('div', {class: 'picture'}, viewport.root, options.root)),
+      new WhyNot(data, viewport).root, dialog);
+  listenToKeys(keys);
+  return {player: new Player(recording), viewport};
+}
+
+function showExecution(data) {
   const recording = new Recording(data);
   const player = new Player(recording);
   const viewport = new Viewport(data, recording);
-  const steps = new Steps(data, player);
+  const steps = new Steps(data, player, viewport);
   const help = () => dialog.showModal();
   const options = new ViewOptions(viewport, data, help);
-  const keys = keysOf({player, steps, viewport, options, help});
+  const keys = [...timeKeys({player, steps}), ...cameraKeys({viewport, options, help})];
   const dialog = helpOf(keys);
   const readings = new Readings(data, recording, player);
-  document.head.append(element('style', {}, style));
   document.body.append(
       element(
           'main', {},
-          element('div', {class: 'picture'}, viewport.surface, options.root, readings.root),
+          element('div', {class: 'picture'}, viewport.root, options.root, readings.root),
           element(
               'div', {class: 'below'}, new Controls(player, steps).root,
               new Timeline(data, recording, player).root)),
       steps.root, dialog);
   player.onChange(() => viewport.show(player.time));
   listenToKeys(keys);
-  animate(player, viewport);
-  window.assayView = {player, viewport};
+  return {player, viewport};
+}
+
+function show(data) {
+  document.head.append(element('style', {}, style));
+  window.assayView = data.whyNot.length > 0 ? showStill(data) : showExecution(data);
+  animate(window.assayView.player, window.assayView.viewport);
 }
 
 show(JSON.parse(document.getElementById('data').textContent));

@@ -5,15 +5,18 @@ const FARTHEST = 12;
 
 // Moves a camera about a target, z up, by mouse, wheel, pen or fingers.
 export class Orbit {
-  constructor(camera, surface, onMove) {
+  constructor(camera, onMove) {
     this.camera = camera;
-    this.surface = surface;
     this.onMove = onMove;
     this.target = new Vector3();
     this.azimuth = 0;
     this.polar = 1;  // from the zenith, radians
     this.distance = 1;
     this.pointers = new Map();
+  }
+
+  // Lets people move the camera on this surface.
+  listen(surface) {
     surface.addEventListener('pointerdown', (event) => this.press(event));
     surface.addEventListener('pointermove', (event) => this.drag(event));
     for (const end of ['pointerup', 'pointercancel']) {
@@ -49,6 +52,7 @@ export class Orbit {
   }
 
   press(event) {
+    this.surface = event.currentTarget;
     this.surface.setPointerCapture(event.pointerId);
     this.pointers.set(event.pointerId, {x: event.clientX, y: event.clientY});
   }

@@ -41,6 +41,7 @@ export class Outlines {
   replace(outline, set) {
     outline.shown = set;
     outline.extremes.remove(...outline.extremes.children);
+    (set && set.fixed ? this.root : outline.frame).add(outline.extremes);
     for (const pose of set ? set.extremes : []) {
       const extreme = edgesOf(outline.part, this.color, 0.85);
       setPose(extreme, pose);

@@ -1,4 +1,5 @@
 import {element} from './dom.js';
+import {plainName} from './names.js';
 
 // What is read off the shown time, over the picture: how far each part is from where it is believed
 // to be, and what touches.
@@ -40,7 +41,7 @@ export class Readings {
     const touching =
         this.data.contacts
             .filter(({times}) => times.some(([from, to]) => from <= time && time <= to))
-            .map(({bodies}) => bodies.map((name) => name.replace(/^part\//, '')).join(' – '));
+            .map(({bodies}) => bodies.map(plainName).join(' – '));
     this.contacts.textContent = touching.length > 0 ? `touching: ${touching.join(', ')}` : '';
   }
 }

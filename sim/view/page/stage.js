@@ -48,10 +48,15 @@ export function edgesOf(part, color, opacity) {
   return new three.LineSegments(geometry, material);
 }
 
-// The bodies at their true poses.
+// The bodies at their true poses. Bodies that have collided, or that a sentence names, have the
+// colour of what is wrong.
 export class Stage {
   constructor(data, recording) {
     this.recording = recording;
+    this.collisions = data.collisions;
+    this.wrong = materialOf(data.colors.violated);
+    this.named = [];
+    this.names = data.bodies.map((body) => body.name);
     this.root = new three.Group();
     this.bodies = data.bodies.map((body) => {
       const group = new three.Group();
@@ -59,15 +64,32 @@ export class Stage {
       this.root.add(group);
       return group;
     });
+    this.materials = this.bodies.map((group) => group.children.map((object) => object.material));
+    this.marked = this.bodies.map(() => false);
     for (const part of data.parts) {
       const body = data.bodies.findIndex((other) => other.name === part.body);
       this.bodies[body].add(edgesOf(part, data.colors.observed, 0.45));
     }
   }
 
-  show(moment) {
+  show(moment, time) {
     this.recording.bodies.forEach((track, i) => {
       if (track) this.recording.place(track, moment, this.bodies[i]);
+    });
+    const collided = this.collisions.filter((collision) => collision.time <= time);
+    const wrong = [...collided.flatMap(({bodies}) => bodies), ...this.named];
+    this.names.forEach((name, i) => this.markBody(i, wrong.includes(name)));
+  }
+
+  mark(names) {
+    this.named = names;
+  }
+
+  markBody(index, isWrong) {
+    if (this.marked[index] === isWrong) return;
+    this.marked[index] = isWrong;
+    this.materials[index].forEach((own, i) => {
+      if (own) this.bodies[index].children[i].material = isWrong ? this.wrong : own;
     });
   }
 }

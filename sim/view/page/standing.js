@@ -35,8 +35,12 @@ export function standingOf(step, colors) {
 
 // Returns one sentence about all certificates.
 export function summaryOf(data) {
+  if (data.summary) return data.summary;
   const open = data.steps.filter((step) => standingOf(step, data.colors).isOpen);
   const certified = data.steps.filter((step) => step.certified);
+  if (data.tree && certified.length === 0) {
+    return 'The plan tree is about knowledge. The executor compared what it claims to know with the truth.';
+  }
   if (certified.length === 0) return 'The plan was made without regard to uncertainty.';
   const rest = data.notCovered.length > 0 ? ', but for what is not covered (below)' : '';
   if (open.length === 0) {
@@ -51,7 +55,7 @@ export function summaryOf(data) {
 export function uncoveredOf(step, data) {
   return data.notCovered.filter((sentence) => {
     const found = sentence.match(/: steps? ([\d, ]+)$/);
-    return found !== null && found[1].split(',').map(Number).includes(step.number);
+    return found !== null && found[1].split(',').map(Number).includes(step.planNumber);
   });
 }
 

@@ -1,59 +1,48 @@
 import {certificateOf} from './certificate.js';
 import {element} from './dom.js';
-import {standingOf, summaryOf, uncoveredOf, verdictOf} from './standing.js';
-import {countText} from './units.js';
+import {headOf} from './head.js';
+import {bodiesNamedIn} from './names.js';
+import {standingOf, uncoveredOf, verdictOf} from './standing.js';
+import {treeOf} from './tree.js';
 
-// The steps as a list, and the certificate of the one that is shown. A click goes to the step.
+// The steps as a list or a tree, and the certificate of the one that is shown. A click goes to the
+// step.
 export class Steps {
-  constructor(data, player) {
-    Object.assign(this, {data, player});
-    this.buttons = data.steps.map((step) => this.buttonOf(step));
-    this.list = element('ol', {class: 'steps'}, ...this.buttons.map((b) => element('li', {}, b)));
+  constructor(data, player, viewport) {
+    Object.assign(this, {data, player, viewport});
+    const {list, buttons} = data.tree ?
+        treeOf(data, (step) => this.noteOf(step), (step) => this.goTo(step)) :
+        this.listOf();
+    Object.assign(this, {list, buttons});
     this.detail = element('div', {class: 'detail'});
-    this.root = element(
-        'aside', {'aria-label': 'Steps and certificates'}, this.headOf(), this.list, this.detail);
+    this.root =
+        element('aside', {'aria-label': 'Steps and certificates'}, headOf(data), list, this.detail);
     player.onChange(() => this.select(this.at(player.time)));
-    this.select(0);
+    if (data.steps.length > 0) this.select(0);
   }
 
-  headOf() {
-    const {title, source, outcome} = this.data;
-    const failed = outcome.name !== 'succeeded';
-    return element(
-        'header', {}, element('h1', {}, title), element('p', {class: 'source'}, source),
-        element(
-            'p', {class: failed ? 'outcome bad' : 'outcome'}, `Execution ${outcome.name}`,
-            outcome.reason ? `: ${outcome.reason}` : ''),
-        element('p', {class: 'summary'}, summaryOf(this.data)), ...this.notCovered());
+  listOf() {
+    const buttons = this.data.steps.map(
+        (step) => element(
+            'button', {onclick: () => this.goTo(step)},
+            element('span', {class: 'number'}, String(step.number)),
+            element('span', {class: 'action'}, step.action), this.noteOf(step)));
+    const items = buttons.map((button) => element('li', {}, button));
+    return {buttons, list: element('ol', {class: 'steps'}, ...items)};
   }
 
-  notCovered() {
-    const names = this.data.notCovered;
-    if (names.length === 0) return [];
-    return [element(
-        'details', {class: 'more'},
-        element(
-            'summary', {}, `${countText(names.length, 'danger')} not covered by any precondition`),
-        element('ul', {}, ...names.map((name) => element('li', {}, name))))];
-  }
-
-  buttonOf(step) {
+  // How the step's certificate stands. Actions that belong to no plan have none.
+  noteOf(step) {
+    if (!step.planned) return null;
     const {mark, color, text, isOpen} = standingOf(step, this.data.colors);
-    const verdict = verdictOf(step);
-    const reached = step.from !== undefined;
     const uncovered = uncoveredOf(step, this.data).length;
     const notes = [
-      text, uncovered > 0 ? `${uncovered} not covered` : '', verdict, reached ? '' : 'not reached'
+      text, uncovered > 0 ? `${uncovered} not covered` : '', verdictOf(step),
+      step.from === undefined ? 'not reached' : ''
     ].filter(Boolean).join(', ');
     return element(
-        'button', {
-          class: isOpen ? 'open' : '',
-          style: `--standing: ${color}`,
-          onclick: () => this.goTo(step)
-        },
-        element('span', {class: 'number'}, String(step.number)),
-        element('span', {class: 'action'}, step.action),
-        element('span', {class: 'standing'}, element('span', {class: 'mark'}, mark), ` ${notes}`));
+        'span', {class: isOpen ? 'standing open' : 'standing', style: `--standing: ${color}`},
+        element('span', {class: 'mark'}, mark), ` ${notes}`);
   }
 
   // The step in which a time lies; what follows the last step belongs to it.
@@ -70,6 +59,7 @@ export class Steps {
   // Goes to the step before or after. Within the first second of a step, "before" is the previous
   // one.
   go(count) {
+    if (this.data.steps.length === 0) return;
     const index = this.at(this.player.time);
     const early = this.player.time - this.data.steps[index].from < 1;
     const wanted = count < 0 && !early ? index : index + count;
@@ -79,16 +69,30 @@ export class Steps {
       this.goTo(this.data.steps[Math.max(0, wanted)]);
   }
 
+  // Goes where a step acts, and marks the bodies that a sentence about it names.
+  showWhere(step, sentence) {
+    this.player.playing = false;
+    if (step.acts !== undefined) this.player.seek(step.acts);
+    this.viewport.mark(bodiesNamedIn(sentence, this.data));
+  }
+
   select(index) {
-    if (index === this.selected) return;
+    if (index === this.selected || this.data.steps.length === 0) return;
     this.selected = index;
-    this.buttons.forEach(
-        (button, i) => button.setAttribute('aria-current', i === index ? 'step' : 'false'));
-    const button = this.buttons[index];
+    this.viewport.mark([]);
+    const current = this.buttons[index];
+    for (const button of this.buttons)
+      button.setAttribute('aria-current', button === current ? 'step' : 'false');
+    this.scrollTo(current);
+    const step = this.data.steps[index];
+    this.detail.replaceChildren(
+        certificateOf(step, this.data, (sentence) => this.showWhere(step, sentence)));
+    this.detail.scrollTop = 0;
+  }
+
+  scrollTo(button) {
     const [top, bottom] = [button.offsetTop - this.list.offsetTop, this.list.clientHeight];
     if (top < this.list.scrollTop || top + button.offsetHeight > this.list.scrollTop + bottom)
       this.list.scrollTop = top;
-    this.detail.replaceChildren(certificateOf(this.data.steps[index], this.data));
-    this.detail.scrollTop = 0;
   }
 }

@@ -1,54 +1,45 @@
 import * as three from 'three';
 
+import {Beside} from './beside.js';
 import {element} from './dom.js';
 import {Orbit} from './orbit.js';
-import {Outlines} from './outlines.js';
-import {Stage} from './stage.js';
+import {Picture} from './picture.js';
 import {WorkView} from './work_view.js';
 
-const GROUND = '#f3f5f7';
-
-function lights() {
-  const sun = new three.DirectionalLight('#ffffff', 0.46);
-  sun.position.set(1.2, -1.6, 2.6);
-  const fill = new three.DirectionalLight('#ffffff', 0.18);
-  fill.position.set(-1.5, 1.2, 1);
-  return [new three.AmbientLight('#ffffff', 0.56), sun, fill];
-}
-
-// Without a graphics card, smooth edges would take a third of the time of each frame.
-function hasGraphicsCard() {
-  const context = document.createElement('canvas').getContext('webgl');
-  const names = context && context.getExtension('WEBGL_debug_renderer_info');
-  return !names ||
-      !/swiftshader|llvmpipe|software/i.test(context.getParameter(names.UNMASKED_RENDERER_WEBGL));
-}
-
-// The picture: the bodies and outlines at one time, by one camera. It is drawn again only if
-// something has changed.
+// The picture of the execution by one camera, and that of the execution beside it. They are drawn
+// again only if something has changed.
 export class Viewport {
   constructor(data, recording) {
-    this.recording = recording;
-    this.stage = new Stage(data, recording);
-    this.outlines = new Outlines(data, recording);
-    this.scene = new three.Scene();
-    this.scene.background = new three.Color(GROUND);
-    this.scene.add(this.stage.root, this.outlines.root, ...lights());
-    this.surface = element('canvas', {'aria-label': 'Scene in three dimensions', role: 'img'});
-    this.renderer = new three.WebGLRenderer({canvas: this.surface, antialias: hasGraphicsCard()});
-    this.renderer.setPixelRatio(Math.min(2, window.devicePixelRatio));
+    this.picture = new Picture(data, recording);
+    this.surface = this.picture.surface;
+    this.outlines = this.picture.outlines;
+    this.beside = data.beside ? new Beside(data) : null;
+    this.showsBeside = this.beside !== null;
+    this.root = this.rootOf();
     this.camera = new three.PerspectiveCamera(40, 1, 0.01, 40);
     this.camera.up.set(0, 0, 1);
-    this.orbit = new Orbit(this.camera, this.surface, () => {
+    this.orbit = new Orbit(this.camera, () => {
       this.stale = true;
     });
-    this.work = new WorkView(data, this.stage, this.orbit);
+    for (const {surface} of this.pictures()) this.orbit.listen(surface);
+    this.work = new WorkView(data, this.picture.stage, this.orbit);
     this.cameras = data.cameras;
     this.camerasChosen = [];
     this.frames = 0;
     this.show(recording.start);
-    this.choose(data.cameras[0].name);
+    this.choose(data.drawings ? WorkView.NAME : data.cameras[0].name);
     new ResizeObserver(() => this.resize()).observe(this.surface);
+  }
+
+  rootOf() {
+    if (!this.beside) return element('div', {class: 'views'}, this.surface);
+    const first = element(
+        'figure', {class: 'half'}, this.surface, element('figcaption', {}, 'this execution'));
+    return element('div', {class: 'views'}, first, this.beside.figure);
+  }
+
+  pictures() {
+    return this.beside ? [this.picture, this.beside.picture] : [this.picture];
   }
 
   cameraNames() {
@@ -77,26 +68,36 @@ export class Viewport {
   }
 
   show(time) {
-    const moment = this.recording.momentAt(time);
-    this.stage.show(moment);
-    this.outlines.show(moment, time);
+    this.picture.show(time);
+    if (this.showsBeside) this.beside.show(time);
     this.work.follow();
     this.time = time;
     this.stale = true;
   }
 
-  // Shows or hides the ghosts ("showsBelieved") or the error sets ("showsSets").
+  // Shows or hides the ghosts ("showsBelieved"), the error sets ("showsSets"), or the execution
+  // beside ("showsBeside").
   toggle(kind) {
-    this.outlines[kind] = !this.outlines[kind];
+    if (kind === 'showsBeside') {
+      this.showsBeside = !this.showsBeside;
+      this.beside.figure.hidden = !this.showsBeside;
+    } else {
+      for (const {outlines} of this.pictures()) outlines[kind] = !outlines[kind];
+    }
     this.show(this.time);
-    return this.outlines[kind];
+    return kind === 'showsBeside' ? this.showsBeside : this.outlines[kind];
+  }
+
+  // Draws bodies in the colour of what is wrong.
+  mark(names) {
+    this.picture.stage.mark(names);
+    this.show(this.time);
   }
 
   resize() {
-    const {clientWidth, clientHeight} = this.surface;
-    if (clientWidth === 0 || clientHeight === 0) return;
-    this.renderer.setSize(clientWidth, clientHeight, false);
-    this.camera.aspect = clientWidth / clientHeight;
+    const [aspect] = this.pictures().map((picture) => picture.resize());
+    if (aspect === 0) return;
+    this.camera.aspect = aspect;
     this.camera.updateProjectionMatrix();
     this.stale = true;
     this.draw();
@@ -104,7 +105,8 @@ export class Viewport {
 
   draw() {
     if (!this.stale) return;
-    this.renderer.render(this.scene, this.camera);
+    this.picture.draw(this.camera);
+    if (this.showsBeside) this.beside.picture.draw(this.camera);
     ++this.frames;
     this.stale = false;
   }

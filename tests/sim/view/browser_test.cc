@@ -56,6 +56,7 @@ const use = async (w, d) => {
   press("4"); say("camera", d.querySelector('.group [aria-pressed="true"]').textContent);
   const above = picture();
   press("b"); say("pictures", whole.length > 5000 && above !== whole && picture() !== above);
+  press("p"); say("beside", d.querySelector(".half[hidden]") !== null);
   press("?"); say("help", d.querySelector("dialog").open);
   say("overflow", d.documentElement.scrollWidth - d.documentElement.clientWidth);
   say("requests", w.performance.getEntriesByType("resource").length);
@@ -67,11 +68,17 @@ window.onload = async () => {
 };
 </script>)";
 
+Subject TwoExecutions() {
+  Subject subject = Figure15().subject();
+  subject.beside.emplace("the same again", Figure15().scene, Figure15().trace);
+  return subject;
+}
+
 TEST(InBrowser, IsUsedAsPeopleDo) {
   if (std::system("command -v chromium >/dev/null 2>&1") != 0) {
     GTEST_SKIP() << "chromium is not installed";
   }
-  std::ofstream(ScratchFile("page.html"), std::ios::binary) << Page(Figure15().subject());
+  std::ofstream(ScratchFile("page.html"), std::ios::binary) << Page(TwoExecutions());
   std::ofstream(ScratchFile("frame.html")) << kFrame;
   const std::string command =
       "timeout 120 chromium --headless --no-sandbox --no-first-run --use-angle=swiftshader "
@@ -86,7 +93,7 @@ TEST(InBrowser, IsUsedAsPeopleDo) {
   for (const char* expected :
        {"played=true\n", "paused=true\n", "clicked=2\n", "to spare.\n", "claims=true\n", "home=0",
         "next=3\n", "again=3\n", "end=true\n", "speed=2\n", "camera=top\n", "pictures=true\n",
-        "help=true\n", "overflow=0\n", "requests=0</pre>"}) {
+        "beside=true\n", "help=true\n", "overflow=0\n", "requests=0</pre>"}) {
     EXPECT_THAT(seen, HasSubstr(expected));
   }
 }

@@ -150,6 +150,38 @@ TEST_F(PageOfFigure15, ErrorSetsFollowEachOther) {
   }
 }
 
+// Another execution beside the first one has the times of its own steps.
+TEST_F(PageOfFigure15, HasAnExecutionBeside) {
+  Subject subject = Figure15().subject();
+  subject.beside.emplace("the same again", Figure15().scene, Figure15().trace);
+  const Json beside = DataIn(Page(subject))["beside"];
+  EXPECT_EQ(beside["name"], "the same again");
+  EXPECT_EQ(beside["recording"], data()["recording"]);
+  ASSERT_EQ(beside["times"].size(), data()["steps"].size());
+  for (std::size_t i = 0; i < beside["times"].size(); ++i) {
+    EXPECT_EQ(beside["times"][i]["from"], data()["steps"][i]["from"]);
+    EXPECT_EQ(beside["times"][i]["to"], data()["steps"][i]["to"]);
+  }
+}
+
+// Actions of a way follow each other in time; those that were not reached have no times.
+TEST_F(PageOfFigure15, HasTheActionsOfAWay) {
+  Subject subject = Figure15().subject();
+  const plan::StepId first = subject.plan.ExecutionOrder().front();
+  subject.way = Way{.lines = {{.text = "a", .is_action = true, .is_gone = true, .steps = {0}}},
+                    .actions = {{.action = "a", .step = first, .end = 2.0},
+                                {.action = "b", .end = 3.0, .facts = {{"left", "nothing"}}},
+                                {.action = "c"}}};
+  const Json page = DataIn(Page(subject));
+  ASSERT_EQ(page["steps"].size(), 3u);
+  EXPECT_TRUE(page["steps"][0]["planned"]);
+  EXPECT_EQ(page["steps"][0]["preconditions"], data()["steps"][0]["preconditions"]);
+  EXPECT_EQ(page["steps"][1]["from"], 2.0);
+  EXPECT_EQ(page["steps"][1]["facts"], Json({{"left", "nothing"}}));
+  EXPECT_FALSE(page["steps"][2].contains("from"));
+  EXPECT_EQ(page["tree"][0]["steps"], Json({0}));
+}
+
 // No text of a file can end the script that holds the data.
 TEST_F(PageOfFigure15, EscapesTexts) {
   Subject subject = Figure15().subject();

@@ -22,6 +22,7 @@ struct ViewedExecution {
             .plan = plan,
             .scene = scene,
             .trace = trace,
+            .outcome = "succeeded",
             .source = "a <test>",
             .plan_file = "test"};
   }

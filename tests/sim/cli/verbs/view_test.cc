@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 
 #include "tests/sim/cli/program.h"
 
@@ -13,6 +15,11 @@ using ::testing::HasSubstr;
 constexpr const char* kHeader =
     R"({"format":"assay-trace/1","problem":"spar-fig15","parts":["peg"]})";
 
+std::string TextOf(const std::string& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
 TEST(ViewTest, RefusesWhatItCannotShow) {
   const Folder folder;
   const std::string page = folder / "page.html";
@@ -20,12 +27,38 @@ TEST(ViewTest, RefusesWhatItCannotShow) {
   const Ended cut_off = Assay({"view", trace, "-o", page});
   EXPECT_EQ(cut_off.code, 3);
   EXPECT_THAT(cut_off.err, HasSubstr("the trace has no end"));
-  const Ended tree = Assay({"view", kTree / "scenarios/two-cans.yaml", "-o", page});
-  EXPECT_EQ(tree.code, 2);
-  EXPECT_THAT(tree.err, HasSubstr("is a tree"));
+  const std::string scenario = (kTree / "scenarios/spar-fig15.yaml").string();
+  const Ended numbered = Assay({"view", scenario, "1", "-o", page});
+  EXPECT_EQ(numbered.code, 2);
+  EXPECT_THAT(numbered.err, HasSubstr("numbers of trials are for databases"));
+  EXPECT_EQ(Assay({"view", scenario, "--worlds", "all", "-o", page}).code, 2);
+  EXPECT_EQ(Assay({"view", scenario, "--counterexample", "1", "-o", page}).code, 2);
+  const std::string result = folder.Write("result.json", R"({"rows": [{"trial": 3}]})");
+  EXPECT_THAT(Assay({"view", result, "-o", page}).err, HasSubstr("needs the number of a trial"));
+  EXPECT_THAT(Assay({"view", result, "2", "-o", page}).err, HasSubstr("has no trial 2"));
   EXPECT_EQ(Assay({"view", folder / "no.yaml", "-o", page}).code, 3);
   EXPECT_EQ(Assay({"view", kTree / "scenarios/spar-fig15.yaml"}).code, 2);
   EXPECT_FALSE(std::filesystem::exists(page));
+}
+
+TEST(ViewTest, ShowsWhyThereIsNoPlan) {
+  const Folder folder;
+  const std::string page = folder / "page.html";
+  EXPECT_EQ(Assay({"view", kTree / "scenarios/impossible.yaml", "-o", page}).code, 10);
+  EXPECT_THAT(TextOf(page), HasSubstr("block starts face-down"));
+}
+
+TEST(ViewTest, ShowsTheWayThroughAPlanTree) {
+  const Folder folder;
+  const std::string page = folder / "page.html";
+  const Ended ended =
+      Assay({"view", kTree / "scenarios/bottles.yaml", "2", "--worlds", "all", "-o", page});
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  const std::string text = TextOf(page);
+  EXPECT_THAT(text,
+              HasSubstr(R"x("text":"if !isEmptyBottle(bottle)","action":false,"gone":true)x"));
+  EXPECT_THAT(text,
+              HasSubstr(R"x("text":"if isEmptyBottle(bottle)","action":false,"gone":false)x"));
 }
 
 }  // namespace

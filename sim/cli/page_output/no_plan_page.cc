@@ -1,0 +1,53 @@
+#include "sim/cli/page_output/no_plan_page.h"
+
+#include "sim/execution/robots/execution.h"
+
+namespace assay::cli {
+namespace {
+
+// Returns a trace of the start alone.
+execution::Trace StillOf(const domain::Problem& problem, const scene::Scene& scene) {
+  mujoco::Data data = scene.Start();
+  const execution::ExecutorOptions options;
+  const execution::Snapshot start = execution::Execution(problem, scene, data, options).Now();
+  return {.problem = problem.name,
+          .parts = {},
+          .events = {execution::Sample{start}, execution::ExecutionEnd{.moment = start}}};
+}
+
+// The sentences are those of `assay plan`.
+std::vector<view::Reasons> ReasonsOf(const plan::PlanResult& result) {
+  std::vector<view::Reasons> reasons;
+  const auto add = [&](const char* title, const std::vector<std::string>& sentences) {
+    if (!sentences.empty()) reasons.push_back({title, sentences});
+  };
+  add("These cannot hold together", result.conflict);
+  add("The nearest misses", result.near_misses);
+  if (!result.obstruction.empty()) add("No plan can be executed by the arm", {result.obstruction});
+  add("Limits of the planner", result.limits);
+  add("This was proved for", result.hypotheses);
+  if (reasons.empty())
+    add("The budget was spent before an answer", {"--budget gives a greater one"});
+  return reasons;
+}
+
+}  // namespace
+
+ViewedPage NoPlanPage(const PlannedProblem& planned) {
+  const plan::PlanResult& result = planned.result;
+  const scene::Scene scene(planned.problem, planned.simulation.scene);
+  const execution::Trace still = StillOf(planned.problem, scene);
+  ViewedPage page =
+      PageOf({.problem = planned.problem,
+              .plan = result.plan,
+              .scene = scene,
+              .trace = still,
+              .outcome = result.outcome == Outcome::kNone ? "No plan exists" : "No plan was found",
+              .why_not = ReasonsOf(result),
+              .source = "scenario " + planned.file(),
+              .plan_file = planned.file()});
+  page.code = ExitCodeOf(result.outcome);
+  return page;
+}
+
+}  // namespace assay::cli

@@ -1,0 +1,60 @@
+#include <fmt/format.h>
+
+#include "planner/base/input_files/input_error.h"
+#include "sim/cli/command_line/progress.h"
+#include "sim/cli/command_line/usage_error.h"
+#include "sim/cli/page_output/plan_of_request.h"
+#include "sim/cli/page_output/trial_page.h"
+#include "sim/cli/tasks/noise_floor_cache.h"
+
+namespace assay::cli {
+namespace {
+
+// A trial or counterexample that a result lists.
+struct Listed {
+  std::string name;
+  Value noise;
+};
+
+// A falsification lists counterexamples, any other run lists trials by their numbers.
+Listed FindListed(const Value& result, const ViewRequest& request) {
+  const bool is_attack = result.Find("counterexamples").has_value();
+  const std::string kind = is_attack ? "counterexample" : "trial";
+  if (!request.number)
+    throw UsageError(fmt::format("view: a result needs the number of a {}", kind));
+  const std::vector<Value> rows = result.At(is_attack ? "counterexamples" : "rows").Items();
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const int number = is_attack ? static_cast<int>(i) + 1
+                                 : rows[i].At("trial").Integer(1, std::numeric_limits<int>::max());
+    if (number != *request.number) continue;
+    return {fmt::format("{} {}", kind, number), rows[i].At("noise")};
+  }
+  throw UsageError(fmt::format("view: {} has no {} {}; it has {} of them", request.input.string(),
+                               kind, *request.number, rows.size()));
+}
+
+}  // namespace
+
+ViewedPage ResultPage(const ViewRequest& request) {
+  const Document result = Document::Load(request.input);
+  const auto [name, noise] = FindListed(result.root(), request);
+  PlannedProblem planned = PlanOf(request);
+  const auto& [problem, plan] = std::tie(planned.problem, planned.result.plan);
+  scene::SceneOptions& scene = planned.simulation.scene;
+  const bool is_weld = result.root().At("grasp").OneOf({"friction", "weld"}) == 1;
+  scene.grasp = is_weld ? scene::GraspMode::kWeld : scene::GraspMode::kFriction;
+  const auto sensing = result.root().Find("sensing");
+  const bool is_camera = sensing && sensing->OneOf({"drawn", "camera"}) == 1;
+  const check::Experiment experiment{problem, plan, scene,
+                                     KeptNoiseFloor(problem, plan, scene, "assay view")};
+  const check::Trial trial = [&, &name = name, &noise = noise] {
+    const Progress progress(name);
+    return check::RunTrial(experiment,
+                           noise::ParseNoise(noise.Text(), noise::ErrorBox(problem, plan)), {},
+                           is_camera ? check::Sensing::kCamera : check::Sensing::kDrawn);
+  }();
+  return TrialPage(experiment, trial, fmt::format("{} in {}", name, request.input.string()),
+                   planned.plan_file);
+}
+
+}  // namespace assay::cli

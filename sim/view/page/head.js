@@ -1,0 +1,26 @@
+import {element} from './dom.js';
+import {summaryOf} from './standing.js';
+import {countText} from './units.js';
+
+// What was viewed, and what came of it.
+export function headOf(data) {
+  const {title, source, outcome} = data;
+  const isGood = outcome.name === 'succeeded' || outcome.name === 'reached';
+  return element(
+      'header', {}, element('h1', {}, title), element('p', {class: 'source'}, source),
+      element(
+          'p', {class: isGood ? 'outcome' : 'outcome bad'},
+          outcome.name === 'reached' ? 'The goal was reached' : `Execution ${outcome.name}`,
+          outcome.reason ? `: ${outcome.reason}` : ''),
+      element('p', {class: 'summary'}, summaryOf(data)), ...notCovered(data));
+}
+
+function notCovered(data) {
+  const names = data.notCovered;
+  if (names.length === 0) return [];
+  return [element(
+      'details', {class: 'more'},
+      element(
+          'summary', {}, `${countText(names.length, 'danger')} not covered by any precondition`),
+      element('ul', {}, ...names.map((name) => element('li', {}, name))))];
+}
