@@ -52,7 +52,7 @@ test_document_commands() {
 }
 
 install_missing_packages
-configure release -DASSAY_TESTS=ON -DASSAY_BENCH=ON
+configure release -DASSAY_TESTS=ON -DASSAY_BENCH=ON -DASSAY_PYTHON=ON
 build release
 stage=${1:-}
 [[ $stage != --all ]] || check_single_files

@@ -2,6 +2,8 @@
 
 #include <cstdint>
 
+#include "planner/base/stop.h"
+
 namespace assay {
 
 // A limit on work. It is counted in nodes or steps and never in seconds, so that the same input
@@ -10,8 +12,12 @@ class Budget {
  public:
   explicit Budget(std::int64_t limit) : limit_(limit) {}
 
-  // Takes one unit. Returns false from the first call after all units are spent.
-  bool Spend() { return ++spent_ <= limit_; }
+  // Takes one unit. Returns false from the first call after all units are spent. Throws Stopped if
+  // a stop was requested.
+  bool Spend() {
+    StopIfRequested();
+    return ++spent_ <= limit_;
+  }
   bool Exhausted() const { return spent_ > limit_; }
   std::int64_t spent() const { return spent_ < limit_ ? spent_ : limit_; }
   std::int64_t limit() const { return limit_; }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <string>
 
 namespace assay {
@@ -24,5 +25,9 @@ template <class Interface>
 const Interface& Open(const Module& module) {
   return *reinterpret_cast<const Interface* (*)()>(EntryOf(module))();
 }
+
+// Returns the path of the file that this library is linked into: the program, or a shared library
+// that holds all libraries of this program. Returns an empty path if the system does not tell.
+std::filesystem::path FileOfThisCode();
 
 }  // namespace assay

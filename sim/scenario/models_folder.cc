@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "planner/base/input_files/input_error.h"
+#include "planner/base/module.h"
 
 namespace assay::scenario {
 namespace {
@@ -30,11 +31,12 @@ fs::path AboveOf(const fs::path& file) {
 // Returns the models that were installed with this program. If there are none, returns the models
 // of the tree in which it was built.
 fs::path OfTheProgram() {
-  std::error_code error;
-  const fs::path executable = fs::read_symlink("/proc/self/exe", error);
-  if (error) return {};
-  const fs::path installed = executable.parent_path().parent_path() / "share/assay/models";
-  return Has(installed, "workcells") ? installed : AboveOf(executable);
+  const fs::path program = FileOfThisCode();
+  for (fs::path folder = program; folder != folder.root_path(); folder = folder.parent_path()) {
+    const fs::path installed = folder / "share/assay/models";
+    if (Has(installed, "workcells")) return installed;
+  }
+  return program.empty() ? program : AboveOf(program);
 }
 
 fs::path BelongingTo(const fs::path& scenario_file) {

@@ -161,7 +161,6 @@ TEST_F(BrokenTree, CrowdedFolderIsSeen) {
 
 TEST_F(BrokenTree, StrayFileIsSeen) {
   Write("planner/stray/stray.cc", "");
-  Write("sim/cli/command_line/main.cc", "");
   EXPECT_THAT(FilesOfNoLibrary(root_),
               ElementsAre("planner/stray/stray.cc:1: no line of the table of libraries covers it"));
 }

@@ -14,8 +14,8 @@ std::string WithoutComments(std::istream& cmake) {
   return text;
 }
 
-// Returns the words after USES, up to the next keyword of assay_library(), assay_module() or
-// assay_objects().
+// Returns the words after USES, up to the next keyword of assay_library(), assay_module(),
+// assay_python_module() or assay_objects().
 std::vector<std::string> WordsAfterUses(const std::string& arguments) {
   std::istringstream words(arguments);
   std::vector<std::string> uses;
@@ -38,7 +38,7 @@ LibraryTable LibraryTable::Read(const std::filesystem::path& root) {
   std::ifstream cmake(root / "CMakeLists.txt");
   if (!cmake) throw std::runtime_error("cannot read " + (root / "CMakeLists.txt").string());
   const std::string text = WithoutComments(cmake);
-  const std::regex line(R"(assay_(?:library|module|objects)\(\s*([^\s)]+)([^)]*)\))");
+  const std::regex line(R"(assay_(?:library|module|python_module|objects)\(\s*([^\s)]+)([^)]*)\))");
   LibraryTable table;
   std::map<std::string, std::string> folder_of_name;
   const std::sregex_iterator begin(text.begin(), text.end(), line);

@@ -10,6 +10,7 @@
 #include "planner/algebra/bounding_methods/monotone.h"
 #include "planner/algebra/bounds/ascent.h"
 #include "planner/algebra/bounds/feasible_ascent.h"
+#include "planner/base/stop.h"
 #include "planner/numeric/interval_arithmetic.h"
 
 namespace assay::algebra {
@@ -60,6 +61,7 @@ class Search {
   double Run(double upper_bound) {
     Add(problem_.box, upper_bound);
     while (!parts_.empty()) {
+      StopIfRequested();
       const double top = parts_.top().upper_bound;
       if (parts_.top().split < 0 || stop_.IsMet(top, probe_.best_value()) ||
           probe_.evaluations() >= stop_.evaluations) {

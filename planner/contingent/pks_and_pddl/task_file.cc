@@ -6,28 +6,40 @@
 #include "planner/contingent/pks_and_pddl/pks_file.h"
 
 namespace assay::contingent {
+namespace {
 
-Task LoadTask(const std::filesystem::path& domain, const std::filesystem::path& problem) {
+Language LanguageOf(const std::filesystem::path& domain) {
+  if (domain.extension() == ".pddl") return Language::kPddl;
+  if (domain.extension() == ".pks") return Language::kPks;
+  throw InputError({domain.string()},
+                   fmt::format("unknown ending '{}'", domain.extension().string()),
+                   ".pks and .pddl");
+}
+
+}  // namespace
+
+Task ReadTask(Language language, const NamedText& domain, const NamedText& problem) {
   Task task;
-  if (domain.extension() == ".pddl") {
-    task.domain = ReadPddlDomain(TextOfFile(domain), domain.string());
-    task.problem = ReadPddlProblem(TextOfFile(problem), problem.string(), task.domain);
+  if (language == Language::kPddl) {
+    task.domain = ReadPddlDomain(domain.text, domain.name);
+    task.problem = ReadPddlProblem(problem.text, problem.name, task.domain);
     return task;
   }
-  if (domain.extension() != ".pks") {
-    throw InputError({domain.string()},
-                     fmt::format("unknown ending '{}'", domain.extension().string()),
-                     ".pks and .pddl");
-  }
-  task.domain = ReadPksDomain(TextOfFile(domain), domain.string());
-  task.problem = ReadPksProblem(TextOfFile(problem), problem.string());
+  task.domain = ReadPksDomain(domain.text, domain.name);
+  task.problem = ReadPksProblem(problem.text, problem.name);
   if (task.problem.domain != task.domain.name) {
     const Place place = task.problem.domain_place;
-    throw InputError({problem.string(), place.line, place.column},
+    throw InputError({problem.name, place.line, place.column},
                      fmt::format("a problem of '{}'", task.problem.domain),
                      fmt::format("problems of '{}'", task.domain.name));
   }
   return task;
+}
+
+Task LoadTask(const std::filesystem::path& domain, const std::filesystem::path& problem) {
+  const Language language = LanguageOf(domain);
+  return ReadTask(language, {TextOfFile(domain), domain.string()},
+                  {TextOfFile(problem), problem.string()});
 }
 
 }  // namespace assay::contingent

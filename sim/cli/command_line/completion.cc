@@ -63,7 +63,7 @@ Word WordOf(const CLI::App& app) {
   return word;
 }
 
-std::vector<std::string> NamesOf(const std::vector<Word>& words) {
+std::vector<std::string> TextsOf(const std::vector<Word>& words) {
   std::vector<std::string> names;
   for (const Word& word : words) names.push_back(word.name);
   return names;
@@ -88,7 +88,7 @@ std::string Quoted(std::string text) {
 // Returns one case for each verb, with the words that may follow it.
 std::string BashCase(const Word& word, const std::string& path) {
   std::string text =
-      fmt::format("    {}) words='{} {}' ;;\n", Quoted(path), fmt::join(NamesOf(word.words), " "),
+      fmt::format("    {}) words='{} {}' ;;\n", Quoted(path), fmt::join(TextsOf(word.words), " "),
                   fmt::join(SpellingsOf(word.flags), " "));
   for (const Word& part : word.words) text += BashCase(part, path + " " + part.name);
   return text;

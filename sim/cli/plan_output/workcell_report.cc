@@ -75,7 +75,7 @@ std::string OperationsText(const domain::UncertaintyOperations& operations) {
 }
 
 template <class Named>
-Json NamesOf(const std::vector<Named>& list, std::string Named::*name) {
+Json ArrayOf(const std::vector<Named>& list, std::string Named::*name) {
   Json names = Json::array();
   for (const Named& item : list) names.push_back(item.*name);
   return names;
@@ -104,9 +104,9 @@ Report ReportOn(const domain::Workcell& workcell) {
       {"max_opening", opening},
       {"placements", workcell.placements().size()},
       {"rules", rules},
-      {"sensors", NamesOf(operations.sensors, &domain::SensorModel::name)},
-      {"verifications", NamesOf(operations.verifications, &domain::VerificationTemplate::name)},
-      {"recoveries", NamesOf(operations.recoveries, &domain::RecoveryTemplate::error)}});
+      {"sensors", ArrayOf(operations.sensors, &domain::SensorModel::name)},
+      {"verifications", ArrayOf(operations.verifications, &domain::VerificationTemplate::name)},
+      {"recoveries", ArrayOf(operations.recoveries, &domain::RecoveryTemplate::error)}});
   return report;
 }
 

@@ -15,6 +15,7 @@
 #include "planner/base/digest.h"
 #include "planner/base/input_files/input_error.h"
 #include "planner/base/input_files/input_file.h"
+#include "planner/base/module.h"
 #include "planner/plan/plan_files/json_layout.h"
 #include "planner/plan/plan_files/plan_file.h"
 #include "sim/check/certificate_claims/measure_noise_floor.h"
@@ -47,7 +48,7 @@ std::string BytesOf(const fs::path& file) {
 
 std::string KeyOf(const domain::Problem& problem, const plan::Plan& plan,
                   const scene::SceneOptions& scene, std::string_view settings) {
-  static const std::string program = Digest().Add(BytesOf("/proc/self/exe")).Hex();
+  static const std::string program = Digest().Add(BytesOf(FileOfThisCode())).Hex();
   plan::PlanResult result;
   result.plan = plan;
   return Digest()

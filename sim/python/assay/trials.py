@@ -1,0 +1,211 @@
+"""Executions of plans: trials, traces and falsifications."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
+
+import pandas as pd
+
+from . import _assay
+from .errors import Failed
+from .view import View
+
+if TYPE_CHECKING:
+    from .scenario import Plan
+
+_TRIALS = ["trial", "outcome", "reason", "violated", "inconclusive", "contained",
+           "errors_signalled", "recovered", "operator_called", "simulated", "steps", "warnings",
+           "noise"]
+_VERDICTS = ["step", "action", "verdict", "claim", "observed", "low", "high", "margin", "gate"]
+_CLAIMS = ["claim", "step", "action", "about", "name", "unit", "low", "high", "gate", "proved",
+           "observed"]
+_WORST = ["claim", "step", "action", "about", "name", "unit", "verdict", "observed", "low", "high",
+          "margin", "gate", "phase", "attempt", "noise"]
+_COUNTEREXAMPLES = ["number", "claim", "action", "unit", "observed", "low", "high", "margin",
+                    "gate", "steps", "multiple", "replayed", "noise", "replay"]
+
+
+def errors_text(errors: str | Mapping[str, float] | None) -> str | None:
+    """Returns errors by variable as the program writes them: "dx_block=0.002 dy_peg=-0.001"."""
+    if errors is None or isinstance(errors, str):
+        return errors
+    return " ".join(f"{name}={float(value)!r}" for name, value in errors.items())
+
+
+def trial_settings(noise: str | None, errors: str | None, sensing: str, grasp: str | None,
+                   seed: int | None) -> _assay.TrialSettings:
+    """Returns the settings of trials; the arguments are those of Plan.run."""
+    settings = _assay.TrialSettings()
+    settings.noise = noise
+    settings.errors = errors
+    settings.sensing = sensing
+    settings.grasp = grasp
+    settings.seed = seed
+    return settings
+
+
+class Run:
+    """Trials of a plan.
+
+    trials: a DataFrame with one row for each trial: trial (from 1), outcome ("succeeded" or what
+        failed), reason, violated, inconclusive, contained (how many steps have this verdict on
+        their certificate), errors_signalled, recovered, operator_called, simulated (seconds), steps
+        (of the engine), warnings, noise (the errors, metres and radians).
+    verdicts: one row for each trial and step: trial, step, action (the step's id), verdict
+        ("contained", "inconclusive", "violated", "not-claimed"), claim (the worst one), observed,
+        low, high, margin, gate (what the engine cannot resolve). Empty without noise.
+    claims: one row for each trial and claim, with the observed value and the predicted range.
+    seed: of the errors.
+    untestable: what the plan violates without any noise, so that no trial was made; else empty.
+    """
+
+    def __init__(self, runner: _assay.Trials, rows: list[dict[str, Any]], untestable: str) -> None:
+        self._runner = runner
+        self.seed: int = runner.seed
+        self.untestable = untestable
+        self.trials = pd.DataFrame([row["trial"] for row in rows], columns=_TRIALS)
+        self.verdicts = _of_trials(rows, "verdicts", _VERDICTS)
+        self.claims = _of_trials(rows, "claims", _CLAIMS)
+
+    @property
+    def holds(self) -> bool:
+        """Whether every trial succeeded and violated no claim."""
+        bad = (self.trials["outcome"] != "succeeded") | (self.trials["violated"] > 0)
+        return not self.untestable and not bad.any()
+
+    def require(self) -> Run:
+        """Returns the run if it holds. Raises Failed, exit code 12, if it does not."""
+        if self.holds:
+            return self
+        succeeded = int((self.trials["outcome"] == "succeeded").sum())
+        raise Failed(self.untestable or f"{succeeded} of {len(self.trials)} trials succeeded; "
+                     f"{int(self.trials['violated'].sum())} claims are violated")
+
+    def trace(self, trial: int) -> Trace:
+        """Executes a trial, by its number from 1, again and returns its trace."""
+        return Trace(self._runner.traced(int(trial)))
+
+    def __repr__(self) -> str:
+        if self.untestable:
+            return self.untestable
+        succeeded = int((self.trials["outcome"] == "succeeded").sum())
+        return f"<Run: {succeeded} of {len(self.trials)} trials succeeded>"
+
+
+class Trace:
+    """What happened in one trial.
+
+    events: the records of the trace file in order, as dicts (sim/file-formats.md).
+    """
+
+    def __init__(self, traced: _assay.TracedTrial) -> None:
+        self._traced = traced
+
+    @cached_property
+    def lines(self) -> str:
+        """The text of the trace file, one JSON object on each line."""
+        return self._traced.lines()
+
+    @cached_property
+    def events(self) -> list[dict[str, Any]]:
+        """All records but the header."""
+        return [json.loads(line) for line in self.lines.splitlines()[1:]]
+
+    @property
+    def outcome(self) -> str:
+        """"done" if every command was executed, else what went wrong."""
+        return self.events[-1]["outcome"]
+
+    @cached_property
+    def poses(self) -> pd.DataFrame:
+        """Poses at 50 Hz in the world frame.
+
+        Columns: time (seconds), body ("tool" or a part), which ("true" or "believed"), x, y, z
+        (metres), qw, qx, qy, qz (a unit quaternion).
+        """
+        rows = []
+        for sample in self._samples:
+            for body, poses in (("tool", sample["tool"]), *sample["parts"].items()):
+                for which in ("true", "believed"):
+                    pose = poses[which]
+                    rows.append((sample["time"], body, which, *pose["position"],
+                                 *pose["quaternion"]))
+        return pd.DataFrame(rows, columns=["time", "body", "which", "x", "y", "z", "qw", "qx", "qy",
+                                           "qz"])
+
+    @cached_property
+    def wrist(self) -> pd.DataFrame:
+        """The gripper at 50 Hz: time, opening (metres), fx, fy, fz (N), tx, ty, tz (N m)."""
+        rows = [(s["time"], s["opening"], *s["wrist"]["force"], *s["wrist"]["torque"])
+                for s in self._samples]
+        return pd.DataFrame(rows, columns=["time", "opening", "fx", "fy", "fz", "tx", "ty", "tz"])
+
+    @property
+    def _samples(self) -> list[dict[str, Any]]:
+        return [event for event in self.events if event["kind"] == "sample"]
+
+    def view(self) -> View:
+        """Returns the page that shows the trial."""
+        return View(self._traced.page())
+
+    def __repr__(self) -> str:
+        return f"<Trace: {self.outcome} after {self.events[-1]['time']:.2f} s>"
+
+
+class Falsification:
+    """The result of trying to falsify a plan.
+
+    attempts: how many were made.
+    counterexamples: a DataFrame with one row for each violation that was made as simple as
+        possible: number (from 1), claim, action, unit, observed, low, high, margin, gate, steps (to
+        be executed), multiple (of its errors that still violates), replayed, noise (the errors),
+        replay (the command that shows it again).
+    worst: one row for each claim: its worst observation, and the attempt that made it.
+    counts: how many attempts had each verdict on the step's certificate.
+    untestable: what the plan violates without any noise, so that no attempt was made; else empty.
+    """
+
+    def __init__(self, plan: Plan, seed: int, untestable: str, trial: dict[str, Any],
+                 attack: dict[str, Any]) -> None:
+        self._plan = plan
+        self.seed = seed
+        self.untestable = untestable
+        self.attempts: int = attack["attempts"]
+        self.counts: dict[str, int] = {
+            name: attack[name] for name in ("contained", "inconclusive", "violated", "not_claimed")}
+        self.reason: str = trial["trial"]["reason"]
+        self.worst = pd.DataFrame(attack["worst"], columns=_WORST)
+        self.counterexamples = pd.DataFrame(attack["counterexamples"], columns=_COUNTEREXAMPLES)
+
+    @property
+    def holds(self) -> bool:
+        """Whether the plan could be tested and no claim was violated."""
+        return not self.untestable and self.counts["violated"] == 0
+
+    def require(self) -> Falsification:
+        """Returns the result if nothing was violated. Raises Failed if something was."""
+        if self.holds:
+            return self
+        raise Failed(self.untestable or f"violated in {self.counts['violated']} of "
+                     f"{self.attempts} attempts: {self.reason}")
+
+    def replay(self, number: int) -> Run:
+        """Executes the plan with the errors of a counterexample, by its number from 1."""
+        example = self.counterexamples.set_index("number").loc[number]
+        return self._plan.run(errors=example["noise"])
+
+    def __repr__(self) -> str:
+        if self.untestable:
+            return self.untestable
+        if self.holds:
+            return f"<Falsification: not falsified in {self.attempts} attempts>"
+        return (f"<Falsification: violated in {self.counts['violated']} of {self.attempts} "
+                "attempts>")
+
+
+def _of_trials(rows: list[dict[str, Any]], name: str, columns: list[str]) -> pd.DataFrame:
+    records = [{"trial": row["trial"]["trial"], **record} for row in rows for record in row[name]]
+    return pd.DataFrame(records, columns=["trial", *columns])

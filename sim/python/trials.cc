@@ -1,0 +1,276 @@
+#include "sim/python/trials.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <utility>
+
+#include "planner/base/input_files/quotation.h"
+#include "planner/base/stop.h"
+#include "sim/check/certificate_claims/noiseless.h"
+#include "sim/cli/command_line/usage_error.h"
+#include "sim/cli/plan_output/plan_text.h"
+#include "sim/cli/tasks/noise_floor_cache.h"
+#include "sim/execution/trial/scheduler.h"
+#include "sim/noise/sampling.h"
+#include "sim/python/refused.h"
+#include "sim/sweep/database/recording.h"
+#include "sim/view/page.h"
+
+namespace assay::python {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+int IndexAmong(const char* what, const std::string& name, const std::vector<std::string>& names) {
+  const auto found = std::ranges::find(names, name);
+  if (found != names.end()) return static_cast<int>(found - names.begin());
+  throw cli::UsageError(
+      fmt::format("there is no {} {}; allowed: {}", what, Quote(name), fmt::join(names, ", ")));
+}
+
+void RequireTrialSettings(const TrialSettings& settings) {
+  if (settings.noise) IndexAmong("noise", *settings.noise, noise::ModeNames());
+  IndexAmong("sensing", settings.sensing, {"drawn", "camera"});
+  if (settings.noise && settings.errors) {
+    throw cli::UsageError("noise and errors exclude each other");
+  }
+}
+
+scene::SceneOptions SceneOptionsOf(const PlanHandle& plan, const TrialSettings& settings) {
+  RequireTrialSettings(settings);
+  scene::SceneOptions options = plan.planned().simulation.scene;
+  if (settings.grasp) {
+    options.grasp =
+        static_cast<scene::GraspMode>(IndexAmong("grasp", *settings.grasp, sweep::GraspNames()));
+  }
+  return options;
+}
+
+check::Experiment ExperimentOf(const PlanHandle& plan, const scene::SceneOptions& scene,
+                               bool has_noise) {
+  const plan::CheckReport& report = plan.Checked();
+  if (!report.flaws.empty()) {
+    throw Refused{cli::ExitCode::kFailed, cli::Text(plan.plan(), report)};
+  }
+  check::Experiment experiment{plan.planned().problem, plan.plan(), scene};
+  if (has_noise) {
+    experiment.gate = cli::KeptNoiseFloor(experiment.problem, experiment.plan, scene,
+                                          plan.command() ? plan.command()->OfPlan().Text() : "");
+  }
+  return experiment;
+}
+
+bool StopIsRequested() { return stop_requested; }
+
+}  // namespace
+
+TracedTrial::TracedTrial(std::shared_ptr<const PlanHandle> plan, scene::SceneOptions scene,
+                         check::Trial trial, std::string source)
+    : plan_(std::move(plan)),
+      scene_(std::move(scene)),
+      trial_(std::move(trial)),
+      source_(std::move(source)) {}
+
+std::string TracedTrial::Lines() const {
+  std::ostringstream text;
+  execution::WriteTrace(trial_.trace, text);
+  return text.str();
+}
+
+std::string TracedTrial::Page() const {
+  const cli::PlannedProblem& planned = plan_->planned();
+  const scene::Scene scene(planned.problem, scene_);
+  return view::Page({.problem = planned.problem,
+                     .plan = plan_->plan(),
+                     .scene = scene,
+                     .trace = trial_.trace,
+                     .claims = trial_.claims,
+                     .source = source_,
+                     .plan_file = planned.file()});
+}
+
+Trials::Trials(std::shared_ptr<const PlanHandle> plan, const TrialSettings& settings,
+               bool is_attack)
+    : plan_(std::move(plan)),
+      settings_(settings),
+      seed_(settings.seed.value_or(plan_->planned().simulation.seed)),
+      box_(noise::ErrorBox(plan_->planned().problem, plan_->plan())),
+      scene_options_(SceneOptionsOf(*plan_, settings)),
+      experiment_(ExperimentOf(*plan_, scene_options_, is_attack || HasNoise())),
+      scene_(HasNoise() || is_attack
+                 ? std::nullopt
+                 : std::optional<scene::Scene>(std::in_place, plan_->planned().problem,
+                                               scene_options_)) {
+  if (settings.errors) noise::ParseNoise(*settings.errors, box_);  // wrong errors are refused early
+}
+
+std::string Trials::WrongWithoutNoise() const {
+  if (!settings_.noise) return "";
+  const check::Noiseless noiseless = check::ExecuteWithoutNoise(experiment_);
+  return sweep::WrongWithoutNoise(plan_->plan(), noiseless, experiment_.gate);
+}
+
+check::Trial Trials::One(int number, bool with_samples) const {
+  execution::ExecutorOptions options;
+  options.on_timestep = [](const mujoco::Data&) { StopIfRequested(); };
+  if (!with_samples) options.sample_rate = 0;
+  check::Trial trial =
+      scene_ ? check::RunTrial(experiment_.problem, experiment_.plan, *scene_, options)
+             : check::RunTrial(experiment_, NoiseOf(number), options,
+                               settings_.sensing == "camera" ? check::Sensing::kCamera
+                                                             : check::Sensing::kDrawn);
+  trial.number = number;
+  return trial;
+}
+
+noise::Noise Trials::NoiseOf(int number) const {
+  if (settings_.errors) return noise::ParseNoise(*settings_.errors, box_);
+  const int mode = IndexAmong("noise", *settings_.noise, noise::ModeNames());
+  return noise::Sample(box_, static_cast<noise::Mode>(mode), seed_, number);
+}
+
+std::vector<sweep::TimedTrial> Trials::Run(int count, int jobs) const {
+  std::vector<sweep::TimedTrial> trials;
+  execution::Scheduler scheduler(jobs, StopIsRequested);
+  scheduler.InOrder(
+      static_cast<std::size_t>(count),
+      [this](std::size_t i) {
+        const int number = static_cast<int>(i) + 1;
+        sweep::TimedTrial timed = sweep::Recorded(plan_->plan(), One(number, false));
+        timed.record.number = number;
+        return timed;
+      },
+      [&](std::size_t, sweep::TimedTrial timed) { trials.push_back(std::move(timed)); });
+  StopIfRequested();
+  return trials;
+}
+
+std::shared_ptr<const TracedTrial> Trials::Traced(int number) const {
+  return std::make_shared<const TracedTrial>(
+      plan_, scene_options_, One(number, true),
+      HasNoise() ? fmt::format("trial {} of {}", number, plan_->planned().file())
+                 : fmt::format("{}, executed without noise", plan_->planned().file()));
+}
+
+Attacked Trials::Attack(std::int64_t attempts, int jobs) const {
+  const check::AttackResult result = check::Attack(
+      experiment_, {.attempts = attempts, .seed = seed_, .jobs = jobs, .stop = StopIsRequested});
+  StopIfRequested();
+  return {
+      .record = sweep::Recorded(plan_->plan(), sweep::Attacked{.result = result,
+                                                               .ratios = {},
+                                                               .run_command = plan_->command(),
+                                                               .replay_command = ""}),
+      .untestable = sweep::WrongWithoutNoise(plan_->plan(), result.noiseless, experiment_.gate)};
+}
+
+Json ErrorBoxOf(const PlanHandle& plan) {
+  Json rows = Json::array();
+  for (const noise::Channel& channel : noise::ErrorBox(plan.planned().problem, plan.plan())) {
+    rows.push_back({{"variable", channel.name},
+                    {"unit", domain::SiUnitOf(noise::DimensionOf(channel.effect)).name},
+                    {"low", channel.range.low},
+                    {"high", channel.range.high}});
+  }
+  return rows;
+}
+
+Json ToJson(const sweep::TimedTrial& timed) {
+  const sweep::TrialRecord& r = timed.record;
+  std::map<std::string, double> observed;
+  for (const sweep::ObservationRecord& o : r.observations) observed[o.claim] = o.observed;
+  Json claims = Json::array();
+  for (const sweep::ClaimRecord& c : timed.claims) {
+    const auto found = observed.find(c.claim);
+    claims.push_back({{"claim", c.claim},
+                      {"step", c.step},
+                      {"action", c.action},
+                      {"about", c.about},
+                      {"name", c.name},
+                      {"unit", domain::SiUnitOf(c.dimension).name},
+                      {"low", c.low},
+                      {"high", c.high},
+                      {"gate", c.gate},
+                      {"proved", c.proved},
+                      {"observed", found == observed.end() ? Json() : Json(found->second)}});
+  }
+  Json verdicts = Json::array();
+  for (const sweep::VerdictRecord& v : r.verdicts) {
+    verdicts.push_back({{"step", v.step},
+                        {"action", v.action},
+                        {"verdict", v.verdict},
+                        {"claim", v.claim},
+                        {"observed", v.observed},
+                        {"low", v.low},
+                        {"high", v.high},
+                        {"margin", v.margin},
+                        {"gate", v.gate}});
+  }
+  return {{"trial",
+           {{"trial", r.number},
+            {"outcome", r.outcome},
+            {"reason", r.reason},
+            {"violated", r.counts.violated},
+            {"inconclusive", r.counts.inconclusive},
+            {"contained", r.counts.contained},
+            {"errors_signalled", r.errors_signalled},
+            {"recovered", r.recovered},
+            {"operator_called", r.operator_called},
+            {"simulated", r.simulated},
+            {"steps", r.steps},
+            {"warnings", r.warnings},
+            {"noise", r.noise}}},
+          {"verdicts", verdicts},
+          {"claims", claims}};
+}
+
+Json ToJson(const sweep::AttackRecord& attack) {
+  Json worst = Json::array();
+  for (const sweep::WorstClaimRecord& w : attack.worst) {
+    worst.push_back({{"claim", w.claim},
+                     {"step", w.step},
+                     {"action", w.action},
+                     {"about", w.about},
+                     {"name", w.name},
+                     {"unit", domain::SiUnitOf(w.dimension).name},
+                     {"verdict", w.verdict},
+                     {"observed", w.observed},
+                     {"low", w.low},
+                     {"high", w.high},
+                     {"margin", w.margin},
+                     {"gate", w.gate},
+                     {"phase", w.phase},
+                     {"attempt", w.attempt},
+                     {"noise", w.noise}});
+  }
+  Json examples = Json::array();
+  for (const sweep::CounterexampleRecord& e : attack.counterexamples) {
+    examples.push_back({{"number", e.number},
+                        {"claim", e.claim},
+                        {"action", e.action},
+                        {"unit", domain::SiUnitOf(e.dimension).name},
+                        {"observed", e.observed},
+                        {"low", e.low},
+                        {"high", e.high},
+                        {"margin", e.margin},
+                        {"gate", e.gate},
+                        {"steps", e.steps},
+                        {"multiple", e.multiple},
+                        {"replayed", e.replayed},
+                        {"noise", e.noise},
+                        {"replay", e.replay}});
+  }
+  return {{"attempts", attack.attempts},
+          {"contained", attack.certificates.contained},
+          {"inconclusive", attack.certificates.inconclusive},
+          {"violated", attack.certificates.violated},
+          {"not_claimed", attack.certificates.not_claimed},
+          {"worst", worst},
+          {"counterexamples", examples}};
+}
+
+}  // namespace assay::python
