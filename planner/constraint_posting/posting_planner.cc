@@ -27,6 +27,47 @@ constexpr int kTurns = 12;
 // turn.
 constexpr int kMostOfOneTurn = 2;
 
+// Returns the labels that bound the number of actions (LeastActions).
+LabelGeometry Geometry(const Problem& problem, const GeometricRelations& relations) {
+  LabelGeometry geometry;
+  for (std::size_t p = 0; p < problem.parts.size(); ++p) {
+    geometry.reachable.push_back(relations.Reachable(domain::PartId(p)));
+    geometry.start.push_back({domain::InitialLabel(problem.parts[p])});
+    geometry.movable.push_back(!World(problem).mated(domain::PartId(p)));
+  }
+  geometry.located.resize(problem.parts.size());
+  for (const domain::Goal& goal : problem.goals) {
+    if (const auto* located = std::get_if<domain::LocatedGoal>(&goal)) {
+      geometry.located[located->part.index()] = LocatedLabels(problem, *located);
+    }
+  }
+  for (std::size_t m = 0; m < problem.matings.size(); ++m) {
+    geometry.mate_reachable.push_back(relations.MateReachable(domain::MatingId(m)));
+    geometry.grasp_list.push_back(GraspList(problem, problem.matings[m]));
+    geometry.position_list.push_back(PositionList(problem, problem.matings[m]));
+  }
+  return geometry;
+}
+
+void TellWhy(ImpossibilityAnswer answer, plan::PlanResult& result) {
+  result.limits = std::move(answer.limits);
+  if (!answer.proof) return;
+  result.outcome = Outcome::kNone;
+  result.conflict = std::move(answer.proof->conflict);
+  result.hypotheses = std::move(answer.proof->hypotheses);
+  result.near_misses = std::move(answer.proof->near_misses);
+}
+
+// Returns the actions and labels in the order of execution. They identify an instance.
+std::string Signature(const Problem& problem, const plan::Plan& plan) {
+  std::string signature;
+  for (plan::StepId id : plan.ExecutionOrder()) {
+    const plan::Action& action = plan.step(id).action;
+    signature += fmt::format("{} {} ", action.mating.index(), ShortText(problem, action));
+  }
+  return signature;
+}
+
 class PostingPlanner {
  public:
   PostingPlanner(const Problem& problem, const GeometricRelations& relations,
@@ -46,7 +87,7 @@ class PostingPlanner {
   }
 
   plan::PlanResult Run() {
-    const std::optional<int> least = LeastActions(problem_, Geometry());
+    const std::optional<int> least = LeastActions(problem_, Geometry(problem_, relations_));
     plan::PlanResult result;
     if (least && Deepen(*least)) {
       result.outcome = Outcome::kFound;
@@ -68,27 +109,6 @@ class PostingPlanner {
   }
 
  private:
-  LabelGeometry Geometry() const {
-    LabelGeometry geometry;
-    for (std::size_t p = 0; p < problem_.parts.size(); ++p) {
-      geometry.reachable.push_back(relations_.Reachable(domain::PartId(p)));
-      geometry.start.push_back({domain::InitialLabel(problem_.parts[p])});
-      geometry.movable.push_back(!World(problem_).mated(domain::PartId(p)));
-    }
-    geometry.located.resize(problem_.parts.size());
-    for (const domain::Goal& goal : problem_.goals) {
-      if (const auto* located = std::get_if<domain::LocatedGoal>(&goal)) {
-        geometry.located[located->part.index()] = LocatedLabels(problem_, *located);
-      }
-    }
-    for (std::size_t m = 0; m < problem_.matings.size(); ++m) {
-      geometry.mate_reachable.push_back(relations_.MateReachable(domain::MatingId(m)));
-      geometry.grasp_list.push_back(GraspList(problem_, problem_.matings[m]));
-      geometry.position_list.push_back(PositionList(problem_, problem_.matings[m]));
-    }
-    return geometry;
-  }
-
   // Repeats the search with a growing limit on the number of actions. Returns false if the budget
   // was spent, or if every refinement was tried and none needed more actions than the limit.
   // Neither case is a proof, because refinements do not cover everything that a plan could do.
@@ -115,15 +135,6 @@ class PostingPlanner {
   bool LongerPlansMayPass(int turn) const {
     if (turn == kTurns || (met_objections_ && !are_parts_in_the_way_)) return false;
     return cut_off_ || turn_.Exhausted();
-  }
-
-  static void TellWhy(ImpossibilityAnswer answer, plan::PlanResult& result) {
-    result.limits = std::move(answer.limits);
-    if (!answer.proof) return;
-    result.outcome = Outcome::kNone;
-    result.conflict = std::move(answer.proof->conflict);
-    result.hypotheses = std::move(answer.proof->hypotheses);
-    result.near_misses = std::move(answer.proof->near_misses);
   }
 
   // Refines the partial plan to satisfy one more goal, in every possible way until one leads to a
@@ -233,21 +244,11 @@ class PostingPlanner {
   // Decisions in another order can lead to the same instance again, so known instances are
   // rejected.
   bool Accept(plan::Plan instance) {
-    if (!seen_.insert(Signature(instance)).second) return false;
+    if (!seen_.insert(Signature(problem_, instance)).second) return false;
     ++instances_;
     if (options_.accept && !options_.accept(instance)) return false;
     plan_ = std::move(instance);
     return true;
-  }
-
-  // Returns the actions and labels in the order of execution. They identify an instance.
-  std::string Signature(const plan::Plan& plan) const {
-    std::string signature;
-    for (plan::StepId id : plan.ExecutionOrder()) {
-      const plan::Action& action = plan.step(id).action;
-      signature += fmt::format("{} {} ", action.mating.index(), ShortText(problem_, action));
-    }
-    return signature;
   }
 
   // Tries to move the parts one after another. When all plans that move a part have been tried, the

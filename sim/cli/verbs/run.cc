@@ -7,33 +7,26 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
-#include <sstream>
 
 #include "planner/base/input_files/quotation.h"
 #include "planner/plan/plan_files/json_layout.h"
 #include "planner/plan/plan_files/plan_file.h"
-#include "sim/check/trial_verdicts/trial.h"
 #include "sim/cli/command_line/console.h"
-#include "sim/cli/command_line/interruption.h"
-#include "sim/cli/command_line/progress.h"
-#include "sim/cli/command_line/stopwatch.h"
 #include "sim/cli/command_line/usage_error.h"
 #include "sim/cli/command_line/verb.h"
 #include "sim/cli/options/models_folder.h"
 #include "sim/cli/options/quantity_option.h"
 #include "sim/cli/options/resolver_option.h"
-#include "sim/cli/picture_output/film.h"
 #include "sim/cli/plan_output/certificate_text.h"
 #include "sim/cli/plan_output/plan_report.h"
 #include "sim/cli/plan_output/plan_text.h"
+#include "sim/cli/runs/contingent_run.h"
+#include "sim/cli/runs/exact_run.h"
+#include "sim/cli/runs/noisy_run.h"
+#include "sim/cli/runs/scattered_run.h"
 #include "sim/cli/tasks/output_file.h"
 #include "sim/cli/tasks/planned_problem.h"
-#include "sim/cli/trial_output/trial_report.h"
-#include "sim/cli/verbs/contingent_run.h"
-#include "sim/cli/verbs/noisy_run.h"
-#include "sim/cli/verbs/scattered_run.h"
 #include "sim/execution/interpretation/knowledge_scenario.h"
-#include "sim/execution/trial/scheduler.h"
 #include "sim/sweep/grid/run_command.h"
 
 namespace assay::cli {
@@ -54,144 +47,6 @@ struct Options {
   bool conservatism = false;
   std::vector<const CLI::Option*> of_one_world = {};  // options that plan trees do not have
   std::vector<const CLI::Option*> of_trees = {};
-};
-
-bool IsNoisy(const Options& options) { return options.command.noise || options.command.errors; }
-
-// The results of one trial that are kept.
-struct Summary {
-  execution::TrialOutcome outcome;
-  std::string reason;
-
-  bool Succeeded() const { return outcome == execution::TrialOutcome::kSucceeded; }
-};
-
-class Run {
- public:
-  Run(const Options& options, const PlannedProblem& planned)
-      : options_(options),
-        planned_(planned),
-        seed_(options.command.seed.value_or(planned.simulation.seed)),
-        scene_(planned.problem, SceneOptions()) {}
-
-  ExitCode Execute() {
-    std::optional<Film> film;
-    if (options_.renders) {
-      film.emplace(FilmSubject{planned_.problem, planned_.result.plan, scene_},
-                   planned_.simulation.cameras, options_.pictures);
-    }
-    const Interruption interruption;
-    execution::Scheduler(options_.jobs, Interruption::Requested)
-        .InOrder(
-            static_cast<std::size_t>(Wanted()),
-            [&](std::size_t i) { return RunOne(static_cast<int>(i) + 1, film ? &*film : nullptr); },
-            [this](std::size_t, check::Trial trial) { Keep(std::move(trial)); });
-    progress_.reset();
-    const Json result = Result();
-    Json printed = result;
-    printed["seconds"] = stopwatch_.Seconds();
-    PrintAndWrite(options_.json ? plan::JsonText(printed) : Report(), [&] {
-      if (options_.folder.empty()) return;
-      WriteFile(options_.folder / "result.json", plan::JsonText(result));
-      if (film) film->Write(options_.folder);
-    });
-    return Interruption::CodeOr(Succeeded() == Trials() ? ExitCode::kDone : ExitCode::kFailed);
-  }
-
- private:
-  scene::SceneOptions SceneOptions() const {
-    scene::SceneOptions scene = planned_.simulation.scene;
-    scene.grasp = options_.command.grasp.value_or(scene.grasp);
-    return scene;
-  }
-
-  // The film shows the first trial.
-  check::Trial RunOne(int number, Film* film) const {
-    execution::ExecutorOptions executor;
-    executor.on_timestep = Interruption::BreakOffAfter;
-    executor.observer = number == 1 ? film : nullptr;
-    check::Trial trial = check::RunTrial(planned_.problem, planned_.result.plan, scene_, executor);
-    trial.number = number;
-    if (!options_.folder.empty()) WriteTrace(trial);
-    return trial;
-  }
-
-  void Keep(check::Trial trial) {
-    summaries_[trial.number] = {trial.verdict.outcome, trial.verdict.reason};
-    progress_->Tell(fmt::format("{} of {} trials", Trials(), Wanted()));
-    if (trial.number == 1) first_ = std::move(trial);
-  }
-
-  void WriteTrace(const check::Trial& trial) const {
-    std::ostringstream text;
-    execution::WriteTrace(trial.trace, text);
-    const std::string name =
-        trial.number == 1 ? "trace.jsonl" : fmt::format("trace-{}.jsonl", trial.number);
-    WriteFile(options_.folder / name, text.str());
-  }
-
-  int Wanted() const { return options_.trials.value_or(1); }
-  int Trials() const { return static_cast<int>(summaries_.size()); }
-  int Succeeded() const {
-    return static_cast<int>(std::ranges::count_if(
-        summaries_, [](const auto& entry) { return entry.second.Succeeded(); }));
-  }
-
-  // Returns the numbers of failures by outcome.
-  std::map<std::string, int> Failures() const {
-    std::map<std::string, int> failures;
-    for (const auto& [number, summary] : summaries_) {
-      if (!summary.Succeeded()) ++failures[std::string(execution::Name(summary.outcome))];
-    }
-    return failures;
-  }
-
-  // Returns the command that repeats the failed trials.
-  std::string ReplayCommand() const { return options_.command.Again(seed_, std::nullopt).Text(); }
-
-  Json Result() const {
-    const int succeeded = Succeeded();
-    Json result = {{"trials", Trials()},
-                   {"succeeded", succeeded},
-                   {"failed", Failures()},
-                   {"verdicts", {{"contained", 0}, {"violated", 0}, {"inconclusive", 0}}},
-                   {"worst", Json::array()},
-                   {"replay", Json::array()}};
-    if (Interruption::Requested()) result["interrupted"] = true;
-    if (succeeded < Trials()) result["replay"].push_back(ReplayCommand());
-    result["scenario"] = planned_.scenario;
-    result["seed"] = seed_;
-    result["grasp"] = scene::Name(scene_.options().grasp);
-    if (first_) result["first"] = ToJson(planned_.problem, planned_.result.plan, *first_);
-    return result;
-  }
-
-  std::string Report() const {
-    std::string text =
-        first_ ? ForPeople(planned_.problem, planned_.result.plan, *first_) + "\n" : "";
-    const int succeeded = Succeeded();
-    text += fmt::format("{} of {} trials succeeded\n", succeeded, Trials());
-    for (const auto& [name, count] : Failures()) text += fmt::format("{}: {}\n", name, count);
-    if (succeeded < Trials()) {
-      const auto failed = std::ranges::find_if(
-          summaries_, [](const auto& entry) { return !entry.second.Succeeded(); });
-      text += fmt::format("trial {}: {}\nagain: {}\n", failed->first, failed->second.reason,
-                          ReplayCommand());
-    }
-    text += Interruption::Text(Trials(), Wanted());
-    text += NotCoveredText(planned_.result.plan);
-    if (!options_.folder.empty()) text += fmt::format("files in {}\n", options_.folder.string());
-    return text;
-  }
-
-  const Options& options_;
-  const PlannedProblem& planned_;
-  const std::uint64_t seed_;
-  const scene::Scene scene_;
-  const Stopwatch stopwatch_;
-  std::map<int, Summary> summaries_;  // by number
-  std::optional<check::Trial> first_;
-  std::unique_ptr<Progress> progress_ = std::make_unique<Progress>("executing the plan");
 };
 
 // Prints why nothing is executed.
@@ -232,10 +87,21 @@ PlannedProblem Planned(const Document& document, const sweep::RunCommand& comman
   return MakePlan(document, scenario::Read(document, command.models, overrides), {}, uncertainty);
 }
 
-ExitCode ExecuteNoisy(const Options& options, PlannedProblem& planned) {
+ExitCode ExecutePlan(const Options& options, PlannedProblem& planned) {
   const sweep::RunCommand& command = options.command;
   planned.simulation.scene.grasp = command.grasp.value_or(planned.simulation.scene.grasp);
   const std::uint64_t seed = command.seed.value_or(planned.simulation.seed);
+  if (!command.noise && !command.errors) {
+    return RunExact({.planned = planned,
+                     .command = command,
+                     .folder = options.folder,
+                     .trials = options.trials.value_or(1),
+                     .jobs = options.jobs,
+                     .seed = seed,
+                     .renders = options.renders,
+                     .pictures = options.pictures,
+                     .json = options.json});
+  }
   if (command.noise == "attack") {
     return RunAttack({.planned = planned,
                       .command = command,
@@ -311,8 +177,7 @@ ExitCode Execute(const Options& options) {
     plan_file["check"] = ToJson(result.plan, check);
     return Refuse(Text(result.plan, check), plan_file, options, ExitCode::kFailed);
   }
-  if (IsNoisy(options)) return ExecuteNoisy(options, planned);
-  return Run(options, planned).Execute();
+  return ExecutePlan(options, planned);
 }
 
 void AddNoise(CLI::App& command, Options& options, CLI::Option* scatter) {

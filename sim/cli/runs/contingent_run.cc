@@ -1,4 +1,4 @@
-#include "sim/cli/verbs/contingent_run.h"
+#include "sim/cli/runs/contingent_run.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -1,4 +1,4 @@
-#include "sim/cli/verbs/noisy_run.h"
+#include "sim/cli/runs/noisy_run.h"
 
 #include <fmt/format.h>
 

@@ -14,11 +14,11 @@
 #include "sim/cli/command_line/stopwatch.h"
 #include "sim/cli/plan_output/certificate_text.h"
 #include "sim/cli/plan_output/table.h"
+#include "sim/cli/runs/noisy_run.h"
 #include "sim/cli/tasks/noise_floor_cache.h"
 #include "sim/cli/tasks/output_file.h"
 #include "sim/cli/trial_output/json_number.h"
 #include "sim/cli/trial_output/verdict_tally.h"
-#include "sim/cli/verbs/noisy_run.h"
 
 namespace assay::cli {
 namespace {

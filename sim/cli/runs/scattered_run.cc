@@ -1,4 +1,4 @@
-#include "sim/cli/verbs/scattered_run.h"
+#include "sim/cli/runs/scattered_run.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
