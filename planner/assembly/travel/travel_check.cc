@@ -48,11 +48,11 @@ bool IsSaidOf(const plan::CertifiedPrecondition& claim, plan::CertifiedPrecondit
 }
 
 // Adds a flaw for each claim about a way that differs from the recomputed one.
-void CheckClaims(const WayCertainty& certainty, Whither whither, const plan::PlannedStep& step,
-                 std::vector<std::string>& flaws) {
-  const auto anew = WayConditions(certainty, whither);
+void CheckClaims(const WayCertainty& certainty, plan::Circumstance circumstance,
+                 const plan::PlannedStep& step, std::vector<std::string>& flaws) {
+  const auto anew = WayConditions(certainty, circumstance);
   for (const plan::CertifiedPrecondition& claim : step.certificate.preconditions) {
-    if (!IsWayCondition(claim.condition) || WhitherOf(claim) != whither) continue;
+    if (!IsWayCondition(claim.condition) || claim.circumstance != circumstance) continue;
     const auto own =
         std::ranges::find(anew, claim.condition, &plan::CertifiedPrecondition::condition);
     if (own == anew.end() || claim.bound > own->bound + kSameClaim) {
@@ -94,8 +94,7 @@ std::vector<std::string> FlawsOfTravel(const plan::Travel& travel, const PlanWal
     return flaws;
   }
   const StepId owner = id.IsNone() ? walk.plan().ExecutionOrder().back() : id;
-  CheckClaims(*certainty, id.IsNone() ? Whither::kHome : Whither::kWork, walk.plan().step(owner),
-              flaws);
+  CheckClaims(*certainty, WayOf(id), walk.plan().step(owner), flaws);
   posture = way->after();
   return flaws;
 }

@@ -38,7 +38,7 @@ void AddConditions(StepId id, const WayCertainty& certainty, plan::Plan& plan) {
   // the plan was made without regard to uncertainty
   if (certificate == plan::Certificate{}) return;
   std::vector<plan::CertifiedPrecondition>& all = certificate.preconditions;
-  const auto conditions = WayConditions(certainty, id.IsNone() ? Whither::kHome : Whither::kWork);
+  const auto conditions = WayConditions(certainty, WayOf(id));
   all.insert(all.end(), conditions.begin(), conditions.end());
 }
 

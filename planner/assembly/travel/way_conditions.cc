@@ -1,8 +1,8 @@
 #include "planner/assembly/travel/way_conditions.h"
 
-#include <numbers>
+#include <fmt/format.h>
+
 #include <string>
-#include <utility>
 
 #include "planner/algebra/bounds/bounds.h"
 #include "planner/algebra/expression/text.h"
@@ -13,36 +13,34 @@ namespace {
 
 // Returns the claim that a number, which already bounds the effect of the errors, is greater than
 // 0.
-plan::CertifiedPrecondition IsPositive(plan::Condition condition, std::string meaning,
-                                       double least) {
+plan::CertifiedPrecondition IsPositive(plan::Condition condition, const std::string& meaning,
+                                       plan::Circumstance circumstance, double least) {
   return {.condition = condition,
-          .meaning = std::move(meaning),
+          .meaning = fmt::format("{}{}", meaning, plan::WordsOf(circumstance)),
           .expression = algebra::Text(algebra::Expression(least)),
           .relation = plan::Relation::kGreater,
           .limit = 0,
           .bound = least,
           .margin = least,
           .gap = 0,
-          .method = std::string(algebra::Name(algebra::BoundingMethod::kLinear))};
+          .method = std::string(algebra::Name(algebra::BoundingMethod::kLinear)),
+          .worst = {},
+          .circumstance = circumstance};
 }
-
-constexpr char kOnTheWayHome[] = " on the way home";
 
 }  // namespace
 
 std::vector<plan::CertifiedPrecondition> WayConditions(const WayCertainty& certainty,
-                                                       Whither whither) {
-  const std::string on = whither == Whither::kHome ? kOnTheWayHome : "";
+                                                       plan::Circumstance circumstance) {
   std::vector<plan::CertifiedPrecondition> conditions;
   if (!certainty.Reaches()) return conditions;
-  conditions.push_back(
-      IsPositive(plan::condition::kReach,
-                 "joints stay within their ranges and the arm in its configuration" + on,
-                 certainty.sway.room));
+  conditions.push_back(IsPositive(
+      plan::condition::kReach, "joints stay within their ranges and the arm in its configuration",
+      circumstance, certainty.sway.room));
   if (certainty.kept > 0) {
     conditions.push_back(IsPositive(plan::condition::kWayClear,
-                                    "the arm and what it carries stay clear of everything" + on,
-                                    certainty.kept));
+                                    "the arm and what it carries stay clear of everything",
+                                    circumstance, certainty.kept));
   }
   return conditions;
 }
@@ -56,10 +54,6 @@ void RemoveWayConditions(plan::Certificate& certificate) {
                 [](const auto& claim) { return IsWayCondition(claim.condition); });
   std::erase_if(certificate.not_needed,
                 [](const auto& lacking) { return IsWayCondition(lacking.condition); });
-}
-
-Whither WhitherOf(const plan::CertifiedPrecondition& way_condition) {
-  return way_condition.meaning.ends_with(kOnTheWayHome) ? Whither::kHome : Whither::kWork;
 }
 
 }  // namespace assay::assembly

@@ -17,16 +17,18 @@ struct WayCertainty {
   bool Reaches() const { return sway.is_bounded && sway.room > 0; }
 };
 
-enum class Whither { kWork, kHome };
-
 // Returns the proved preconditions of a step about the arm (sound mode): kReach and kWayClear of
-// plan::condition. If one is missing, plan::NotCovered reports it.
+// plan::condition, for the way to its work (kUsual) or for the way home. If one is missing,
+// plan::NotCovered reports it.
 std::vector<plan::CertifiedPrecondition> WayConditions(const WayCertainty& certainty,
-                                                       Whither whither);
+                                                       plan::Circumstance circumstance);
+// Returns the circumstance of the way to this step's work; None: of the way home.
+inline plan::Circumstance WayOf(plan::StepId step) {
+  return step.IsNone() ? plan::Circumstance::kWayHome : plan::Circumstance::kUsual;
+}
 bool IsWayCondition(plan::Condition condition);
 // Removes from a certificate all claims about ways, and the statements that such claims are
 // missing.
 void RemoveWayConditions(plan::Certificate& certificate);
-Whither WhitherOf(const plan::CertifiedPrecondition& way_condition);
 
 }  // namespace assay::assembly

@@ -73,6 +73,7 @@ struct CertifiedPrecondition {
   double gap = 0;           // greatest difference of the bound from the true value
   std::string method = {};  // name of the bounding method that gave the bound
   std::vector<ErrorValue> worst = {};  // worst corner found, of the expression's variables
+  Circumstance circumstance = Circumstance::kUsual;
 
   bool holds() const { return margin > 0; }
   bool operator==(const CertifiedPrecondition&) const = default;

@@ -31,6 +31,13 @@ enum class AbsorbedBy {
   kOtherPlace,  // another place on the table, where the kind may hold
 };
 
+// What a claim is about, if a certificate makes several claims of the same kind.
+enum class Circumstance {
+  kUsual,          // the step's work
+  kWayHome,        // the arm's way home after the last step
+  kYieldingWrist,  // a shaft that bevelled edges lead into its hole as the wrist yields
+};
+
 // A kind of uncertainty-reduction precondition: the one description of it in the program. The kinds
 // of the planner are in condition_table.h. Kinds are compared by their addresses, so each kind is
 // one object that lives as long as the program.

@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include "planner/base/check.h"
+
 namespace assay::plan {
 
 ConditionKinds KnownConditions() {
@@ -18,6 +20,26 @@ std::vector<std::string> NamesOfConditions(ConditionKinds kinds) {
   std::vector<std::string> names;
   for (const ConditionKind* kind : kinds) names.emplace_back(kind->name);
   return names;
+}
+
+std::string_view WordsOf(Circumstance circumstance) {
+  switch (circumstance) {
+    case Circumstance::kUsual:
+      return "";
+    case Circumstance::kWayHome:
+      return " on the way home";
+    case Circumstance::kYieldingWrist:
+      return " fits between the walls";
+  }
+  ASSAY_CHECK(false, "a circumstance that the switch does not know");
+  return "";
+}
+
+Circumstance CircumstanceOf(std::string_view meaning) {
+  for (const auto circumstance : {Circumstance::kWayHome, Circumstance::kYieldingWrist}) {
+    if (meaning.ends_with(WordsOf(circumstance))) return circumstance;
+  }
+  return Circumstance::kUsual;
 }
 
 const std::vector<Condition>& AbsorbedByFineMotion() {

@@ -2,6 +2,7 @@
 
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "planner/plan/data/condition.h"
@@ -211,6 +212,12 @@ ConditionKinds KnownConditions();
 
 // Returns the names of kinds, in their order.
 std::vector<std::string> NamesOfConditions(ConditionKinds kinds);
+
+// Returns the words with which the meaning of a claim ends in this circumstance; none if it is
+// kUsual. Files tell the circumstance by these words alone.
+std::string_view WordsOf(Circumstance circumstance);
+// Returns the circumstance of a claim that a file has with this meaning.
+Circumstance CircumstanceOf(std::string_view meaning);
 
 // Returns the kinds that fine motion absorbs.
 const std::vector<Condition>& AbsorbedByFineMotion();

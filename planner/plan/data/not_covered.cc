@@ -28,7 +28,7 @@ constexpr char kYields[] =
 // Returns whether the proof of a mating counts on a wrist that yields.
 bool CountsOnYielding(const PlannedStep& step) {
   return std::ranges::any_of(step.certificate.preconditions, [](const auto& claim) {
-    return claim.meaning.ends_with(kFitsBetween);
+    return claim.circumstance == Circumstance::kYieldingWrist;
   });
 }
 

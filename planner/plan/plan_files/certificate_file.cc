@@ -118,7 +118,8 @@ CertifiedPrecondition ReadPrecondition(const Value& value, ConditionKinds kinds)
           .margin = ReadNumber(value.At("margin")),
           .gap = ReadNumber(value.At("gap")),
           .method = value.At("rung").Text(),
-          .worst = ReadPoint(value.At("worst"))};
+          .worst = ReadPoint(value.At("worst")),
+          .circumstance = CircumstanceOf(value.At("meaning").Text())};
 }
 
 // Writes what the certificate covers: the number of preconditions of each kind, or the reason why

@@ -41,7 +41,9 @@ CertifiedPrecondition ClaimOf(const Precondition& precondition, const Bound& bou
           .bound = bound.value,
           .margin = less ? precondition.limit - bound.value : bound.value - precondition.limit,
           .gap = bound.gap,
-          .method = std::string(algebra::Name(bound.method))};
+          .method = std::string(algebra::Name(bound.method)),
+          .worst = {},
+          .circumstance = precondition.circumstance};
 }
 
 // Returns the claim, if quick bounds (algebra/methods/glance.h) tell whether it holds.
@@ -267,8 +269,9 @@ class StepCertifier {
   // they could prove a claim that the certificate does not prove.
   std::optional<CertifiedPrecondition> AtAGlance(const Precondition& precondition) const {
     if (request_.highest < algebra::BoundingMethod::kCentred) return std::nullopt;
-    const auto& [condition, meaning, expression, relation, limit, neighbour] = precondition;
-    const bool less = relation == Relation::kLess;
+    const Expression& expression = precondition.expression;
+    const double limit = precondition.limit;
+    const bool less = precondition.relation == Relation::kLess;
     auto seen = Seen(precondition, less ? world_.GlanceAbove(expression, limit)
                                         : world_.GlanceBelow(expression, limit));
     if (seen) return seen;
@@ -361,7 +364,8 @@ Unproved AsCertified(Unproved unproved, const UncertainWorld& world,
                                      .meaning = unproved.claim.meaning,
                                      .expression = unproved.expression,
                                      .relation = unproved.claim.relation,
-                                     .limit = unproved.claim.limit};
+                                     .limit = unproved.claim.limit,
+                                     .circumstance = unproved.claim.circumstance};
   unproved.claim = ClaimOf(precondition, BoundOf(precondition, world, request));
   return unproved;
 }

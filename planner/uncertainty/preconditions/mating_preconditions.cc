@@ -7,7 +7,7 @@
 #include "planner/base/check.h"
 #include "planner/domain/matings/shaft_fit.h"
 #include "planner/numeric/interval_arithmetic.h"
-#include "planner/plan/data/not_covered.h"
+#include "planner/plan/data/condition_table.h"
 #include "planner/uncertainty/error_sets/mating_end.h"
 #include "planner/uncertainty/preconditions/precondition.h"
 
@@ -92,9 +92,13 @@ class FitConditions {
     for (const SymbolicVector& p : corners) {
       for (const SymbolicVector& q : corners) {
         if (&p == &q) continue;
-        conditions_.Greater(condition, fmt::format("{} {}", fit_.name, plan::kFitsBetween),
-                            algebra::Dot(AsVector(wall.normal), p - q),
-                            wall.offset + opposite.offset - 2 * bevel);
+        constexpr auto kYielding = plan::Circumstance::kYieldingWrist;
+        conditions_.Add({.condition = condition,
+                         .meaning = fmt::format("{}{}", fit_.name, plan::WordsOf(kYielding)),
+                         .expression = algebra::Dot(AsVector(wall.normal), p - q),
+                         .relation = plan::Relation::kGreater,
+                         .limit = wall.offset + opposite.offset - 2 * bevel,
+                         .circumstance = kYielding});
       }
     }
   }

@@ -18,6 +18,7 @@ struct Precondition {
   double limit = 0;
   // The part from which the action keeps clear, if it does not handle that part.
   PartId neighbour = PartId::None();
+  plan::Circumstance circumstance = plan::Circumstance::kUsual;
 };
 
 // The ratio of a load to the bearable load if nothing bears the load. It stands for infinity.
@@ -34,11 +35,11 @@ class Preconditions {
   void Within(plan::Condition condition, const std::string& meaning, const Expression& expression,
               double limit);
 
+  void Add(Precondition precondition);
+
   std::vector<Precondition> Take() { return std::move(preconditions_); }
 
  private:
-  void Add(Precondition precondition);
-
   std::vector<Precondition> preconditions_;
 };
 

@@ -1,6 +1,7 @@
 #include "sim/check/falsification/conservatism.h"
 
 #include <algorithm>
+#include <array>
 #include <functional>
 
 #include "planner/uncertainty/preconditions/certify.h"
@@ -49,50 +50,53 @@ std::string NameOf(Effect effect) {
   return {};
 }
 
-std::string VariableOf(const domain::Problem& problem, const Channel& channel) {
-  const std::string name = NameOf(channel.effect);
-  return channel.part.IsNone() ? name : name + " of " + problem.part(channel.part).name;
+std::string NameOf(const domain::Problem& problem, const VariedErrors& errors) {
+  if (!errors.effect) return "all";
+  const std::string name = NameOf(*errors.effect);
+  return errors.part.IsNone() ? name : name + " of " + problem.part(errors.part).name;
 }
 
 Interval Times(double factor, const Interval& range) {
   return {factor * range.low, factor * range.high};
 }
 
-// The same problem with errors in one variable only, by a multiple of its bounds.
+// The same problem with the varied errors alone, by a multiple of their bounds.
 class ScaledProblem {
  public:
-  ScaledProblem(const domain::Problem& problem, const std::string& variable)
-      : original_(problem), variable_(variable) {}
+  ScaledProblem(const domain::Problem& problem, const VariedErrors& varied)
+      : original_(problem), varied_(varied) {}
 
   domain::Problem At(double multiple) const {
+    using enum Effect;
+    const auto factor = [&](Effect effect, domain::PartId part = domain::PartId::None()) {
+      return varied_.Include(effect, part) ? multiple : 0;
+    };
     domain::Problem problem = original_;
-    for (domain::Part& part : problem.parts) {
-      Scale(" of " + part.name, multiple, "height", part.error);
+    for (std::size_t i = 0; i < problem.parts.size(); ++i) {
+      const domain::PartId part(i);
+      Scale({factor(kPartX, part), factor(kPartY, part), factor(kTableHeight, part),
+             factor(kPartYaw, part)},
+            problem.parts[i].error);
     }
-    Scale(" of the hand", multiple, "z", problem.gripper_error);
-    ScaleNumber("clearance", multiple, problem.tolerances.clearance);
-    ScaleNumber("friction", multiple, problem.tolerances.friction);
-    ScaleNumber("friction of the pads", multiple, problem.tolerances.pad_friction);
+    Scale({factor(kHandX), factor(kHandY), factor(kHandZ), factor(kHandYaw)},
+          problem.gripper_error);
+    problem.tolerances.clearance *= factor(kClearance);
+    problem.tolerances.friction *= factor(kFriction);
+    problem.tolerances.pad_friction *= factor(kPadFriction);
     return problem;
   }
 
  private:
-  double FactorOf(const std::string& name, double multiple) const {
-    return variable_ == "all" || variable_ == name ? multiple : 0;
-  }
-  void Scale(const std::string& of, double multiple, const char* z,
-             domain::PoseError& error) const {
-    error.x = Times(FactorOf("x" + of, multiple), error.x);
-    error.y = Times(FactorOf("y" + of, multiple), error.y);
-    error.z = Times(FactorOf(z + of, multiple), error.z);
-    error.theta = Times(FactorOf("yaw" + of, multiple), error.theta);
-  }
-  void ScaleNumber(const char* name, double multiple, double& value) const {
-    value *= FactorOf(name, multiple);
+  // `factors` are those of x, y, z and theta.
+  static void Scale(const std::array<double, 4>& factors, domain::PoseError& error) {
+    error.x = Times(factors[0], error.x);
+    error.y = Times(factors[1], error.y);
+    error.z = Times(factors[2], error.z);
+    error.theta = Times(factors[3], error.theta);
   }
 
   const domain::Problem& original_;
-  const std::string& variable_;
+  const VariedErrors& varied_;
 };
 
 // A sensor's promise is not multiplied, because it belongs to the workcell.
@@ -147,18 +151,18 @@ class Comparison {
         scheduler_(scheduler),
         box_(noise::ErrorBox(experiment.problem, experiment.plan)) {}
 
-  std::vector<std::string> Variables() const {
-    std::vector<std::string> variables;
+  std::vector<VariedErrors> Variables() const {
+    std::vector<VariedErrors> variables;
     for (const Channel& channel : box_) {
-      if (IsSensed(channel)) continue;
-      const std::string variable = VariableOf(experiment_.problem, channel);
-      if (std::ranges::find(variables, variable) == variables.end()) variables.push_back(variable);
+      const VariedErrors variable{channel.effect, channel.part};
+      if (IsSensed(channel) || std::ranges::count(variables, variable) > 0) continue;
+      variables.push_back(variable);
     }
-    variables.push_back("all");
+    variables.emplace_back();
     return variables;
   }
 
-  ConservatismRatio Of(const std::string& variable) const {
+  ConservatismRatio Of(const VariedErrors& variable) const {
     const auto unproved = [&](double multiple) {
       BreakOffIfStopped();
       return !Proves(variable, multiple);
@@ -174,7 +178,7 @@ class Comparison {
     // tried only if the trials at this one fail.
     constexpr double kInside = 0.9;
     const double first = guaranteed > 0 ? kInside * guaranteed : 1;
-    return {.variable = variable,
+    return {.variable = NameOf(experiment_.problem, variable),
             .guaranteed = guaranteed,
             .broken = FindThreshold(fails, first, options_.greatest, options_.precision).fails};
   }
@@ -184,7 +188,7 @@ class Comparison {
     if (scheduler_.Ends()) throw Stopped();
   }
 
-  bool Proves(const std::string& variable, double multiple) const {
+  bool Proves(const VariedErrors& variable, double multiple) const {
     const domain::Problem problem = ScaledProblem(experiment_.problem, variable).At(multiple);
     uncertainty::UncertainWorld world(problem, uncertainty::Propagation::kSound);
     for (const plan::StepId id : experiment_.plan.ExecutionOrder()) {
@@ -202,15 +206,13 @@ class Comparison {
   }
 
   // Returns whether a trial fails at the ends of the variable's bounds, or at corners of the whole
-  // box for "all". Sensors' promises are varied in both cases.
-  bool Fails(const std::string& variable, double multiple) const {
+  // box for all errors. Sensors' promises are varied in both cases.
+  bool Fails(const VariedErrors& variable, double multiple) const {
     std::vector<Channel> box = box_;
     std::vector<std::size_t> varied;
     for (std::size_t i = 0; i < box.size(); ++i) {
       if (!IsSensed(box[i])) box[i].range = Times(multiple, box[i].range);
-      const bool is_varied =
-          variable == "all" || VariableOf(experiment_.problem, box[i]) == variable;
-      if (is_varied || IsSensed(box[i])) varied.push_back(i);
+      if (variable.Include(box[i].effect, box[i].part) || IsSensed(box[i])) varied.push_back(i);
     }
     const int dimensions = static_cast<int>(varied.size());
     const int trials = std::min(options_.corners, dimensions == 1 ? 2 : options_.corners);
@@ -248,7 +250,7 @@ std::vector<ConservatismRatio> Conservatism(const Experiment& experiment,
                                             const ConservatismOptions& options) {
   execution::Scheduler scheduler(options.jobs, options.stop);
   const Comparison comparison(experiment, options, scheduler);
-  const std::vector<std::string> variables =
+  const std::vector<VariedErrors> variables =
       options.variables.empty() ? comparison.Variables() : options.variables;
   std::vector<ConservatismRatio> ratios;
   scheduler.InOrder(

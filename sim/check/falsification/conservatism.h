@@ -10,6 +10,17 @@
 
 namespace assay::check {
 
+// The errors that are varied together in a comparison.
+struct VariedErrors {
+  std::optional<noise::Effect> effect = {};      // none: all errors
+  domain::PartId part = domain::PartId::None();  // as in noise::Channel
+
+  bool Include(noise::Effect other, domain::PartId of = domain::PartId::None()) const {
+    return !effect || (*effect == other && part == of);
+  }
+  bool operator==(const VariedErrors&) const = default;
+};
+
 // Options of a comparison of proofs with trials.
 struct ConservatismOptions {
   std::uint64_t seed = 0;
@@ -17,7 +28,7 @@ struct ConservatismOptions {
   int corners = 16;         // trials at each multiple when several errors vary together
   double greatest = 64;     // the greatest multiple that is tried
   double precision = 0.25;  // relative precision of the multiples
-  std::vector<std::string> variables = {};  // empty: each variable, and all together
+  std::vector<VariedErrors> variables = {};  // empty: each variable, and all together
   // Asked before each trial, by one thread at a time. True ends the comparison with the variables
   // that are done. An empty function never ends it.
   std::function<bool()> stop = {};

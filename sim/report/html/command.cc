@@ -2,30 +2,14 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cctype>
-#include <sstream>
 #include <string_view>
 
+#include "sim/sweep/grid/shell.h"
+
 namespace assay::report {
-namespace {
-
-bool IsPlain(char c) {
-  constexpr std::string_view kPlain = "_./-+:@%=,";
-  return std::isalnum(static_cast<unsigned char>(c)) != 0 || kPlain.find(c) != kPlain.npos;
-}
-
-}  // namespace
-
-std::string ShellWord(const std::string& text) {
-  if (!text.empty() && std::ranges::all_of(text, IsPlain)) return text;
-  std::string word = "'";
-  for (const char c : text) word += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return word + "'";
-}
 
 std::string ReplayCommand(const std::string& database, int trial) {
-  return fmt::format("assay replay {} {}", ShellWord(database), trial);
+  return fmt::format("assay replay {} {}", sweep::Word(database), trial);
 }
 
 std::string WithDatabase(const std::string& command, const std::string& database) {
@@ -33,7 +17,7 @@ std::string WithDatabase(const std::string& command, const std::string& database
   const std::size_t at = (command + " ").find(kWord);
   if (at == std::string::npos) return command;
   const std::size_t end = at + kWord.size() - 1;
-  return fmt::format("{} {}{}", command.substr(0, at), ShellWord(database),
+  return fmt::format("{} {}{}", command.substr(0, at), sweep::Word(database),
                      end < command.size() ? command.substr(end) : "");
 }
 

@@ -4,9 +4,6 @@
 
 namespace assay::report {
 
-// Returns the text as one word of a shell's command line.
-std::string ShellWord(const std::string& text);
-
 // Returns the command that runs a trial of a database again.
 std::string ReplayCommand(const std::string& database, int trial);
 

@@ -169,6 +169,16 @@ TEST(Coverage, TheCheckerRefusesAnEmptyCertificate) {
   }
 }
 
+TEST(Circumstance, IsToldByTheWordsAtTheEndOfTheMeaning) {
+  using enum Circumstance;
+  for (const Circumstance circumstance : {kUsual, kWayHome, kYieldingWrist}) {
+    const std::string meaning = "the arm stays clear" + std::string(WordsOf(circumstance));
+    EXPECT_EQ(CircumstanceOf(meaning), circumstance) << meaning;
+  }
+  EXPECT_EQ(CircumstanceOf("on the way home, the arm stays clear"), kUsual);
+  EXPECT_EQ(CircumstanceOf(""), kUsual);
+}
+
 // The schema requires the same kinds as the table of kinds.
 TEST(PlanSchema, RequiresWhatTheTableRequires) {
   std::ifstream file(ASSAY_SOURCE_DIR "/planner/plan/plan_files/plan.schema.json");

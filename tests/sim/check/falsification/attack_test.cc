@@ -74,7 +74,7 @@ TEST_F(Proved, ComesOutTheSameOnTwoThreads) {
 
 TEST_F(Proved, MoreNoiseThanIsGuaranteedIsNeededToBreakIt) {
   ConservatismOptions options = {.seed = kSeed, .corners = 1, .greatest = 2, .precision = 0.5};
-  options.variables = {"x of the hand"};
+  options.variables = {{noise::Effect::kHandX}};
   const auto ratios = Conservatism(*experiment_, options);
   ASSERT_EQ(ratios.size(), 1u);
   EXPECT_GE(ratios.front().guaranteed, 1);  // every precondition is proved
