@@ -56,9 +56,9 @@ class Teller {
             ? fmt::format(": {} of {}", motion.recognized->is_loss ? "loss" : "contact",
                           motion.recognized->name)
             : "";
-    return Occurrence(motion.time, motion.outcome != execution::MatingOutcome::kDone,
+    return Occurrence(motion.time, motion.outcome != execution::TrialOutcome::kSucceeded,
                       fmt::format("motion {} of the strategy: {}{}", motion.motion + 1,
-                                  execution::Name(motion.outcome), recognized));
+                                  NameOfEnd(motion.outcome), recognized));
   }
   Json operator()(const execution::CollisionRecord& collision) const {
     return Occurrence(collision.time, true,

@@ -16,7 +16,7 @@ bool HasName(const ContactSet& contacts, const std::string& name) {
 std::vector<execution::ErrorState> ErrorStatesOf(const execution::StrategyEnd& end) {
   std::vector<execution::ErrorState> states = end.recovered;
   states.insert(states.end(), end.ignored.begin(), end.ignored.end());
-  if (end.outcome != execution::MatingOutcome::kDone && end.ignored.empty()) {
+  if (end.outcome != execution::TrialOutcome::kSucceeded && end.ignored.empty()) {
     states.push_back({.outcome = end.outcome,
                       .motion = end.motion,
                       .recognized = end.recognized,

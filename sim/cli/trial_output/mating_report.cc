@@ -34,7 +34,7 @@ MatedTally TallyOf(const std::vector<MatedTrial>& trials) {
     if (trial.seated) ++tally.seated;
     tally.redrawn += trial.redrawn;
     if (trial.seated && !trial.result.end.recovered.empty()) ++tally.recovered;
-    ++tally.ends[std::string(execution::Name(trial.result.end.outcome))];
+    ++tally.ends[std::string(NameOfEnd(trial.result.end.outcome))];
     if (const auto& holding = trial.result.end.holding)
       ++tally.holdings[std::string(execution::Name(*holding))];
     tally.greatest_force = std::max(tally.greatest_force, trial.result.greatest_force);
@@ -111,8 +111,8 @@ std::string ErrorStatesText(int trial, const std::vector<execution::ErrorState>&
                             const char* then) {
   std::string text;
   for (const execution::ErrorState& state : states) {
-    text += fmt::format("  trial {}: {}: {}{}; {}\n", trial, execution::Name(state.outcome),
-                        state.reason, RecognizedText(state.recognized), then);
+    text += fmt::format("  trial {}: {}: {}{}; {}\n", trial, NameOfEnd(state.outcome), state.reason,
+                        RecognizedText(state.recognized), then);
   }
   return text;
 }
@@ -123,7 +123,7 @@ std::string MatedTrialText(const MatingStudy& study, const MatedTrial& trial) {
   std::string text = ErrorStatesText(trial.number, end.recovered, "drew back");
   text += ErrorStatesText(trial.number, end.ignored, "went on");
   if (!trial.seated) {
-    text += fmt::format("  trial {}: {}: {}{}{}\n", trial.number, execution::Name(end.outcome),
+    text += fmt::format("  trial {}: {}: {}{}{}\n", trial.number, NameOfEnd(end.outcome),
                         end.reason, HoldingText(end.holding), RecognizedText(end.recognized));
   }
   if (!Matches(trial)) {
@@ -245,7 +245,7 @@ Json ErrorStatesJson(const std::vector<execution::ErrorState>& states,
   Json json = Json::array();
   for (const execution::ErrorState& state : states) {
     json.push_back({{"motion", state.motion + 1},
-                    {"end", execution::Name(state.outcome)},
+                    {"end", NameOfEnd(state.outcome)},
                     {"reason", state.reason},
                     {"holding", HoldingJson(state.holding)},
                     {"recognized", RecognizedJson(state.recognized, sequence)}});
@@ -259,7 +259,7 @@ Json MatedTrialJson(const MatingStudy& study, const MatedTrial& trial) {
           {"redrawn", trial.redrawn},
           {"covered", study.Covers(trial)},
           {"seated", trial.seated},
-          {"end", execution::Name(trial.result.end.outcome)},
+          {"end", NameOfEnd(trial.result.end.outcome)},
           {"reason", trial.result.end.reason},
           {"holding", HoldingJson(trial.result.end.holding)},
           {"recognized", RecognizedJson(trial.result.end.recognized, *trial.sequence)},

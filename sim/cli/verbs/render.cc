@@ -30,13 +30,14 @@ struct Options {
 };
 
 Json ToJson(const Film& film, const execution::ExecutionEnd& end) {
-  return {{"pictures", film.FileNames()}, {"outcome", end.OutcomeName()}, {"reason", end.reason}};
+  return {
+      {"pictures", film.FileNames()}, {"outcome", NameOfEnd(end.outcome)}, {"reason", end.reason}};
 }
 
 std::string ForPeople(const Film& film, const execution::ExecutionEnd& end) {
   std::string text = fmt::format("{}\n", fmt::join(film.FileNames(), "\n"));
   if (end.outcome != execution::TrialOutcome::kSucceeded) {
-    text += fmt::format("the execution ended early: {}: {}\n", end.OutcomeName(), end.reason);
+    text += fmt::format("the execution ended early: {}: {}\n", NameOfEnd(end.outcome), end.reason);
   }
   return text;
 }

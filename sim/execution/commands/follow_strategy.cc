@@ -6,26 +6,9 @@
 namespace assay::execution {
 namespace {
 
-// Returns the executor's outcome for an outcome of the mating. Details that only the mating has are
-// in the reason.
-TrialOutcome TrialOutcomeOf(MatingOutcome outcome) {
-  switch (outcome) {
-    case MatingOutcome::kDone:
-      return TrialOutcome::kSucceeded;
-    case MatingOutcome::kJammed:
-    case MatingOutcome::kWedged:
-    case MatingOutcome::kWrongContact:
-    case MatingOutcome::kTimeout:
-    case MatingOutcome::kDropped:
-      return TrialOutcome::kOperatorCalled;
-    case MatingOutcome::kOverload:
-      return TrialOutcome::kOverload;
-    case MatingOutcome::kUnreachable:
-      return TrialOutcome::kUnreachable;
-    case MatingOutcome::kEngineWarning:
-      return TrialOutcome::kEngineWarning;
-  }
-  return TrialOutcome::kOperatorCalled;
+// Returns whether the mating came to an error state that its strategy could not leave.
+bool IsErrorState(TrialOutcome outcome) {
+  return TrialOutcome::kJammed <= outcome && outcome <= TrialOutcome::kDropped;
 }
 
 }  // namespace
@@ -39,12 +22,12 @@ Progress Run(const FollowStrategy& follow, std::span<const Command>, Execution& 
   execution.LimitForce(usual_limit);
   // The servos, which were soft, are stiff again.
   execution.TakeStock();
-  if (end.outcome == MatingOutcome::kDone && !execution.IsInHand()) {
-    end.outcome = MatingOutcome::kDropped;
+  if (end.outcome == TrialOutcome::kSucceeded && !execution.IsInHand()) {
+    end.outcome = TrialOutcome::kDropped;
     end.reason = "the part is no longer in the hand";
   }
-  if (end.outcome == MatingOutcome::kDone) return std::nullopt;
-  return Failure{TrialOutcomeOf(end.outcome),
+  if (end.outcome == TrialOutcome::kSucceeded) return std::nullopt;
+  return Failure{IsErrorState(end.outcome) ? TrialOutcome::kOperatorCalled : end.outcome,
                  fmt::format("{}: {}", Name(end.outcome), end.reason)};
 }
 

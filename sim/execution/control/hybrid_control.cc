@@ -15,19 +15,12 @@ constexpr double kStalled = 0.3;       // seconds without progress along a crevi
 constexpr double kCreviceEnd = 0.002;  // metres to which the end of a crevice is known
 constexpr double kNoWay = 1e-9;        // metres or radians; shorter ways are none
 
-bool CanBeLeft(MatingOutcome error) {
-  return error == MatingOutcome::kJammed || error == MatingOutcome::kWrongContact ||
-         error == MatingOutcome::kTimeout;
+bool CanBeLeft(TrialOutcome error) {
+  return error == TrialOutcome::kJammed || error == TrialOutcome::kWrongContact ||
+         error == TrialOutcome::kTimeout;
 }
 
 }  // namespace
-
-MatingOutcome OutcomeOf(TrialOutcome outcome) {
-  if (outcome == TrialOutcome::kSucceeded) return MatingOutcome::kDone;
-  if (outcome == TrialOutcome::kOverload) return MatingOutcome::kOverload;
-  if (outcome == TrialOutcome::kEngineWarning) return MatingOutcome::kEngineWarning;
-  return MatingOutcome::kUnreachable;
-}
 
 bool LetsGo(const plan::Strategy& strategy, std::size_t motion) {
   if (motion == 0) return false;
@@ -46,19 +39,21 @@ HybridControl::HybridControl(const plan::Strategy& strategy, PartId fixed, const
       law_(law),
       execution_(execution),
       fixed_(fixed),
-      arm_(execution, fixed, strategy.X_HeldTip, law) {}
+      arm_(execution, fixed, strategy.X_HeldTip, law),
+      contacts_(strategy),
+      correction_(strategy, contacts_, arm_) {}
 
 StrategyEnd HybridControl::Run(const MotionObserver& observer) {
   observer_ = observer;
   StrategyEnd end;
   for (attempt_ = 1;; ++attempt_) {
-    X_TipTool_ = arm_.X_TipTool();
+    correction_.BeginAttempt();
     Ended error = RunOnce();
     end.ignored = ignored_;
     in_doubt_ = true;
     if (!error) return end;
     if (attempt_ < law_.attempts && CanBeLeft(error->outcome)) {
-      LearnFrom(*error);
+      correction_.LearnError(*error);
       end.recovered.push_back(*std::move(error));
       error = DrawBack();
       if (!error) continue;
@@ -94,16 +89,10 @@ void HybridControl::Record(const ErrorState& end) {
 }
 
 ErrorState HybridControl::Passed() const {
-  ErrorState passed = Error(MatingOutcome::kDone, {});
+  ErrorState passed = Error(TrialOutcome::kSucceeded, {});
   if (!ignored_.empty() && ignored_.back().motion == motion_)
     passed.recognized = ignored_.back().recognized;
   return passed;
-}
-
-plan::Strategy HybridControl::Found() const {
-  plan::Strategy found = strategy_;
-  for (plan::StrategyContact& contact : found.contacts) contact.at += Beside(contact);
-  return found;
 }
 
 // Returns the unwanted contact that the forces show. After an ignored error state, the arm is not
@@ -111,20 +100,20 @@ plan::Strategy HybridControl::Found() const {
 std::optional<RecognizedContact> HybridControl::Recognized(
     const plan::StrategyMotion& motion) const {
   if (!ignored_.empty()) return ignored_.front().recognized;
-  const auto error = Recognize(Found(), motion, felt_.wrench);
+  const auto error = Recognize(contacts_.Strategy(), motion, felt_.wrench);
   if (!error) return std::nullopt;
   return Named(*error, felt_.time);
 }
 
 RecognizedContact HybridControl::Named(const plan::UnwantedContact& unwanted, double time) const {
-  return {Planned(unwanted.contact).name, unwanted.is_loss, time};
+  return {contacts_.Planned(unwanted.contact).name, unwanted.is_loss, time};
 }
 
 HybridControl::Ended HybridControl::CheckState(const plan::StrategyMotion& motion) {
-  const plan::Strategy found = Found();
+  const plan::Strategy found = contacts_.Strategy();
   if (IsAsPlanned(found, motion, felt_.wrench)) return std::nullopt;
   ErrorState wrong =
-      Error(MatingOutcome::kWrongContact, "forces that no contacts of the plan explain");
+      Error(TrialOutcome::kWrongContact, "forces that no contacts of the plan explain");
   // Two wrenches are examined, because other contacts may have been made after the contact that
   // ended the motion.
   for (const Feeling& felt : {first_felt_, felt_}) {
@@ -150,16 +139,16 @@ HybridControl::Ended HybridControl::DrawBack() {
   while (out.dot(arm_.MeasuredTip().translation() - start) < kAbove) {
     if (Ended error = Step({.yielding = up + YieldingAcross(up)})) return error;
     if (arm_.wrench().head<3>().dot(-out) > law_.obstructing_force)
-      return Error(MatingOutcome::kWedged, "the arm cannot draw the part back");
+      return Error(TrialOutcome::kWedged, "the arm cannot draw the part back");
   }
   arm_.TakeStock();
   X_FixedStart.translation() = start + kAbove * out;
-  if (Ended error =
-          MoveAlong(WayTo(X_FixedStart, {law_.free_speed, law_.turning_speed}), Pressed({})))
+  if (Ended error = MoveAlong(WayTo(X_FixedStart, {law_.free_speed, law_.turning_speed}),
+                              contacts_.Pressed({})))
     return error;
   X_FixedStart.translation() = start;
   return MoveAlong(WayTo(X_FixedStart, {law_.contact_speed, law_.contact_turning_speed}),
-                   Pressed({}));
+                   contacts_.Pressed({}));
 }
 
 // Returns the direction opposite to the last motion.
@@ -191,31 +180,6 @@ double HybridControl::NextRate(const Way& way, double rate, double left) const {
   return std::min({way.rate, rate + way.acceleration * dt, braking});
 }
 
-PressedContacts HybridControl::Pressed(std::span<const int> contacts) const {
-  std::vector<plan::StrategyContact> pressed;
-  for (const int index : contacts) {
-    pressed.push_back(Planned(index));
-    pressed.back().at += Beside(pressed.back());
-  }
-  return PressedContacts(pressed);
-}
-
-const plan::StrategyContact& HybridControl::Planned(int contact) const {
-  return strategy_.contacts[static_cast<std::size_t>(contact)];
-}
-
-Vector3 HybridControl::Beside(const plan::StrategyContact& planned) const {
-  const auto found = beside_.find(planned.name);
-  return found == beside_.end() ? Vector3::Zero() : found->second;
-}
-
-void HybridControl::Remember(std::span<const int> contacts, const PressedContacts& pressed) {
-  for (std::size_t i = 0; i < contacts.size(); ++i) {
-    const auto& planned = Planned(contacts[i]);
-    beside_[planned.name] = pressed.contacts()[i].at - planned.at;
-  }
-}
-
 HybridControl::Ended HybridControl::RunMotion(std::size_t index) {
   const plan::StrategyMotion& motion = strategy_.motions[index];
   // The commanded pose of a part that presses on a contact is beyond the contact.
@@ -225,10 +189,10 @@ HybridControl::Ended HybridControl::RunMotion(std::size_t index) {
   const Way way = WayTo(motion.X_FixedTip, SpeedOf(motion));
   if (motion.slides) return Slide(way);
   if (motion.until) return MoveUntil(motion, way);
-  const PressedContacts kept = Pressed(motion.kept);
+  const PressedContacts kept = contacts_.Pressed(motion.kept);
   if (Ended error = MoveAlong(way, kept)) return error;
   if (Ended error = CheckState(motion)) return error;
-  Believe(kept, motion.X_FixedTip);
+  correction_.LearnKept(kept, motion.X_FixedTip);
   return std::nullopt;
 }
 
@@ -249,7 +213,7 @@ HybridControl::Ended HybridControl::MoveAlong(const Way& way, const PressedConta
 // greater than they should be. Later attempts therefore go farther.
 HybridControl::Ended HybridControl::MoveUntil(const plan::StrategyMotion& motion, const Way& way) {
   const std::vector<int> after = plan::ContactsAfter(motion);
-  PressedContacts kept = Pressed(motion.kept);
+  PressedContacts kept = contacts_.Pressed(motion.kept);
   AwaitedContact awaited(static_cast<int>(motion.kept.size()), SeemingForce(motion, kept, way),
                          law_);
   const double dt = arm_.timestep();
@@ -259,19 +223,19 @@ HybridControl::Ended HybridControl::MoveUntil(const plan::StrategyMotion& motion
   for (double waited = 0; waited < law_.settling;) {
     rate = gone < latest ? NextRate(way.At(awaited.Pace()), rate, latest - gone) : 0;
     if (Ended error = Step(Hybrid(kept, rate * way.twist))) return error;
-    const PressedContacts touched = Pressed(after);
+    const PressedContacts touched = contacts_.Pressed(after);
     awaited.Feel(touched.Forces(arm_.wrench()), dt);
     if (awaited.IsMade()) return Make(motion, way, rate, kept);
     if (Ended error = CheckObstruction(touched)) return error;
     if (awaited.IsApart()) {
       kept.Locate(arm_.wrench(), std::min(1.0, dt / law_.location_filter));
-      Remember(motion.kept, kept);
+      contacts_.Remember(motion.kept, kept);
     }
     gone += dt * rate;
     if (rate == 0) waited += dt;
   }
-  return Error(MatingOutcome::kTimeout,
-               fmt::format("no contact of {}", Planned(*motion.until).name));
+  return Error(TrialOutcome::kTimeout,
+               fmt::format("no contact of {}", contacts_.Planned(*motion.until).name));
 }
 
 // Kept contacts may slide toward the awaited one. Their friction then is a force that the awaited
@@ -287,7 +251,7 @@ double HybridControl::SeemingForce(const plan::StrategyMotion& motion, const Pre
         law_.pressing_force * (contact.normal - strategy_.friction * along.normalized());
     wrench += Joined(force, contact.at.cross(force));
   }
-  const double seeming = Pressed(plan::ContactsAfter(motion)).Forces(wrench).tail<1>()[0];
+  const double seeming = contacts_.Pressed(plan::ContactsAfter(motion)).Forces(wrench).tail<1>()[0];
   return kRipple * std::max(0.0, seeming);
 }
 
@@ -295,10 +259,10 @@ HybridControl::Ended HybridControl::Make(const plan::StrategyMotion& motion, con
                                          double rate, const PressedContacts& kept) {
   first_felt_ = felt_;
   if (Ended error = Brake(Hybrid(kept, rate * way.twist))) return error;
-  if (Ended error = Settle(Pressed(plan::ContactsAfter(motion)))) return error;
+  if (Ended error = Settle(contacts_.Pressed(plan::ContactsAfter(motion)))) return error;
   if (Ended error = CheckState(motion)) return error;
-  Believe(kept, motion.X_FixedTip);
-  BelieveMade(*motion.until, motion.X_FixedTip, Hybrid(kept, way.twist).planned);
+  correction_.LearnKept(kept, motion.X_FixedTip);
+  correction_.LearnMade(*motion.until, motion.X_FixedTip, Hybrid(kept, way.twist).planned);
   return std::nullopt;
 }
 
@@ -306,7 +270,7 @@ HybridControl::Ended HybridControl::CheckObstruction(const PressedContacts& cont
   const double force = contacts.Unexplained(arm_.wrench());
   obstructed_ = force > law_.obstructing_force ? obstructed_ + arm_.timestep() : 0;
   if (obstructed_ <= law_.obstruction_duration) return std::nullopt;
-  return Error(MatingOutcome::kWrongContact,
+  return Error(TrialOutcome::kWrongContact,
                fmt::format("{:.0f} N that no contact of the plan explains", force));
 }
 
@@ -338,14 +302,14 @@ HybridControl::Ended HybridControl::Slide(const Way& way) {
 HybridControl::Ended HybridControl::Stuck(const Vector6& direction, double left) {
   constexpr double kBack = 0.002;  // metres to draw back
   ErrorState stuck =
-      Error(MatingOutcome::kJammed, fmt::format("stuck {:.1f} mm before its end", 1e3 * left));
+      Error(TrialOutcome::kJammed, fmt::format("stuck {:.1f} mm before its end", 1e3 * left));
   stuck.holding = TrueHolding(execution_, fixed_, strategy_.X_HeldTip,
                               direction.head<3>().normalized(), strategy_.length);
   const double dt = arm_.timestep();
   for (double gone = 0; gone < kBack; gone += dt * law_.contact_speed) {
     if (Ended error = Step({.yielding = -law_.contact_speed * direction})) return error;
     if (direction.dot(arm_.wrench()) > law_.obstructing_force) {
-      stuck.outcome = MatingOutcome::kWedged;
+      stuck.outcome = TrialOutcome::kWedged;
       break;
     }
   }
@@ -355,7 +319,7 @@ HybridControl::Ended HybridControl::Stuck(const Vector6& direction, double left)
 // Returns how much farther the part may go until the contact is pressed, as a multiple of the way.
 // The parts may be a little farther apart than errors explain.
 double HybridControl::Slack(int contact, const Way& way) const {
-  const auto& awaited = Planned(contact);
+  const auto& awaited = contacts_.Planned(contact);
   const Vector6 row = Joined(awaited.normal, awaited.at.cross(awaited.normal));
   return law_.slack / std::max(law_.slack, -row.dot(way.twist));
 }
@@ -405,63 +369,8 @@ Vector6 HybridControl::YieldingAcross(const Vector6& direction) const {
   return across(law_.relaxation * arm_.compliance() * across(arm_.wrench()));
 }
 
-void HybridControl::Believe(const PressedContacts& kept, const Pose& X_FixedTip) {
-  const Vector6 off = TwistBetween(X_FixedTip, arm_.MeasuredTip());
-  arm_.Correct(-kept.Opening(kept.rows() * off));
-}
-
-// Corrects the believed pose of the tip along the way on which the contact was made. The contact
-// shows how far the tip had really come on this way.
-void HybridControl::BelieveMade(int contact, const Pose& X_FixedTip, const Vector6& along) {
-  const auto& made = Planned(contact);
-  const Vector6 row = Joined(made.normal, made.at.cross(made.normal));
-  arm_.Correct(-row.dot(TwistBetween(X_FixedTip, arm_.MeasuredTip())) / row.dot(along) * along);
-}
-
-// Returns the unwanted contact of the error state. If the awaited contact has not come and forces
-// show nothing else, it is the loss of that contact.
-const plan::UnwantedContact* HybridControl::UnwantedIn(const ErrorState& error) const {
-  const plan::StrategyMotion& motion = strategy_.motions[static_cast<std::size_t>(error.motion)];
-  const auto is_it = [&](const plan::UnwantedContact& unwanted) {
-    if (const auto& recognized = error.recognized)
-      return Planned(unwanted.contact).name == recognized->name &&
-             unwanted.is_loss == recognized->is_loss;
-    return error.outcome == MatingOutcome::kTimeout && unwanted.contact == motion.until;
-  };
-  const auto found = std::ranges::find_if(motion.unwanted, is_it);
-  return found == motion.unwanted.end() ? nullptr : &*found;
-}
-
-void HybridControl::LearnFrom(const ErrorState& error) {
-  const plan::UnwantedContact* unwanted = UnwantedIn(error);
-  if (unwanted == nullptr) return;
-  if (unwanted->likely) BelieveLikely(*unwanted->likely);
-  if (!unwanted->is_loss)
-    BelieveUnwanted(strategy_.motions[static_cast<std::size_t>(error.motion)], *unwanted);
-}
-
-// Corrects the believed pose by the likely errors. They refer to the believed pose at the start of
-// the attempt, which has turned with the hand since.
-void HybridControl::BelieveLikely(const plan::TipError& likely) {
-  arm_.Believe(X_TipTool_);
-  const geometry::Matrix3 turn =
-      arm_.MeasuredTip().linear() * strategy_.X_FixedStart.linear().transpose();
-  arm_.Correct(Joined(turn * likely.d, turn * likely.w));
-}
-
-void HybridControl::BelieveUnwanted(const plan::StrategyMotion& motion,
-                                    const plan::UnwantedContact& unwanted) {
-  const PressedContacts touching = Pressed(plan::ContactsInError(motion, unwanted));
-  Eigen::VectorXd gaps =
-      // The gaps at the believed pose.
-      touching.rows() * TwistBetween(motion.X_FixedTip, arm_.MeasuredTip());
-  gaps.tail<1>()[0] += unwanted.gap;
-  arm_.Correct(-touching.Opening(gaps));
-}
-
 HybridControl::Ended HybridControl::Step(const TipMotion& motion) {
-  if (Progress failure = arm_.Step(motion))
-    return Error(OutcomeOf(failure->outcome), failure->reason);
+  if (Progress failure = arm_.Step(motion)) return Error(failure->outcome, failure->reason);
   felt_.wrench +=
       std::min(1.0, arm_.timestep() / law_.recognition_filter) * (arm_.wrench() - felt_.wrench);
   felt_.time = arm_.data().time();
@@ -469,7 +378,7 @@ HybridControl::Ended HybridControl::Step(const TipMotion& motion) {
   return std::nullopt;
 }
 
-ErrorState HybridControl::Error(MatingOutcome outcome, std::string reason) const {
+ErrorState HybridControl::Error(TrialOutcome outcome, std::string reason) const {
   return {.outcome = outcome,
           .reason = fmt::format("motion {}: {}", motion_ + 1, reason),
           .motion = motion_,

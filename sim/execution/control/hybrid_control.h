@@ -1,47 +1,18 @@
 #pragma once
 
 #include <functional>
-#include <map>
 #include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "planner/plan/data/strategy.h"
-#include "sim/execution/control/holding.h"
-#include "sim/execution/control/mating_outcome.h"
-#include "sim/execution/control/pressed_contacts.h"
+#include "sim/execution/control/found_contacts.h"
 #include "sim/execution/control/recognition.h"
 #include "sim/execution/control/soft_arm.h"
+#include "sim/execution/control/strategy_end.h"
+#include "sim/execution/control/tip_correction.h"
 
 namespace assay::execution {
-
-MatingOutcome OutcomeOf(TrialOutcome outcome);
-
-// A contact state that the plan does not have, or from which its motion cannot go on.
-struct ErrorState {
-  MatingOutcome outcome = MatingOutcome::kDone;
-  std::string reason = {};
-  int motion = 0;  // index of the motion in which it occurred
-  // Missing if the plan does not know this error state.
-  std::optional<RecognizedContact> recognized = {};
-  double time = 0;  // when it occurred, simulated seconds
-  // The way in which a stuck part is held by the contacts that the engine has at that time. Control
-  // does not know these contacts.
-  std::optional<Holding> holding = {};
-};
-
-struct StrategyEnd {
-  MatingOutcome outcome = MatingOutcome::kDone;
-  std::string reason = {};                 // empty if the strategy is done
-  int motion = 0;                          // index of the motion in which it ended
-  std::vector<ErrorState> recovered = {};  // error states that the arm left again
-  // Error states of the last attempt, in which the arm went on.
-  std::vector<ErrorState> ignored = {};
-  std::optional<RecognizedContact> recognized = {};
-  double time = 0;  // when it ended, simulated seconds
-  std::optional<Holding> holding = {};
-};
 
 // Called after each timestep with the simulation and the index of the motion.
 using MotionObserver = std::function<void(const mujoco::Data&, int)>;
@@ -93,9 +64,7 @@ class HybridControl {
 
   Ended RunOnce();
   void Record(const ErrorState& end);
-  ErrorState Passed() const;  // returns kDone, with the recognized error state if any
-  // Returns the strategy with its contacts where they were found.
-  plan::Strategy Found() const;
+  ErrorState Passed() const;  // returns success, with the recognized error state if any
   std::optional<RecognizedContact> Recognized(const plan::StrategyMotion& motion) const;
   RecognizedContact Named(const plan::UnwantedContact& unwanted, double time) const;
   // Checks that the wrench after the motion can come from the planned contact state.
@@ -113,11 +82,6 @@ class HybridControl {
   Speed SpeedOf(const plan::StrategyMotion& motion) const;
   // Returns the rate of the next timestep, if the fraction `left` of the way is left.
   double NextRate(const Way& way, double rate, double left) const;
-  const plan::StrategyContact& Planned(int contact) const;
-  // Returns the contacts where they were found.
-  PressedContacts Pressed(std::span<const int> contacts) const;
-  Vector3 Beside(const plan::StrategyContact& planned) const;
-  void Remember(std::span<const int> contacts, const PressedContacts& pressed);
 
   Ended RunMotion(std::size_t index);
   Ended MoveAlong(const Way& way, const PressedContacts& kept);
@@ -144,29 +108,16 @@ class HybridControl {
   // Returns an error state if forces that contacts do not explain last longer than an impact.
   Ended CheckObstruction(const PressedContacts& contacts);
 
-  // Correct the believed pose of the tip from contacts, which show it better than the hand does.
-  // After a motion, kept contacts are where the plan has them. A contact that was made on the way
-  // `along` is there too.
-  void Believe(const PressedContacts& kept, const Pose& X_FixedTip);
-  void BelieveMade(int contact, const Pose& X_FixedTip, const Vector6& along);
-  // Corrects the believed pose of the tip from an error state. The tip is near the mean of the
-  // errors that lead to that state, and the touching contacts touch.
-  void LearnFrom(const ErrorState& error);
-  const plan::UnwantedContact* UnwantedIn(const ErrorState& error) const;  // null if none is known
-  void BelieveLikely(const plan::TipError& likely);
-  void BelieveUnwanted(const plan::StrategyMotion& motion, const plan::UnwantedContact& unwanted);
-
-  ErrorState Error(MatingOutcome outcome, std::string reason) const;
+  ErrorState Error(TrialOutcome outcome, std::string reason) const;
 
   const plan::Strategy& strategy_;
   const ControlLaw& law_;
   Execution& execution_;
   PartId fixed_;
   SoftArm arm_;
+  FoundContacts contacts_;
+  TipCorrection correction_;
   MotionObserver observer_;
-  Pose X_TipTool_;  // the tip's believed pose in the hand at the start of the attempt
-  // The contacts' distances from their planned places, by name.
-  std::map<std::string, Vector3> beside_;
   double obstructed_ = 0;            // seconds of obstruction without interruption
   std::vector<ErrorState> ignored_;  // error states of the last attempt, as in StrategyEnd
   // There was an error state, so anything may be hit. Nothing is then faster than a motion to a

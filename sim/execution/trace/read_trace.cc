@@ -40,6 +40,11 @@ Value Named(const std::string& name, Value last) {
   throw std::invalid_argument(fmt::format("'{}' is unknown", name));
 }
 
+TrialOutcome OutcomeNamed(const std::string& name) {
+  return name == NameOfEnd(TrialOutcome::kSucceeded) ? TrialOutcome::kSucceeded
+                                                     : Named(name, TrialOutcome::kDropped);
+}
+
 domain::RecoveryStrategy StrategyNamed(const std::string& name) {
   const std::vector<std::string> names = domain::RecoveryStrategyNames();
   const auto found = std::ranges::find(names, name);
@@ -142,7 +147,7 @@ class TraceParser {
                         .step = plan::StepId(line.at("step").get<int>()),
                         .motion = line.at("motion").get<int>() - 1,
                         .attempt = line.at("attempt"),
-                        .outcome = Named(line.at("outcome"), MatingOutcome::kEngineWarning)};
+                        .outcome = OutcomeNamed(line.at("outcome"))};
     const TraceLine& recognized = line.at("recognized");
     if (!recognized.is_null()) {
       motion.recognized =
@@ -186,9 +191,7 @@ class TraceParser {
     return rest;
   }
   ExecutionEnd EndOf(const TraceLine& line) const {
-    const std::string name = line.at("outcome");
-    return {.outcome = name == "done" ? TrialOutcome::kSucceeded
-                                      : Named(name, TrialOutcome::kOperatorCalled),
+    return {.outcome = OutcomeNamed(line.at("outcome")),
             .reason = line.at("reason"),
             .moment = MomentOf(line),
             .steps = line.at("steps")};

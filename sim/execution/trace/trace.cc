@@ -66,7 +66,7 @@ class TraceWriter {
             {"step", motion.step.index()},
             {"motion", motion.motion + 1},
             {"attempt", motion.attempt},
-            {"outcome", execution::Name(motion.outcome)},
+            {"outcome", NameOfEnd(motion.outcome)},
             {"recognized", recognized}};
   }
   Json operator()(const Milestone& milestone) const {
@@ -113,7 +113,7 @@ class TraceWriter {
   }
   Json operator()(const ExecutionEnd& end) const {
     Json json = Of("end", end.moment);
-    json["outcome"] = end.OutcomeName();
+    json["outcome"] = NameOfEnd(end.outcome);
     json["reason"] = end.reason;
     json["steps"] = end.steps;
     return json;
@@ -164,10 +164,6 @@ std::string_view Name(Stage stage) {
   }
   ASSAY_CHECK(false, "a stage that the switch does not know");
   return {};
-}
-
-std::string_view ExecutionEnd::OutcomeName() const {
-  return outcome == TrialOutcome::kSucceeded ? "done" : Name(outcome);
 }
 
 void WriteTrace(const Trace& trace, std::ostream& out) {

@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "planner/plan/data/plan.h"
-#include "sim/execution/control/mating_outcome.h"
 #include "sim/execution/robots/world_model.h"
 #include "sim/execution/trial/trial_outcome.h"
 #include "sim/scene/scene.h"
@@ -89,9 +88,9 @@ struct MotionRecord {
   plan::StepId step;
   int motion = 0;   // index of the motion in the strategy
   int attempt = 1;  // number of the attempt at the strategy, from 1
-  MatingOutcome outcome = MatingOutcome::kDone;
+  TrialOutcome outcome = TrialOutcome::kSucceeded;
   // The contact or loss that caused the error state. Missing if there was no error state, or if the
-  // plan does not know the error state. If the outcome is kDone, this error state was ignored in
+  // plan does not know the error state. If the motion succeeded, this error state was ignored in
   // the last attempt.
   std::optional<RecognizedContact> recognized = {};
 };
@@ -163,9 +162,6 @@ struct ExecutionEnd {
   std::string reason = {};  // empty if every command was executed
   Snapshot moment;
   std::int64_t steps = 0;  // number of the engine's steps
-
-  // Returns the outcome's name in files: "done" if every command was executed.
-  std::string_view OutcomeName() const;
 };
 
 using TraceEvent = std::variant<Sample, GraspFact, LookRecord, GuardRecord, MotionRecord, Milestone,

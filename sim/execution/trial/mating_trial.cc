@@ -74,8 +74,8 @@ class Trial {
 
   MatingResult Result(StrategyEnd end) const {
     const bool was_taken = !execution_.world().held().IsNone();
-    if (end.outcome != MatingOutcome::kEngineWarning && was_taken && !execution_.IsInHand())
-      end.outcome = MatingOutcome::kDropped;
+    if (end.outcome != TrialOutcome::kEngineWarning && was_taken && !execution_.IsInHand())
+      end.outcome = TrialOutcome::kDropped;
     return {.end = std::move(end),
             .duration = data_.time(),
             .greatest_force = execution_.greatest_force(),
@@ -113,7 +113,7 @@ MatingResult RunMatingTrial(const domain::Problem& problem, const scene::Scene& 
   Trial trial(problem, scene, setting, options);
   if (const Progress failure =
           trial.Poise(trial.X_WorldFixed() * strategy.X_FixedStart * X_TipToolOf(setting))) {
-    return trial.Result({OutcomeOf(failure->outcome), failure->reason});
+    return trial.Result({failure->outcome, failure->reason});
   }
   HybridControl control(strategy, problem.mating(setting.mating).fixed, options.law,
                         trial.execution());
@@ -134,13 +134,13 @@ MatingResult RunStraightMating(const domain::Problem& problem, const scene::Scen
   const auto& advance = std::get<MoveStraight>(commands.advance.back());
   Progress failure = trial.Poise(start.X_WorldTool);
   if (!failure) failure = Run(advance, {}, execution);
-  if (failure) return trial.Result({OutcomeOf(failure->outcome), failure->reason});
+  if (failure) return trial.Result({failure->outcome, failure->reason});
   MatingResult result = trial.Result({});
   const domain::Mating& mating = problem.mating(setting.mating);
   const Vector3 short_by = mating.X_FixedHeld.translation() - result.X_FixedHeld.translation();
   if (std::abs(short_by.dot(mating.mating_vector.normalized())) > kSeated) {
     const plan::Strategy usual;
-    result.end = {.outcome = MatingOutcome::kWrongContact, .reason = "resistance before the seat"};
+    result.end = {.outcome = TrialOutcome::kWrongContact, .reason = "resistance before the seat"};
     result.end.holding = TrueHolding(execution, mating.fixed, setting.X_HeldTip,
                                      mating.mating_vector.normalized(), usual.length);
   }

@@ -4,7 +4,7 @@
 
 namespace assay::execution {
 
-// The outcome of executing a plan or a plan tree.
+// The outcome of executing a plan, a plan tree, or the strategy of a mating.
 enum class TrialOutcome {
   kSucceeded,  // the execution came to its end; of a judged trial: and every goal holds
 
@@ -14,6 +14,13 @@ enum class TrialOutcome {
   kEngineWarning,   // the engine's numbers cannot be trusted, so the trial proves nothing
   kNotFound,        // a sensor did not see the part that it was to find
   kOperatorCalled,  // a person takes over: the plan says so, or no recovery mended an error
+
+  // A mating did not come to its end, as far as the arm can detect it. A plan then calls a person.
+  kJammed,        // the part stopped short of its end, and is free without the push
+  kWedged,        // the part stopped short of its end, and cannot be drawn back either
+  kWrongContact,  // something touched that should not touch
+  kTimeout,       // the contact that should end a motion did not come
+  kDropped,       // the part is no longer in the hand
 
   // A tree was not walked to a leaf.
   kStopped,    // a skill could not be done
@@ -34,5 +41,7 @@ enum class TrialOutcome {
   kMissed,       // the goal of a tree is not true
 };
 std::string_view Name(TrialOutcome outcome);  // "grasp-failed"
+// Returns the name of the end of an execution that is not judged: "done" if it succeeded.
+std::string_view NameOfEnd(TrialOutcome outcome);
 
 }  // namespace assay::execution

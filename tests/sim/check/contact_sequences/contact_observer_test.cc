@@ -161,7 +161,7 @@ TEST(ContactObserver, SeesThePlannedContactsWithoutErrors) {
   options.observer = std::ref(observer);
   const execution::MatingResult result =
       execution::RunMatingTrial(Square(), scene, setting, strategy, options);
-  EXPECT_EQ(result.end.outcome, execution::MatingOutcome::kDone) << result.end.reason;
+  EXPECT_EQ(result.end.outcome, execution::TrialOutcome::kSucceeded) << result.end.reason;
 
   EXPECT_GT(observer.seen().points, 20);
   EXPECT_EQ(observer.seen().unmapped, 0) << observer.seen().first_unmapped;

@@ -5,7 +5,7 @@
 namespace assay::check::error_recognition_test {
 namespace {
 
-using execution::MatingOutcome;
+using execution::TrialOutcome;
 using finemotion::ContactKind;
 
 const ContactKey kWall = {ContactKind::kVertexFace, 3, 1};
@@ -29,7 +29,7 @@ execution::RecognizedContact Lost(const ContactKey& key, double time) {
 
 execution::ErrorState State(int motion,
                             std::optional<execution::RecognizedContact> recognized = {}) {
-  return {.outcome = MatingOutcome::kWrongContact, .motion = motion, .recognized = recognized};
+  return {.outcome = TrialOutcome::kWrongContact, .motion = motion, .recognized = recognized};
 }
 
 TEST(ErrorRecognition, IsRightIfTheContactWasThere) {
@@ -52,7 +52,7 @@ TEST(ErrorRecognition, EveryErrorStateOfATrialCounts) {
   EXPECT_EQ(tally.states, Recognition{}) << "it was done at the first attempt";
   EXPECT_EQ(tally.unwanted, (Recognition{.errors = 1})) << "though something touched";
   end.recovered = {State(0), State(1, Made(kRim, 2.5))};
-  end.outcome = MatingOutcome::kWrongContact;
+  end.outcome = TrialOutcome::kWrongContact;
   end.motion = 1;
   end.recognized = Made(kWall, 2.5);
   Count(end, Spans(), true, tally);
@@ -64,7 +64,7 @@ TEST(ErrorRecognition, EveryErrorStateOfATrialCounts) {
 
 TEST(ErrorRecognition, TheWayInTheCreviceIsLeftOut) {
   execution::StrategyEnd end;
-  end.outcome = MatingOutcome::kJammed;
+  end.outcome = TrialOutcome::kJammed;
   end.motion = 3;
   RecognitionTally tally;
   Count(end, Spans(), false, tally);
@@ -75,7 +75,7 @@ TEST(ErrorRecognition, TheWayInTheCreviceIsLeftOut) {
 TEST(ErrorRecognition, WhatWasIgnoredCountsOnce) {
   execution::StrategyEnd end;
   end.ignored = {State(0, Made(kWall, 1.2))};
-  end.outcome = MatingOutcome::kTimeout;
+  end.outcome = TrialOutcome::kTimeout;
   end.motion = 1;
   end.recognized = end.ignored[0].recognized;
   RecognitionTally tally;

@@ -57,7 +57,7 @@ Trace OneOfEach() {
                                .step = plan::StepId(1),
                                .motion = 3,
                                .attempt = 2,
-                               .outcome = MatingOutcome::kWrongContact,
+                               .outcome = TrialOutcome::kWrongContact,
                                .recognized = RecognizedContact{"vertex 8 on face 6", false}};
   return {.problem = "test",
           .parts = {"peg"},
@@ -113,9 +113,10 @@ TEST_F(TraceSchema, HasEveryOutcomeAndStage) {
     std::get<ExecutionEnd>(trace.events.back()).outcome = static_cast<TrialOutcome>(i);
     EXPECT_THAT(schema_.Errors(Lines(trace).back()), IsEmpty());
   }
-  for (int i = 0; i <= static_cast<int>(MatingOutcome::kEngineWarning); ++i) {
-    trace.events = {
-        MotionRecord{.step = plan::StepId(0), .outcome = static_cast<MatingOutcome>(i)}};
+  using enum TrialOutcome;
+  for (const TrialOutcome outcome : {kSucceeded, kUnreachable, kOverload, kEngineWarning, kJammed,
+                                     kWedged, kWrongContact, kTimeout, kDropped}) {
+    trace.events = {MotionRecord{.step = plan::StepId(0), .outcome = outcome}};
     EXPECT_THAT(schema_.Errors(Lines(trace).back()), IsEmpty());
   }
   for (const Stage stage : {Stage::kPoised, Stage::kReached, Stage::kActed}) {

@@ -154,21 +154,21 @@ MatingResult Insert(const domain::Problem& problem, const scene::Scene& scene,
 
 TEST_F(MatingTrial, InsertsWithoutErrors) {
   const MatingResult result = Insert(problem(), scene(), Setting(kNone, kNone));
-  EXPECT_EQ(result.end.outcome, MatingOutcome::kDone) << result.end.reason;
+  EXPECT_EQ(result.end.outcome, TrialOutcome::kSucceeded) << result.end.reason;
   EXPECT_NEAR(Depth(result), 0, 1e-3);
 }
 
 TEST_F(MatingTrial, InsertsWithErrorsAtTheirBounds) {
   const Vector3 signs(-1, 1, 1);
   const MatingResult result = Insert(problem(), scene(), Setting(0.002 * signs, kDegree * signs));
-  EXPECT_EQ(result.end.outcome, MatingOutcome::kDone) << result.end.reason;
+  EXPECT_EQ(result.end.outcome, TrialOutcome::kSucceeded) << result.end.reason;
   EXPECT_NEAR(Depth(result), 0, 1e-3);
 }
 
 TEST_F(MatingTrial, AStraightLineDoesNotInsertWithSuchErrors) {
   const MatingSetting setting = Setting({0, 0.002, -0.002}, kNone);
   const MatingResult result = RunStraightMating(problem(), scene(), setting);
-  EXPECT_EQ(result.end.outcome, MatingOutcome::kWrongContact);
+  EXPECT_EQ(result.end.outcome, TrialOutcome::kWrongContact);
   EXPECT_GT(Depth(result), 0.05);
 }
 
@@ -180,7 +180,7 @@ TEST_F(MatingTrial, AContactThatDoesNotComeIsATimeout) {
   strategy.motions[0].X_FixedTip =
       geometry::Translation(0.003, 0, 0) * strategy.motions[0].X_FixedTip;
   const MatingResult result = RunMatingTrial(problem(), scene(), setting, strategy);
-  EXPECT_EQ(result.end.outcome, MatingOutcome::kTimeout);
+  EXPECT_EQ(result.end.outcome, TrialOutcome::kTimeout);
   EXPECT_EQ(result.end.motion, 0);
   EXPECT_LT(result.greatest_force, 10) << "it touched nothing: that is the part's own weight";
 }
@@ -192,8 +192,8 @@ TEST_F(MatingTrial, AnObstructedMotionStops) {
   strategy.motions[0].X_FixedTip =
       geometry::Translation(-0.02, 0, 0) * strategy.motions[0].X_FixedTip;
   const MatingResult result = RunMatingTrial(problem(), scene(), setting, strategy);
-  EXPECT_TRUE(result.end.outcome == MatingOutcome::kWrongContact ||
-              result.end.outcome == MatingOutcome::kOverload)
+  EXPECT_TRUE(result.end.outcome == TrialOutcome::kWrongContact ||
+              result.end.outcome == TrialOutcome::kOverload)
       << Name(result.end.outcome);
   EXPECT_GT(Depth(result), 0.06) << "it did not go through the block";
 }
@@ -204,13 +204,13 @@ TEST_F(MatingTrial, AContactThatIsTooFarAwayIsFoundAtTheSecondAttempt) {
   const MatingSetting setting = Setting({0.003, 0, 0}, kNone);
   const plan::Strategy strategy = ToTheFront(setting.X_HeldTip, 0.5).strategy();
   const MatingResult result = RunMatingTrial(problem(), scene(), setting, strategy);
-  EXPECT_EQ(result.end.outcome, MatingOutcome::kDone) << result.end.reason;
+  EXPECT_EQ(result.end.outcome, TrialOutcome::kSucceeded) << result.end.reason;
   ASSERT_EQ(result.end.recovered.size(), 1U);
-  EXPECT_EQ(result.end.recovered[0].outcome, MatingOutcome::kTimeout);
+  EXPECT_EQ(result.end.recovered[0].outcome, TrialOutcome::kTimeout);
   MatingTrialOptions once;
   once.law.attempts = 1;
   EXPECT_EQ(RunMatingTrial(problem(), scene(), setting, strategy, once).end.outcome,
-            MatingOutcome::kTimeout);
+            TrialOutcome::kTimeout);
 }
 
 // Records the contact points of the two parts at the last timestep in which they touch.
@@ -283,7 +283,7 @@ TEST_F(MatingTrial, TheContactThatItRunsIntoIsRecognized) {
     options.observer = [&](const mujoco::Data& data, int) { pressed(scene(), mating, data); };
     const MatingResult result = RunMatingTrial(problem(), scene(), setting, strategy, options);
     SCOPED_TRACE(testing::Message() << "trial " << trial << ": " << result.end.reason);
-    EXPECT_EQ(result.end.outcome, MatingOutcome::kWrongContact);
+    EXPECT_EQ(result.end.outcome, TrialOutcome::kWrongContact);
     ASSERT_TRUE(result.end.recognized);
     EXPECT_FALSE(result.end.recognized->is_loss);
     ASSERT_FALSE(pressed.points.empty());
@@ -324,7 +324,7 @@ TEST_F(MatingTrial, WhatErrorsAreLikelyLeadsOutOfAnErrorState) {
   const MatingSetting setting = Setting({0.001, 0.0045, 0.001}, kNone);
   plan::Strategy strategy = IntoTheCorner(setting.X_HeldTip);
   const MatingResult result = RunMatingTrial(problem(), scene(), setting, strategy);
-  EXPECT_EQ(result.end.outcome, MatingOutcome::kDone) << result.end.reason;
+  EXPECT_EQ(result.end.outcome, TrialOutcome::kSucceeded) << result.end.reason;
   ASSERT_EQ(result.end.recovered.size(), 1U);
   ASSERT_TRUE(result.end.recovered[0].recognized);
   const Vector3 off = (result.X_FixedHeld * setting.X_HeldTip).translation() -
@@ -334,7 +334,7 @@ TEST_F(MatingTrial, WhatErrorsAreLikelyLeadsOutOfAnErrorState) {
   EXPECT_NEAR(off.z(), 0.001, 3e-4) << "which nothing tells";
   strategy.motions[0].unwanted[0].likely.reset();
   const MatingResult without = RunMatingTrial(problem(), scene(), setting, strategy);
-  EXPECT_EQ(without.end.outcome, MatingOutcome::kWrongContact);
+  EXPECT_EQ(without.end.outcome, TrialOutcome::kWrongContact);
   EXPECT_EQ(without.end.recovered.size(), 2U) << "in all three attempts";
 }
 
@@ -360,7 +360,7 @@ TEST_F(MatingTrial, AnImpactIsAsHardAsItIsFast) {
     options.law.free_speed = speed;
     const MatingResult result =
         RunMatingTrial(problem(), scene(), setting, plan.strategy(), options);
-    EXPECT_EQ(result.end.outcome, MatingOutcome::kWrongContact) << result.end.reason;
+    EXPECT_EQ(result.end.outcome, TrialOutcome::kWrongContact) << result.end.reason;
     EXPECT_LT(result.greatest_force, options.law.impact * speed);
   }
 }
@@ -369,7 +369,7 @@ TEST_F(MatingTrial, BesideTheHoleItJams) {
   const MatingSetting setting = Setting(kNone, kNone);
   const MatingResult result =
       RunMatingTrial(problem(), scene(), setting, SlideOnly(setting.X_HeldTip, {0, 0, 0.005}));
-  EXPECT_EQ(result.end.outcome, MatingOutcome::kJammed) << result.end.reason;
+  EXPECT_EQ(result.end.outcome, TrialOutcome::kJammed) << result.end.reason;
   EXPECT_EQ(result.end.holding, Holding::kObstacle) << "it stands on the face";
   EXPECT_EQ(std::ssize(result.end.recovered), ControlLaw().attempts - 1)
       << "it was drawn back, and tried again";
@@ -393,15 +393,15 @@ TEST_F(MatingTrial, WedgesOnlyWithFriction) {
     const MatingResult result =
         RunMatingTrial(problem(), rough, setting, SlideOnly(setting.X_HeldTip, kNone), once);
     EXPECT_LT(result.greatest_force, ControlLaw().GreatestForce());
-    if (result.end.outcome == MatingOutcome::kWedged) {
+    if (result.end.outcome == TrialOutcome::kWedged) {
       EXPECT_EQ(result.end.holding, Holding::kWedge);
     }
     return result.end.outcome;
   };
   ASSERT_GT(1.5, 2 * ratio);
-  EXPECT_EQ(mate(1.5), MatingOutcome::kWedged);
+  EXPECT_EQ(mate(1.5), TrialOutcome::kWedged);
   ASSERT_LT(0.02, ratio / 2);
-  EXPECT_EQ(mate(0.02), MatingOutcome::kDone);
+  EXPECT_EQ(mate(0.02), TrialOutcome::kSucceeded);
 }
 
 // The whole end of the tip is 2 mm above the block's front and is not turned. Therefore only the
@@ -418,9 +418,9 @@ TEST_F(MatingTrial, WithPartsThatOverlapItCannotStart) {
       << "the arm is not as long as that";
 }
 
-bool IsErrorState(MatingOutcome outcome) {
-  return outcome == MatingOutcome::kJammed || outcome == MatingOutcome::kWedged ||
-         outcome == MatingOutcome::kWrongContact || outcome == MatingOutcome::kTimeout;
+bool IsErrorState(TrialOutcome outcome) {
+  return outcome == TrialOutcome::kJammed || outcome == TrialOutcome::kWedged ||
+         outcome == TrialOutcome::kWrongContact || outcome == TrialOutcome::kTimeout;
 }
 
 // The errors are four times those that the strategy is made for. The trial must report how it ends,
@@ -436,8 +436,8 @@ TEST_F(MatingTrial, BeyondItsRangeItEndsInAnErrorState) {
     for (double& x : w) x = std::copysign(4 * kDegree, random.Uniform(-1, 1));
     d.x() = std::abs(d.x());  // a negative value would make the parts overlap at the start
     const MatingResult result = Insert(problem(), scene(), Setting(d, w));
-    EXPECT_EQ(result.end.outcome == MatingOutcome::kDone, std::abs(Depth(result)) < 1e-3);
-    EXPECT_NE(result.end.outcome == MatingOutcome::kDone, IsErrorState(result.end.outcome))
+    EXPECT_EQ(result.end.outcome == TrialOutcome::kSucceeded, std::abs(Depth(result)) < 1e-3);
+    EXPECT_NE(result.end.outcome == TrialOutcome::kSucceeded, IsErrorState(result.end.outcome))
         << Name(result.end.outcome) << ": " << result.end.reason;
     EXPECT_LT(result.greatest_force, ControlLaw().GreatestForce());
   }

@@ -17,9 +17,16 @@ TEST(TrialOutcome, NamesDiffer) {
 TEST(TrialOutcome, NamesAreThoseOfTheirOutcomes) {
   EXPECT_EQ(Name(TrialOutcome::kSucceeded), "succeeded");
   EXPECT_EQ(Name(TrialOutcome::kOperatorCalled), "operator-called");
+  EXPECT_EQ(Name(TrialOutcome::kJammed), "jammed");
+  EXPECT_EQ(Name(TrialOutcome::kDropped), "dropped");
   EXPECT_EQ(Name(TrialOutcome::kFalseClaim), "false-claim");
   EXPECT_EQ(Name(TrialOutcome::kNotAtRest), "not-at-rest");
   EXPECT_EQ(Name(TrialOutcome::kMissed), "missed");
+}
+
+TEST(TrialOutcome, TheEndOfAnExecutionIsDoneOrNamedAsItsOutcome) {
+  EXPECT_EQ(NameOfEnd(TrialOutcome::kSucceeded), "done");
+  EXPECT_EQ(NameOfEnd(TrialOutcome::kWedged), "wedged");
 }
 
 }  // namespace
