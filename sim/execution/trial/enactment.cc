@@ -21,10 +21,10 @@ constexpr double kDegree = std::numbers::pi / 180;
 constexpr double kRest = 0.5;  // seconds that the robots rest at the end of a trial
 
 // One trial: its simulation, the walk through the tree, and the measurements of both.
-class TreeTrial {
+class JudgedWalk {
  public:
-  TreeTrial(const KnowledgeScenario& scenario, const TrialWorld& trial,
-            const TrialSettings& settings)
+  JudgedWalk(const KnowledgeScenario& scenario, const TrialWorld& trial,
+             const TrialSettings& settings)
       : interpretation_(scenario.interpretation),
         problem_(ProblemOf(scenario, trial.world)),
         settings_(settings),
@@ -211,7 +211,7 @@ std::string_view EnactedTrial::OutcomeName() const {
 
 EnactedTrial RunTrial(const KnowledgeScenario& scenario, const contingent::PlanTree& tree,
                       const TrialWorld& trial, const TrialSettings& settings) {
-  return TreeTrial(scenario, trial, settings).Run(tree);
+  return JudgedWalk(scenario, trial, settings).Run(tree);
 }
 
 }  // namespace assay::execution
