@@ -11,7 +11,7 @@
 
 namespace assay::oracle {
 
-// Contingent planning by brute force. A belief is the set of all possible worlds, and the depth of
+// Contingent planning by brute force over sets of possible worlds. The depth of
 // trees is increased by one action at a time. The oracle can be trusted for tasks of a few atoms,
 // without functions and update rules. Conditions of effects must be about worlds or about
 // knowledge. Sensing must be followed by its branch at once, and deletions must be unconditional.
