@@ -11,10 +11,10 @@
 
 namespace assay::oracle {
 
-// Contingent planning by brute force over sets of possible worlds. The depth of
-// trees is increased by one action at a time. The oracle can be trusted for tasks of a few atoms,
-// without functions and update rules. Conditions of effects must be about worlds or about
-// knowledge. Sensing must be followed by its branch at once, and deletions must be unconditional.
+// Contingent planning by brute force over sets of possible worlds. The depth of trees is increased
+// by one action at a time. The oracle can be trusted for tasks of a few atoms, without functions and
+// update rules. Conditions of effects must be about worlds or about knowledge. Sensing must be
+// followed by its branch at once, and deletions must be unconditional.
 class BeliefSearch {
  public:
   explicit BeliefSearch(const contingent::GroundTask& task) : task_(task) {}

@@ -8,12 +8,11 @@
 
 namespace assay::check {
 
-// The geometric meaning of a precondition, measured where parts and hand truly were. It is the
-// worst over all preconditions about one subject.
+// The margin by which preconditions about one subject hold, the worst of them, measured where parts
+// and hand truly were.
 struct GeometricMeaning {
   std::string subject;  // plan::CertifiedPrecondition::meaning; empty: all of that condition
-  // The margin by which they hold, in SI units of the condition's dimension; negative if one does
-  // not hold.
+  // In SI units of the condition's dimension; negative if one of them does not hold.
   double observed = 0;
   // True if the observed value must be at least the certificate's margin. It is false for
   // clearances between bodies: their margin is certified for some corners only. Nothing is
@@ -28,7 +27,7 @@ struct GeometricMeaning {
 // The way in which one kind of precondition is measured in a trace.
 struct Measurement {
   plan::Condition condition;
-  // Returns the meanings of all preconditions of the kind in the step's certificate. The list is
+  // Returns the margins of all preconditions of the kind in the step's certificate. The list is
   // empty if the execution did not come to the point at which the kind can be measured. The
   // geometry is computed from the parts' boxes and features alone, not from the planner's
   // expressions. The function is null if nothing measures the kind.
@@ -51,12 +50,12 @@ const std::vector<Measurement>& KnownMeasurements();
 const Measurement& MeasurementOf(plan::Condition condition,
                                  const std::vector<Measurement>& measurements);
 
-// Adds a meaning unless the observed value is infinite: an infinite distance has no subject.
+// Adds a margin unless the observed value is infinite: an infinite distance has no subject.
 void AddFinite(std::string subject, double observed, std::vector<GeometricMeaning>& meanings);
 // Adds a clearance between two bodies. If the shapes overlap, their distance is 0 and the depth of
 // the overlap is unknown. They then get a fixed negative value.
 void AddClearance(std::string subject, double distance, std::vector<GeometricMeaning>& meanings);
-// Returns the meaning of all preconditions of a kind; empty if the observed value is infinite.
+// Returns the margin of all preconditions of a kind; empty if the observed value is infinite.
 std::vector<GeometricMeaning> OfAll(double observed);
 
 }  // namespace assay::check

@@ -45,7 +45,7 @@ struct Interpretation {
   std::shared_ptr<const PlannedWorlds> planned = nullptr;
 
   int WorldCount() const;
-  // Returns the meaning of the atom's predicate; null if it is internal to the domain.
+  // Returns the atom's predicate in the workcell; null if it is internal to the domain.
   const Meaning* MeaningOf(contingent::AtomId atom) const;
   // Returns whether a sensor can observe the truth of the atom.
   bool IsTold(contingent::AtomId atom) const {

@@ -29,12 +29,12 @@ struct Truth {
   bool StandsAt(PartId part, const domain::Place& place) const;
 };
 
-// The meaning of a domain's predicate in the workcell.
+// A predicate of a domain, as it is true or false in the workcell.
 class Meaning {
  public:
   virtual ~Meaning() = default;
 
-  // Returns the kind of argument that the meaning needs and the atom lacks, like "part"; empty if
+  // Returns the kind of argument that the predicate needs and the atom lacks, like "part"; empty if
   // nothing is missing.
   virtual std::string Lacks(const Roles&) const { return {}; }
   virtual bool IsTrue(const Truth& truth, const Roles& roles) const = 0;
