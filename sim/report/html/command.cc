@@ -13,7 +13,7 @@ std::string ReplayCommand(const std::string& database, int trial) {
 }
 
 std::string ViewCommand(const std::string& database, int trial, std::optional<int> counterexample) {
-  const std::string name = ShellWord(database);
+  const std::string name = sweep::Word(database);
   if (!counterexample) return fmt::format("assay view {} {} -o trial-{}.html", name, trial, trial);
   return fmt::format("assay view {} {} --counterexample {} -o counterexample-{}-{}.html", name,
                      trial, *counterexample, trial, *counterexample);
