@@ -177,7 +177,7 @@ TEST_F(PageOfFigure15, HasTheActionsOfAWay) {
   EXPECT_TRUE(page["steps"][0]["planned"]);
   EXPECT_EQ(page["steps"][0]["preconditions"], data()["steps"][0]["preconditions"]);
   EXPECT_EQ(page["steps"][1]["from"], 2.0);
-  EXPECT_EQ(page["steps"][1]["facts"], Json({{"left", "nothing"}}));
+  EXPECT_EQ(page["steps"][1]["facts"], Json::parse(R"([["left", "nothing"]])"));
   EXPECT_FALSE(page["steps"][2].contains("from"));
   EXPECT_EQ(page["tree"][0]["steps"], Json({0}));
 }
