@@ -1,14 +1,14 @@
-import {Controls, ViewOptions} from './controls.js';
 import {element} from './dom.js';
-import {cameraKeys, helpOf, listenToKeys, timeKeys} from './keys.js';
-import {Player} from './player.js';
-import {Readings} from './readings.js';
-import {Recording} from './recording.js';
-import {Steps} from './steps.js';
+import {Viewport} from './picture/viewport.js';
+import {Steps} from './steps/steps.js';
+import {WhyNot} from './steps/why_not.js';
 import style from './style.css';
-import {Timeline} from './timeline.js';
-import {Viewport} from './viewport.js';
-import {WhyNot} from './why_not.js';
+import {Controls, ViewOptions} from './time/controls.js';
+import {cameraKeys, helpOf, listenToKeys, timeKeys} from './time/keys.js';
+import {Player} from './time/player.js';
+import {Readings} from './time/readings.js';
+import {Recording} from './time/recording.js';
+import {Timeline} from './time/timeline.js';
 
 // Draws before each repaint of the screen while something changes.
 function animate(player, viewport) {

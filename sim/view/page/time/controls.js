@@ -1,5 +1,6 @@
-import {drawing, element} from './dom.js';
-import {BELIEVED} from './outlines.js';
+import {drawing, element} from '../dom.js';
+import {BELIEVED} from '../picture/outlines.js';
+
 import {SPEEDS} from './player.js';
 
 // Drawings of 16 by 16 pixels, since fonts lack these signs.

@@ -1,4 +1,5 @@
-import {element} from './dom.js';
+import {element} from '../dom.js';
+
 import {bodiesNamedIn} from './names.js';
 
 // Why there is no plan. A click on a sentence marks the bodies that it names.

@@ -1,7 +1,8 @@
-import {element} from './dom.js';
+import {element} from '../dom.js';
+import {countText, quantityText, rangeText} from '../units.js';
+
 import {marginChart} from './margin_chart.js';
 import {colorOf, MARKS, standingOf, uncoveredOf, VERDICT_MARKS, VERDICTS} from './standing.js';
-import {countText, quantityText, rangeText} from './units.js';
 
 // The certificate of one step: what was claimed, how far it is from its limit, and what costs most.
 // `showWhere` is called with a sentence about what is not proved, to show it in the picture.

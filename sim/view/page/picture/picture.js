@@ -1,6 +1,7 @@
 import * as three from 'three';
 
-import {element} from './dom.js';
+import {element} from '../dom.js';
+
 import {Outlines} from './outlines.js';
 import {Stage} from './stage.js';
 

@@ -1,6 +1,7 @@
-import {element} from './dom.js';
+import {element} from '../dom.js';
+import {countText} from '../units.js';
+
 import {summaryOf} from './standing.js';
-import {countText} from './units.js';
 
 // What was viewed, and what came of it.
 export function headOf(data) {

@@ -1,6 +1,6 @@
-import {element} from './dom.js';
-import {standingOf} from './standing.js';
-import {numberText} from './units.js';
+import {element} from '../dom.js';
+import {standingOf} from '../steps/standing.js';
+import {numberText} from '../units.js';
 
 const BAND = 22;  // pixels: the steps
 const FOOT = 18;  // pixels: the seconds

@@ -1,7 +1,8 @@
 import * as three from 'three';
 
+import {element} from '../dom.js';
+
 import {Beside} from './beside.js';
-import {element} from './dom.js';
 import {Orbit} from './orbit.js';
 import {Picture} from './picture.js';
 import {WorkView} from './work_view.js';

@@ -1,4 +1,4 @@
-import {element} from './dom.js';
+import {element} from '../dom.js';
 
 // The lines of a plan tree. Those that the execution went along are links to what was done there;
 // the others are pale. Returns the list and, for each step, its button.

@@ -1,4 +1,4 @@
-import {drawing} from './dom.js';
+import {drawing} from '../dom.js';
 
 const WIDTH = 110;
 const HEIGHT = 16;

@@ -1,4 +1,4 @@
-import {element} from './dom.js';
+import {element} from '../dom.js';
 
 // Each key with what it does.
 export function timeKeys({player, steps}) {

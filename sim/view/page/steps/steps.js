@@ -1,5 +1,6 @@
+import {element} from '../dom.js';
+
 import {certificateOf} from './certificate.js';
-import {element} from './dom.js';
 import {headOf} from './head.js';
 import {bodiesNamedIn} from './names.js';
 import {standingOf, uncoveredOf, verdictOf} from './standing.js';

@@ -1,5 +1,5 @@
-import {element} from './dom.js';
-import {plainName} from './names.js';
+import {element} from '../dom.js';
+import {plainName} from '../steps/names.js';
 
 // What is read off the shown time, over the picture: how far each part is from where it is believed
 // to be, and what touches.

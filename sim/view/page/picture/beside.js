@@ -1,6 +1,7 @@
-import {element} from './dom.js';
+import {element} from '../dom.js';
+import {Recording} from '../time/recording.js';
+
 import {Picture} from './picture.js';
-import {Recording} from './recording.js';
 
 // Another execution of the same plan, drawn beside the first one by the same camera.
 export class Beside {
