@@ -19,6 +19,7 @@
 #include "sim/cli/tasks/output_file.h"
 #include "sim/cli/trial_output/json_number.h"
 #include "sim/cli/trial_output/verdict_tally.h"
+#include "sim/sweep/grid/shell.h"
 
 namespace assay::cli {
 namespace {
@@ -73,6 +74,12 @@ class AttackReport {
     return run_.command.WithErrors(noise::Text(noise)).Text();
   }
 
+  // Returns the command that shows a counterexample in three dimensions.
+  std::string ViewCommand(int number) const {
+    sweep::CommandLine line("view", run_.folder / "result.json");
+    return fmt::format("{} {} -o counterexample-{}.html", line.text(), number, number);
+  }
+
   Json Result() const {
     Json result = {{"attempts", result_.attempts},
                    {"verdicts", tally_.ToJson()},
@@ -118,10 +125,13 @@ class AttackReport {
 
   std::string Counterexamples() const {
     std::string text;
+    int number = 0;
     for (const check::Counterexample& example : result_.counterexamples) {
       text += fmt::format("\nviolated: step {}: {}\n  {}\nagain: {}\n", example.steps,
                           Text(example.claim), noise::Text(example.noise),
                           ReplayCommand(example.noise));
+      ++number;
+      if (!run_.folder.empty()) text += "look:  " + ViewCommand(number) + "\n";
       if (!example.replayed) text += "  (only from a state saved on the way)\n";
     }
     return text;
