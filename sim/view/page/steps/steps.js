@@ -73,7 +73,8 @@ export class Steps {
   // Goes where a step acts, and marks the bodies that a sentence about it names.
   showWhere(step, sentence) {
     this.player.playing = false;
-    if (step.acts !== undefined) this.player.seek(step.acts);
+    // A step that is verified acts at its very end, where the next one begins.
+    if (step.acts !== undefined) this.player.seek(Math.min(step.acts, step.to - 1e-3));
     this.viewport.mark(bodiesNamedIn(sentence, this.data));
   }
 
