@@ -9,10 +9,11 @@ namespace assay::plan {
 ConditionKinds KnownConditions() {
   using namespace condition;
   static constexpr auto kKinds = std::to_array<const ConditionKind*>(
-      {&kBetweenFingers, &kFingerClear,  &kFingertip,      &kPadContact, &kUpright,  &kPushedClear,
-       &kLandingHeight,  &kFootprint,    &kNeighbourClear, &kEntry,      &kSlideIn,  &kTilt,
-       &kSeat,           &kPassingClear, &kFixedStands,    &kFixedStays, &kTipShift, &kTipTurn,
-       &kStanding,       &kPressed,      &kHolding,        &kHandClear,  &kReach,    &kWayClear});
+      {&kBetweenFingers, &kFingerClear,   &kFingertip, &kPadContact,     &kUpright,
+       &kPushedClear,    &kLandingHeight, &kFootprint, &kNeighbourClear, &kEntry,
+       &kSlideIn,        &kTilt,          &kSeat,      &kPassingClear,   &kFixedStands,
+       &kFixedStays,     &kInPlace,       &kTipShift,  &kTipTurn,        &kStanding,
+       &kPressed,        &kHolding,       &kHandClear, &kReach,          &kWayClear});
   return kKinds;
 }
 

@@ -138,6 +138,13 @@ inline constexpr ConditionKind kFixedStays = {
     "fixed stays", "the push of the mating does not move the fixed part aside", Dimension::kRatio,
     NeededBy::kMating, Origin::kSoundMode};
 
+// Once the hand has let it go, the held part is off its place by less than a successful assembly
+// allows (planner/domain/matings/mating_success.h). Either the walls of the holes leave no more
+// room, or the errors do not reach so far.
+inline constexpr ConditionKind kInPlace = {
+    "in place", "the part ends as near its place as a successful assembly needs",
+    Dimension::kLength, NeededBy::kMating, Origin::kSoundMode};
+
 // Replaces the kinds that fine motion absorbs, as kTipTurn does.
 inline constexpr ConditionKind kTipShift = {
     "tip shift",

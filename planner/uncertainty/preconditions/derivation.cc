@@ -76,6 +76,14 @@ std::vector<Precondition> FixedPart(const HandWork& work) {
   return FixedPreconditions(work.world, work.action.mating, work.released, work.strategy);
 }
 
+std::vector<Precondition> PlaceOfMated(const HandWork& work) {
+  const domain::MatingId mating = work.action.mating;
+  const bool is_led = work.strategy != nullptr;
+  return PlacePreconditions(
+      work.world, mating, work.released,
+      is_led ? Drag() : DragOfFixed(work.world, mating, work.hold, work.draw));
+}
+
 constexpr auto kDerivations =
     std::to_array<Derivation>({{NeededBy::kGrasp, Origin::kPaper, false, Grasping},
                                {NeededBy::kPutdown, Origin::kPaper, true, Landing},
@@ -87,7 +95,8 @@ constexpr auto kDerivations =
                                {NeededBy::kRelease, Origin::kSoundMode, true, HandAtRelease},
                                {NeededBy::kMating, Origin::kSoundMode, true, PassingParts},
                                {NeededBy::kRelease, Origin::kSoundMode, true, StandingPart},
-                               {NeededBy::kMating, Origin::kSoundMode, true, FixedPart}});
+                               {NeededBy::kMating, Origin::kSoundMode, true, FixedPart},
+                               {NeededBy::kMating, Origin::kSoundMode, true, PlaceOfMated}});
 
 }  // namespace
 

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "planner/plan/data/condition_table.h"
+#include "planner/uncertainty/error_sets/release.h"
 #include "planner/uncertainty/error_sets/uncertain_world.h"
 
 namespace assay::uncertainty {
@@ -97,6 +98,11 @@ std::vector<Precondition> StandingPreconditions(const UncertainWorld& world, Par
 std::vector<Precondition> FixedPreconditions(const UncertainWorld& world, domain::MatingId mating,
                                              const RestingError& released,
                                              const plan::Strategy* strategy);
+
+// Returns kInPlace, for assemble. The held part ends with the error `released`, and the mating drags
+// the fixed part by at most `drag`.
+std::vector<Precondition> PlacePreconditions(const UncertainWorld& world, domain::MatingId mating,
+                                             const RestingError& released, const Drag& drag);
 
 // The work of a hand that lets a part go, in a putdown or a mating.
 struct LettingGo {

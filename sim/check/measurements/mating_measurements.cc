@@ -8,6 +8,7 @@
 #include "planner/plan/data/condition_table.h"
 #include "sim/check/measurements/fit.h"
 #include "sim/check/measurements/measurement.h"
+#include "sim/check/trial_verdicts/predicate.h"
 
 namespace assay::check {
 namespace {
@@ -159,6 +160,23 @@ std::vector<GeometricMeaning> TipTurn(const MeasuredStep& step) {
   return {{{}, (absorbed - (turn.angle() * turn.axis()).cwiseAbs()).minCoeff()}};
 }
 
+double RoomOf(const Finding& finding) { return finding.limit - finding.value; }
+
+// The part is as near its place as a successful assembly needs.
+std::vector<GeometricMeaning> InPlace(const MeasuredStep& step) {
+  if (step.events().end == nullptr) return {};
+  const execution::Snapshot& end = *step.events().end;
+  const domain::Mating& mating = step.mating();
+  const Pose X_FixedHeld =
+      end.parts[mating.fixed.index()].truth.inverse() * end.parts[mating.held.index()].truth;
+  double room = RoomOf(LateralError(step.problem(), mating, X_FixedHeld));
+  for (std::size_t pair = 1; pair < mating.features.size(); ++pair) {
+    room = std::min(room, RoomOf(AlignmentError(step.problem(), mating, pair, X_FixedHeld)));
+  }
+  // Walls prove the claim for rigid parts, so the margin is not exactly kept.
+  return {{.subject = {}, .observed = room, .is_at_least_the_margin = false}};
+}
+
 }  // namespace
 
 std::vector<Measurement> MatingMeasurements() {
@@ -167,6 +185,7 @@ std::vector<Measurement> MatingMeasurements() {
           {plan::condition::kTilt, Tilt},
           {plan::condition::kSeat, Seat},
           {plan::condition::kPassingClear, PassingClear},
+          {plan::condition::kInPlace, InPlace},
           {plan::condition::kTipShift, TipShift},
           {plan::condition::kTipTurn, TipTurn},
           {plan::condition::kFixedStands},

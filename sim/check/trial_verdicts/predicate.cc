@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "planner/base/check.h"
+#include "planner/domain/matings/mating_success.h"
 
 namespace assay::check {
 namespace {
@@ -48,10 +49,6 @@ double AngleBetween(const Vector3& a, const Vector3& b) {
   return std::atan2(a.cross(b).norm(), a.dot(b));
 }
 
-double GreatestClearance(const domain::Problem& problem) {
-  return problem.clearance + problem.tolerances.clearance;
-}
-
 }  // namespace
 
 Finding SeatedDepth(const Problem& problem, const Mating& mating, const Pose& X_FixedHeld,
@@ -62,15 +59,14 @@ Finding SeatedDepth(const Problem& problem, const Mating& mating, const Pose& X_
                 domain::Dimension::kLength);
 }
 
-Finding LateralError(const Problem& problem, const Mating& mating, const Pose& X_FixedHeld,
-                     const Limits& limits) {
+Finding LateralError(const Problem& problem, const Mating& mating, const Pose& X_FixedHeld) {
   const Pair pair = PairOf(problem, mating, 0);
   const Vector3 point = pair.X_HeldFeature.translation();
   const Vector3 error =
       pair.X_FixedFeature.linear().transpose() * (X_FixedHeld * point - mating.X_FixedHeld * point);
   return AtMost(Aspect::kAligned, Named("lateral error", problem, mating),
-                error.head<2>().cwiseAbs().maxCoeff(),
-                GreatestClearance(problem) + limits.lateral_slack, domain::Dimension::kLength);
+                error.head<2>().cwiseAbs().maxCoeff(), domain::LateralLimit(problem),
+                domain::Dimension::kLength);
 }
 
 Finding AxisAngle(const Problem& problem, const Mating& mating, const Pose& X_FixedHeld,
@@ -82,7 +78,7 @@ Finding AxisAngle(const Problem& problem, const Mating& mating, const Pose& X_Fi
 }
 
 Finding AlignmentError(const Problem& problem, const Mating& mating, std::size_t pair,
-                       const Pose& X_FixedHeld, const Limits& limits) {
+                       const Pose& X_FixedHeld) {
   const Pair features = PairOf(problem, mating, pair);
   const Vector3 apart = X_FixedHeld * Vector3(features.X_HeldFeature.translation()) -
                         features.X_FixedFeature.translation();
@@ -92,9 +88,7 @@ Finding AlignmentError(const Problem& problem, const Mating& mating, std::size_t
                 Named("alignment", problem, mating) +
                     fmt::format(", features {} and {}", mating.features[pair].first.index(),
                                 mating.features[pair].second.index()),
-                across.norm(),
-                limits.alignment_clearances * GreatestClearance(problem) + limits.lateral_slack,
-                domain::Dimension::kLength);
+                across.norm(), domain::AlignmentLimit(problem), domain::Dimension::kLength);
 }
 
 Finding Released(const Part& part, const GripperState& gripper, const Limits& limits) {

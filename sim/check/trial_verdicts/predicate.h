@@ -36,7 +36,7 @@ Finding SeatedDepth(const domain::Problem& problem, const domain::Mating& mating
 // is the greater of the errors along the x and y axes of the fixed part's feature, because a hole
 // has sides.
 Finding LateralError(const domain::Problem& problem, const domain::Mating& mating,
-                     const Pose& X_FixedHeld, const Limits& limits);
+                     const Pose& X_FixedHeld);
 // Judges the angle between the held feature's axis and its direction in the mated pose.
 Finding AxisAngle(const domain::Problem& problem, const domain::Mating& mating,
                   const Pose& X_FixedHeld, const Limits& limits);
@@ -44,7 +44,7 @@ Finding AxisAngle(const domain::Problem& problem, const domain::Mating& mating,
 // `pair` is the index of the pair, from 1 on. An example is two holes that are to lie one
 // above the other.
 Finding AlignmentError(const domain::Problem& problem, const domain::Mating& mating,
-                       std::size_t pair, const Pose& X_FixedHeld, const Limits& limits);
+                       std::size_t pair, const Pose& X_FixedHeld);
 
 // The facts by which Released judges whether a part is still in the hand.
 struct GripperState {

@@ -31,10 +31,10 @@ class Judgement {
     const Pose X_FixedHeld =
         end_.parts[mating.fixed.index()].truth.inverse() * end_.parts[mating.held.index()].truth;
     findings_.push_back(SeatedDepth(problem_, mating, X_FixedHeld, limits_));
-    findings_.push_back(LateralError(problem_, mating, X_FixedHeld, limits_));
+    findings_.push_back(LateralError(problem_, mating, X_FixedHeld));
     findings_.push_back(AxisAngle(problem_, mating, X_FixedHeld, limits_));
     for (std::size_t pair = 1; pair < mating.features.size(); ++pair) {
-      findings_.push_back(AlignmentError(problem_, mating, pair, X_FixedHeld, limits_));
+      findings_.push_back(AlignmentError(problem_, mating, pair, X_FixedHeld));
     }
     ExamineLeftAlone(mating.held);
     ExamineLeftAlone(mating.fixed);

@@ -62,12 +62,12 @@ TEST(ConditionKind, WhatActsNeedsAndWhatLooksDoesNot) {
                           "pushed clear", "hand clear", "reach", "way clear"));
   EXPECT_THAT(NamesNeeded(Steps().at("assemble")),
               ElementsAre("fingertip", "entry", "slide-in", "tilt", "seat", "passing clear",
-                          "fixed stands", "fixed stays", "standing", "pressed", "holding",
-                          "hand clear", "reach", "way clear"));
+                          "fixed stands", "fixed stays", "in place", "standing", "pressed",
+                          "holding", "hand clear", "reach", "way clear"));
   EXPECT_THAT(NamesNeeded(Steps().at("felt in")),
               ElementsAre("fingertip", "entry", "slide-in", "tilt", "seat", "passing clear",
-                          "fixed stands", "fixed stays", "tip shift", "tip turn", "standing",
-                          "pressed", "holding", "hand clear", "reach", "way clear"));
+                          "fixed stands", "fixed stays", "in place", "tip shift", "tip turn",
+                          "standing", "pressed", "holding", "hand clear", "reach", "way clear"));
 }
 
 // A kind is a piece of data. Two kinds are the same only if they are one object.

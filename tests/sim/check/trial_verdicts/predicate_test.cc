@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "planner/domain/matings/mating_success.h"
 #include "planner/domain/problem/problem_file.h"
 
 namespace assay::check::predicate_test {
@@ -36,9 +37,9 @@ class MatingPredicates : public testing::Test {
 TEST_F(MatingPredicates, AllHoldAtTheMatedPose) {
   const Pose& X = mating_.X_FixedHeld;
   EXPECT_NEAR(SeatedDepth(problem_, mating_, X, limits_).value, 0, 1e-12);
-  EXPECT_NEAR(LateralError(problem_, mating_, X, limits_).value, 0, 1e-12);
+  EXPECT_NEAR(LateralError(problem_, mating_, X).value, 0, 1e-12);
   EXPECT_NEAR(AxisAngle(problem_, mating_, X, limits_).value, 0, 1e-9);
-  EXPECT_NEAR(AlignmentError(problem_, mating_, 1, X, limits_).value, 0, 1e-9);
+  EXPECT_NEAR(AlignmentError(problem_, mating_, 1, X).value, 0, 1e-9);
 }
 
 TEST_F(MatingPredicates, SeatedDepthIsAlongTheMatingVector) {
@@ -51,19 +52,18 @@ TEST_F(MatingPredicates, SeatedDepthIsAlongTheMatingVector) {
 }
 
 TEST_F(MatingPredicates, LateralErrorIsAcrossEachSideOfTheHole) {
-  const double limit = problem_.clearance + limits_.lateral_slack;
+  const double limit = problem_.clearance + domain::kLateralSlack;
   for (const double e : {-limit, limit}) {
     const double in = 0.99 * e, out = 1.01 * e;
-    EXPECT_TRUE(LateralError(problem_, mating_, Displaced(0.1, in, in), limits_).holds);
-    EXPECT_FALSE(LateralError(problem_, mating_, Displaced(0, out, 0), limits_).holds);
-    EXPECT_FALSE(LateralError(problem_, mating_, Displaced(0, 0, out), limits_).holds);
+    EXPECT_TRUE(LateralError(problem_, mating_, Displaced(0.1, in, in)).holds);
+    EXPECT_FALSE(LateralError(problem_, mating_, Displaced(0, out, 0)).holds);
+    EXPECT_FALSE(LateralError(problem_, mating_, Displaced(0, 0, out)).holds);
   }
 }
 
 // The lateral error is measured at the tip of the shaft, and a tilt moves the tip.
 TEST_F(MatingPredicates, LateralErrorSeesTheTipOfATiltedShaft) {
-  const Finding finding =
-      LateralError(problem_, mating_, Turned(geometry::RotationZ(1 * kDegree)), limits_);
+  const Finding finding = LateralError(problem_, mating_, Turned(geometry::RotationZ(1 * kDegree)));
   EXPECT_NEAR(finding.value, 2.75 * 0.0254 * std::sin(1 * kDegree), 1e-9);
 }
 
@@ -83,15 +83,15 @@ TEST_F(MatingPredicates, AxisAngleCountsTiltAndNotTurning) {
 // Half a turn about the axis seats the peg, but then the small holes are on opposite sides.
 TEST_F(MatingPredicates, AlignmentErrorSeesAPegPutInTheWrongWayRound) {
   const Finding turned =
-      AlignmentError(problem_, mating_, 1, Turned(geometry::RotationX(180 * kDegree)), limits_);
+      AlignmentError(problem_, mating_, 1, Turned(geometry::RotationX(180 * kDegree)));
   EXPECT_NEAR(turned.value, 2 * 1.125 * 0.0254, 1e-9);
   EXPECT_FALSE(turned.holds);
 }
 
 TEST_F(MatingPredicates, AlignmentErrorHasItsLimit) {
-  const double limit = 3 * problem_.clearance + limits_.lateral_slack;
+  const double limit = 3 * problem_.clearance + domain::kLateralSlack;
   const auto across = [&](double y) {
-    return AlignmentError(problem_, mating_, 1, Displaced(0.05, y, 0), limits_);
+    return AlignmentError(problem_, mating_, 1, Displaced(0.05, y, 0));
   };
   EXPECT_TRUE(across(0.99 * limit).holds);
   EXPECT_FALSE(across(1.01 * limit).holds);
@@ -100,7 +100,7 @@ TEST_F(MatingPredicates, AlignmentErrorHasItsLimit) {
 TEST_F(MatingPredicates, NotANumberDoesNotHold) {
   const Pose nowhere = Displaced(std::nan(""), std::nan(""), std::nan(""));
   EXPECT_FALSE(SeatedDepth(problem_, mating_, nowhere, limits_).holds);
-  EXPECT_FALSE(AlignmentError(problem_, mating_, 1, nowhere, limits_).holds);
+  EXPECT_FALSE(AlignmentError(problem_, mating_, 1, nowhere).holds);
 }
 
 TEST_F(MatingPredicates, ReleasedNeedsAnOpenGripperThatTouchesNothing) {
