@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <utility>
 
@@ -40,6 +41,10 @@ void RequireNames(const char* what, const std::vector<std::string>& names,
 }
 
 scenario::Overrides OverridesFrom(const PlanSettings& settings) {
+  if (!(settings.error_scale >= 0 && std::isfinite(settings.error_scale))) {
+    throw cli::UsageError(
+        fmt::format("the error scale is {}; allowed: 0 or more", settings.error_scale));
+  }
   scenario::Overrides overrides{.clearance = settings.clearance,
                                 .error_scale = settings.error_scale};
   if (settings.resolvers) {
@@ -50,10 +55,6 @@ scenario::Overrides OverridesFrom(const PlanSettings& settings) {
 }
 
 void RequireSettings(const PlanSettings& settings) {
-  if (!(settings.error_scale >= 0)) {
-    throw cli::UsageError(
-        fmt::format("the error scale is {}; allowed: 0 or more", settings.error_scale));
-  }
   RequireNames("propagation", {settings.propagation}, {"sound", "paper"});
   if (settings.partial_plans >= 1) return;
   throw cli::UsageError(

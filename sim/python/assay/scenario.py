@@ -268,7 +268,8 @@ class Plan:
 
     def view(self) -> View:
         """Executes the plan once without noise, and returns the page that shows it."""
-        return self.run().trace(1).view()
+        runner = _assay.Trials(self._handle, _assay.TrialSettings(), False)
+        return View(runner.traced(1).page())
 
     def run(self, *, noise: str | None = None, trials: int = 1, seed: int | None = None,
             jobs: int = 1, errors: str | Mapping[str, float] | None = None, sensing: str = "drawn",

@@ -109,7 +109,7 @@ def test_a_wrong_plan_fails_its_check_and_is_not_executed(tmp_path, known):
 
 def test_settings_change_the_plan():
     scenario = assay.Scenario(SCENARIOS / "spar-fig15.yaml")
-    assert not scenario.plan(resolvers=["squeezing"]).proved
+    assert not scenario.plan(resolvers=["fine-motion"]).proved
     assert scenario.plan(resolvers="sensing").proved
     sound, paper = scenario.plan(), scenario.plan(propagation="paper")
     assert sound.certificates["bound"].tolist() != paper.certificates["bound"].tolist()
