@@ -14,7 +14,7 @@ namespace {
 using noise::Channel;
 using noise::Effect;
 
-std::string NameOf(Effect effect) {
+std::string NameOfEffect(Effect effect) {
   switch (effect) {
     case Effect::kPartX:
       return "x";
@@ -48,12 +48,6 @@ std::string NameOf(Effect effect) {
       return "friction of the pads";
   }
   return {};
-}
-
-std::string NameOf(const domain::Problem& problem, const VariedErrors& errors) {
-  if (!errors.effect) return "all";
-  const std::string name = NameOf(*errors.effect);
-  return errors.part.IsNone() ? name : name + " of " + problem.part(errors.part).name;
 }
 
 Interval Times(double factor, const Interval& range) {
@@ -240,6 +234,12 @@ class Comparison {
 };
 
 }  // namespace
+
+std::string NameOf(const domain::Problem& problem, const VariedErrors& errors) {
+  if (!errors.effect) return "all";
+  const std::string name = NameOfEffect(*errors.effect);
+  return errors.part.IsNone() ? name : name + " of " + problem.part(errors.part).name;
+}
 
 std::optional<double> ConservatismRatio::ratio() const {
   if (!broken || guaranteed <= 0) return std::nullopt;

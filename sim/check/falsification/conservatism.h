@@ -20,6 +20,8 @@ struct VariedErrors {
   }
   bool operator==(const VariedErrors&) const = default;
 };
+// Returns their name: "x of peg", "yaw of the hand" or "all".
+std::string NameOf(const domain::Problem& problem, const VariedErrors& errors);
 
 // Options of a comparison of proofs with trials.
 struct ConservatismOptions {
@@ -35,10 +37,9 @@ struct ConservatismOptions {
 };
 
 // The error bounds that the planner guarantees, compared with the error bounds with which trials
-// succeed. They concern one variable alone ("x of peg", "yaw of the hand") or all variables
-// together ("all").
+// succeed.
 struct ConservatismRatio {
-  std::string variable;
+  std::string variable;   // NameOf
   double guaranteed = 0;  // the greatest multiple of the errors with which all is proved
   // The smallest multiple of the errors with which a trial failed; missing if no trial failed.
   std::optional<double> broken = {};

@@ -84,6 +84,22 @@ TEST_F(Proved, MoreNoiseThanIsGuaranteedIsNeededToBreakIt) {
   EXPECT_FALSE(ratios.front().IsFalse());
 }
 
+TEST(VariedErrors, AreThoseOfTheirPartOrOfTheHandOrAll) {
+  using enum noise::Effect;
+  const domain::Problem problem = ScenarioNamed("uncertain-known");
+  const domain::PartId first(0);
+  const VariedErrors of_part{kPartX, first};
+  EXPECT_EQ(NameOf(problem, of_part), "x of " + problem.part(first).name);
+  EXPECT_TRUE(of_part.Include(kPartX, first));
+  EXPECT_FALSE(of_part.Include(kPartX, domain::PartId(1)));
+  EXPECT_FALSE(of_part.Include(kPartYaw, first));
+  const VariedErrors of_hand{kHandYaw};
+  EXPECT_EQ(NameOf(problem, of_hand), "yaw of the hand");
+  EXPECT_FALSE(of_hand.Include(kHandX));
+  EXPECT_EQ(NameOf(problem, {}), "all");
+  EXPECT_TRUE(VariedErrors().Include(kPadFriction));
+}
+
 TEST(ConservatismRatio, IsFalseWhereATrialFailsWithWhatIsGuaranteed) {
   EXPECT_FALSE((ConservatismRatio{.variable = "all", .guaranteed = 2, .broken = 2.5}.IsFalse()));
   EXPECT_TRUE((ConservatismRatio{.variable = "all", .guaranteed = 2, .broken = 2.0}.IsFalse()));
