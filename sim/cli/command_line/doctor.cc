@@ -32,7 +32,7 @@ double MemoryInGigabytes() {
 
 std::string ModelsFolder() {
   try {
-    return FindModelsHere({}).folders().front().string();
+    return FindModelsHere({}).folders().back().string();
   } catch (const EnvironmentError&) {
     return "";
   }
