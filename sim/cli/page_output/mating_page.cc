@@ -101,7 +101,7 @@ class MotionLister {
 };
 
 bool IsDone(const MatedTrial& trial) {
-  return trial.seated && trial.result.end.outcome == execution::MatingOutcome::kDone;
+  return trial.seated && trial.result.end.outcome == execution::TrialOutcome::kSucceeded;
 }
 
 }  // namespace
