@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <opencv2/imgproc.hpp>
 
+#include "sim/opencv/lettering.h"
 #include "sim/opencv/pixels.h"
 #include "sim/render/picture.h"
 
@@ -17,40 +18,22 @@ using render::LegendEntry;
 struct SheetLayout {
   int margin = 0;
   int caption = 0;  // height
-  double font_scale = 0;
-  int thickness = 1;
+  Lettering lettering;
 
   explicit SheetLayout(int image_width)
       : margin(std::max(6, image_width / 40)),
         caption(std::max(18, image_width / 20)),
-        font_scale(caption / 40.0),
-        thickness(std::max(1, caption / 30)) {}
+        lettering(caption) {}
 };
 
 constexpr int kWidest = 2400;  // pixels; the greatest width of a sheet
-
-constexpr int kFont = cv::FONT_HERSHEY_SIMPLEX;
-const cv::Scalar kInk(40, 40, 40);
-
-int TextWidth(const std::string& text, const SheetLayout& layout) {
-  int baseline = 0;
-  return cv::getTextSize(text, kFont, layout.font_scale, layout.thickness, &baseline).width;
-}
-
-std::string Fitted(const std::string& caption, int width, const SheetLayout& layout) {
-  if (TextWidth(caption, layout) <= width) return caption;
-  std::string start = caption;
-  while (!start.empty() && TextWidth(start + "...", layout) > width) start.pop_back();
-  return start + "...";
-}
 
 void DrawCell(const CaptionedImage& cell, const cv::Point& corner, const SheetLayout& layout,
               cv::Mat& sheet) {
   const Image& image = cell.image;
   PixelsOf(image).copyTo(sheet(cv::Rect(corner.x, corner.y, image.width, image.height)));
-  const cv::Point baseline(corner.x, corner.y + image.height + layout.caption * 3 / 4);
-  cv::putText(sheet, Fitted(cell.caption, image.width, layout), baseline, kFont, layout.font_scale,
-              kInk, layout.thickness, cv::LINE_AA);
+  layout.lettering.Write(layout.lettering.Fitted(cell.caption, image.width), corner.x,
+                         corner.y + image.height + layout.caption * 3 / 4, sheet);
 }
 
 void DrawLegendEntry(const LegendEntry& entry, const cv::Point& corner, const SheetLayout& layout,
@@ -58,11 +41,10 @@ void DrawLegendEntry(const LegendEntry& entry, const cv::Point& corner, const Sh
   const auto [red, green, blue] = entry.colour.Rgb();
   const int middle = corner.y + layout.caption / 2;
   cv::line(sheet, {corner.x, middle}, {corner.x + layout.caption, middle},
-           cv::Scalar(red, green, blue), 2 * layout.thickness, cv::LINE_AA);
+           cv::Scalar(red, green, blue), 2 * layout.lettering.thickness(), cv::LINE_AA);
   const int text = corner.x + layout.caption + layout.margin;
-  cv::putText(sheet, Fitted(entry.meaning, sheet.cols - layout.margin - text, layout),
-              {text, corner.y + layout.caption * 3 / 4}, kFont, layout.font_scale, kInk,
-              layout.thickness, cv::LINE_AA);
+  layout.lettering.Write(layout.lettering.Fitted(entry.meaning, sheet.cols - layout.margin - text),
+                         text, corner.y + layout.caption * 3 / 4, sheet);
 }
 
 // Makes the images smaller if the sheet would be too wide.

@@ -1,6 +1,7 @@
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include "sim/opencv/caption.h"
 #include "sim/opencv/contact_sheet.h"
 #include "sim/opencv/labels.h"
 #include "sim/opencv/pixels.h"
@@ -52,6 +53,10 @@ class OpenCv : public render::PictureLibrary {
 
   Image WithLabels(const Image& image, std::span<const render::Label> labels) const override {
     return opencv::WithLabels(image, labels);
+  }
+
+  Image WithCaption(const Image& image, const render::Caption& caption) const override {
+    return opencv::WithCaption(image, caption);
   }
 
   Image FromSamples(const Image& drawing, int samples) const override {

@@ -22,6 +22,13 @@ struct CaptionedImage {
   Image image;
 };
 
+// A strip below a picture.
+struct Caption {
+  std::string text;    // on the left; cut with an ellipsis if it is too long
+  std::string number;  // on the right: "12.4 s"
+  int height = 0;      // pixels
+};
+
 // A text beside a point of a picture.
 struct Label {
   std::string text;

@@ -55,6 +55,11 @@ Image WithLabels(const Image& image, const std::vector<Label>& labels) {
   return Pictures().WithLabels(image, labels);
 }
 
+Image WithCaption(const Image& image, const Caption& caption) {
+  RequireEveryPixel(image);
+  return Pictures().WithCaption(image, caption);
+}
+
 Image FromSamples(const Image& drawing, int samples) {
   RequireEveryPixel(drawing);
   return Pictures().FromSamples(drawing, samples);

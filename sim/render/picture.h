@@ -23,6 +23,9 @@ Image WithLabels(const Image& image, const std::vector<Label>& labels);
 Image ContactSheet(const std::vector<CaptionedImage>& images, int columns,
                    const std::vector<LegendEntry>& legend = {});
 
+// Returns the image with the caption below it, which makes it higher.
+Image WithCaption(const Image& image, const Caption& caption);
+
 // Returns the picture of a drawing that is `samples` times too wide and too high. The rows of the
 // drawing begin at the bottom, as in OpenGL. OSMesa has no other antialiasing that gives the same
 // result on every machine.

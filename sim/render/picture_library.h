@@ -39,6 +39,7 @@ class PictureLibrary {
   virtual Image ContactSheet(const std::vector<CaptionedImage>& images, int columns,
                              const std::vector<LegendEntry>& legend) const = 0;
   virtual Image WithLabels(const Image& image, std::span<const Label> labels) const = 0;
+  virtual Image WithCaption(const Image& image, const Caption& caption) const = 0;
   virtual Image FromSamples(const Image& drawing, int samples) const = 0;
 
   // Returns hue, saturation and value of each pixel, in rows from the top.

@@ -49,9 +49,8 @@ std::vector<std::vector<Ball>> HandsOf(const scene::Scene& scene, const mujoco::
 
 }  // namespace
 
-FreeCamera WorkView(const domain::Problem& problem, const scene::Scene& scene,
-                    const std::vector<domain::PartId>& parts, const mujoco::Data& data,
-                    double aspect) {
+std::vector<Ball> WorkOutline(const domain::Problem& problem, const scene::Scene& scene,
+                              const std::vector<domain::PartId>& parts, const mujoco::Data& data) {
   ASSAY_CHECK(!parts.empty());
   std::vector<Ball> framed;
   for (const domain::PartId part : parts) {
@@ -65,7 +64,13 @@ FreeCamera WorkView(const domain::Problem& problem, const scene::Scene& scene,
                                        return (MiddleOf(hand) - middle).norm();
                                      }),
                     std::back_inserter(framed));
-  return Framing(framed, UsualDirection(), aspect);
+  return framed;
+}
+
+FreeCamera WorkView(const domain::Problem& problem, const scene::Scene& scene,
+                    const std::vector<domain::PartId>& parts, const mujoco::Data& data,
+                    double aspect) {
+  return Framing(WorkOutline(problem, scene, parts, data), UsualDirection(), aspect);
 }
 
 Subject GraspOf(const domain::Problem& problem, const scene::Scene& scene, domain::PartId part,

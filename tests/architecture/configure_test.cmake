@@ -42,6 +42,7 @@ endfunction()
 
 hidden("liburdfdom-dev liburdfdom-headers-dev libconsole-bridge-dev" -DASSAY_FOUND_urdfdom_model=)
 hidden("libopencv-imgcodecs-dev libopencv-imgproc-dev" -DASSAY_FOUND_opencv_imgcodecs=)
+hidden("libwebp-dev" -DASSAY_FOUND_webpmux=)
 hidden("libfcl-dev libccd-dev" -DASSAY_FOUND_ccd=)
 hidden("libompl-dev" -DASSAY_FOUND_ompl=)
 hidden("esbuild" -DESBUILD=)

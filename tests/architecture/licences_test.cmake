@@ -13,6 +13,7 @@ set(allowed
   "libopencv_[a-z]+"    # Apache-2.0
   "libtbb"              # Apache-2.0
   "libccd"              # BSD-3-Clause
+  "libwebp(mux)?"       # BSD-3-Clause
   "libompl"             # BSD-3-Clause
   "liburdfdom_model"    # BSD-3-Clause
   "libconsole_bridge"   # BSD-3-Clause

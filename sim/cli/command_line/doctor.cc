@@ -13,6 +13,7 @@
 #include "sim/cli/command_line/verb.h"
 #include "sim/cli/options/models_folder.h"
 #include "sim/cli/plan_output/table.h"
+#include "sim/film/ffmpeg.h"
 #include "sim/render/renderer.h"
 
 namespace assay::cli {
@@ -31,7 +32,7 @@ double MemoryInGigabytes() {
 
 std::string ModelsFolder() {
   try {
-    return FindModelsHere({}).folders().front().string();
+    return FindModelsHere({}).folders().back().string();
   } catch (const EnvironmentError&) {
     return "";
   }
@@ -42,6 +43,7 @@ Json Examine() {
           {"mujoco", mj_versionString()},
           {"mujoco_headers", mjVERSION_HEADER},
           {"renderer", render::AvailableRenderer()},
+          {"ffmpeg", film::FindFfmpeg().string()},
           {"cores", std::thread::hardware_concurrency()},
           {"memory_gb", std::round(10 * MemoryInGigabytes()) / 10},
           {"compiler", __VERSION__},
@@ -49,7 +51,7 @@ Json Examine() {
 }
 
 // Returns remedies for the missing things. Missing models need no remedy, because a scenario has
-// its own models.
+// its own models, nor does ffmpeg, because films can be made without it.
 std::vector<std::string> Remedies(const Json& facts) {
   if (facts["renderer"] != "") return {};
   return {"no OpenGL renderer, so no pictures: apt-get install libosmesa6 (or libegl1)"};
@@ -62,6 +64,9 @@ std::string ForPeople(const Json& facts, const std::vector<std::string>& remedie
     table.Add({name, text.empty() ? "none" : text});
   }
   std::string text = table.Text();
+  if (facts["ffmpeg"] == "") {
+    text += "no ffmpeg, so films as .webp and not as .mp4: apt-get install ffmpeg\n";
+  }
   for (const std::string& remedy : remedies) text += remedy + "\n";
   return text;
 }

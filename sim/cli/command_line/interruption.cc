@@ -45,9 +45,9 @@ ExitCode Interruption::CodeOr(ExitCode code) {
   return taken_down == SIGINT ? ExitCode::kInterrupted : ExitCode::kTerminated;
 }
 
-std::string Interruption::Text(long long made, long long wanted, const char* what) {
+std::string Interruption::Text(long long made, long long wanted, const char* done) {
   if (!Requested()) return "";
-  return fmt::format("interrupted: {} of {} {} were made\n", made, wanted, what);
+  return fmt::format("interrupted: {} of {} {}\n", made, wanted, done);
 }
 
 }  // namespace assay::cli

@@ -34,7 +34,8 @@ class Interruption {
   static ExitCode CodeOr(ExitCode code);
   // Returns "interrupted: 3 of 20 trials were made\n", or an empty text if there was no
   // interruption.
-  static std::string Text(long long made, long long wanted, const char* what = "trials");
+  static std::string Text(long long made, long long wanted,
+                          const char* done = "trials were made");
 };
 
 }  // namespace assay::cli

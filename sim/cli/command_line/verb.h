@@ -31,6 +31,8 @@ extern const Verb kContingent;
 extern const Verb kCompletion;
 extern const Verb kDoctor;
 extern const Verb kExport;
+extern const Verb kFilm;
+extern const Verb kInit;
 extern const Verb kLabel;
 extern const Verb kList;
 extern const Verb kMate;

@@ -17,7 +17,7 @@ fs::path PlanFileOf(const ViewRequest& request) {
   const fs::path plan = request.input.parent_path() / "plan.json";
   std::error_code ignored;
   if (fs::exists(plan, ignored)) return plan;
-  throw UsageError(fmt::format("view: there is no {} beside {}; allowed: --plan FILE",
+  throw UsageError(fmt::format("there is no {} beside {}; allowed: --plan FILE",
                                Quote(plan.string()), Quote(request.input.string())));
 }
 

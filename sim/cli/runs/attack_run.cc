@@ -38,21 +38,19 @@ class AttackReport {
 
   ExitCode Execute() {
     const Interruption interruption;
-    {
-      Progress progress("attacking");
-      check::AttackOptions options = {
-          .attempts = run_.attempts, .seed = run_.seed, .jobs = run_.jobs};
-      options.progress = [&](std::int64_t made) {
-        progress.Tell(fmt::format("{} of {} attempts", made, run_.attempts));
-      };
-      options.stop = Interruption::Requested;
-      result_ = check::Attack(experiment_, options);
-      if (run_.conservatism && result_.noiseless.Holds()) {
-        progress.Tell("how much more noise it takes");
-        ratios_ = check::Conservatism(
-            experiment_, {.seed = run_.seed, .jobs = run_.jobs, .stop = Interruption::Requested});
-      }
+    check::AttackOptions options = {
+        .attempts = run_.attempts, .seed = run_.seed, .jobs = run_.jobs};
+    options.progress = [&](std::int64_t made) {
+      progress_->Tell({made, run_.attempts, "attempts"});
+    };
+    options.stop = Interruption::Requested;
+    result_ = check::Attack(experiment_, options);
+    if (run_.conservatism && result_.noiseless.Holds()) {
+      progress_->Tell("how much more noise it takes");
+      ratios_ = check::Conservatism(
+          experiment_, {.seed = run_.seed, .jobs = run_.jobs, .stop = Interruption::Requested});
     }
+    progress_.reset();
     for (std::size_t i = 0; i < result_.certificates.size(); ++i) {
       tally_.Add(plan::StepId(i), result_.certificates[i]);
     }
@@ -196,7 +194,7 @@ class AttackReport {
     }
     if (!result_.noiseless.Holds()) return text + Text(plan_, result_.noiseless, experiment_.gate);
     text += "\n" + Outcome(total.violated) + HardlyTested();
-    text += Interruption::Text(result_.attempts, run_.attempts, "attempts");
+    text += Interruption::Text(result_.attempts, run_.attempts, "attempts were made");
     if (Interruption::Requested() && run_.conservatism) {
       text += fmt::format("how much more noise it takes was measured of {} variables\n",
                           ratios_.size());
@@ -209,6 +207,8 @@ class AttackReport {
   const AttackRun& run_;
   const plan::Plan& plan_;
   const Stopwatch stopwatch_;
+  // Before the experiment, whose noise floor takes time to measure.
+  std::unique_ptr<Progress> progress_ = std::make_unique<Progress>("attacking");
   const check::Experiment experiment_;
   check::AttackResult result_;
   std::vector<check::ConservatismRatio> ratios_;

@@ -16,7 +16,7 @@
 #include "sim/cli/command_line/interruption.h"
 #include "sim/cli/command_line/progress.h"
 #include "sim/cli/command_line/stopwatch.h"
-#include "sim/cli/picture_output/film.h"
+#include "sim/cli/picture_output/step_pictures.h"
 #include "sim/cli/tasks/output_file.h"
 #include "sim/cli/tasks/tree_worlds.h"
 #include "sim/cli/tree_output/contingent_report.h"
@@ -62,8 +62,7 @@ class Enacting {
             numbers.size(), [&](std::size_t i) { return Run(numbers[i], i == 0 && run_.renders); },
             [&](std::size_t, EnactedTrial trial) {
               study_.trials.push_back(std::move(trial));
-              progress_->Tell(
-                  fmt::format("enacting, {} of {} trials", study_.trials.size(), numbers.size()));
+              progress_->Tell({std::ssize(study_.trials), std::ssize(numbers), "trials"});
             });
     progress_.reset();
     study_.seconds = stopwatch_.Seconds();
@@ -95,23 +94,23 @@ class Enacting {
 
   EnactedTrial Run(int number, bool is_pictured) const {
     execution::TrialSettings settings{.seed = seed_, .sensing_errors = run_.command.sensing_errors};
-    std::optional<Film> film;
+    std::optional<StepPictures> pictures;
     settings.on_step_end = [&](const execution::StepPicture& step) {
-      if (is_pictured) Take(step, film);
+      if (is_pictured) Take(step, pictures);
       Interruption::BreakOffIfRequested();
     };
 
     EnactedTrial trial =
         execution::RunTrial(scenario_, tree_, {number, worlds_.WorldOf(number)}, settings);
-    if (film) film->Write(run_.folder);
+    if (pictures) pictures->Write(run_.folder);
     return trial;
   }
 
-  void Take(const execution::StepPicture& step, std::optional<Film>& film) const {
-    if (film) return film->TakeStepEnd(step.action, step.data);
-    film.emplace(FilmSubject{scenario_.scenario.problem, kNoPlan, step.scene},
-                 scenario_.scenario.simulation.cameras, run_.pictures);
-    film->SeeStart(step.data);
+  void Take(const execution::StepPicture& step, std::optional<StepPictures>& pictures) const {
+    if (pictures) return pictures->TakeStepEnd(step.action, step.data);
+    pictures.emplace(PicturedPlan{scenario_.scenario.problem, kNoPlan, step.scene},
+                     scenario_.scenario.simulation.cameras, run_.pictures);
+    pictures->SeeStart(step.data);
   }
 
   static const plan::Plan kNoPlan;

@@ -41,16 +41,18 @@ class ExactTrials {
       : run_(run), planned_(run.planned), scene_(planned_.problem, planned_.simulation.scene) {}
 
   ExitCode Execute() {
-    std::optional<Film> film;
+    std::optional<StepPictures> pictures;
     if (run_.renders) {
-      film.emplace(FilmSubject{planned_.problem, planned_.result.plan, scene_},
-                   planned_.simulation.cameras, run_.pictures);
+      pictures.emplace(PicturedPlan{planned_.problem, planned_.result.plan, scene_},
+                       planned_.simulation.cameras, run_.pictures);
     }
     const Interruption interruption;
     execution::Scheduler(run_.jobs, Interruption::Requested)
         .InOrder(
             static_cast<std::size_t>(run_.trials),
-            [&](std::size_t i) { return RunOne(static_cast<int>(i) + 1, film ? &*film : nullptr); },
+            [&](std::size_t i) {
+              return RunOne(static_cast<int>(i) + 1, pictures ? &*pictures : nullptr);
+            },
             [this](std::size_t, check::Trial trial) { Keep(std::move(trial)); });
     progress_.reset();
     const Json result = Result();
@@ -59,17 +61,17 @@ class ExactTrials {
     PrintAndWrite(run_.json ? plan::JsonText(printed) : Report(), [&] {
       if (run_.folder.empty()) return;
       WriteFile(run_.folder / "result.json", plan::JsonText(result));
-      if (film) film->Write(run_.folder);
+      if (pictures) pictures->Write(run_.folder);
     });
     return Interruption::CodeOr(Succeeded() == Trials() ? ExitCode::kDone : ExitCode::kFailed);
   }
 
  private:
-  // The film shows the first trial.
-  check::Trial RunOne(int number, Film* film) const {
+  // The pictures show the first trial.
+  check::Trial RunOne(int number, StepPictures* pictures) const {
     execution::ExecutorOptions executor;
     executor.on_timestep = Interruption::BreakOffAfter;
-    executor.observer = number == 1 ? film : nullptr;
+    executor.observer = number == 1 ? pictures : nullptr;
     check::Trial trial = check::RunTrial(planned_.problem, planned_.result.plan, scene_, executor);
     trial.number = number;
     if (!run_.folder.empty()) WriteTrace(trial);
@@ -78,7 +80,7 @@ class ExactTrials {
 
   void Keep(check::Trial trial) {
     summaries_[trial.number] = {trial.verdict.outcome, trial.verdict.reason};
-    progress_->Tell(fmt::format("{} of {} trials", Trials(), run_.trials));
+    progress_->Tell({Trials(), run_.trials, "trials"});
     if (trial.number == 1) first_ = std::move(trial);
   }
 

@@ -4,7 +4,7 @@
 #include <filesystem>
 
 #include "sim/cli/command_line/exit_code.h"
-#include "sim/cli/picture_output/film.h"
+#include "sim/cli/picture_output/step_pictures.h"
 #include "sim/cli/tasks/planned_problem.h"
 #include "sim/sweep/grid/run_command.h"
 

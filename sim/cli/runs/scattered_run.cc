@@ -105,7 +105,7 @@ class Scattering {
 
   void Keep(ScatteredRow row) {
     rows_.push_back(std::move(row));
-    progress_.Tell(fmt::format("{} of {} trials", rows_.size(), Wanted()));
+    progress_.Tell({std::ssize(rows_), Wanted(), "trials"});
   }
 
   std::map<std::string, int> Outcomes() const {

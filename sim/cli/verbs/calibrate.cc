@@ -16,6 +16,7 @@
 #include "planner/domain/workcell/sensor_promise.h"
 #include "planner/plan/plan_files/json_layout.h"
 #include "sim/cli/command_line/console.h"
+#include "sim/cli/command_line/interruption.h"
 #include "sim/cli/command_line/progress.h"
 #include "sim/cli/command_line/stopwatch.h"
 #include "sim/cli/command_line/verb.h"
@@ -88,18 +89,24 @@ class Calibration {
   sense::OverheadCamera camera_;
 };
 
+// Returns how many placements are measured, in all scenarios.
+std::int64_t Wanted(const Options& options) {
+  return std::ssize(options.scenarios) * (options.trial ? 1 : options.trials);
+}
+
+// An interruption ends the measurement, with the trials until then.
 std::vector<CalibrationTrial> MeasureAll(const std::vector<CalibratedScenario>& subjects,
                                          const Options& options) {
   Progress progress("measuring parts");
+  progress.Tell({0, Wanted(options), "placements"});
   const int first = options.trial.value_or(1);
   const int last = options.trial.value_or(options.trials);
   std::vector<CalibrationTrial> trials;
   for (const CalibratedScenario& subject : subjects) {
     Calibration calibration(subject);
-    for (int number = first; number <= last; ++number) {
+    for (int number = first; number <= last && !Interruption::Requested(); ++number) {
       trials.push_back(calibration.Measure(number));
-      progress.Tell(fmt::format("{}: {} of {} placements", subject.file.string(),
-                                number - first + 1, last - first + 1));
+      progress.Tell({std::ssize(trials), Wanted(options), "placements"});
     }
   }
   return trials;
@@ -147,18 +154,24 @@ ExitCode Execute(const Options& options) {
   if (options.write) files = WorkcellFiles(subjects);
   std::ranges::for_each(files, RequireAmendable);
   const Stopwatch stopwatch;
-  const CalibrationReport result(subjects, MeasureAll(subjects, options), options.margin,
-                                 options.models);
+  const Interruption interruption;
+  std::vector<CalibrationTrial> trials = MeasureAll(subjects, options);
+  const std::string interrupted =
+      Interruption::Text(std::ssize(trials), Wanted(options), "placements were measured");
+  // A promise must not stand on fewer placements than were asked for.
+  if (!interrupted.empty()) files.clear();
+  const CalibrationReport result(subjects, std::move(trials), options.margin, options.models);
   const bool has_promise = result.found() > 0;
   if (has_promise) Write(files, result);
   Json json = result.ToJson();
   json["seconds"] = stopwatch.Seconds();
+  if (!interrupted.empty()) json["interrupted"] = true;
   Print(options.json  ? plan::JsonText(json)
-        : has_promise ? result.ForPeople() + PromiseForPeople(result, files)
-                      : result.ForPeople());
+        : has_promise ? result.ForPeople() + PromiseForPeople(result, files) + interrupted
+                      : result.ForPeople() + interrupted);
   // A promise that was just written is kept by definition.
   const bool kept = has_promise && (options.write || result.KeepsPromise());
-  return kept ? ExitCode::kDone : ExitCode::kFailed;
+  return Interruption::CodeOr(kept ? ExitCode::kDone : ExitCode::kFailed);
 }
 
 Execution Declare(CLI::App& command) {

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <vector>
 
 #include "planner/assembly/contingent_assembly.h"
@@ -14,6 +15,7 @@
 #include "planner/domain/workcell/workcell_file.h"
 #include "planner/plan/plan_files/json_layout.h"
 #include "sim/cli/command_line/console.h"
+#include "sim/cli/command_line/interruption.h"
 #include "sim/cli/command_line/progress.h"
 #include "sim/cli/command_line/verb.h"
 #include "sim/cli/options/file_format.h"
@@ -116,14 +118,23 @@ struct Summary {
 
 ExitCode Execute(const Options& options) {
   RequireWritable(options.output);
+  // Of a single file there is nothing to keep.
+  std::optional<Interruption> interruption;
+  if (options.files.size() > 1) interruption.emplace();
   Summary summary;
-  for (const fs::path& file : options.files) summary.Add(file, options);
-  const std::string json = plan::JsonText(Json{{"files", summary.files}});
-  PrintAndWrite(options.json ? json : summary.text, [&] {
+  for (const fs::path& file : options.files) {
+    if (!Interruption::Requested()) summary.Add(file, options);
+  }
+  const std::string interrupted = Interruption::Text(
+      std::ssize(summary.files), std::ssize(options.files), "files were checked");
+  Json result = {{"files", summary.files}};
+  if (!interrupted.empty()) result["interrupted"] = true;
+  const std::string json = plan::JsonText(result);
+  PrintAndWrite(options.json ? json : summary.text + interrupted, [&] {
     if (!options.output.empty()) WriteFile(options.output, json);
   });
   if (!summary.all_right) return ExitCode::kWrongInput;
-  return summary.all_hold ? ExitCode::kDone : ExitCode::kFailed;
+  return Interruption::CodeOr(summary.all_hold ? ExitCode::kDone : ExitCode::kFailed);
 }
 
 Execution Declare(CLI::App& command) {

@@ -10,6 +10,7 @@
 #include "planner/contingent/pks_and_pddl/pks_text.h"
 #include "planner/contingent/pks_and_pddl/task_file.h"
 #include "sim/cli/command_line/console.h"
+#include "sim/cli/command_line/progress.h"
 #include "sim/cli/command_line/usage_error.h"
 #include "sim/cli/command_line/verb.h"
 #include "sim/cli/options/models_folder.h"
@@ -96,7 +97,11 @@ ExitCode ExportContacts(const Options& options) {
   }
   const finemotion::MatingGeometry geometry =
       finemotion::GeometryOf(problem, problem.matings.back());
-  Deliver(ContactChainToDot(problem.name, ContactChainOf(geometry)), options);
+  const std::string text = [&] {
+    const Progress progress("looking for contact states");
+    return ContactChainToDot(problem.name, ContactChainOf(geometry));
+  }();
+  Deliver(text, options);
   return ExitCode::kDone;
 }
 

@@ -160,6 +160,7 @@ Planning Prepared(const Options& options) {
 }
 
 void Search(Planning& of) {
+  const Progress progress("planning the mating");
   Json seconds;
   const Stopwatch graphing;
   of.chain = ContactChainOf(of.geometry);
@@ -210,7 +211,7 @@ MatingStudy Tried(const Planning& of, const kinematics::JointVector& near, const
           [&](std::size_t i, std::pair<MatedTrial, MatedTrial> made) {
             study.strategy.push_back(std::move(made.first));
             study.straight.push_back(std::move(made.second));
-            progress.Tell(fmt::format("mating in physics, trial {} of {}", i + 1, numbers.size()));
+            progress.Tell({static_cast<int>(i) + 1, std::ssize(numbers), "trials"});
           });
   std::vector<check::SequenceComparison> comparisons;
   for (const MatedTrial& trial : study.strategy) comparisons.push_back(trial.sequence->comparison);
@@ -285,6 +286,7 @@ void Execute(const Options& options, Planning& of) {
 }
 
 void Picture(const std::filesystem::path& folder, Planning& of) {
+  const Progress progress("drawing contact states");
   const PlannedProblem& planned = of.task.planned;
   const std::vector<std::string> files =
       WriteMatingPictures(folder, {planned, planned.problem.mating(of.task.assemble.mating),

@@ -4,14 +4,16 @@
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "planner/plan/plan_files/json_layout.h"
 #include "sim/check/trial_verdicts/trial.h"
 #include "sim/cli/command_line/console.h"
+#include "sim/cli/command_line/interruption.h"
 #include "sim/cli/command_line/progress.h"
 #include "sim/cli/command_line/verb.h"
 #include "sim/cli/options/models_folder.h"
-#include "sim/cli/picture_output/film.h"
+#include "sim/cli/picture_output/step_pictures.h"
 #include "sim/cli/plan_output/plan_text.h"
 #include "sim/cli/tasks/output_file.h"
 #include "sim/cli/tasks/planned_problem.h"
@@ -29,15 +31,37 @@ struct Options {
   bool json = false;
 };
 
-Json ToJson(const Film& film, const execution::ExecutionEnd& end) {
-  return {
-      {"pictures", film.FileNames()}, {"outcome", NameOfEnd(end.outcome)}, {"reason", end.reason}};
+// Executes the plan. Returns how the execution ended, or nothing if it was interrupted.
+std::optional<execution::ExecutionEnd> Execute(const PlannedProblem& planned,
+                                               const scene::Scene& scene, StepPictures& pictures) {
+  const Progress progress("executing the plan for " + planned.problem.name);
+  try {
+    return check::RunTrial(planned.problem, planned.result.plan, scene,
+                           {.on_timestep = Interruption::BreakOffAfter, .observer = &pictures})
+        .trace.end();
+  } catch (const BrokenOff&) {
+    return std::nullopt;
+  }
 }
 
-std::string ForPeople(const Film& film, const execution::ExecutionEnd& end) {
-  std::string text = fmt::format("{}\n", fmt::join(film.FileNames(), "\n"));
-  if (end.outcome != execution::TrialOutcome::kSucceeded) {
-    text += fmt::format("the execution ended early: {}: {}\n", NameOfEnd(end.outcome), end.reason);
+Json ToJson(const StepPictures& pictures, const std::optional<execution::ExecutionEnd>& end) {
+  Json json = {{"pictures", pictures.FileNames()}};
+  if (end) {
+    json["outcome"] = NameOfEnd(end->outcome);
+    json["reason"] = end->reason;
+  } else {
+    json["interrupted"] = true;
+  }
+  return json;
+}
+
+std::string ForPeople(const StepPictures& pictures,
+                      const std::optional<execution::ExecutionEnd>& end) {
+  std::string text = fmt::format("{}\n", fmt::join(pictures.FileNames(), "\n"));
+  if (!end) return text + "interrupted: the pictures after these were not taken\n";
+  if (end->outcome != execution::TrialOutcome::kSucceeded) {
+    text +=
+        fmt::format("the execution ended early: {}: {}\n", NameOfEnd(end->outcome), end->reason);
   }
   return text;
 }
@@ -50,17 +74,14 @@ ExitCode Execute(const Options& options) {
     return ExitCodeOf(planned.result.outcome);
   }
   const scene::Scene scene(planned.problem, planned.simulation.scene);
-  Film film({planned.problem, planned.result.plan, scene}, planned.simulation.cameras,
-            options.pictures);
-  const check::Trial trial = [&] {
-    const Progress progress("executing the plan for " + planned.problem.name);
-    return check::RunTrial(planned.problem, planned.result.plan, scene, {.observer = &film});
-  }();
-  film.Write(options.folder);
-  const execution::ExecutionEnd& end = trial.trace.end();
-  Print(options.json ? plan::JsonText(ToJson(film, end)) : ForPeople(film, end));
-  const bool done = end.outcome == execution::TrialOutcome::kSucceeded;
-  return done ? ExitCode::kDone : ExitCode::kFailed;
+  StepPictures pictures({planned.problem, planned.result.plan, scene}, planned.simulation.cameras,
+                        options.pictures);
+  const Interruption interruption;
+  const std::optional<execution::ExecutionEnd> end = Execute(planned, scene, pictures);
+  pictures.Write(options.folder);
+  Print(options.json ? plan::JsonText(ToJson(pictures, end)) : ForPeople(pictures, end));
+  const bool done = end && end->outcome == execution::TrialOutcome::kSucceeded;
+  return Interruption::CodeOr(done ? ExitCode::kDone : ExitCode::kFailed);
 }
 
 Execution Declare(CLI::App& command) {

@@ -19,7 +19,7 @@
 #include "sim/cli/command_line/verb.h"
 #include "sim/cli/options/models_folder.h"
 #include "sim/cli/options/quantity.h"
-#include "sim/cli/picture_output/film.h"
+#include "sim/cli/picture_output/step_pictures.h"
 #include "sim/cli/plan_output/table.h"
 #include "sim/cli/tasks/noise_floor_cache.h"
 #include "sim/cli/tasks/output_file.h"
@@ -67,11 +67,11 @@ struct Again {
   std::vector<check::LedgerEntry> ledger = {};
 };
 
-Again RunAgain(const sweep::PlannedCell& cell, const TrialRecord& stored, Film* film) {
+Again RunAgain(const sweep::PlannedCell& cell, const TrialRecord& stored, StepPictures* pictures) {
   const Progress progress(fmt::format("trial {}", stored.trial));
   const noise::Noise noise = sweep::NoiseOf(cell, stored.number);
   const sweep::Preparation& preparation = *cell.preparation;
-  const check::Trial trial = sweep::Execute(cell, noise, film);
+  const check::Trial trial = sweep::Execute(cell, noise, pictures);
   const check::Experiment experiment{preparation.scenario.problem, preparation.plan,
                                      preparation.scenario.simulation.scene};
   sweep::TimedTrial timed = sweep::Recorded(preparation.plan, trial);
@@ -89,10 +89,10 @@ Again RunFilmed(const sweep::PlannedCell& cell, const TrialRecord& stored, const
   const noise::Noise noise = sweep::NoiseOf(cell, stored.number);
   const scene::Scene scene(scenario.problem,
                            execution::TrueScene(scenario.simulation.scene, noise));
-  Film film({scenario.problem, cell.preparation->plan, scene}, scenario.simulation.cameras,
-            options.pictures);
-  Again again = RunAgain(cell, stored, &film);
-  film.Write(options.folder);
+  StepPictures pictures({scenario.problem, cell.preparation->plan, scene},
+                        scenario.simulation.cameras, options.pictures);
+  Again again = RunAgain(cell, stored, &pictures);
+  pictures.Write(options.folder);
   return again;
 }
 
@@ -103,7 +103,7 @@ Again AttackAgain(const sweep::Store& store, const sweep::Work& work,
     sweep::AttackControl control{
         .jobs = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()))};
     control.progress = [&](std::int64_t made) {
-      progress.Tell(fmt::format("{} of {} attempts", made, attack->attempts));
+      progress.Tell({made, attack->attempts, "attempts"});
     };
     sweep::TimedTrial timed = work.attack(cell, control);
     SetNumbers(stored, timed.record);

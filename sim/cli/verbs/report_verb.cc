@@ -13,7 +13,7 @@
 #include "sim/cli/command_line/progress.h"
 #include "sim/cli/command_line/verb.h"
 #include "sim/cli/options/models_folder.h"
-#include "sim/cli/picture_output/film.h"
+#include "sim/cli/picture_output/step_pictures.h"
 #include "sim/cli/tasks/output_file.h"
 #include "sim/cli/tasks/stored_trial.h"
 #include "sim/execution/walk/executor.h"
@@ -33,7 +33,7 @@ struct Options {
   domain::ModelPath models;
   int cells_in_full = report::PageOptions().cells_in_full;
   bool pictures = false;
-  PictureOptions picture = {.cameras = {}, .size = "400x300"};
+  PictureOptions picture = {.quality = {.size = "400x300"}};
 };
 
 // A folder for temporary files, removed at the end.
@@ -65,12 +65,12 @@ std::string ContactSheetOf(const sweep::Store& store, int number, const Options&
   const noise::Noise noise = sweep::NoiseOf(cell, trial->number);
   const scene::Scene scene(scenario.problem,
                            execution::TrueScene(scenario.simulation.scene, noise));
-  Film film({scenario.problem, cell.preparation->plan, scene}, scenario.simulation.cameras,
-            options.picture);
-  sweep::Execute(cell, noise, &film);
+  StepPictures pictures({scenario.problem, cell.preparation->plan, scene},
+                        scenario.simulation.cameras, options.picture);
+  sweep::Execute(cell, noise, &pictures);
   const TemporaryFolder folder;
-  film.Write(folder.path());
-  std::ifstream in(folder.path() / film.FileNames().back(), std::ios::binary);
+  pictures.Write(folder.path());
+  std::ifstream in(folder.path() / pictures.FileNames().back(), std::ios::binary);
   return {std::istreambuf_iterator<char>(in), {}};
 }
 

@@ -64,12 +64,6 @@ sweep::Shard ShardFrom(const std::string& text) {
   throw UsageError(fmt::format("--shard: '{}' is no share; allowed: I/N with I from 1 to N", text));
 }
 
-std::string DurationText(double seconds) {
-  if (seconds < 90) return fmt::format("{:.0f} s", seconds);
-  if (seconds < 5400) return fmt::format("{:.0f} min", seconds / 60);
-  return fmt::format("{:.1f} h", seconds / 3600);
-}
-
 // Shows to people how many trials there are, how long they will take, and how many are done.
 class Narrator {
  public:
@@ -81,7 +75,7 @@ class Narrator {
       if (advance.cells > 0 && advance.cells_planned == 0) {
         Line(fmt::format("planning {} cells", advance.cells));
       }
-      progress_.Tell(fmt::format("{} of {} cells planned", advance.cells_planned, advance.cells));
+      progress_.Tell({advance.cells_planned, advance.cells, "cells planned"});
       return;
     }
     if (!announced_) Announce(advance);
@@ -92,10 +86,9 @@ class Narrator {
                        DurationText(advance.seconds * advance.trials / advance.trials_done)));
     }
     if (advance.attempts_made > 0) {
-      progress_.Tell(ProgressText("attempts", advance.attempts_made, advance.attempts,
-                                  advance.attack_seconds));
+      progress_.Tell({advance.attempts_made, advance.attempts, "attempts"});
     } else if (advance.trials_done > 0) {
-      progress_.Tell(ProgressText("trials", advance.trials_done, advance.trials, advance.seconds));
+      progress_.Tell({advance.trials_done, advance.trials, "trials"});
     }
   }
 
@@ -110,13 +103,6 @@ class Narrator {
     Line(text);
   }
 
-  static std::string ProgressText(const char* of, std::int64_t done, std::int64_t all,
-                                  double seconds) {
-    const double rate = static_cast<double>(done) / std::max(seconds, 1e-3);
-    return fmt::format("{} of {} {}, {:.1f} a second, {} left", done, all, of, rate,
-                       DurationText(static_cast<double>(all - done) / rate));
-  }
-
   // Wipes the progress from the line before printing.
   static void Line(const std::string& text) {
     Remark(fmt::format("{}{}\n", RemarksAreSeen() ? "\r\033[K" : "", text));
@@ -126,7 +112,7 @@ class Narrator {
   const double seconds_of_trial_;  // 0 if not known
   bool announced_ = false;
   bool foretold_ = false;
-  Progress progress_{"planning"};
+  Progress progress_{"sweep"};
 };
 
 // Ends an interrupted program while plans are made. A plan that is being made cannot be broken off,

@@ -111,6 +111,17 @@ TEST_F(ScenarioFile, TheNearestModelsCount) {
             Folders{fs::canonical(folder_ / "deep/models")});
 }
 
+// A folder of parts alone does not hide the workcells of the folders after it.
+TEST_F(ScenarioFile, HasItsOwnPartsBesideTheUsualModels) {
+  fs::create_directories(folder_ / "models/workcells");
+  fs::create_directories(folder_ / "deep/models/parts");
+  const Folders models = {fs::canonical(folder_ / "deep/models"), fs::canonical(folder_ / "models")};
+  EXPECT_EQ(FindModels(folder_ / "deep/scenario.yaml").folders(), models);
+  fs::remove_all(folder_ / "models");
+  EXPECT_EQ(FindModels(folder_ / "deep/scenario.yaml").folders(),
+            (Folders{models.front(), fs::canonical(kRoot / "models")}));
+}
+
 // If there are no models beside the file or above it, those of the source tree are used.
 TEST_F(ScenarioFile, WithoutModelsHasThoseOfTheProgram) {
   EXPECT_EQ(FindModels(folder_ / "scenario.yaml").folders(),

@@ -87,6 +87,28 @@ INSTANTIATE_TEST_SUITE_P(
                         "sim/cli/verbs/contingent_run.schema.json"}),
     [](const auto& verb) { return std::string(verb.param.name); });
 
+TEST(Interruption, OfACalibrationKeepsItsPlacements) {
+  const std::optional<Ended> ended =
+      Interrupted({"calibrate", kTwoLooks, "--trials", kForEver, "--json"}, SIGTERM);
+  if (ended) {
+    EXPECT_EQ(ended->code, 143) << ended->err;
+    EXPECT_EQ(ended->Json()["interrupted"], true);
+  }
+}
+
+TEST(Interruption, OfPicturesKeepsThoseThatWereTaken) {
+  const Folder folder;
+  const std::optional<Ended> ended =
+      Interrupted({"render", kTwoActions, "-o", folder / "out", "--json"}, SIGTERM);
+  if (ended) {
+    EXPECT_EQ(ended->code, 143) << ended->err;
+    EXPECT_EQ(ended->Json()["interrupted"], true);
+    for (const std::string picture : ended->Json()["pictures"]) {
+      EXPECT_TRUE(std::filesystem::exists(folder / "out/" + picture)) << picture;
+    }
+  }
+}
+
 TEST(Interruption, IsToldToPeople) {
   const std::optional<Ended> ended =
       Interrupted({"run", kTwoActions, "--noise", "uniform", "--trials", kForEver}, SIGINT);

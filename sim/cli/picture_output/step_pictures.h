@@ -8,54 +8,31 @@
 
 #include "planner/domain/problem/problem.h"
 #include "planner/plan/data/plan.h"
-#include "sim/cli/picture_output/mating_film.h"
+#include "sim/cli/picture_output/mating_moments.h"
+#include "sim/cli/picture_output/picture_options.h"
 #include "sim/execution/walk/executor.h"
 #include "sim/render/image.h"
 #include "sim/render/renderer.h"
 #include "sim/scene/scene.h"
 
-namespace CLI {
-class App;
-}
-
 namespace assay::cli {
 
-// Options for taking pictures.
-struct PictureOptions {
-  std::vector<std::string> cameras = {};  // empty: the scenario's
-  std::string size = "960x720";           // pixels, WIDTHxHEIGHT
-  int samples = 2;                        // samples along each side of a pixel
-  bool hides_ghosts = false;              // leave out the ghosts of predicted error sets
-};
-
-// Adds --camera, --size, --samples and --no-ghosts. `with` names an option of the command without
-// which no pictures are taken; it is empty if pictures are always taken.
-void AddPictureOptions(CLI::App& command, PictureOptions& options, const std::string& with = "");
-
 // The plan that is executed, and its scene.
-struct FilmSubject {
+struct PicturedPlan {
   const domain::Problem& problem;
   const plan::Plan& plan;
   const scene::Scene& scene;
 };
 
-// A picture's size in pixels.
-struct PictureSize {
-  int width = 0;
-  int height = 0;
-
-  double aspect() const { return static_cast<double>(width) / height; }
-};
-
 // Takes the pictures of one trial: its start and the end of each step. The picture of a step's end
 // shows the error sets that the step's certificate predicts, as ghosts. Close-ups show what the
-// hand does on the way: pads that have closed on a part, and matings (MatingFilm).
-class Film : public execution::Observer {
+// hand does on the way: pads that have closed on a part, and matings (MatingMoments).
+class StepPictures : public execution::Observer {
  public:
   // Throws EnvironmentError if there is no renderer, and UsageError if there is no such camera. The
-  // objects that `subject` refers to must outlive the film.
-  Film(const FilmSubject& subject, const std::vector<std::string>& cameras_of_scenario,
-       const PictureOptions& options);
+  // objects that `subject` refers to must outlive the pictures.
+  StepPictures(const PicturedPlan& subject, const std::vector<std::string>& cameras_of_scenario,
+               const PictureOptions& options);
 
   // Takes a picture of the end of an action that is not in the plan: "grasp(can1)".
   void TakeStepEnd(const std::string& action, const mujoco::Data& data);
@@ -93,10 +70,10 @@ class Film : public execution::Observer {
   bool has_ghosts_ = false;
   render::Renderer renderer_;
   std::vector<std::string> cameras_;
-  std::vector<domain::PartId> worked_;  // parts shown by the camera that follows the work
-  int ended_ = 0;                       // number of steps that have ended
-  int close_ups_ = 0;                   // number of close-ups in the present step
-  std::optional<MatingFilm> mating_;    // the mating in progress
+  std::vector<domain::PartId> worked_;   // parts shown by the camera that follows the work
+  int ended_ = 0;                        // number of steps that have ended
+  int close_ups_ = 0;                    // number of close-ups in the present step
+  std::optional<MatingMoments> mating_;  // the mating in progress
   plan::StepId mating_step_;
   std::vector<Picture> pictures_;
   std::vector<render::CaptionedImage> sheet_;

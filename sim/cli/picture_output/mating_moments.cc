@@ -1,4 +1,4 @@
-#include "sim/cli/picture_output/mating_film.h"
+#include "sim/cli/picture_output/mating_moments.h"
 
 #include <fmt/format.h>
 
@@ -21,8 +21,8 @@ std::string PartsOf(const domain::Problem& problem, const domain::Mating& mating
 
 }  // namespace
 
-MatingFilm::MatingFilm(const domain::Problem& problem, const scene::Scene& scene,
-                       const domain::Mating& mating, const mujoco::Data& data, double aspect)
+MatingMoments::MatingMoments(const domain::Problem& problem, const scene::Scene& scene,
+                             const domain::Mating& mating, const mujoco::Data& data, double aspect)
     : parts_(PartsOf(problem, mating)),
       insertion_(problem, scene, mating),
       camera_(render::CloseUp(insertion_.SubjectIn(data), render::Sight(data, insertion_.Moving()),
@@ -31,7 +31,7 @@ MatingFilm::MatingFilm(const domain::Problem& problem, const scene::Scene& scene
               {"enters", kEnters * insertion_.depth()},
               {"half", kHalf * insertion_.depth()}}) {}
 
-std::optional<Snapshot> MatingFilm::Look(const mujoco::Data& data) {
+std::optional<Snapshot> MatingMoments::Look(const mujoco::Data& data) {
   const double inserted = insertion_.Inserted(data);
   std::string come;
   while (!ahead_.empty() && inserted >= ahead_.front().second) {
@@ -42,7 +42,7 @@ std::optional<Snapshot> MatingFilm::Look(const mujoco::Data& data) {
   return At(come, inserted);
 }
 
-std::optional<Snapshot> MatingFilm::LookAtRest(const mujoco::Data& data) {
+std::optional<Snapshot> MatingMoments::LookAtRest(const mujoco::Data& data) {
   const double inserted = insertion_.Inserted(data);
   const double alike = kAlike * insertion_.depth();
   if (rest_ && std::abs(inserted - *rest_) < alike) return std::nullopt;
@@ -50,7 +50,7 @@ std::optional<Snapshot> MatingFilm::LookAtRest(const mujoco::Data& data) {
   return At(std::abs(inserted - insertion_.depth()) < alike ? "seated" : "stopped", inserted);
 }
 
-Snapshot MatingFilm::At(const std::string& name, double inserted) const {
+Snapshot MatingMoments::At(const std::string& name, double inserted) const {
   if (inserted < 0) {
     return {name, fmt::format("{}: {:.1f} mm before it enters", parts_, -1e3 * inserted)};
   }

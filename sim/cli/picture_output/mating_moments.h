@@ -17,12 +17,12 @@ struct Snapshot {
 
 // Selects the events of a mating that are worth a picture: as far before the mouth as the mouth is
 // wide, as it enters, half way in, and where it comes to rest. All of them are seen by one camera.
-// The film begins when the held part is before the hole.
-class MatingFilm {
+// It begins when the held part is before the hole.
+class MatingMoments {
  public:
-  // The arguments must outlive the film. In `data` the held part must be before the hole.
-  MatingFilm(const domain::Problem& problem, const scene::Scene& scene,
-             const domain::Mating& mating, const mujoco::Data& data, double aspect);
+  // The arguments must outlive the object. In `data` the held part must be before the hole.
+  MatingMoments(const domain::Problem& problem, const scene::Scene& scene,
+                const domain::Mating& mating, const mujoco::Data& data, double aspect);
 
   const render::FreeCamera& camera() const { return camera_; }
 

@@ -1,0 +1,35 @@
+# `cpack -G DEB --config build/release/CPackConfig.cmake` makes two packages of what is installed:
+# assay (the program with its models, scenarios and manual, and the Python module) and assay-dev (libraries, headers and
+# their CMake configuration). dpkg-shlibdeps names the packages of the libraries that are linked.
+set(CPACK_COMPONENTS_ALL program dev)
+set(CPACK_COMPONENT_PROGRAM_GROUP user)
+if(ASSAY_PYTHON)
+  list(APPEND CPACK_COMPONENTS_ALL python)
+  set(CPACK_COMPONENT_PYTHON_GROUP user)
+  set(CPACK_DEBIAN_USER_PACKAGE_RECOMMENDS "python3-numpy, python3-pandas")
+endif()
+set(CPACK_DEB_COMPONENT_INSTALL ON)
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_PACKAGE_CONTACT "Maintainers of assay <maintainers@assay.invalid>")
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ
+    GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
+
+set(CPACK_DEBIAN_USER_PACKAGE_NAME assay)
+set(CPACK_DEBIAN_USER_PACKAGE_SECTION science)
+set(CPACK_DEBIAN_USER_PACKAGE_SHLIBDEPS ON)
+# What is opened when it is needed is linked by nothing.
+set(CPACK_DEBIAN_USER_PACKAGE_DEPENDS "libosmesa6 | libegl1")
+set(CPACK_DEBIAN_USER_PACKAGE_SUGGESTS ffmpeg)
+set(CPACK_COMPONENT_GROUP_USER_DESCRIPTION "The program with its models, scenarios and manual.")
+
+set(CPACK_DEBIAN_DEV_PACKAGE_NAME assay-dev)
+set(CPACK_DEBIAN_DEV_PACKAGE_SECTION libdevel)
+set(CPACK_COMPONENT_DEV_DESCRIPTION "Libraries and headers, for find_package(assay) in CMake.")
+# What the installed configuration and headers ask for, from packages.txt.
+file(STRINGS packages.txt dev_packages REGEX "^[a-z0-9+-]+-dev ")
+list(FILTER dev_packages EXCLUDE REGEX "# (tests|benchmarks)")
+list(TRANSFORM dev_packages REPLACE " .*" "")
+list(JOIN dev_packages ", " dev_packages)
+set(CPACK_DEBIAN_DEV_PACKAGE_DEPENDS "assay (= ${PROJECT_VERSION}), ${dev_packages}")
+include(CPack)
