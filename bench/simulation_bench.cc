@@ -86,7 +86,7 @@ const Run& Recorded(const std::string& name) {
 void Execute(benchmark::State& state, const std::string& name) {
   const Run& run = Recorded(name);
   double simulated = 0;
-  for (auto _ : state) simulated += run.Execute({}).end().moment.time;
+  for (auto _ : state) simulated += run.Execute({}).end().snapshot.time;
   state.counters["steps"] = static_cast<double>(run.steps);
   state.counters["real_time_factor"] = benchmark::Counter(simulated, benchmark::Counter::kIsRate);
 }

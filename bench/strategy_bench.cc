@@ -176,9 +176,9 @@ void CheckDown(benchmark::State& state, Margins margins) {
   PoseChange down = PoseChange::Zero();
   down.z() = -0.01;
   const Command command = {down, {}, ContactKey{ContactKind::kVertexFace, 0, 0}};
-  const Belief belief = {Displaced(OnTheFace(), -down), ErrorsOf(1).pose.asDiagonal()};
+  const BelievedPose believed = {Displaced(OnTheFace(), -down), ErrorsOf(1).pose.asDiagonal()};
   CertainMotion motion;
-  for (auto _ : state) motion = checker.Check(belief, command, margins);
+  for (auto _ : state) motion = checker.Check(believed, command, margins);
   state.counters["certain"] = motion.check.certain ? 1 : 0;
   state.counters["unwanted"] = static_cast<double>(motion.check.unwanted.size());
 }

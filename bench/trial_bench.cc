@@ -33,7 +33,7 @@ void WholeTrial(benchmark::State& state, const std::string& name) {
   for (auto _ : state) {
     trial = check::RunTrial(experiment, noise::Sample(box, noise::Mode::kUniform, kSeed, 1),
                             {.sample_rate = 0});
-    simulated += trial.trace.end().moment.time;
+    simulated += trial.trace.end().snapshot.time;
   }
   if (trial.verdict.outcome != check::TrialOutcome::kSucceeded) {
     return state.SkipWithError(trial.verdict.reason.c_str());

@@ -8,7 +8,7 @@
 #include "planner/assembly/open_poses.h"
 #include "planner/assembly/plan_check.h"
 #include "planner/base/check.h"
-#include "planner/constraint_posting/resolvers/moment.h"
+#include "planner/constraint_posting/resolvers/plan_states.h"
 #include "planner/contingent/search/contingent_planner.h"
 #include "planner/uncertainty/preconditions/certify.h"
 

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "planner/assembly/strategy_reach.h"
-#include "planner/constraint_posting/resolvers/moment.h"
+#include "planner/constraint_posting/resolvers/plan_states.h"
 #include "planner/constraint_posting/resolvers/sensing_resolver.h"
 #include "planner/finemotion/strategy_search/likely_errors.h"
 #include "planner/plan/data/condition_table.h"

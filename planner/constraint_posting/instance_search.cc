@@ -147,7 +147,7 @@ class OrderedSearch {
     return false;
   }
 
-  bool Spend() { return budgets_.values.Spend() && !budgets_.moments.Exhausted(); }
+  bool Spend() { return budgets_.values.Spend() && !budgets_.snapshots.Exhausted(); }
 
   // Returns true if the judge accepts the step with the value just set. Otherwise `blame` receives
   // the reasons.
@@ -157,7 +157,7 @@ class OrderedSearch {
     actions_.push_back(
         WriteAction(plan_.problem(), plan_.step(order_[depth]), values_[order_[depth].index()]));
     const Judgement judgement = judge_(actions_);
-    Charge(budgets_.moments, judgement);
+    Charge(budgets_.snapshots, judgement);
     for (const Objection& objection : judgement.objections) AddBlame(objection, depth, blame);
     if (!judgement.objections.empty()) NoteTooNear(judgement.objections.back());
     objections_ += std::ssize(judgement.objections);

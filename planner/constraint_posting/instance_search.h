@@ -22,12 +22,12 @@ namespace assay::constraint_posting {
 // it out.
 class InstanceSearch {
  public:
-  // The budget of a search: `values` counts values tried, and `moments` counts snapshots that the
+  // The budget of a search: `values` counts values tried, and `snapshots` counts snapshots that the
   // judge computes.
   struct Budgets {
     Budget& values;
-    Budget& moments;
-    bool Exhausted() const { return values.Exhausted() || moments.Exhausted(); }
+    Budget& snapshots;
+    bool Exhausted() const { return values.Exhausted() || snapshots.Exhausted(); }
   };
 
   // `judge` is called for each step when its value is chosen. An empty judge never objects.

@@ -38,12 +38,12 @@ struct Objection {
 struct Judgement {
   std::vector<Objection> objections = {};  // empty if there are none
   // The cost of the judgement: one, plus the number of snapshots of world trees that it computed.
-  std::int64_t moments = 0;
+  std::int64_t snapshots = 0;
 };
 
 // Takes the cost of a judgement from the budget.
-inline void Charge(Budget& moments, const Judgement& judgement) {
-  for (std::int64_t i = 0; i < judgement.moments; ++i) moments.Spend();
+inline void Charge(Budget& snapshots, const Judgement& judgement) {
+  for (std::int64_t i = 0; i < judgement.snapshots; ++i) snapshots.Spend();
 }
 
 // Judges the last of `actions`, which are the first actions of a plan instance. Before this call,

@@ -81,7 +81,7 @@ class PostingPlanner {
     judge_ = [this](std::span<const plan::Action> actions) {
       Judgement judgement = options_.judge(actions);
       Charge(turn_, judgement);
-      moments_ += judgement.moments;
+      snapshots_ += judgement.snapshots;
       return judgement;
     };
   }
@@ -104,7 +104,7 @@ class PostingPlanner {
                        {"complete_plans", complete_plans_},
                        {"instances", instances_},
                        {"least_actions", least.value_or(-1)}};
-    if (judge_) result.counters["moments"] = moments_;
+    if (judge_) result.counters["moments"] = snapshots_;
     return result;
   }
 
@@ -130,7 +130,7 @@ class PostingPlanner {
   void BeginTurn(int turn) {
     met_objections_ = false;
     are_parts_in_the_way_ = false;
-    turn_ = Budget(options_.moments * turn / kTurns - moments_);
+    turn_ = Budget(options_.snapshots * turn / kTurns - snapshots_);
   }
   bool LongerPlansMayPass(int turn) const {
     if (turn == kTurns || (met_objections_ && !are_parts_in_the_way_)) return false;
@@ -227,8 +227,8 @@ class PostingPlanner {
 
   bool Complete(const PartialPlan& plan) {
     ++complete_plans_;
-    Budget moments((turn_.limit() - turn_.spent()) / kMostOfOneTurn);
-    InstanceSearch search(plan, judge_, {instance_choices_, moments});
+    Budget snapshots((turn_.limit() - turn_.spent()) / kMostOfOneTurn);
+    InstanceSearch search(plan, judge_, {instance_choices_, snapshots});
     bool has_instance = false;
     const bool accepted = search.Find([&](const PlanInstance& instance) {
       has_instance = true;
@@ -279,9 +279,9 @@ class PostingPlanner {
   const GeometricRelations& relations_;
   Budget partial_plans_;
   Budget instance_choices_;
-  Judge judge_ = {};          // the judge of the options, with its snapshots counted
-  Budget turn_{0};            // the judge's budget in snapshots until a longer plan's turn
-  std::int64_t moments_ = 0;  // the number of snapshots that the judge has computed
+  Judge judge_ = {};            // the judge of the options, with its snapshots counted
+  Budget turn_{0};              // the judge's budget in snapshots until a longer plan's turn
+  std::int64_t snapshots_ = 0;  // the number of snapshots that the judge has computed
   std::int64_t complete_plans_ = 0;
   std::int64_t instances_ = 0;
   std::set<std::string> seen_;  // the signatures of instances

@@ -19,7 +19,7 @@ struct PlannerOptions {
   // Called for each action while an instance is made. If the judge objects to an action, the
   // instance is not a plan. An empty judge never objects.
   Judge judge = {};
-  std::int64_t moments = 12'000;  // budget of the judge, in computed snapshots
+  std::int64_t snapshots = 12'000;  // budget of the judge, in computed snapshots
   // Called for each plan instance in turn. The first accepted one is the plan. Without a function,
   // the first instance is the plan.
   std::function<bool(const plan::Plan&)> accept = {};

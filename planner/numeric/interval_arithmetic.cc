@@ -110,13 +110,13 @@ double CosFromAbove(double x) {
 // values, and its slopes there. The range of f follows from these. The signs of the slopes are
 // right, because no double other than 0 is so near a zero of sine or cosine that the C library
 // would return the wrong sign.
-struct WaveEnds {
+struct SinusoidEnds {
   Interval at_low, at_high;  // they contain the values of f at the ends
   double slope_at_low = 0;
   double slope_at_high = 0;
 };
 
-Interval RangeOfWave(const WaveEnds& ends, double width) {
+Interval RangeOfSinusoid(const SinusoidEnds& ends, double width) {
   const Interval hull = Hull(ends.at_low, ends.at_high);
   // The slope has at most one zero over a length below pi, and at most two below 2 pi. Its sign
   // changes only if the number of zeros is odd.
@@ -177,11 +177,11 @@ Interval Sin(const Interval& a) {
   const double width = Width(a);
   if (!(width < 2 * kPiFromBelow)) return {-1, 1};
   if (width == 0) return {SinFromBelow(a.low), SinFromAbove(a.low)};
-  return RangeOfWave({.at_low = {SinFromBelow(a.low), SinFromAbove(a.low)},
-                      .at_high = {SinFromBelow(a.high), SinFromAbove(a.high)},
-                      .slope_at_low = std::cos(a.low),
-                      .slope_at_high = std::cos(a.high)},
-                     width);
+  return RangeOfSinusoid({.at_low = {SinFromBelow(a.low), SinFromAbove(a.low)},
+                          .at_high = {SinFromBelow(a.high), SinFromAbove(a.high)},
+                          .slope_at_low = std::cos(a.low),
+                          .slope_at_high = std::cos(a.high)},
+                         width);
 }
 
 Interval Cos(const Interval& a) {
@@ -192,11 +192,11 @@ Interval Cos(const Interval& a) {
   const double width = Width(a);
   if (!(width < 2 * kPiFromBelow)) return {-1, 1};
   if (width == 0) return {CosFromBelow(a.low), CosFromAbove(a.low)};
-  return RangeOfWave({.at_low = {CosFromBelow(a.low), CosFromAbove(a.low)},
-                      .at_high = {CosFromBelow(a.high), CosFromAbove(a.high)},
-                      .slope_at_low = -std::sin(a.low),
-                      .slope_at_high = -std::sin(a.high)},
-                     width);
+  return RangeOfSinusoid({.at_low = {CosFromBelow(a.low), CosFromAbove(a.low)},
+                          .at_high = {CosFromBelow(a.high), CosFromAbove(a.high)},
+                          .slope_at_low = -std::sin(a.low),
+                          .slope_at_high = -std::sin(a.high)},
+                         width);
 }
 
 Interval Sqrt(const Interval& a) {

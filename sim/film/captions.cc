@@ -25,11 +25,11 @@ std::vector<Caption> CaptionsOf(const Subject& subject) {
     captions.push_back(
         {from, fmt::format("{} {}", i + 1,
                            plan::ShortText(subject.problem, subject.plan.step(order[i]).action))});
-    if (i < ends.size()) from = ends[i]->moment.time;
+    if (i < ends.size()) from = ends[i]->snapshot.time;
   }
   const execution::ExecutionEnd& end = subject.trace.end();
   const bool all_ended = ends.size() >= order.size();
-  captions.push_back({all_ended ? from : end.moment.time, EndText(end)});
+  captions.push_back({all_ended ? from : end.snapshot.time, EndText(end)});
   return captions;
 }
 

@@ -18,9 +18,9 @@ constexpr double kFraming = 0.5;     // seconds between the moments that a still
 
 int CaptionHeight(int height) { return std::max(18, height / 20); }
 
-std::vector<geometry::Pose> TruePoses(const execution::Snapshot& moment) {
+std::vector<geometry::Pose> TruePoses(const execution::Snapshot& snapshot) {
   std::vector<geometry::Pose> poses;
-  for (const execution::TrueAndBelieved& part : moment.parts) poses.push_back(part.truth);
+  for (const execution::TrueAndBelieved& part : snapshot.parts) poses.push_back(part.truth);
   return poses;
 }
 
@@ -36,7 +36,7 @@ Film::Film(const Subject& subject, const Settings& settings)
                 settings.height - CaptionHeight(settings.height), {.samples = settings.samples}) {
   ASSAY_CHECK(!samples_.empty() && settings.height >= kLeastHeight);
   ASSAY_CHECK(settings.speed > 0 && settings.pictures_per_second > 0);
-  const double shown = subject.trace.end().moment.time / settings.speed;
+  const double shown = subject.trace.end().snapshot.time / settings.speed;
   size_ = static_cast<int>(std::ceil(shown * settings.pictures_per_second)) + 1;
   if (settings.camera.IsNone()) still_ = StillCamera();
 }
@@ -47,11 +47,11 @@ double Film::Duration(int picture) const {
 
 double Film::TimeOf(int picture) const {
   const double time = picture * settings_.speed / settings_.pictures_per_second;
-  return std::min(time, subject_.trace.end().moment.time);
+  return std::min(time, subject_.trace.end().snapshot.time);
 }
 
-void Film::Show(const execution::Snapshot& moment) {
-  subject_.scene.Show(data_, moment.arms, TruePoses(moment));
+void Film::Show(const execution::Snapshot& snapshot) {
+  subject_.scene.Show(data_, snapshot.arms, TruePoses(snapshot));
 }
 
 render::FreeCamera Film::StillCamera() {
@@ -59,9 +59,9 @@ render::FreeCamera Film::StillCamera() {
   std::vector<render::Ball> framed;
   double next = 0;
   for (const execution::Sample* sample : samples_) {
-    if (sample->moment.time < next && sample != samples_.back()) continue;
-    next = sample->moment.time + kFraming;
-    Show(sample->moment);
+    if (sample->snapshot.time < next && sample != samples_.back()) continue;
+    next = sample->snapshot.time + kFraming;
+    Show(sample->snapshot);
     std::ranges::move(render::WorkOutline(subject_.problem, subject_.scene, parts, data_),
                       std::back_inserter(framed));
   }
@@ -73,11 +73,11 @@ render::FreeCamera Film::StillCamera() {
 render::Image Film::Draw(int picture) {
   const double time = TimeOf(picture);
   const auto after = std::ranges::upper_bound(
-      samples_, time, {}, [](const execution::Sample* sample) { return sample->moment.time; });
+      samples_, time, {}, [](const execution::Sample* sample) { return sample->snapshot.time; });
   const bool is_last = picture + 1 == size_;
-  Show(is_last                     ? subject_.trace.end().moment
-       : after == samples_.begin() ? samples_.front()->moment
-                                   : (*std::prev(after))->moment);
+  Show(is_last                     ? subject_.trace.end().snapshot
+       : after == samples_.begin() ? samples_.front()->snapshot
+                                   : (*std::prev(after))->snapshot);
   const render::Image image = settings_.camera.IsNone() ? renderer_.Render(data_, still_)
                                                         : renderer_.Render(data_, settings_.camera);
   const std::string text = is_last ? captions_.back().text : TextAt(captions_, time);

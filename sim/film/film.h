@@ -41,7 +41,7 @@ class Film {
 
  private:
   double TimeOf(int picture) const;  // simulated seconds
-  void Show(const execution::Snapshot& moment);
+  void Show(const execution::Snapshot& snapshot);
   render::FreeCamera StillCamera();
 
   Subject subject_;

@@ -127,10 +127,10 @@ void AddTrials(py::module_& module) {
       .def("lines", &TracedTrial::Lines)
       .def("page", &TracedTrial::Page);
   py::class_<Trials, std::shared_ptr<Trials>>(module, "Trials")
-      .def(py::init(
-          [](std::shared_ptr<PlanHandle> plan, const TrialSettings& settings, bool is_attack) {
-            return Unlocked([&] { return std::make_shared<Trials>(plan, settings, is_attack); });
-          }))
+      .def(py::init([](std::shared_ptr<PlanHandle> plan, const TrialSettings& settings,
+                       bool is_falsification) {
+        return Unlocked([&] { return std::make_shared<Trials>(plan, settings, is_falsification); });
+      }))
       .def_property_readonly("seed", &Trials::seed)
       .def(
           "wrong_without_noise",
@@ -150,9 +150,9 @@ void AddTrials(py::module_& module) {
                  Unlocked([&] { return trials.Traced(number); }));
            })
       .def("attack", [](const Trials& trials, std::int64_t attempts, int jobs) {
-        const Attacked attacked = Unlocked([&] { return trials.Attack(attempts, jobs); });
-        return py::make_tuple(attacked.untestable, ToPython(ToJson(attacked.record)),
-                              ToPython(ToJson(*attacked.record.attack)));
+        const MadeFalsification made = Unlocked([&] { return trials.Falsify(attempts, jobs); });
+        return py::make_tuple(made.untestable, ToPython(ToJson(made.record)),
+                              ToPython(ToJson(*made.record.falsification)));
       });
 }
 

@@ -94,14 +94,14 @@ std::string TracedTrial::Page() const {
 }
 
 Trials::Trials(std::shared_ptr<const PlanHandle> plan, const TrialSettings& settings,
-               bool is_attack)
+               bool is_falsification)
     : plan_(std::move(plan)),
       settings_(settings),
       seed_(settings.seed.value_or(plan_->planned().simulation.seed)),
       box_(noise::ErrorBox(plan_->planned().problem, plan_->plan())),
       scene_options_(SceneOptionsOf(*plan_, settings)),
-      experiment_(ExperimentOf(*plan_, scene_options_, is_attack || HasNoise())),
-      scene_(HasNoise() || is_attack
+      experiment_(ExperimentOf(*plan_, scene_options_, is_falsification || HasNoise())),
+      scene_(HasNoise() || is_falsification
                  ? std::nullopt
                  : std::optional<scene::Scene>(std::in_place, plan_->planned().problem,
                                                scene_options_)) {
@@ -156,15 +156,16 @@ std::shared_ptr<const TracedTrial> Trials::Traced(int number) const {
                  : fmt::format("{}, executed without noise", plan_->planned().file()));
 }
 
-Attacked Trials::Attack(std::int64_t attempts, int jobs) const {
-  const check::AttackResult result = check::Attack(
+MadeFalsification Trials::Falsify(std::int64_t attempts, int jobs) const {
+  const check::FalsificationResult result = check::Falsify(
       experiment_, {.attempts = attempts, .seed = seed_, .jobs = jobs, .stop = StopIsRequested});
   StopIfRequested();
   return {
-      .record = sweep::Recorded(plan_->plan(), sweep::Attacked{.result = result,
-                                                               .ratios = {},
-                                                               .run_command = plan_->command(),
-                                                               .replay_command = ""}),
+      .record =
+          sweep::Recorded(plan_->plan(), sweep::MadeFalsification{.result = result,
+                                                                  .ratios = {},
+                                                                  .run_command = plan_->command(),
+                                                                  .replay_command = ""}),
       .untestable = sweep::WrongWithoutNoise(plan_->plan(), result.noiseless, experiment_.gate)};
 }
 
@@ -228,9 +229,9 @@ Json ToJson(const sweep::TimedTrial& timed) {
           {"claims", claims}};
 }
 
-Json ToJson(const sweep::AttackRecord& attack) {
+Json ToJson(const sweep::FalsificationRecord& falsification) {
   Json worst = Json::array();
-  for (const sweep::WorstClaimRecord& w : attack.worst) {
+  for (const sweep::WorstClaimRecord& w : falsification.worst) {
     worst.push_back({{"claim", w.claim},
                      {"step", w.step},
                      {"action", w.action},
@@ -248,7 +249,7 @@ Json ToJson(const sweep::AttackRecord& attack) {
                      {"noise", w.noise}});
   }
   Json examples = Json::array();
-  for (const sweep::CounterexampleRecord& e : attack.counterexamples) {
+  for (const sweep::CounterexampleRecord& e : falsification.counterexamples) {
     examples.push_back({{"number", e.number},
                         {"claim", e.claim},
                         {"action", e.action},
@@ -264,11 +265,11 @@ Json ToJson(const sweep::AttackRecord& attack) {
                         {"noise", e.noise},
                         {"replay", e.replay}});
   }
-  return {{"attempts", attack.attempts},
-          {"contained", attack.certificates.contained},
-          {"inconclusive", attack.certificates.inconclusive},
-          {"violated", attack.certificates.violated},
-          {"not_claimed", attack.certificates.not_claimed},
+  return {{"attempts", falsification.attempts},
+          {"contained", falsification.certificates.contained},
+          {"inconclusive", falsification.certificates.inconclusive},
+          {"violated", falsification.certificates.violated},
+          {"not_claimed", falsification.certificates.not_claimed},
           {"worst", worst},
           {"counterexamples", examples}};
 }

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/check/falsification/attack.h"
+#include "sim/check/falsification/falsification.h"
 #include "sim/check/trial_verdicts/trial.h"
 #include "sim/python/planning.h"
 #include "sim/sweep/database/store.h"
@@ -41,7 +41,7 @@ class TracedTrial {
 };
 
 // The result of a falsification.
-struct Attacked {
+struct MadeFalsification {
   sweep::TimedTrial record;
   // What is wrong with the plan without noise. If this is not empty, nothing was attempted.
   std::string untestable;
@@ -50,9 +50,10 @@ struct Attacked {
 // A plan that is executed repeatedly.
 class Trials {
  public:
-  // Measures the noise floor if there is noise, or if `is_attack`. Throws Refused if the plan has
-  // flaws, and UsageError or InputError for wrong settings.
-  Trials(std::shared_ptr<const PlanHandle> plan, const TrialSettings& settings, bool is_attack);
+  // Measures the noise floor if there is noise, or if `is_falsification`. Throws Refused if the
+  // plan has flaws, and UsageError or InputError for wrong settings.
+  Trials(std::shared_ptr<const PlanHandle> plan, const TrialSettings& settings,
+         bool is_falsification);
 
   std::uint64_t seed() const { return seed_; }
   // Returns what is wrong with the plan without noise. If this is not empty, trials under noise
@@ -63,7 +64,7 @@ class Trials {
   // Executes one trial and keeps its trace. The numbers of trials count from 1.
   std::shared_ptr<const TracedTrial> Traced(int number) const;
   // Tries to falsify the plan.
-  Attacked Attack(std::int64_t attempts, int jobs) const;
+  MadeFalsification Falsify(std::int64_t attempts, int jobs) const;
 
  private:
   bool HasNoise() const { return settings_.noise || settings_.errors; }
@@ -84,6 +85,6 @@ nlohmann::ordered_json ErrorBoxOf(const PlanHandle& plan);
 
 // Return records as rows of tables, with numbers in SI units.
 nlohmann::ordered_json ToJson(const sweep::TimedTrial& timed);
-nlohmann::ordered_json ToJson(const sweep::AttackRecord& attack);
+nlohmann::ordered_json ToJson(const sweep::FalsificationRecord& falsification);
 
 }  // namespace assay::python

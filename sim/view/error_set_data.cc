@@ -37,7 +37,7 @@ Json ComponentsOf(const plan::ErrorSet& set) {
 class SetCollector {
  public:
   SetCollector(const plan::Plan& plan, const execution::Trace& trace)
-      : plan_(plan), end_(trace.end().moment.time) {
+      : plan_(plan), end_(trace.end().snapshot.time) {
     for (const check::StepEvents& events : check::EventsByStep(trace)) AddStep(events);
   }
 
@@ -67,11 +67,11 @@ class SetCollector {
   }
 
   void Add(plan::StepId step, const std::vector<plan::ErrorSet>& sets, bool is_before,
-           const execution::Snapshot& moment, double to) {
+           const execution::Snapshot& snapshot, double to) {
     for (const plan::ErrorSet& set : sets) {
-      ShownSet shown{step, &set, is_before, moment.time, to};
-      const Pose X_PartWorld = moment.parts[set.part.index()].believed.inverse();
-      for (const Pose& extreme : check::ExtremePoses(plan_.step(step).action, set, moment)) {
+      ShownSet shown{step, &set, is_before, snapshot.time, to};
+      const Pose X_PartWorld = snapshot.parts[set.part.index()].believed.inverse();
+      for (const Pose& extreme : check::ExtremePoses(plan_.step(step).action, set, snapshot)) {
         shown.extremes.push_back(ToJson(X_PartWorld * extreme));
       }
       sets_.push_back(std::move(shown));

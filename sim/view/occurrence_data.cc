@@ -66,7 +66,7 @@ class Teller {
   }
   Json operator()(const execution::ExecutionEnd& end) const {
     if (end.outcome == execution::TrialOutcome::kSucceeded) return nullptr;
-    return Occurrence(end.moment.time, true,
+    return Occurrence(end.snapshot.time, true,
                       fmt::format("the execution ended: {}", execution::Name(end.outcome)));
   }
   Json operator()(const auto&) const { return nullptr; }
@@ -113,15 +113,15 @@ Json ContactsOf(const execution::Trace& trace) {
   std::map<std::pair<std::string, std::string>, std::vector<std::pair<double, double>>> ranges;
   double last = -1;
   for (const execution::Sample* sample : trace.All<execution::Sample>()) {
-    for (const auto& pair : sample->moment.contacts) {
+    for (const auto& pair : sample->snapshot.contacts) {
       if (pair.first == "world" || pair.second == "world") continue;
       auto& of_pair = ranges[pair];
       if (of_pair.empty() || of_pair.back().second < last) {
-        of_pair.emplace_back(sample->moment.time, 0);
+        of_pair.emplace_back(sample->snapshot.time, 0);
       }
-      of_pair.back().second = sample->moment.time;
+      of_pair.back().second = sample->snapshot.time;
     }
-    last = sample->moment.time;
+    last = sample->snapshot.time;
   }
   Json all = Json::array();
   for (const auto& [pair, times] : ranges) {

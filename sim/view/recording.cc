@@ -46,9 +46,9 @@ class Table {
   std::size_t column_ = 0;
 };
 
-std::vector<Pose> TruePoses(const execution::Snapshot& moment) {
+std::vector<Pose> TruePoses(const execution::Snapshot& snapshot) {
   std::vector<Pose> poses;
-  for (const execution::TrueAndBelieved& part : moment.parts) poses.push_back(part.truth);
+  for (const execution::TrueAndBelieved& part : snapshot.parts) poses.push_back(part.truth);
   return poses;
 }
 
@@ -60,16 +60,16 @@ Recording Record(const scene::Scene& scene, const std::vector<Body>& bodies,
   Recording recording;
   mujoco::Data data = scene.Start();
   for (const execution::Sample* sample : trace.All<execution::Sample>()) {
-    const execution::Snapshot& moment = sample->moment;
-    scene.Show(data, moment.arms, TruePoses(moment));
+    const execution::Snapshot& snapshot = sample->snapshot;
+    scene.Show(data, snapshot.arms, TruePoses(snapshot));
     table.BeginRow();
-    table.Add(moment.time, kTimeQuantum);
+    table.Add(snapshot.time, kTimeQuantum);
     for (const Body& body : bodies) {
       if (body.id != scene.world()) table.Add(data.BodyPose(body.id));
     }
-    for (const execution::TrueAndBelieved& part : moment.parts) table.Add(part.believed);
-    table.Add(moment.wrist.force, kForceQuantum);
-    table.Add(moment.wrist.torque, kForceQuantum);
+    for (const execution::TrueAndBelieved& part : snapshot.parts) table.Add(part.believed);
+    table.Add(snapshot.wrist.force, kForceQuantum);
+    table.Add(snapshot.wrist.torque, kForceQuantum);
     ++recording.samples;
   }
   recording.bytes = table.Encoded();

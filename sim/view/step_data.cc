@@ -62,7 +62,7 @@ std::map<plan::StepId, double> ReachedBySteps(const execution::Trace& trace) {
   std::map<plan::StepId, double> times;
   for (const execution::Milestone* milestone : trace.All<execution::Milestone>()) {
     if (milestone->stage == execution::Stage::kReached) {
-      times.try_emplace(milestone->step, milestone->moment.time);
+      times.try_emplace(milestone->step, milestone->snapshot.time);
     }
   }
   return times;
@@ -98,11 +98,11 @@ Json TimesOf(const plan::Plan& plan, const execution::Trace& trace) {
   Json times = Json::array();
   double from = 0;
   for (const execution::StepEnd* end : trace.All<execution::StepEnd>()) {
-    times.push_back({{"from", from}, {"to", end->moment.time}, {"ended", true}});
-    from = end->moment.time;
+    times.push_back({{"from", from}, {"to", end->snapshot.time}, {"ended", true}});
+    from = end->snapshot.time;
   }
   if (times.size() < plan.steps.size()) {
-    times.push_back({{"from", from}, {"to", trace.end().moment.time}, {"ended", false}});
+    times.push_back({{"from", from}, {"to", trace.end().snapshot.time}, {"ended", false}});
   }
   return times;
 }

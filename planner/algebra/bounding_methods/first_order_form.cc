@@ -98,19 +98,19 @@ FirstOrderForm FirstOrderArithmetic::Product(const FirstOrderForm& a, const Firs
 
 // Computes sine or cosine by Taylor's theorem: f(c + d) = f(c) + f'(c) * d - f(x) * d^2 / 2 for an
 // x between c and c + d.
-FirstOrderForm FirstOrderArithmetic::Wave(const FirstOrderForm& a, double value, double slope) {
+FirstOrderForm FirstOrderArithmetic::Sinusoid(const FirstOrderForm& a, double value, double slope) {
   const double farthest = AtLeast(a.reach + a.rest);
   if (!(farthest < 1)) return FirstOrderForm::Unknown();
   const double half_square = farthest * farthest / 2;
   const double low = std::min(0.0, -half_square * std::min(value + farthest, 1.0));
   const double high = std::max(0.0, half_square * std::min(farthest - value, 1.0));
-  FirstOrderForm wave = {.centre = value + (low + high) / 2, .slopes = a.slopes};
-  for (FirstOrderForm::Slope& s : wave.slopes) {
+  FirstOrderForm sinusoid = {.centre = value + (low + high) / 2, .slopes = a.slopes};
+  for (FirstOrderForm::Slope& s : sinusoid.slopes) {
     s.value *= slope;
-    wave.reach += std::abs(s.value);
+    sinusoid.reach += std::abs(s.value);
   }
-  wave.rest = AtLeast((high - low) / 2 + std::abs(slope) * a.rest + 8 * kFewRoundings);
-  return wave;
+  sinusoid.rest = AtLeast((high - low) / 2 + std::abs(slope) * a.rest + 8 * kFewRoundings);
+  return sinusoid;
 }
 
 }  // namespace assay::algebra

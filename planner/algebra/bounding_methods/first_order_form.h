@@ -34,7 +34,7 @@ class FirstOrderArithmetic {
   // Returns the sine or cosine of a form, or any other function with a second derivative that is
   // minus the function itself and with values in [-1, 1]. `value` and `slope` are the function's
   // value and derivative at the centre.
-  static FirstOrderForm Wave(const FirstOrderForm& a, double value, double slope);
+  static FirstOrderForm Sinusoid(const FirstOrderForm& a, double value, double slope);
 
  private:
   // Adds up slopes for each variable.

@@ -15,9 +15,9 @@ using Factor = NormalForm::Factor;
 
 constexpr double kUnit = 0x1p-53;    // unit of rounding
 constexpr double kSlack = 1.02;      // covers products of units and roundings of the bounds
-constexpr int kRoundingsOfWave = 2;  // roundings in the C library's sine or cosine
+constexpr int kRoundingsOfSine = 2;  // roundings in the C library's sine or cosine
 
-bool IsWave(const Expression& atom) {
+bool IsSineOrCosine(const Expression& atom) {
   return atom.op() == Operator::kSin || atom.op() == Operator::kCos;
 }
 
@@ -49,13 +49,14 @@ class Reader {
     const bool is_rounding_alone = IsRoundingAlone(term.coefficient);
     for (const Factor& factor : term.factors) {
       // A sine or cosine is at most 1 for any argument.
-      if (IsWave(factor.atom) && is_rounding_alone) continue;
-      const Expression inner = IsWave(factor.atom) ? factor.atom.operands()[0] : factor.atom;
+      if (IsSineOrCosine(factor.atom) && is_rounding_alone) continue;
+      const Expression inner =
+          IsSineOrCosine(factor.atom) ? factor.atom.operands()[0] : factor.atom;
       if (inner.op() != Operator::kVariable || factor.exponent != 1) return false;
       if (std::ranges::find(seen_, inner.variable()) != seen_.end()) return false;
       seen_.push_back(inner.variable());
-      const auto [use, is_new] = uses_.try_emplace(inner.variable(), IsWave(factor.atom));
-      if (use->second.is_angle != IsWave(factor.atom)) return false;
+      const auto [use, is_new] = uses_.try_emplace(inner.variable(), IsSineOrCosine(factor.atom));
+      if (use->second.is_angle != IsSineOrCosine(factor.atom)) return false;
       ++use->second.terms;
     }
     return true;
@@ -79,7 +80,7 @@ class Reader {
     AtomSet displacements = 0;
     const bool is_rounding_alone = IsRoundingAlone(term.coefficient);
     for (const Factor& factor : term.factors) {
-      if (!IsWave(factor.atom)) {
+      if (!IsSineOrCosine(factor.atom)) {
         displacements |= NestedForm::SetOf(form_.AtomOf(places_.at(factor.atom.variable())));
       } else if (!is_rounding_alone) {
         const int cosine = form_.AtomOf(places_.at(factor.atom.operands()[0].variable()));
@@ -122,8 +123,8 @@ class Reader {
     for (int node = 0; node < form_.nested.node_count(); ++node) {
       int most = 0;
       const auto note = [&](int atom, int of_rest) {
-        const bool is_wave = atom < 2 * form_.angle_count;
-        most = std::max(most, of_rest + 1 + (is_wave ? kRoundingsOfWave : 0));
+        const bool is_sine_or_cosine = atom < 2 * form_.angle_count;
+        most = std::max(most, of_rest + 1 + (is_sine_or_cosine ? kRoundingsOfSine : 0));
       };
       const auto leaves = form_.nested.leaves(node);
       const auto branches = form_.nested.branches(node);

@@ -36,7 +36,7 @@ void MultiaffinePart::Begin(double upper_bound, std::vector<Sector> sectors) {
   sectors_ = std::move(sectors);
   upper_bound_ = upper_bound;
   method_ = BoundingMethod::kMonotone;
-  waves_.Clear();
+  polynomials_.Clear();
   number_ = -1;
   slack_ = 0;
 }
@@ -44,7 +44,7 @@ void MultiaffinePart::Begin(double upper_bound, std::vector<Sector> sectors) {
 void MultiaffinePart::Continue(const OpenParts::Part& part) {
   upper_bound_ = part.upper_bound;
   slack_ = part.slack;
-  number_ = part.waves;
+  number_ = part.polynomial;
 }
 
 void MultiaffinePart::EnterSector(int variable) {
@@ -72,7 +72,7 @@ void MultiaffinePart::Settle() {
   bool is_smaller = true;
   while (is_smaller && !live_.empty()) {
     ++question_.evaluations;
-    number_ < 0 ? EvaluateNested() : EvaluateWaves();
+    number_ < 0 ? EvaluateNested() : EvaluatePolynomial();
     is_smaller = std::erase_if(live_, [&](int variable) { return SettleBySlope(variable); }) > 0;
   }
 }
@@ -88,18 +88,18 @@ void MultiaffinePart::EvaluateNested() {
   }
 }
 
-void MultiaffinePart::EvaluateWaves() {
-  const WaveEvaluation& evaluation = waves_.Evaluate(number_, sectors_);
-  Lower(evaluation.range().high + waves_.Error(number_) + slack_, BoundingMethod::kMonotone);
+void MultiaffinePart::EvaluatePolynomial() {
+  const TrigonometricEvaluation& evaluation = polynomials_.Evaluate(number_, sectors_);
+  Lower(evaluation.range().high + polynomials_.Error(number_) + slack_, BoundingMethod::kMonotone);
   int place = 0;
-  for (const int angle : waves_.Angles(number_)) {
+  for (const int angle : polynomials_.Angles(number_)) {
     slopes_[angle] = evaluation.Slope(place);
     least_curvature_[angle] = evaluation.LeastCurvature(place++);
   }
 }
 
 double MultiaffinePart::SlopeError(int variable) const {
-  return number_ < 0 ? question_.slope_error[variable] : waves_.Error(number_);
+  return number_ < 0 ? question_.slope_error[variable] : polynomials_.Error(number_);
 }
 
 bool MultiaffinePart::SettleBySlope(int variable) {
@@ -121,7 +121,7 @@ void MultiaffinePart::Examine() {
   if (live_.size() == 1 && question_.IsAngle(live_[0])) return LowerByOneAngle();
   LowerByCentre();
   if (IsHopeless()) return;
-  if (TurnToWaves()) {
+  if (TurnToPolynomial()) {
     Settle();
     if (!IsHopeless()) Examine();
   } else if (number_ >= 0) {
@@ -130,7 +130,7 @@ void MultiaffinePart::Examine() {
 }
 
 // Turns the form into a trigonometric polynomial if only angles are free and it is not one yet.
-bool MultiaffinePart::TurnToWaves() {
+bool MultiaffinePart::TurnToPolynomial() {
   const bool has_displacements =
       std::ranges::any_of(live_, [&](int variable) { return !question_.IsAngle(variable); });
   if (number_ >= 0 || has_displacements) return false;
@@ -138,9 +138,9 @@ bool MultiaffinePart::TurnToWaves() {
   question_.reduction.Reduce(question_.reduced, 1, question_.AtomsOf(live_),
                              question_.point.derivatives().atoms(), angles_only_);
   const int number =
-      waves_.Add(angles_only_, question_.form, live_, question_.error, question_.wave_reach);
+      polynomials_.Add(angles_only_, question_.form, live_, question_.error, question_.angle_reach);
   if (number < 0) return false;
-  slack_ += waves_.LeftOut(number);
+  slack_ += polynomials_.LeftOut(number);
   number_ = number;
   return true;
 }
@@ -161,8 +161,9 @@ void MultiaffinePart::LowerByOneAngle() {
   question_.point.derivatives().Differentiate(question_.reduced);
   const double a = question_.point.derivatives().SlopeByAtom(question_.form.AtomOf(angle));
   const double b = question_.point.derivatives().SlopeByAtom(question_.form.AtomOf(angle) + 1);
-  const auto value_at = [&](const Wave& wave) {
-    return at_low + a * (wave.cosine - sector.at_low.cosine) + b * (wave.sine - sector.at_low.sine);
+  const auto value_at = [&](const Phasor& phasor) {
+    return at_low + a * (phasor.cosine - sector.at_low.cosine) +
+           b * (phasor.sine - sector.at_low.sine);
   };
   double best = at_low;
   if (const double at_high = value_at(sector.at_high); at_high > best) {
@@ -170,9 +171,9 @@ void MultiaffinePart::LowerByOneAngle() {
     question_.point.SetToHigh(angle, sector);
   }
   if (const double summit = Summit(a, b, sector); summit <= sector.high) {
-    const Wave wave = WaveAt(summit);
-    best = std::max(best, value_at(wave));
-    question_.point.Set(angle, summit, wave);
+    const Phasor phasor = PhasorAt(summit);
+    best = std::max(best, value_at(phasor));
+    question_.point.Set(angle, summit, phasor);
   }
   Lower(best + 2 * question_.error + slack_,
         BoundingMethod::kCentred);  // errors of the value, and of a and b
@@ -204,15 +205,15 @@ void MultiaffinePart::LowerByCurvature() {
   const double value = question_.Value();
   question_.point.derivatives().Differentiate(question_.reduced);
   middle_slopes_.clear();
-  double error = waves_.Error(number_) + slack_;
-  for (const int angle : waves_.Angles(number_)) {
+  double error = polynomials_.Error(number_) + slack_;
+  for (const int angle : polynomials_.Angles(number_)) {
     if (!sectors_[angle].IsFree()) continue;
     middle_slopes_.push_back(question_.point.derivatives().Slope(angle));
     error += question_.error * sectors_[angle].Width();
   }
-  const double rise = waves_.GreatestRise(number_, sectors_, middle_slopes_);
+  const double rise = polynomials_.GreatestRise(number_, sectors_, middle_slopes_);
   Lower(value + rise + error, BoundingMethod::kCentred);
-  if (!IsHopeless() && waves_.IsConcave()) LowerByConcavity();
+  if (!IsHopeless() && polynomials_.IsConcave()) LowerByConcavity();
 }
 
 // Bounds the part by the greatest value of the tangent plane at the summit. This plane is nowhere
@@ -236,7 +237,7 @@ double MultiaffinePart::TangentBound() {
 }
 
 OpenParts::Part MultiaffinePart::Suspended() const {
-  OpenParts::Part part = {.upper_bound = upper_bound_, .slack = slack_, .waves = number_};
+  OpenParts::Part part = {.upper_bound = upper_bound_, .slack = slack_, .polynomial = number_};
   double largest = -1;  // the variable that varies the form most is split
   for (const int variable : live_) {
     const Sector& sector = sectors_[variable];

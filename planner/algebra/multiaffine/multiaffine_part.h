@@ -7,7 +7,7 @@
 #include "planner/algebra/multiaffine/multiaffine_question.h"
 #include "planner/algebra/multiaffine/open_parts.h"
 #include "planner/algebra/multiaffine/sector.h"
-#include "planner/algebra/multiaffine/wave_bounds.h"
+#include "planner/algebra/multiaffine/trigonometric_bounds.h"
 
 namespace assay::algebra {
 
@@ -40,10 +40,10 @@ class MultiaffinePart {
 
  private:
   void EvaluateNested();
-  void EvaluateWaves();
+  void EvaluatePolynomial();
   double SlopeError(int variable) const;
   bool SettleBySlope(int variable);
-  bool TurnToWaves();
+  bool TurnToPolynomial();
   void LowerAtPoint();
   void LowerByOneAngle();
   void LowerByCentre();
@@ -65,8 +65,8 @@ class MultiaffinePart {
   // rounding error of 0.
   double slack_ = 0;
 
-  WaveBounds waves_;  // the form, for parts in which only angles are free
-  int number_ = -1;   // of this part's polynomial; -1: none yet
+  TrigonometricBounds polynomials_;  // the form, for parts in which only angles are free
+  int number_ = -1;                  // of this part's polynomial; -1: none yet
   std::vector<double> middle_slopes_;
   NestedForm angles_only_;
 };

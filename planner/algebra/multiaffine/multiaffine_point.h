@@ -17,11 +17,11 @@ class MultiaffinePoint {
   const std::vector<double>& coordinates() const { return coordinates_; }
   MultiaffineDerivatives<double>& derivatives() { return derivatives_; }
 
-  void Set(int variable, double x) { Set(variable, x, IsAngle(variable) ? WaveAt(x) : Wave()); }
-  void Set(int variable, double x, const Wave& wave) {
+  void Set(int variable, double x) { Set(variable, x, IsAngle(variable) ? PhasorAt(x) : Phasor()); }
+  void Set(int variable, double x, const Phasor& phasor) {
     coordinates_[variable] = x;
     if (IsAngle(variable)) {
-      derivatives_.SetAngle(variable, wave.cosine, wave.sine);
+      derivatives_.SetAngle(variable, phasor.cosine, phasor.sine);
     } else {
       derivatives_.SetDisplacement(variable, x);
     }

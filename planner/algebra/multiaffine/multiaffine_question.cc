@@ -37,9 +37,9 @@ void MultiaffineQuestion::BoundErrors(std::span<const Sector> box) {
   }
   point_error = magnitudes.Value(form.point_error) + kVanishing;
   error = magnitudes.Value(form.error) + kVanishing;
-  wave_reach = std::numbers::pi;
+  angle_reach = std::numbers::pi;
   for (int angle = 0; angle < form.angle_count; ++angle) {
-    wave_reach += Size(box[angle]);
+    angle_reach += Size(box[angle]);
   }
   magnitudes.Differentiate(form.error);
   for (std::size_t i = 0; i < box.size(); ++i) {

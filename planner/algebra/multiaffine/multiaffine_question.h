@@ -48,7 +48,7 @@ struct MultiaffineQuestion {
   double error = 0;
   double point_error = 0;
   std::vector<double> slope_error;  // indexed by variable
-  double wave_reach = 0;            // a bound of the arguments of the trigonometric polynomials
+  double angle_reach = 0;           // a bound of the arguments of the trigonometric polynomials
 
   int sign = 1;
   NestedForm reduced;         // sign * form with the settled coordinates substituted

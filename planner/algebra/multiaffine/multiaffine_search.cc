@@ -140,7 +140,7 @@ void MultiaffineSearch::Split(const OpenParts::Part& part) {
     upper.SetToHigh();
   } else {
     lower.high = upper.low = lower.low + lower.Width() / 2;
-    lower.at_high = upper.at_low = WaveAt(lower.high);
+    lower.at_high = upper.at_low = PhasorAt(lower.high);
   }
   Open(part, lower);
   Open(part, upper);

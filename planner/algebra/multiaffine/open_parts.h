@@ -17,8 +17,8 @@ class OpenParts {
   struct Part {
     double upper_bound = 0;
     double slack = 0;
-    int waves = -1;  // the form as a trigonometric polynomial; -1: it is none
-    int split = -1;  // the variable; -1: none can be split further
+    int polynomial = -1;  // the form as a trigonometric polynomial; -1: it is none
+    int split = -1;       // the variable; -1: none can be split further
     bool has_only_ends = false;
     std::int64_t age = 0;  // breaks ties: of parts with the same bound the oldest comes first
     int sectors = 0;       // where its sectors begin

@@ -19,11 +19,11 @@ numeric::NearestInterval RangeBetween(double low_value, double high_value, doubl
 
 }  // namespace
 
-Wave WaveAt(double angle) { return {.cosine = std::cos(angle), .sine = std::sin(angle)}; }
+Phasor PhasorAt(double angle) { return {.cosine = std::cos(angle), .sine = std::sin(angle)}; }
 
 Sector AngleBetween(double low, double high) {
-  const Wave at_low = WaveAt(low);
-  return {low, high, at_low, low < high ? WaveAt(high) : at_low};
+  const Phasor at_low = PhasorAt(low);
+  return {low, high, at_low, low < high ? PhasorAt(high) : at_low};
 }
 
 numeric::NearestInterval Cosines(const Sector& angle) {

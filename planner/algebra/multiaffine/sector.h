@@ -5,18 +5,18 @@
 namespace assay::algebra {
 
 // The cosine and sine of an angle.
-struct Wave {
+struct Phasor {
   double cosine = 1;
   double sine = 0;
 };
-Wave WaveAt(double angle);
+Phasor PhasorAt(double angle);
 
 // The interval of a variable of a multi-affine form. For an angle it has the cosines and sines at
 // both ends. They determine the range between the ends.
 struct Sector {
   double low = 0;
   double high = 0;
-  Wave at_low, at_high;
+  Phasor at_low, at_high;
 
   bool IsFree() const { return low < high; }
   double Width() const { return high - low; }

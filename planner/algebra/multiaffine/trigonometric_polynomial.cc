@@ -11,8 +11,8 @@ namespace {
 
 using Complex = std::complex<double>;
 
-constexpr int kMostParts = 20'000;       // the most exponentials that all products may expand to
-constexpr double kFaintestWave = 1e-16;  // relative to the largest: smaller terms are left out
+constexpr int kMostParts = 20'000;    // the most exponentials that all products may expand to
+constexpr double kLeastTerm = 1e-16;  // relative to the largest: smaller terms are left out
 
 // Writes products of cosines and sines as sums of exponentials exp(i turns . angles). The number of
 // an exponential has its turns plus one as digits to the base three.
@@ -102,7 +102,7 @@ bool TrigonometricPolynomial::Assign(const NestedForm& form, std::span<const int
   angle_count_ = static_cast<int>(cosines.size());
   constant_ = sum.coefficients()[static_cast<std::size_t>(sum.still())].real();
   left_out_ = 0;
-  waves_.clear();
+  terms_.clear();
   double largest = 0;
   for (const Complex& coefficient : sum.coefficients()) {
     largest = std::max(largest, std::abs(coefficient));
@@ -111,40 +111,40 @@ bool TrigonometricPolynomial::Assign(const NestedForm& form, std::span<const int
   for (std::size_t i = static_cast<std::size_t>(sum.still()) + 1; i < sum.coefficients().size();
        ++i) {
     const double amplitude = 2 * std::abs(sum.coefficients()[i]);
-    if (amplitude <= kFaintestWave * largest) {
+    if (amplitude <= kLeastTerm * largest) {
       left_out_ += amplitude;
       continue;
     }
-    Wave wave = {.amplitude = amplitude, .phase = std::arg(sum.coefficients()[i])};
+    Term term = {.amplitude = amplitude, .phase = std::arg(sum.coefficients()[i])};
     for (std::size_t angle = 0; angle < cosines.size(); ++angle) {
       const std::size_t digit = i / static_cast<std::size_t>(sum.place(angle)) % 3;
-      wave.turns[angle] = static_cast<signed char>(static_cast<int>(digit) - 1);
+      term.turns[angle] = static_cast<signed char>(static_cast<int>(digit) - 1);
     }
-    waves_.push_back(wave);
+    terms_.push_back(term);
   }
   return true;
 }
 
-void WaveEvaluation::Enter(const TrigonometricPolynomial& sum,
-                           std::span<const numeric::NearestInterval> box) {
+void TrigonometricEvaluation::Enter(const TrigonometricPolynomial& sum,
+                                    std::span<const numeric::NearestInterval> box) {
   const int n = sum.angle_count_;
   range_ = sum.constant_;
   greatest_curvature_.Reset(n);
   slopes_.fill(0);
   least_curvature_.fill(0);
-  for (const TrigonometricPolynomial::Wave& wave : sum.waves_) {
+  for (const TrigonometricPolynomial::Term& term : sum.terms_) {
     const Sector sector =
-        SumOfTurns(wave.turns, wave.phase, box.first(static_cast<std::size_t>(n)));
-    const numeric::NearestInterval value = wave.amplitude * Cosines(sector);
-    const numeric::NearestInterval slope = -wave.amplitude * Sines(sector);
+        SumOfTurns(term.turns, term.phase, box.first(static_cast<std::size_t>(n)));
+    const numeric::NearestInterval value = term.amplitude * Cosines(sector);
+    const numeric::NearestInterval slope = -term.amplitude * Sines(sector);
     range_ += value;
     for (int i = 0; i < n; ++i) {
-      const signed char turn = wave.turns[static_cast<std::size_t>(i)];
+      const signed char turn = term.turns[static_cast<std::size_t>(i)];
       if (turn == 0) continue;
       slopes_[static_cast<std::size_t>(i)] += turn > 0 ? slope : -slope;
       least_curvature_[static_cast<std::size_t>(i)] -= value.high;
       for (int j = 0; j <= i; ++j) {
-        greatest_curvature_(i, j) -= value.low * turn * wave.turns[static_cast<std::size_t>(j)];
+        greatest_curvature_(i, j) -= value.low * turn * term.turns[static_cast<std::size_t>(j)];
       }
     }
   }

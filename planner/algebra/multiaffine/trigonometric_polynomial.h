@@ -25,13 +25,13 @@ class TrigonometricPolynomial {
   bool Assign(const NestedForm& form, std::span<const int> cosines);
 
   int angle_count() const { return angle_count_; }
-  int wave_count() const { return static_cast<int>(waves_.size()); }
+  int term_count() const { return static_cast<int>(terms_.size()); }
   // Returns the sum of the amplitudes of terms that are rounding alone and were left out.
   double left_out() const { return left_out_; }
 
  private:
-  friend class WaveEvaluation;
-  struct Wave {
+  friend class TrigonometricEvaluation;
+  struct Term {
     double amplitude = 0;
     double phase = 0;
     std::array<signed char, kMostAngles> turns = {};
@@ -40,12 +40,12 @@ class TrigonometricPolynomial {
   int angle_count_ = 0;
   double constant_ = 0;
   double left_out_ = 0;
-  std::vector<Wave> waves_;
+  std::vector<Term> terms_;
 };
 
 // Evaluates a trigonometric polynomial over a box: its range, slopes and curvatures. The ends of
 // these intervals are rounded to nearest.
-class WaveEvaluation {
+class TrigonometricEvaluation {
  public:
   void Enter(const TrigonometricPolynomial& sum, std::span<const numeric::NearestInterval> box);
 

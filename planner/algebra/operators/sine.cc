@@ -30,7 +30,7 @@ const OperatorRule kSinRule = {
     .first_order =
         [](FirstOrderArithmetic&, std::span<const FirstOrderForm* const> x, int) {
           const double centre = x[0]->centre;
-          return FirstOrderArithmetic::Wave(*x[0], std::sin(centre), std::cos(centre));
+          return FirstOrderArithmetic::Sinusoid(*x[0], std::sin(centre), std::cos(centre));
         },
 };
 
@@ -49,7 +49,7 @@ const OperatorRule kCosRule = {
     .first_order =
         [](FirstOrderArithmetic&, std::span<const FirstOrderForm* const> x, int) {
           const double centre = x[0]->centre;
-          return FirstOrderArithmetic::Wave(*x[0], std::cos(centre), -std::sin(centre));
+          return FirstOrderArithmetic::Sinusoid(*x[0], std::cos(centre), -std::sin(centre));
         },
 };
 

@@ -1,6 +1,6 @@
 #include "planner/constraint_posting/resolvers/sensing_resolver.h"
 
-#include "planner/constraint_posting/resolvers/moment.h"
+#include "planner/constraint_posting/resolvers/plan_states.h"
 
 namespace assay::constraint_posting {
 namespace {
@@ -24,13 +24,13 @@ std::vector<Remedy> SensingResolver::Propose(const UnmetGoals& unmet) {
   const std::vector<plan::WorldState> states = StatesOf(unmet.problem, unmet.actions);
   std::vector<Remedy> remedies;
   for (const domain::PartId part : unmet.parts) {
-    const auto moment = LatestFree(states, unmet.step, part);
-    if (!moment) continue;
-    const plan::Place at = PlaceBefore(unmet, states, *moment, part);
+    const auto index = LatestFree(states, unmet.step, part);
+    if (!index) continue;
+    const plan::Place at = PlaceBefore(unmet, states, *index, part);
     for (const std::vector<std::string>& set : SetsOf(unmet.problem.sensors)) {
       Remedy& remedy = remedies.emplace_back(Remedy{.part = part});
       for (const std::string& sensor : set) {
-        remedy.insertions.push_back({*moment, LookAt(part, sensor, at)});
+        remedy.insertions.push_back({*index, LookAt(part, sensor, at)});
       }
     }
   }

@@ -5,7 +5,7 @@
 #include <numbers>
 #include <utility>
 
-#include "planner/constraint_posting/resolvers/moment.h"
+#include "planner/constraint_posting/resolvers/plan_states.h"
 #include "planner/domain/reachability/reachability.h"
 
 namespace assay::constraint_posting {
@@ -115,9 +115,9 @@ std::vector<std::vector<plan::Action>> SequencesOf(const std::vector<plan::Actio
   return sequences;
 }
 
-Remedy InsertBefore(int moment, PartId part, const std::vector<plan::Action>& actions) {
+Remedy InsertBefore(int index, PartId part, const std::vector<plan::Action>& actions) {
   Remedy remedy = {.part = part};
-  for (const plan::Action& action : actions) remedy.insertions.push_back({moment, action});
+  for (const plan::Action& action : actions) remedy.insertions.push_back({index, action});
   return remedy;
 }
 
@@ -128,17 +128,17 @@ std::vector<Remedy> SqueezingResolver::Propose(const UnmetGoals& unmet) {
   std::vector<Remedy> remedies;
   std::vector<Remedy> with_sensing;
   for (const PartId part : unmet.parts) {
-    const auto moment = LatestGraspable(unmet.problem, states, unmet.step, part);
-    if (!moment) continue;
-    const plan::Place at = PlaceBefore(unmet, states, *moment, part);
+    const auto index = LatestGraspable(unmet.problem, states, unmet.step, part);
+    if (!index) continue;
+    const plan::Place at = PlaceBefore(unmet, states, *index, part);
     for (std::vector<plan::Action>& sequence :
-         SequencesOf(SqueezesOf(unmet.problem, states[*moment], part, at).possible)) {
-      remedies.push_back(InsertBefore(*moment, part, sequence));
+         SequencesOf(SqueezesOf(unmet.problem, states[*index], part, at).possible)) {
+      remedies.push_back(InsertBefore(*index, part, sequence));
       if (unmet.problem.sensors.empty()) continue;
       for (const std::string& sensor : unmet.problem.sensors) {
         sequence.insert(sequence.begin(), LookAt(part, sensor, at));
       }
-      with_sensing.push_back(InsertBefore(*moment, part, sequence));
+      with_sensing.push_back(InsertBefore(*index, part, sequence));
     }
   }
   remedies.insert(remedies.end(), with_sensing.begin(), with_sensing.end());
@@ -149,10 +149,10 @@ std::vector<PartId> SqueezingResolver::Obstacles(const UnmetGoals& unmet) const 
   const std::vector<plan::WorldState> states = StatesOf(unmet.problem, unmet.actions);
   std::vector<PartId> obstacles;
   for (const PartId part : unmet.parts) {
-    const auto moment = LatestGraspable(unmet.problem, states, unmet.step, part);
-    if (!moment) continue;
-    const plan::Place at = PlaceBefore(unmet, states, *moment, part);
-    const Squeezes squeezes = SqueezesOf(unmet.problem, states[*moment], part, at);
+    const auto index = LatestGraspable(unmet.problem, states, unmet.step, part);
+    if (!index) continue;
+    const plan::Place at = PlaceBefore(unmet, states, *index, part);
+    const Squeezes squeezes = SqueezesOf(unmet.problem, states[*index], part, at);
     obstacles.insert(obstacles.end(), squeezes.obstacles.begin(), squeezes.obstacles.end());
   }
   return obstacles;

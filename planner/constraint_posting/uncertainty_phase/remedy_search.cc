@@ -8,7 +8,7 @@
 namespace assay::constraint_posting {
 
 using domain::PartId;
-using uncertainty::MomentId;
+using uncertainty::SnapshotId;
 using uncertainty::Unproved;
 
 RemedySearch::RemedySearch(UncertaintyTask& task, const AugmentedSteps& steps, int step,
@@ -34,7 +34,8 @@ bool RemedySearch::MayBeProved(std::vector<plan::Condition> absorbable) const {
   if (!task_.best) return true;
   const std::vector<plan::Condition>& absorbed = steps_[step_].absorbed;
   absorbable.insert(absorbable.end(), absorbed.begin(), absorbed.end());
-  return task_.best->LeastShortfall(steps_.MomentAfter(step_, *task_.best), absorbable).goals == 0;
+  return task_.best->LeastShortfall(steps_.SnapshotAfter(step_, *task_.best), absorbable).goals ==
+         0;
 }
 
 // Returns the remedies of the resolvers that may absorb errors, or the remedies of the other
@@ -109,7 +110,7 @@ void RemedySearch::NoteWhatFellShort(AugmentedStep& mended) {
   const std::optional<Mended> nearest = Nearing();
   if (!nearest) return;
   const AugmentedStep& nearer = nearest->steps[nearest->step];
-  const MomentId after = nearest->steps.MomentAfter(nearest->step, task_.possible);
+  const SnapshotId after = nearest->steps.SnapshotAfter(nearest->step, task_.possible);
   if (nearer.Unabsorbed(task_.possible.UnprovedAt(after)).empty()) return;
   for (Measure& measure : mended.measures) {
     if (!disturbs(measure) || measure.because != unmet_) continue;
@@ -167,15 +168,15 @@ std::string RemedySearch::NameOf(const Candidate& candidate) const {
 // up.
 std::optional<RemedySearch::UnprovedStep> RemedySearch::FirstUnproved(const Mended& mended) const {
   uncertainty::WorldTree& tree = task_.possible;
-  MomentId moment = tree.Beginning();
+  SnapshotId snapshot = tree.Beginning();
   bool is_changed = false;
   const plan::StepId next_id = steps_.NextId();
   for (int i = 0; i <= mended.step; ++i) {
     const AugmentedStep& step = mended.steps[i];
-    moment = tree.After(moment, step.action, step.way());
+    snapshot = tree.After(snapshot, step.action, step.way());
     is_changed |= step.id.index() >= next_id.index();
     const bool must_be_proved = i == mended.step || (is_changed && !step.given_up);
-    if (must_be_proved && !step.IsProved(tree, moment)) return {{i, moment}};
+    if (must_be_proved && !step.IsProved(tree, snapshot)) return {{i, snapshot}};
   }
   return std::nullopt;
 }
@@ -189,7 +190,7 @@ std::optional<Shortfall> RemedySearch::ShortfallAfter(const Mended& mended) cons
   return ShortfallOf(mended.steps[mended.step].Unabsorbed(goals));
 }
 
-void RemedySearch::NoteNeighbours(MomentId after) {
+void RemedySearch::NoteNeighbours(SnapshotId after) {
   const std::vector<Unproved>& unproved = task_.possible.UnprovedAt(after);
   if (!std::ranges::all_of(unproved, DependsOnPlace)) return;
   for (const Unproved& goal : unproved) {

@@ -64,11 +64,11 @@ class RemedySearch {
 
   struct UnprovedStep {
     int step = 0;
-    uncertainty::MomentId after;
+    uncertainty::SnapshotId after;
   };
   std::optional<UnprovedStep> FirstUnproved(const Mended& mended) const;
   std::optional<Shortfall> ShortfallAfter(const Mended& mended) const;
-  void NoteNeighbours(uncertainty::MomentId after);
+  void NoteNeighbours(uncertainty::SnapshotId after);
 
   UncertaintyTask& task_;
   const AugmentedSteps& steps_;

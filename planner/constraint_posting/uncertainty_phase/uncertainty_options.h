@@ -21,7 +21,7 @@ struct UncertaintyOptions {
   // the number of plan instances considered at first, over all plans
   std::int64_t instances = 10;
   // snapshots of world trees, for each search for a plan with fewer errors
-  std::int64_t moments = 12'000;
+  std::int64_t snapshots = 12'000;
   // the number of instances that may be augmented only because their violation may be smaller
   std::int64_t instances_for_violation = 0;
   std::vector<std::shared_ptr<Resolver>> resolvers = {};  // empty: sensing, then squeezing

@@ -55,7 +55,7 @@ class CertifiedPlanning {
     const int by_place = std::max(0, errors - static_cast<int>(anywhere.size()));
     InstanceJudge judge(task_, {errors, by_place, anywhere}, if_unproved);
     PlannerOptions first_phase = planner_;
-    first_phase.moments = task_.options.moments;
+    first_phase.snapshots = task_.options.snapshots;
     first_phase.judge = std::ref(judge);
     std::int64_t refused = 0;
     first_phase.accept = [&](const plan::Plan& instance) {

@@ -18,7 +18,7 @@ struct UncertaintyTask {
     if (BestKnown::Bounds(of, with.propagation)) best.emplace(of, with.propagation, with.bound);
   }
 
-  std::int64_t moments() const { return possible.size() + (best ? best->moments() : 0); }
+  std::int64_t snapshots() const { return possible.size() + (best ? best->snapshots() : 0); }
 
   const domain::Problem& problem;
   const UncertaintyOptions& options;

@@ -99,8 +99,8 @@ FormulaId AtomTable::IdOf(const Formula& formula) {
 }
 
 Knowledge AtomTable::AtFirst(const std::string& text, const Key& key) const {
-  const auto told = told_.find(text);
-  if (told != told_.end()) return told->second;
+  const auto stated = stated_.find(text);
+  if (stated != stated_.end()) return stated->second;
   return IsClosed(key) ? Knowledge::kFalse : Knowledge::kUnknown;
 }
 

@@ -36,7 +36,7 @@ class AtomTable {
   FormulaId IdOf(const Formula& formula);
 
   // Records that init says that the atom with this text is true, false or unknown.
-  void Tell(const std::string& atom, Knowledge knowledge) { told_[atom] = knowledge; }
+  void Tell(const std::string& atom, Knowledge knowledge) { stated_[atom] = knowledge; }
   void Close(const Change& change) {
     closed_[change.literals.front().predicate].push_back(&change);
   }
@@ -69,7 +69,7 @@ class AtomTable {
   std::vector<Key> keys_;  // indexed by atom
   std::unordered_map<std::string, FunctionId> functions_;
   std::unordered_map<std::string, FormulaId> formulas_;
-  std::unordered_map<std::string, Knowledge> told_;
+  std::unordered_map<std::string, Knowledge> stated_;
   std::map<std::string, std::vector<const Change*>> closed_;
 };
 

@@ -57,11 +57,11 @@ void InitialGrounding::TellFact(const Change& change) {
 }
 
 void InitialGrounding::TellAtom(const std::string& atom, Knowledge knowledge, Place place) {
-  const auto [told, is_new] = told_.try_emplace(atom, knowledge);
-  const bool contradicts = told->second != knowledge && told->second != Knowledge::kUnknown &&
+  const auto [stated, is_new] = stated_.try_emplace(atom, knowledge);
+  const bool contradicts = stated->second != knowledge && stated->second != Knowledge::kUnknown &&
                            knowledge != Knowledge::kUnknown;
   if (contradicts) FailContradiction(place, fmt::format("{} is known to be true and false", atom));
-  told->second = knowledge;
+  stated->second = knowledge;
   terms_.table().Tell(atom, knowledge);
 }
 
@@ -69,8 +69,8 @@ void InitialGrounding::RequireValue(FunctionId id, Place place) const {
   const GroundFunction& function = terms_.task().functions[id.index()];
   const bool has_value = std::any_of(
       function.constants.begin(), function.constants.end(), [&](const std::string& constant) {
-        const auto told = told_.find(function.text + " = " + constant);
-        return told == told_.end() || told->second != Knowledge::kFalse;
+        const auto stated = stated_.find(function.text + " = " + constant);
+        return stated == stated_.end() || stated->second != Knowledge::kFalse;
       });
   if (!has_value) FailContradiction(place, fmt::format("no value is left for {}", function.text));
 }

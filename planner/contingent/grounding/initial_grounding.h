@@ -39,7 +39,7 @@ class InitialGrounding {
   EffectGrounding& effects_;
   // The knowledge that init puts in Kf. The atom table also records the alternatives of Kx as
   // unknown, so that LCW does not close them.
-  std::map<std::string, Knowledge> told_;
+  std::map<std::string, Knowledge> stated_;
 };
 
 }  // namespace assay::contingent

@@ -68,7 +68,7 @@ KnowledgeProgression::Changes KnowledgeProgression::ChangesOf(
     } else if (effect.is_of_worlds) {
       AddOfWorlds(effect, state, changes);
     } else {
-      changes.are_told &= !queries_.MayHold(effect.condition, state);
+      changes.are_decided &= !queries_.MayHold(effect.condition, state);
     }
   }
   JoinWithPossible(changes);
@@ -85,7 +85,7 @@ void KnowledgeProgression::AddOfWorlds(const GroundEffect& effect, const Knowled
   const bool is_certain = worlds.Implies(possible, where);
   for (const GroundChange& change : effect.changes) {
     if (TellsSomething(change)) {
-      changes.are_told &= !queries_.MayHold(effect.condition, state);
+      changes.are_decided &= !queries_.MayHold(effect.condition, state);
     } else if (is_certain) {
       changes.certain.push_back(&change);
     } else {
@@ -174,7 +174,7 @@ std::optional<KnowledgeState> KnowledgeProgression::After(const Changes& changes
     has_doubted_ = true;
     return std::nullopt;
   };
-  if (!changes.are_told) return doubted();
+  if (!changes.are_decided) return doubted();
   if (MayGiveTwoValues(changes, before)) return std::nullopt;
   KnowledgeState state = before;
   if (!changes.possible.empty()) atoms_.Change(state, changes.possible, changes.bounds);

@@ -45,7 +45,7 @@ class KnowledgeProgression {
     // changes of numbers that may have happened, with the worlds where they happen
     std::vector<ChangeSomewhere> unsettled = {};
     std::set<FunctionId> deciding = {};  // the numbers that decide which changes happen
-    bool are_told = true;                // false if it is undecided whether an effect happens
+    bool are_decided = true;             // false if it is undecided whether an effect happens
   };
 
   Changes ChangesOf(const std::vector<GroundEffect>& effects, const KnowledgeState& state);

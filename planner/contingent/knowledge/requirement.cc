@@ -160,7 +160,7 @@ Requirement Regression::OfAction(StateId state, const GroundAction& action,
   for (const GroundEffect& effect : action.effects) {
     if (!effect.is_of_worlds || HasBound(effect.condition)) KeepAsked(effect.condition, before);
   }
-  RegressAspects(action, WithTold(action, after), before);
+  RegressAspects(action, WithAsserted(action, after), before);
   Require(action.precondition, state, before);
   return before;
 }
@@ -168,18 +168,18 @@ Requirement Regression::OfAction(StateId state, const GroundAction& action,
 // A relation or a bound that an action asserts must not contradict the knowledge. A world that it
 // excludes needs no plan, but at least one world must remain. So the aspects that it is about are
 // kept.
-Requirement Regression::WithTold(const GroundAction& action, const Requirement& after) const {
-  Requirement told = after;
+Requirement Regression::WithAsserted(const GroundAction& action, const Requirement& after) const {
+  Requirement asserted = after;
   for (const GroundEffect& effect : action.effects) {
     for (const GroundChange& change : effect.changes) {
-      const bool is_told =
+      const bool is_asserted =
           change.kind == GroundChange::Kind::kRelate || change.kind == GroundChange::Kind::kNarrow;
       for (const std::size_t aspect : AspectsOf(change)) {
-        if (is_told) Keep(told, aspect);
+        if (is_asserted) Keep(asserted, aspect);
       }
     }
   }
-  return told;
+  return asserted;
 }
 
 // After the action, an atom is true where an effect has made it true, or where it was true before
@@ -188,7 +188,7 @@ void Regression::RegressWorlds(const GroundAction& action, StateId state, const 
                                Requirement& before) {
   OpenBounds bounds(task(), space_.state(state), worlds_);
   const Happening happening = WhatHappens(action, state, bounds);
-  Diagram required = worlds_.Or(after.worlds, worlds_.Not(happening.told));
+  Diagram required = worlds_.Or(after.worlds, worlds_.Not(happening.asserted));
   for (const int forgotten : happening.forgotten) required = worlds_.ForAll(required, forgotten);
   required = worlds_.Compose(required, ValuesAfter(happening));
   required = worlds_.And(required, worlds_.Not(WhereTwoValues(task(), happening.changes, worlds_)));
@@ -209,8 +209,8 @@ Regression::Happening Regression::WhatHappens(const GroundAction& action, StateI
         happening.forgotten.push_back(worlds_.Variable(change.literal.atom));
       }
       if (change.kind == GroundChange::Kind::kRelate && happens) {
-        const Diagram told = worlds_.WhereOne(change.literals, change.is_inclusive);
-        happening.told = worlds_.And(happening.told, told);
+        const Diagram asserted = worlds_.WhereOne(change.literals, change.is_inclusive);
+        happening.asserted = worlds_.And(happening.asserted, asserted);
       }
       happening.changes.emplace_back(&change, where);
     }

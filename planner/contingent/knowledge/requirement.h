@@ -65,12 +65,12 @@ class Regression {
   void KeepDetermining(FormulaId formula, Requirement& requirement) const;
   // Keeps the aspects of everything that the query asks about.
   void KeepAsked(const GroundQuery& query, Requirement& requirement) const;
-  Requirement WithTold(const GroundAction& action, const Requirement& after) const;
+  Requirement WithAsserted(const GroundAction& action, const Requirement& after) const;
   // The changes of an action by world. The bounds are variables of the diagrams.
   struct Happening {
     std::vector<ChangeSomewhere> changes;
-    Diagram told = kAllSets;     // the worlds that remain after the action's relations and bounds
-    std::vector<int> forgotten;  // variables of forgotten atoms
+    Diagram asserted = kAllSets;  // the worlds that remain after the action's relations and bounds
+    std::vector<int> forgotten;   // variables of forgotten atoms
   };
   Happening WhatHappens(const GroundAction& action, StateId state, OpenBounds& bounds);
   // Returns the value after the action of each atom that may change, by variable.

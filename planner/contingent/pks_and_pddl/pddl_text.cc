@@ -192,14 +192,14 @@ class PddlWriter {
         !task_.initial.sensed.empty() || !task_.initial.values_sensed.empty();
     if (is_sensed_at_first) Fail("Kw and Kv in init");
     std::string text = fmt::format("(define (problem {}) (:domain {})\n (:init\n", name_, name_);
-    std::vector<bool> is_told(task_.atoms.size(), false);
+    std::vector<bool> is_stated(task_.atoms.size(), false);
     for (const GroundLiteral& literal : task_.initial.known) {
-      is_told[literal.atom.index()] = true;
+      is_stated[literal.atom.index()] = true;
       if (literal.is_positive) text += fmt::format("  {}\n", LiteralText(literal));
     }
-    RequireExclusive(is_told);
+    RequireExclusive(is_stated);
     for (std::size_t a = 0; a < task_.atoms.size(); ++a) {
-      if (!is_told[a]) text += fmt::format("  (unknown ({}))\n", atoms_[a]);
+      if (!is_stated[a]) text += fmt::format("  (unknown ({}))\n", atoms_[a]);
     }
     for (const InitialRelation& relation : task_.initial.relations) {
       text += relation.is_inclusive ? "  (or" : "  (oneof";
@@ -212,11 +212,11 @@ class PddlWriter {
 
   // In PDDL the open values of one function are separate atoms. A oneof of exactly these values is
   // required, because it states that they exclude each other.
-  void RequireExclusive(const std::vector<bool>& is_told) const {
+  void RequireExclusive(const std::vector<bool>& is_stated) const {
     for (const GroundFunction& function : task_.functions) {
       std::vector<GroundLiteral> open;
       for (const AtomId value : function.values) {
-        if (!is_told[value.index()]) open.push_back({value, true});
+        if (!is_stated[value.index()]) open.push_back({value, true});
       }
       const auto are_all = [&](const InitialRelation& relation) {
         return !relation.is_inclusive && std::ranges::is_permutation(relation.literals, open);

@@ -61,7 +61,7 @@ class SymbolicCheck {
       if (arrivals.worlds == kEmptySet) continue;
       PassOn(tree_.node(id), arrivals);
     }
-    if (failure_.empty() && !is_told_) return std::nullopt;
+    if (failure_.empty() && !is_decided_) return std::nullopt;
     check.holds = failure_.empty();
     check.failure = failure_;
     for (std::size_t i = 0; i < arrivals_.size(); ++i) {
@@ -98,14 +98,14 @@ class SymbolicCheck {
       case PlanNode::Kind::kWhether:
         return Branch(node, here);
       case PlanNode::Kind::kValue:
-        is_told_ = false;
+        is_decided_ = false;
     }
   }
 
   void Demand(const GroundQuery& query, const Arrivals& here, const std::string& what) {
     if (!failure_.empty() || SurelyHolds(query, here)) return;
     const Diagram where = WorldsAgainst(query, here);
-    is_told_ &= where != kEmptySet;
+    is_decided_ &= where != kEmptySet;
     if (where == kEmptySet) return;
     failure_ = fmt::format("{} is not known on some way of the tree, in the world with {}", what,
                            worlds_.TextOfAWorld(where));
@@ -188,7 +188,7 @@ class SymbolicCheck {
     const Diagram if_true = worlds_.And(here.worlds, where);
     const Diagram if_false = worlds_.And(here.worlds, worlds_.Not(where));
     const bool is_open = if_true != kEmptySet && if_false != kEmptySet;
-    if (is_open && !here.sensed.contains(node.formula)) is_told_ = false;
+    if (is_open && !here.sensed.contains(node.formula)) is_decided_ = false;
     Arrivals next = here;
     for (const GroundLiteral& l : task_.formulas[node.formula.index()].literals) {
       next.open.erase(l.atom);
@@ -256,7 +256,7 @@ class SymbolicCheck {
   SymbolicWorlds worlds_;
   std::vector<Arrivals> arrivals_;  // indexed by node
   std::string failure_;
-  bool is_told_ = true;  // false if sets cannot decide some query of the tree
+  bool is_decided_ = true;  // false if sets cannot decide some query of the tree
 };
 
 }  // namespace

@@ -40,11 +40,11 @@ std::unordered_set<AtomId> ConditionallyChanged(const GroundTask& task) {
 
 // Returns true if the task asserts Kx or bounds, which say something about the present world.
 bool TellsSomething(const GroundTask& task) {
-  const auto is_told = [](const GroundChange& change) {
+  const auto is_asserted = [](const GroundChange& change) {
     return change.kind == GroundChange::Kind::kRelate || change.kind == GroundChange::Kind::kNarrow;
   };
   const auto tells = [&](const GroundEffect& effect) {
-    return std::ranges::any_of(effect.changes, is_told);
+    return std::ranges::any_of(effect.changes, is_asserted);
   };
   return std::ranges::any_of(task.updates, tells) ||
          std::ranges::any_of(task.actions, [&](const GroundAction& action) {

@@ -58,13 +58,13 @@ void MergeEqual(Worlds& worlds) {
 }
 
 // Returns true for a change of knowledge that does not change the world.
-bool IsTold(const GroundChange& change) {
+bool IsAsserted(const GroundChange& change) {
   return change.kind == GroundChange::Kind::kRelate || change.kind == GroundChange::Kind::kNarrow;
 }
 
 int PassOf(const GroundChange& change) {
   if (change.kind == GroundChange::Kind::kForget) return 0;
-  if (IsTold(change)) return 3;
+  if (IsAsserted(change)) return 3;
   return change.kind == GroundChange::Kind::kSet && !change.literal.is_positive ? 1 : 2;
 }
 
@@ -107,7 +107,7 @@ bool WorldProgression::IsTrue(const GroundQuery& condition, const World& world) 
 
 Answer WorldProgression::Ask(const GroundQuery& query, const History& history) const {
   const auto asked = [&](const GroundQuery& operand) { return Ask(operand, history); };
-  const auto told = [](bool holds) { return holds ? Answer::kYes : Answer::kNo; };
+  const auto answer = [](bool holds) { return holds ? Answer::kYes : Answer::kNo; };
   const auto in_all = [&](const auto& what) {
     return std::all_of(history.worlds.begin(), history.worlds.end(),
                        [&](const World& world) { return IsTrue(what, world); });
@@ -128,14 +128,14 @@ Answer WorldProgression::Ask(const GroundQuery& query, const History& history) c
       }
       break;
     case GroundQuery::Kind::kKnown:
-      return told(in_all(query.literal));
+      return answer(in_all(query.literal));
     case GroundQuery::Kind::kBoundKnown:
-      return told(in_all(query.bound));
+      return answer(in_all(query.bound));
     case GroundQuery::Kind::kKnownWhether:
-      return told(history.sensed.contains(query.formula) ||
-                  IsDetermined(task_.formulas[query.formula.index()], history));
+      return answer(history.sensed.contains(query.formula) ||
+                    IsDetermined(task_.formulas[query.formula.index()], history));
     case GroundQuery::Kind::kValueSensed:
-      return told(IsValueKnown(query, history));
+      return answer(IsValueKnown(query, history));
   }
   return Answer::kNo;
 }
@@ -275,12 +275,12 @@ void WorldProgression::ChangeWorlds(const std::vector<GroundEffect>& effects,
     std::map<FunctionId, const GroundChange*> given;
     for (int pass = 0; pass < kPasses; ++pass) {
       for (std::size_t e = 0; e < effects.size(); ++e) {
-        const bool is_told = happens[e];  // the executor knows that the condition holds
+        const bool is_known = happens[e];  // the executor knows that the condition holds
         const bool applies =
-            effects[e].is_of_worlds ? IsTrue(effects[e].condition, world) : is_told;
+            effects[e].is_of_worlds ? IsTrue(effects[e].condition, world) : is_known;
         if (!applies) continue;
         for (const GroundChange& change : effects[e].changes) {
-          if (PassOf(change) != pass || (!is_told && IsTold(change))) continue;
+          if (PassOf(change) != pass || (!is_known && IsAsserted(change))) continue;
           NoteValue(change, given);
           Change(change, world, now);
         }

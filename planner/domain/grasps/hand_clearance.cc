@@ -23,13 +23,13 @@ HandClearance::HandClearance(const PartModel& part, const kinematics::Gripper& g
                              const Pose& X_PartMiddle, double width, double allowance) {
   const Pose X_MiddlePart = X_PartMiddle.inverse();
   for (const Box& box : part.boxes()) part_boxes_.push_back(box.Transformed(X_MiddlePart));
-  Add(gripper.HandBoxes(), Moment::kApproaching, allowance);
+  Add(gripper.HandBoxes(), Stage::kApproaching, allowance);
   if (width > gripper.max_opening()) return;
-  Add(gripper.FingerBoxes(gripper.max_opening()), Moment::kApproaching, allowance);
-  Add(gripper.FingerBoxes(width), Moment::kClosed, allowance);
+  Add(gripper.FingerBoxes(gripper.max_opening()), Stage::kApproaching, allowance);
+  Add(gripper.FingerBoxes(width), Stage::kClosed, allowance);
 }
 
-void HandClearance::Add(const std::vector<Box>& gripper_boxes, Moment moment, double allowance) {
+void HandClearance::Add(const std::vector<Box>& gripper_boxes, Stage stage, double allowance) {
   for (const Box& box : gripper_boxes) {
     Eigen::AlignedBox3d bounds;  // in the tool frame
     for (const Vector3& corner : box.Corners()) bounds.extend(corner);
@@ -39,7 +39,7 @@ void HandClearance::Add(const std::vector<Box>& gripper_boxes, Moment moment, do
     for (const Box& part_box : part_boxes_) {
       geometry::Polygon shadow = geometry::ShadowBetween(part_box, low.y(), high.y());
       if (shadow.size() < 3) continue;
-      encounters_.push_back({moment, {low.x(), low.z()}, {high.x(), high.z()}, std::move(shadow)});
+      encounters_.push_back({stage, {low.x(), low.z()}, {high.x(), high.z()}, std::move(shadow)});
     }
   }
 }
@@ -56,7 +56,7 @@ std::vector<CObstacle> HandClearance::ObstaclesOf(const Approach& approach) cons
 // polygons. The way in stretches the rectangle backward.
 CObstacle HandClearance::ObstacleOf(const Encounter& encounter, const Approach& approach) {
   Vector2 low = encounter.low;
-  if (encounter.moment == Moment::kApproaching) low.y() -= approach.length;
+  if (encounter.stage == Stage::kApproaching) low.y() -= approach.length;
   CObstacle obstacle;
   const auto add = [&](const Vector2& normal) {
     double farthest = -std::numeric_limits<double>::infinity();

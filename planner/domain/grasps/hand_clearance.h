@@ -48,15 +48,15 @@ class HandClearance {
   std::vector<CObstacle> ObstaclesOf(const Approach& approach) const;
 
  private:
-  enum class Moment { kApproaching, kClosed };
+  enum class Stage { kApproaching, kClosed };
   // A box of the gripper, and the shadow of one of the part's boxes that it can meet.
   struct Encounter {
-    Moment moment;
+    Stage stage;
     geometry::Vector2 low;  // corner of the gripper box's rectangle, tool x and z
     geometry::Vector2 high;
     geometry::Polygon shadow;  // shadow of the part's box, plane x and y
   };
-  void Add(const std::vector<geometry::Box>& gripper_boxes, Moment moment, double allowance);
+  void Add(const std::vector<geometry::Box>& gripper_boxes, Stage stage, double allowance);
   static CObstacle ObstacleOf(const Encounter& encounter, const Approach& approach);
 
   std::vector<geometry::Box> part_boxes_;  // boxes of the part, in the plane's frame

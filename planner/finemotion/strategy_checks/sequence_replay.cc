@@ -27,24 +27,24 @@ ReplayedSequence SequenceReplay::Replay(const Sequence& sequence, double multipl
     if (!check.certain) replay.unwanted = FirstOf(check);
     return check.certain;
   };
-  Belief belief = starts_.BeliefAt(sequence.start, multiple);
+  BelievedPose believed = starts_.BelievedPoseAt(sequence.start, multiple);
   std::size_t point = 0;
   const auto& maneuvering = problem_.maneuvering;
-  if (!holds(maneuvering[point].CheckReached(belief))) return replay;
+  if (!holds(maneuvering[point].CheckReached(believed))) return replay;
   for (const Maneuver& maneuver : sequence.maneuvers) {
     const int here = static_cast<int>(point);
     const int after = PointAfter(maneuver, here);
-    if (after != here && !holds(maneuvering[point].CheckThrough(belief))) return replay;
-    Maneuvered done = maneuvering[point].Apply(maneuvering[point].At(belief), maneuver, margins);
+    if (after != here && !holds(maneuvering[point].CheckThrough(believed))) return replay;
+    Maneuvered done = maneuvering[point].Apply(maneuvering[point].At(believed), maneuver, margins);
     comparison_ += done.Comparison();
     for (CertainMotion& motion : done.motions) motion.critical_point = here;
     if (!done.certain && !done.motions.empty()) holds(done.motions.back().check);
     std::ranges::move(done.motions, std::back_inserter(replay.motions));
     if (!done.certain) return replay;
-    belief = std::move(done.after);
+    believed = std::move(done.after);
     point = static_cast<std::size_t>(after);
   }
-  replay.certain = holds(maneuvering[point].CheckThrough(belief));
+  replay.certain = holds(maneuvering[point].CheckThrough(believed));
   return replay;
 }
 

@@ -87,21 +87,21 @@ class StrategyReplay {
 
   void Replay(double multiple, Margins margins) {
     multiple_ = multiple;
-    Belief belief = BeliefIn(strategy_.X_FixedStart, errors_, kRounding * multiple);
-    if (!maneuvering_.IsReached(belief)) return Add("the start is not surely free{}", Errors());
+    BelievedPose believed = BelievedPoseIn(strategy_.X_FixedStart, errors_, kRounding * multiple);
+    if (!maneuvering_.IsReached(believed)) return Add("the start is not surely free{}", Errors());
     const std::size_t slide = strategy_.motions.size() - 1;
     for (std::size_t i = 0; i < slide; ++i) {
-      const std::optional<Command> command = CommandOf(i, belief);
+      const std::optional<Command> command = CommandOf(i, believed);
       if (!command) return;
-      const CertainMotion replayed = checker_.Check(belief, *command, margins);
+      const CertainMotion replayed = checker_.Check(believed, *command, margins);
       if (!replayed.check.certain) return Refuse(i, replayed);
       CompareLength(i, replayed);
       if (margins == Margins::kAll) CompareClaims(i, replayed);
       Remember(i, replayed);
-      belief = replayed.check.after;
-      belief.X_StationaryMoving = strategy_.motions[i].X_FixedTip;
+      believed = replayed.check.after;
+      believed.X_StationaryMoving = strategy_.motions[i].X_FixedTip;
     }
-    if (!maneuvering_.IsThrough(belief))
+    if (!maneuvering_.IsThrough(believed))
       Add("{}: where it starts, the way in is not surely free{}", Motion(slide), Errors());
   }
 
@@ -138,14 +138,14 @@ class StrategyReplay {
   }
 
   // Returns the motion's command, or none if the motion cannot be checked.
-  std::optional<Command> CommandOf(std::size_t index, const Belief& belief) {
+  std::optional<Command> CommandOf(std::size_t index, const BelievedPose& believed) {
     const plan::StrategyMotion& motion = strategy_.motions[index];
-    Command command{Between(belief.X_StationaryMoving, motion.X_FixedTip), {}, {}};
+    Command command{Between(believed.X_StationaryMoving, motion.X_FixedTip), {}, {}};
     if (command.displacement.tail<3>().isZero(kNoTurn)) command.displacement.tail<3>().setZero();
     for (const int kept : motion.kept) command.kept.push_back(KeyAt(kept));
     if (motion.until) command.until = KeyAt(*motion.until);
     for (const ContactKey& kept : command.kept) {
-      if (std::ranges::count(belief.kept, kept) > 0) continue;
+      if (std::ranges::count(believed.kept, kept) > 0) continue;
       Add("{}: it keeps {}, which does not touch", Motion(index), Name(kept));
       return std::nullopt;
     }
@@ -201,9 +201,9 @@ class StrategyReplay {
       Add("{}: friction of {:.4g} can hold it, and it is said to take {:.4g}", Motion(index),
           friction, strategy_.certificate.friction);
     for (const Unwanted& unwanted : replayed.check.unwanted) CompareScale(index, unwanted);
-    for (const plan::UnwantedContact& told : motion.unwanted) {
-      if (!told.is_loss) CompareContact(index, told.contact, replayed);
-      CompareGap(index, told, replayed);
+    for (const plan::UnwantedContact& stated : motion.unwanted) {
+      if (!stated.is_loss) CompareContact(index, stated.contact, replayed);
+      CompareGap(index, stated, replayed);
     }
   }
 
@@ -226,11 +226,11 @@ class StrategyReplay {
   // Compares the scale of an unwanted contact. If a face has several regions, the file has only the
   // least of their scales, because the contact with this scale comes first.
   void CompareScale(std::size_t index, const Unwanted& unwanted) {
-    const std::vector<plan::UnwantedContact>& told = strategy_.motions[index].unwanted;
+    const std::vector<plan::UnwantedContact>& stated = strategy_.motions[index].unwanted;
     const auto claimed = std::ranges::find_if(
-        told, [&](const auto& one) { return KeyAt(one.contact) == unwanted.contact; });
+        stated, [&](const auto& one) { return KeyAt(one.contact) == unwanted.contact; });
     const char* const happens = unwanted.is_loss ? "lost" : "made";
-    if (claimed == told.end())
+    if (claimed == stated.end())
       return Add("{}: the file does not name contact {}, which may be {} with {} times the errors",
                  Motion(index), Name(unwanted.contact), happens, unwanted.scale);
     if (claimed->scale > unwanted.scale)
@@ -238,12 +238,12 @@ class StrategyReplay {
           Name(unwanted.contact), happens, claimed->scale, unwanted.scale);
   }
 
-  void CompareGap(std::size_t index, const plan::UnwantedContact& told,
+  void CompareGap(std::size_t index, const plan::UnwantedContact& stated,
                   const CertainMotion& replayed) {
-    const PrimitiveContact* found = Find(replayed.contacts, KeyAt(told.contact));
-    if (found == nullptr || told.gap <= found->offset + kPlace) return;
+    const PrimitiveContact* found = Find(replayed.contacts, KeyAt(stated.contact));
+    if (found == nullptr || stated.gap <= found->offset + kPlace) return;
     Add("{}: the gap of {} is said to be {:.4g} mm, and is {:.4g}", Motion(index), Name(*found),
-        1e3 * told.gap, 1e3 * found->offset);
+        1e3 * stated.gap, 1e3 * found->offset);
   }
 
   const ContactKey& KeyAt(int contact) const { return keys_[static_cast<std::size_t>(contact)]; }

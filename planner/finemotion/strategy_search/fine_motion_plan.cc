@@ -16,14 +16,16 @@ MotionChecker CheckerFor(const Passage& passage, const FineMotionErrors& errors,
            .friction = options.friction}};
 }
 
-Belief BeliefIn(const Pose& X_StationaryMoving, const FineMotionErrors& errors, double multiple) {
-  Belief belief{.X_StationaryMoving = X_StationaryMoving,
-                .errors = {},
-                .kept = {},
-                .tolerances = multiple * errors.tolerances};
-  belief.errors.setZero(Eigen::NoChange, belief.tolerances.size() + kPoseDimensions);
-  belief.errors.rightCols<kPoseDimensions>() = multiple * errors.pose.asDiagonal().toDenseMatrix();
-  return belief;
+BelievedPose BelievedPoseIn(const Pose& X_StationaryMoving, const FineMotionErrors& errors,
+                            double multiple) {
+  BelievedPose believed{.X_StationaryMoving = X_StationaryMoving,
+                        .errors = {},
+                        .kept = {},
+                        .tolerances = multiple * errors.tolerances};
+  believed.errors.setZero(Eigen::NoChange, believed.tolerances.size() + kPoseDimensions);
+  believed.errors.rightCols<kPoseDimensions>() =
+      multiple * errors.pose.asDiagonal().toDenseMatrix();
+  return believed;
 }
 
 }  // namespace assay::finemotion

@@ -83,6 +83,7 @@ MotionChecker CheckerFor(const Passage& passage, const FineMotionErrors& errors,
 
 // Returns the believed pose at X_StationaryMoving, free of contact, with the errors multiplied by
 // `multiple`.
-Belief BeliefIn(const Pose& X_StationaryMoving, const FineMotionErrors& errors, double multiple);
+BelievedPose BelievedPoseIn(const Pose& X_StationaryMoving, const FineMotionErrors& errors,
+                            double multiple);
 
 }  // namespace assay::finemotion

@@ -145,24 +145,24 @@ Maneuvering::Maneuvering(const Passage& passage, int critical_point, const Motio
   }
 }
 
-Situation Maneuvering::At(const Belief& belief) const {
-  return {belief, checker_.ContactsWithin(reach_, belief.X_StationaryMoving)};
+Situation Maneuvering::At(const BelievedPose& believed) const {
+  return {believed, checker_.ContactsWithin(reach_, believed.X_StationaryMoving)};
 }
 
 Vector3 Maneuvering::ToUpright(const Pose& X_StationaryMoving) const {
   return Between(X_StationaryMoving, X_StationaryEntry_).tail<3>();
 }
 
-double Maneuvering::WayToNext(const Belief& belief) const {
+double Maneuvering::WayToNext(const BelievedPose& believed) const {
   const bool is_last = critical_point_ + 1 == passage_.critical_points();
   const Vector3 next =
       is_last ? Vector3(X_StationaryEntry_.translation() + passage_.seat * passage_.mating)
               : Vector3(passage_.X_StationaryEntryAt(critical_point_ + 1).translation());
-  const Vector3 way = next - belief.X_StationaryMoving.translation();
+  const Vector3 way = next - believed.X_StationaryMoving.translation();
   PoseChange down = PoseChange::Zero();
   down.head<3>() = passage_.mating;
-  const double shift = (belief.errors.transpose() * down).lpNorm<1>();
-  const double turn = belief.errors.bottomRows<3>().rowwise().lpNorm<1>().maxCoeff();
+  const double shift = (believed.errors.transpose() * down).lpNorm<1>();
+  const double turn = believed.errors.bottomRows<3>().rowwise().lpNorm<1>().maxCoeff();
   const double lever = is_last ? Breadth() : 2 * checker_.options().radius;
   const double deepest = shift + lever * turn;
   return way.dot(passage_.mating) - deepest - kShortOfNext;
@@ -177,11 +177,11 @@ double Maneuvering::Breadth() const {
 
 std::optional<Maneuvering::Direction> Maneuvering::DirectionOf(const Situation& situation,
                                                                const Maneuver& maneuver) const {
-  const auto& [belief, contacts] = situation;
+  const auto& [believed, contacts] = situation;
   Vector3 d = Vector3::Zero();
   Vector3 w = Vector3::Zero();
-  Direction direction{.along = {}, .amount = maneuver.amount, .kept = belief.kept};
-  const Pose& X = belief.X_StationaryMoving;
+  Direction direction{.along = {}, .amount = maneuver.amount, .kept = believed.kept};
+  const Pose& X = believed.X_StationaryMoving;
   switch (maneuver.kind) {
     case Maneuver::Kind::kMove:
       d = maneuver.direction;
@@ -192,7 +192,7 @@ std::optional<Maneuvering::Direction> Maneuvering::DirectionOf(const Situation& 
     case Maneuver::Kind::kLetGo: {
       std::erase(direction.kept, maneuver.contact);
       const PrimitiveContact* contact = Find(contacts, maneuver.contact);
-      if (contact == nullptr || direction.kept.size() == belief.kept.size()) return std::nullopt;
+      if (contact == nullptr || direction.kept.size() == believed.kept.size()) return std::nullopt;
       d = contact->normal;
       break;
     }
@@ -213,7 +213,7 @@ std::optional<Maneuvering::Direction> Maneuvering::DirectionOf(const Situation& 
       break;
     case Maneuver::Kind::kAdvance:
       d = passage_.mating;
-      direction.amount = WayToNext(belief);
+      direction.amount = WayToNext(believed);
       if (direction.amount < kLeastMotion) return std::nullopt;
       break;
   }
@@ -245,12 +245,12 @@ PoseChange Maneuvering::Refined(const Pose& X, const Command& command) const {
 
 Maneuvered Maneuvering::Apply(const Situation& situation, const Maneuver& maneuver,
                               Margins margins) const {
-  Maneuvered result{.after = situation.belief};
+  Maneuvered result{.after = situation.believed};
   const Situation* now = &situation;
   Situation later;
   double done = 0;
   while (true) {
-    const Pose& X = now->belief.X_StationaryMoving;
+    const Pose& X = now->believed.X_StationaryMoving;
     const auto direction = DirectionOf(*now, maneuver);
     if (!direction) return result;
     // For these maneuvers, DirectionOf computes the remaining motion again.
@@ -259,7 +259,7 @@ Maneuvered Maneuvering::Apply(const Situation& situation, const Maneuver& maneuv
     const double left = direction->amount - (anew ? 0 : done);
     const double turn = direction->along.tail<3>().norm();
     const double most = std::min(left, turn > 0 ? kLinearTurn / turn : kLongestMotion);
-    const Hit hit = FirstHit(now->contacts, now->belief.kept, direction->along);
+    const Hit hit = FirstHit(now->contacts, now->believed.kept, direction->along);
     const bool touches = hit.contact != nullptr && hit.distance <= most;
     if (touches && !maneuver.to_contact) return result;
     if (touches && IsGrazing(*hit.contact, direction->along, checker_.options().radius))
@@ -269,7 +269,7 @@ Maneuvered Maneuvering::Apply(const Situation& situation, const Maneuver& maneuv
     Command command{length * direction->along, direction->kept, {}};
     if (touches) command.until = KeyOf(*hit.contact);
     command.displacement = Refined(X, command);
-    result.motions.push_back(checker_.Check(now->belief, command, margins));
+    result.motions.push_back(checker_.Check(now->believed, command, margins));
     const SegmentCheck& check = result.motions.back().check;
     done += length;
     if (!check.certain) return result;
@@ -297,9 +297,9 @@ TestComparison Maneuvered::Comparison() const {
   return comparison;
 }
 
-SegmentCheck Maneuvering::CheckReached(const Belief& belief) const {
+SegmentCheck Maneuvering::CheckReached(const BelievedPose& believed) const {
   const Vector3& in = passage_.mating;
-  const Pose& X = belief.X_StationaryMoving;
+  const Pose& X = believed.X_StationaryMoving;
   double lowest = -kInfinity;
   for (const OuterVertex& vertex : passage_.moving.vertices)
     lowest = std::max(lowest, (X * vertex.p).dot(in));
@@ -310,26 +310,26 @@ SegmentCheck Maneuvering::CheckReached(const Belief& belief) const {
   if (way <= 0) return {.certain = true};
   PoseChange down = PoseChange::Zero();
   down.head<3>() = way * in;
-  Belief outside = belief;
+  BelievedPose outside = believed;
   outside.X_StationaryMoving = Displaced(X, -down);
   return checker_.Check(outside, {down, {}, {}}, Margins::kNone).check;
 }
 
-SegmentCheck Maneuvering::CheckThrough(const Belief& belief) const {
-  if (ToUpright(belief.X_StationaryMoving).norm() >= kUprightEnough) return {};
+SegmentCheck Maneuvering::CheckThrough(const BelievedPose& believed) const {
+  if (ToUpright(believed.X_StationaryMoving).norm() >= kUprightEnough) return {};
   for (const PrimitiveContact& wall : walls_) {
-    if (!IsWithinPlay(wall, belief)) return {.unwanted = {{KeyOf(wall)}}};
+    if (!IsWithinPlay(wall, believed)) return {.unwanted = {{KeyOf(wall)}}};
   }
-  return CheckWayOn(belief);
+  return CheckWayOn(believed);
 }
 
-SegmentCheck Maneuvering::CheckWayOn(const Belief& belief) const {
-  const Pose& X = belief.X_StationaryMoving;
-  const double way = WayToNext(belief);
+SegmentCheck Maneuvering::CheckWayOn(const BelievedPose& believed) const {
+  const Pose& X = believed.X_StationaryMoving;
+  const double way = WayToNext(believed);
   if (way <= 0) return {.certain = true};
   PoseChange in = PoseChange::Zero();
   in.head<3>() = way * passage_.mating;
-  const Belief free{X, belief.errors, {}, belief.tolerances};
+  const BelievedPose free{X, believed.errors, {}, believed.tolerances};
   const Command command{in, {}, {}};
   const MotionChecker guided = checker_.WithoutVelocityErrors();
   MotionChecker::Nearby nearby = guided.NearTheWay(free, command);
@@ -339,15 +339,15 @@ SegmentCheck Maneuvering::CheckWayOn(const Belief& belief) const {
   return guided.Check(nearby, free, command);
 }
 
-bool Maneuvering::IsWithinPlay(const PrimitiveContact& wall, const Belief& belief) const {
-  return ErrorOf(wall.row, belief) <= kRoom * wall.offset;
+bool Maneuvering::IsWithinPlay(const PrimitiveContact& wall, const BelievedPose& believed) const {
+  return ErrorOf(wall.row, believed) <= kRoom * wall.offset;
 }
 
-int Maneuvering::WideDirections(const Belief& belief) const {
+int Maneuvering::WideDirections(const BelievedPose& believed) const {
   Eigen::MatrixXd basis(kPoseDimensions, kPoseDimensions);
   Eigen::Index count = 0;
   for (const PrimitiveContact& wall : walls_) {
-    if (IsWithinPlay(wall, belief)) continue;
+    if (IsWithinPlay(wall, believed)) continue;
     Eigen::VectorXd row = wall.row.head<kPoseDimensions>();
     row.tail<3>() /= checker_.options().radius;
     for (int pass = 0; pass < 2; ++pass) {

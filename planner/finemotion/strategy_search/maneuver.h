@@ -57,7 +57,7 @@ int PointAfter(const Maneuver& maneuver, int critical_point);
 
 // The believed pose before a maneuver, and the contacts that can be made there.
 struct Situation {
-  Belief belief;
+  BelievedPose believed;
   std::vector<PrimitiveContact> contacts;
 };
 
@@ -66,7 +66,7 @@ struct Situation {
 struct Maneuvered {
   bool certain = false;
   std::vector<CertainMotion> motions = {};
-  Belief after = {};
+  BelievedPose after = {};
 
   // Returns the least scale at which anything unwanted happens in the motions, as far as their
   // checks report it.
@@ -87,22 +87,22 @@ class Maneuvering {
   // in.
   const std::vector<Vector3>& laterals() const { return laterals_; }
 
-  Situation At(const Belief& belief) const;
+  Situation At(const BelievedPose& believed) const;
   Maneuvered Apply(const Situation& situation, const Maneuver& maneuver, Margins margins) const;
   // Checks that the part comes to the believed pose straight along the way in, from outside,
   // without touching anything.
-  SegmentCheck CheckReached(const Belief& belief) const;
-  bool IsReached(const Belief& belief) const { return CheckReached(belief).certain; }
+  SegmentCheck CheckReached(const BelievedPose& believed) const;
+  bool IsReached(const BelievedPose& believed) const { return CheckReached(believed).certain; }
   // Checks that a strategy may end at the believed pose: it is upright, its errors are within the
   // play, and the way in is free. The unwanted contact is a wall against which the errors are too
   // great, or whatever stands in the way.
-  SegmentCheck CheckThrough(const Belief& belief) const;
-  bool IsThrough(const Belief& belief) const { return CheckThrough(belief).certain; }
+  SegmentCheck CheckThrough(const BelievedPose& believed) const;
+  bool IsThrough(const BelievedPose& believed) const { return CheckThrough(believed).certain; }
   // Returns the rotation, as a vector, from this pose to the entry's orientation.
   Vector3 ToUpright(const Pose& X_StationaryMoving) const;
   // Returns the number of independent directions in which the errors are greater than the play
   // between walls.
-  int WideDirections(const Belief& belief) const;
+  int WideDirections(const BelievedPose& believed) const;
 
  private:
   struct Direction;
@@ -110,12 +110,12 @@ class Maneuvering {
   PoseChange Refined(const Pose& X, const Command& command) const;
   // Checks that nothing stands against the part straight along the way in, until shortly before the
   // next critical point or the seat. It may touch walls, since these lead it.
-  SegmentCheck CheckWayOn(const Belief& belief) const;
+  SegmentCheck CheckWayOn(const BelievedPose& believed) const;
   // Returns whether the errors leave room between the part and the wall.
-  bool IsWithinPlay(const PrimitiveContact& wall, const Belief& belief) const;
+  bool IsWithinPlay(const PrimitiveContact& wall, const BelievedPose& believed) const;
   // Returns the length of the way in to the next critical point or the seat, in metres. It is
   // shortened by the distance that errors may put the part ahead of its believed pose.
-  double WayToNext(const Belief& belief) const;
+  double WayToNext(const BelievedPose& believed) const;
 
   // Returns the distance in metres, across the way in, from the tip to the part's farthest corner.
   double Breadth() const;

@@ -23,14 +23,14 @@ std::vector<PrimitiveContact> CopiesOf(const std::vector<PrimitiveContact>& cont
   return those;
 }
 
-Pose EndOf(const Belief& belief, const Command& command) {
-  return Displaced(belief.X_StationaryMoving, command.displacement);
+Pose EndOf(const BelievedPose& believed, const Command& command) {
+  return Displaced(believed.X_StationaryMoving, command.displacement);
 }
 
-Belief WithErrorsScaled(Belief belief, double scale) {
-  belief.errors *= scale;
-  belief.tolerances *= scale;
-  return belief;
+BelievedPose WithErrorsScaled(BelievedPose believed, double scale) {
+  believed.errors *= scale;
+  believed.tolerances *= scale;
+  return believed;
 }
 
 // Gathers the unwanted contacts as errors grow.
@@ -45,8 +45,8 @@ class Ladder {
   // Adds the unwanted contacts and losses of this enlargement, except those of lesser enlargements.
   void Add(double scale, const std::vector<Unwanted>& unwanted, const Nearby& nearby) {
     for (const Unwanted& added : unwanted) {
-      if (std::ranges::any_of(unwanted_, [&](const Unwanted& told) {
-            return told.contact == added.contact && told.is_loss == added.is_loss;
+      if (std::ranges::any_of(unwanted_, [&](const Unwanted& known) {
+            return known.contact == added.contact && known.is_loss == added.is_loss;
           })) {
         continue;
       }
@@ -119,12 +119,12 @@ std::vector<PrimitiveContact> MotionChecker::Of(std::span<const ContactKey> keys
   return finder_.Of(keys, X_StationaryMoving, options_.turn);
 }
 
-MotionChecker::Nearby MotionChecker::NearTheWay(const Belief& belief, const Command& command,
-                                                double scale) const {
-  const Pose end = EndOf(belief, command);
+MotionChecker::Nearby MotionChecker::NearTheWay(const BelievedPose& believed,
+                                                const Command& command, double scale) const {
+  const Pose end = EndOf(believed, command);
   Nearby touching{Of(TouchedIn(command), end), {}};
   const SegmentModel model{touching.contacts, scale * options_.velocity_error, options_.radius};
-  ContactRange range = RangeOf(model, WithErrorsScaled(belief, scale), command, size_);
+  ContactRange range = RangeOf(model, WithErrorsScaled(believed, scale), command, size_);
   range.turn = std::max(options_.turn, range.turn);
   Nearby nearby{finder_.Near(end, range), finder_.NearlyParallel(end, range)};
   // The contacts of the command stay in the model even if errors can turn their edges until these
@@ -137,20 +137,20 @@ MotionChecker::Nearby MotionChecker::NearTheWay(const Belief& belief, const Comm
   return nearby;
 }
 
-SegmentCheck MotionChecker::Check(const Nearby& nearby, const Belief& belief,
+SegmentCheck MotionChecker::Check(const Nearby& nearby, const BelievedPose& believed,
                                   const Command& command, Telling telling, double scale) const {
   const SegmentModel model{nearby.contacts, scale * options_.velocity_error, options_.radius,
                            options_.test, nearby.parallel};
-  if (scale == 1) return finemotion::Check(model, belief, command, telling);
-  return finemotion::Check(model, WithErrorsScaled(belief, scale), command, telling);
+  if (scale == 1) return finemotion::Check(model, believed, command, telling);
+  return finemotion::Check(model, WithErrorsScaled(believed, scale), command, telling);
 }
 
-CertainMotion MotionChecker::Check(const Belief& belief, const Command& command,
+CertainMotion MotionChecker::Check(const BelievedPose& believed, const Command& command,
                                    Margins margins) const {
-  CertainMotion motion{command, belief.X_StationaryMoving, {}};
-  const Nearby nearby = NearTheWay(belief, command);
+  CertainMotion motion{command, believed.X_StationaryMoving, {}};
+  const Nearby nearby = NearTheWay(believed, command);
   const Telling telling = margins == Margins::kNone ? Telling::kFirst : Telling::kAll;
-  motion.check = Check(nearby, belief, command, telling);
+  motion.check = Check(nearby, believed, command, telling);
   if (motion.check.certain) {
     motion.X_StationaryAfter = motion.check.after.X_StationaryMoving;
     motion.can_be_held =
@@ -164,8 +164,8 @@ CertainMotion MotionChecker::Check(const Belief& belief, const Command& command,
   for (const double scale : kLadder) {
     if (scale == 1 || !ends) continue;
     if (margins == Margins::kLeast && !ladder.unwanted().empty()) break;
-    const Nearby wider = NearTheWay(belief, command, scale);
-    const SegmentCheck check = Check(wider, belief, command, Telling::kAll, scale);
+    const Nearby wider = NearTheWay(believed, command, scale);
+    const SegmentCheck check = Check(wider, believed, command, Telling::kAll, scale);
     ladder.Add(scale, check.unwanted, wider);
     if (!check.certain && check.unwanted.empty()) ladder.AddAll(scale, wider);
     motion.check.comparison += check.comparison;

@@ -63,11 +63,11 @@ class MotionChecker {
   std::vector<PrimitiveContact> Of(std::span<const ContactKey> keys,
                                    const Pose& X_StationaryMoving) const;
   // Returns the command's contacts, and all that errors enlarged by `scale` can bring near.
-  Nearby NearTheWay(const Belief& belief, const Command& command, double scale = 1) const;
+  Nearby NearTheWay(const BelievedPose& believed, const Command& command, double scale = 1) const;
 
-  SegmentCheck Check(const Nearby& nearby, const Belief& belief, const Command& command,
+  SegmentCheck Check(const Nearby& nearby, const BelievedPose& believed, const Command& command,
                      Telling telling = Telling::kFirst, double scale = 1) const;
-  CertainMotion Check(const Belief& belief, const Command& command, Margins margins) const;
+  CertainMotion Check(const BelievedPose& believed, const Command& command, Margins margins) const;
 
  private:
   ContactFinder finder_;

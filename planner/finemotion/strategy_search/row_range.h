@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "planner/finemotion/strategy_search/belief.h"
+#include "planner/finemotion/strategy_search/believed_pose.h"
 
 // The values that a linear function takes over all motions that errors allow. Checks of motions
 // spend much of their time here, so these functions stand in a header.
@@ -35,8 +35,8 @@ inline double SumOfParts(const numeric::SmallVector& row, const PoseChanges& err
 }
 
 // Returns how much errors can change the value of a row.
-inline double ErrorOf(const numeric::SmallVector& row, const Belief& belief) {
-  return SumOfParts(row, belief.errors, belief.tolerances);
+inline double ErrorOf(const numeric::SmallVector& row, const BelievedPose& believed) {
+  return SumOfParts(row, believed.errors, believed.tolerances);
 }
 
 // The range of a linear function over a forward projection: over the start, with all of its errors,

@@ -21,8 +21,8 @@ constexpr Eigen::Index kFewErrors = 12;
 
 class Checker {
  public:
-  Checker(const SegmentModel& model, const Belief& belief, const Command& command)
-      : model_(model), belief_(belief), command_(command), motion_(model, belief, command) {}
+  Checker(const SegmentModel& model, const BelievedPose& believed, const Command& command)
+      : model_(model), believed_(believed), command_(command), motion_(model, believed, command) {}
 
   SegmentCheck Run(Telling telling) {
     telling_ = telling;
@@ -60,7 +60,7 @@ class Checker {
     const ContactKey key = KeyOf(contact);
     if (command_.until && key == *command_.until) return true;
     if (std::ranges::find(command_.kept, key) != command_.kept.end()) return true;
-    if (std::ranges::find(belief_.kept, key) == belief_.kept.end()) return false;
+    if (std::ranges::find(believed_.kept, key) == believed_.kept.end()) return false;
     return motion_.SurelyLeaves(contact);
   }
 
@@ -170,7 +170,7 @@ class Checker {
   }
 
   const SegmentModel& model_;
-  const Belief& belief_;
+  const BelievedPose& believed_;
   const Command& command_;
   UncertainMotion motion_;
   UncertainMotion::Arrival arrival_;
@@ -188,14 +188,14 @@ TestComparison& TestComparison::operator+=(const TestComparison& other) {
   return *this;
 }
 
-SegmentCheck Check(const SegmentModel& model, const Belief& belief, const Command& command,
+SegmentCheck Check(const SegmentModel& model, const BelievedPose& believed, const Command& command,
                    Telling telling) {
-  return Checker(model, belief, command).Run(telling);
+  return Checker(model, believed, command).Run(telling);
 }
 
-ContactRange RangeOf(const SegmentModel& touching, const Belief& belief, const Command& command,
-                     double size) {
-  return UncertainMotion(touching, belief, command).Range(size);
+ContactRange RangeOf(const SegmentModel& touching, const BelievedPose& believed,
+                     const Command& command, double size) {
+  return UncertainMotion(touching, believed, command).Range(size);
 }
 
 }  // namespace assay::finemotion

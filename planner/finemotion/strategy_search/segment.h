@@ -4,7 +4,7 @@
 
 #include "planner/finemotion/contacts/contact_range.h"
 #include "planner/finemotion/contacts/primitive_contact.h"
-#include "planner/finemotion/strategy_search/belief.h"
+#include "planner/finemotion/strategy_search/believed_pose.h"
 #include "planner/finemotion/strategy_search/segment_model.h"
 
 namespace assay::finemotion {
@@ -38,7 +38,7 @@ struct SegmentCheck {
   // are.
   bool certain = false;
   std::vector<Unwanted> unwanted = {};
-  Belief after = {};
+  BelievedPose after = {};
   double longest = 1;  // greatest number of displacements that the motion takes
   TestComparison comparison = {};
 };
@@ -55,13 +55,13 @@ enum class Telling {
 // result is not certain although nothing unwanted happens, there are three possible reasons. A
 // contact of the command does not exist, tolerances separate kept contacts, or the contact that
 // ends the motion does not surely come.
-SegmentCheck Check(const SegmentModel& model, const Belief& belief, const Command& command,
+SegmentCheck Check(const SegmentModel& model, const BelievedPose& believed, const Command& command,
                    Telling telling = Telling::kFirst);
 
 // Returns how far from the command's end without errors the part can touch something in the motion,
 // and how far it can be turned against its believed pose. `touching` holds at least the command's
 // contacts. `size` is the distance in metres from the part's origin to its farthest feature.
-ContactRange RangeOf(const SegmentModel& touching, const Belief& belief, const Command& command,
-                     double size);
+ContactRange RangeOf(const SegmentModel& touching, const BelievedPose& believed,
+                     const Command& command, double size);
 
 }  // namespace assay::finemotion

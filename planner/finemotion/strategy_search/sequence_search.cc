@@ -25,7 +25,7 @@ constexpr double kPerMetre = 1000;
 }  // namespace
 
 struct SequenceSearch::Node {
-  Belief belief;
+  BelievedPose believed;
   NodePointer parent = {};
   Maneuver maneuver = {};
   Start start = {};
@@ -72,7 +72,8 @@ const Maneuvering& SequenceSearch::ManeuveringAt(int point) const {
 }
 
 bool SequenceSearch::IsGoal(const Node& node) const {
-  return node.motions > 0 && IsLast(node.point) && ManeuveringAt(node.point).IsThrough(node.belief);
+  return node.motions > 0 && IsLast(node.point) &&
+         ManeuveringAt(node.point).IsThrough(node.believed);
 }
 
 int SequenceSearch::Budget() const {
@@ -84,12 +85,12 @@ int SequenceSearch::Budget() const {
 void SequenceSearch::Open(const Start& start, const Starts& starts) {
   Node node;
   node.start = start;
-  node.belief = starts.BeliefAt(start, problem_.multiple);
-  if (ManeuveringAt(0).IsReached(node.belief)) Push(std::move(node));
+  node.believed = starts.BelievedPoseAt(start, problem_.multiple);
+  if (ManeuveringAt(0).IsReached(node.believed)) Push(std::move(node));
 }
 
 void SequenceSearch::Expand(const NodePointer& node) {
-  const Situation situation = ManeuveringAt(node->point).At(node->belief);
+  const Situation situation = ManeuveringAt(node->point).At(node->believed);
   for (const Maneuver& maneuver : ManeuversFrom(*node)) {
     const Maneuvered done = Apply(node->point, situation, maneuver, Margins::kNone);
     if (!done.certain) {
@@ -97,7 +98,7 @@ void SequenceSearch::Expand(const NodePointer& node) {
       continue;
     }
     const auto motions = static_cast<double>(done.motions.size());
-    Push({.belief = done.after,
+    Push({.believed = done.after,
           .parent = node,
           .maneuver = maneuver,
           .start = node->start,
@@ -120,7 +121,7 @@ void SequenceSearch::Refuse(const Node& node, const Maneuvered& done) {
 SequenceSearch::NodePointer SequenceSearch::WithExactCost(Node node) {
   const StrategyOptions& options = problem_.options;
   const int point = node.parent->point;
-  const Situation before = ManeuveringAt(point).At(node.parent->belief);
+  const Situation before = ManeuveringAt(point).At(node.parent->believed);
   const Maneuvered done = Apply(point, before, node.maneuver, Margins::kLeast);
   node.cost += options.deviation / done.LeastScale() + options.confusion * ConfusionOf(done);
   node.exact = true;
@@ -135,7 +136,7 @@ Maneuvered SequenceSearch::Apply(int point, const Situation& situation, const Ma
 }
 
 void SequenceSearch::Push(Node node) {
-  if (effort_ == Effort::kThorough && !known_.Add(node.point, node.belief)) return;
+  if (effort_ == Effort::kThorough && !known_.Add(node.point, node.believed)) return;
   node.number = made_++;
   node.guidance = GuidanceOf(node);
   open_.push(std::make_shared<const Node>(std::move(node)));
@@ -145,7 +146,7 @@ std::vector<Maneuver> SequenceSearch::ManeuversFrom(const Node& node) const {
   using Kind = Maneuver::Kind;
   const Vector3& in = problem_.passage.mating;
   std::vector<Maneuver> maneuvers;
-  if (!IsLast(node.point) && ManeuveringAt(node.point).IsThrough(node.belief))
+  if (!IsLast(node.point) && ManeuveringAt(node.point).IsThrough(node.believed))
     maneuvers.push_back({Kind::kAdvance});
   for (const double length : {1e-3, 3e-3}) maneuvers.push_back({Kind::kMove, -in, length});
   maneuvers.push_back({Kind::kMove, in, kFarthest, true});
@@ -156,7 +157,7 @@ std::vector<Maneuver> SequenceSearch::ManeuversFrom(const Node& node) const {
   for (const double sign : {1.0, -1.0}) {
     maneuvers.push_back({Kind::kTurn, sign * in, kWidestTurn, true});
   }
-  for (const ContactKey& contact : node.belief.kept) {
+  for (const ContactKey& contact : node.believed.kept) {
     maneuvers.push_back({Kind::kLetGo, {}, 1e-3, false, contact});
   }
   maneuvers.push_back({Kind::kCenter});
@@ -187,21 +188,21 @@ double SequenceSearch::ConfusionOf(const Maneuvered& done) const {
 double SequenceSearch::Beside(const Node& node) const {
   const Passage& passage = problem_.passage;
   const Vector3 to =
-      node.belief.X_StationaryMoving.translation() - passage.X_StationaryEntry.translation();
+      node.believed.X_StationaryMoving.translation() - passage.X_StationaryEntry.translation();
   return (to - to.dot(passage.mating) * passage.mating).norm();
 }
 
 double SequenceSearch::GuidanceOf(const Node& node) const {
-  PoseChanges errors = node.belief.errors;
+  PoseChanges errors = node.believed.errors;
   errors.bottomRows<3>() *= problem_.options.radius;
   using Spread = Eigen::Matrix<double, kPoseDimensions, kPoseDimensions>;
   const Spread spread = errors * errors.transpose();
   const auto thick = std::ranges::count_if(numeric::EigenvaluesOfSymmetric(spread),
                                            [](double e) { return e > kThin * kThin; });
   const Maneuvering& here = ManeuveringAt(node.point);
-  const double turn = here.ToUpright(node.belief.X_StationaryMoving).norm();
+  const double turn = here.ToUpright(node.believed.X_StationaryMoving).norm();
   return kPerCriticalPoint * (problem_.passage.critical_points() - node.point) +
-         kPerWideDirection * here.WideDirections(node.belief) +
+         kPerWideDirection * here.WideDirections(node.believed) +
          kPerError * static_cast<double>(thick) + std::min(2.0, kPerRadian * turn) +
          std::min(1.0, kPerMetre * Beside(node));
 }

@@ -5,7 +5,7 @@
 #include <queue>
 #include <vector>
 
-#include "planner/finemotion/strategy_search/known_beliefs.h"
+#include "planner/finemotion/strategy_search/known_poses.h"
 #include "planner/finemotion/strategy_search/starts.h"
 
 namespace assay::finemotion {
@@ -72,7 +72,7 @@ class SequenceSearch {
   SequenceProblem problem_;
   Effort effort_;
   std::priority_queue<NodePointer, std::vector<NodePointer>, IsLater> open_;
-  KnownBeliefs known_;
+  KnownPoses known_;
   std::optional<Unwanted> refused_ = {};
   double refused_guidance_ = 0;  // guidance of the node that `refused_` is from
   TestComparison comparison_ = {};

@@ -50,14 +50,14 @@ Start Starts::Near(const Start& start, double size) {
   return near;
 }
 
-Belief Starts::BeliefAt(const Start& start, double multiple) const {
+BelievedPose Starts::BelievedPoseAt(const Start& start, double multiple) const {
   constexpr double kAnyLever = std::numeric_limits<double>::infinity();
   const Pose X_StationaryEntered = Entered(start);
   const double height = std::max(Deepest(X_StationaryEntered, 1, options_.reach) + kAbove,
                                  Deepest(X_StationaryEntered, multiple, kAnyLever));
-  Belief belief = BeliefIn(X_StationaryEntered, errors_, multiple);
-  belief.X_StationaryMoving.translation() -= height * passage_.mating;
-  return belief;
+  BelievedPose believed = BelievedPoseIn(X_StationaryEntered, errors_, multiple);
+  believed.X_StationaryMoving.translation() -= height * passage_.mating;
+  return believed;
 }
 
 Pose Starts::Entered(const Start& start) const {

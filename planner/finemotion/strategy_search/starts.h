@@ -29,7 +29,7 @@ class Starts {
 
   // Returns the believed pose at a start, with `multiple` times the errors. The start is so far up
   // that the part is free for all of them.
-  Belief BeliefAt(const Start& start, double multiple) const;
+  BelievedPose BelievedPoseAt(const Start& start, double multiple) const;
 
  private:
   Vector3 LowestCorner(const Vector3& turn) const;

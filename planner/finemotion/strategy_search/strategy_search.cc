@@ -150,7 +150,8 @@ class StrategySearch {
     FineMotionPlan plan;
     if (absorbed < attempt.asked())
       absorbed = GreatestCertain(sequence, absorbed, trying, plan.obstacle);
-    plan.X_StationaryStart = trying.starts.BeliefAt(sequence.start, absorbed).X_StationaryMoving;
+    plan.X_StationaryStart =
+        trying.starts.BelievedPoseAt(sequence.start, absorbed).X_StationaryMoving;
     plan.maneuvers = sequence.maneuvers;
     AddMotions(sequence, absorbed, trying, plan);
     plan.absorbed = absorbed * attempt.enlarged;

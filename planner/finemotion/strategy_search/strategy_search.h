@@ -17,7 +17,7 @@ namespace assay::finemotion {
 // only what none of these replays contradicts.
 //
 // If nothing is found, all sequences are examined, and believed poses that are alike
-// (known_beliefs.h) count as one. After that, the search looks for a sequence that absorbs a part
+// (known_poses.h) count as one. After that, the search looks for a sequence that absorbs a part
 // of the errors, to report what stands in the way of greater errors.
 FineMotionPlan SearchStrategy(const Passage& passage, const FineMotionErrors& errors,
                               const StrategyOptions& options = {});

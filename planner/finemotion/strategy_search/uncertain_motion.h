@@ -21,25 +21,25 @@ namespace assay::finemotion {
 class UncertainMotion {
  public:
   // All three must outlive the motion.
-  UncertainMotion(const SegmentModel& model, const Belief& belief, const Command& command)
+  UncertainMotion(const SegmentModel& model, const BelievedPose& believed, const Command& command)
       : model_(model),
-        belief_(belief),
+        believed_(believed),
         command_(command),
         kept_(FoundOf(command.kept)),
         until_(command.until ? Find(model.contacts, *command.until) : nullptr),
-        directions_(kept_, belief.tolerances, model.radius) {
+        directions_(kept_, believed.tolerances, model.radius) {
     const double turn = command.displacement.tail<3>().norm();
     const double move = command.displacement.head<3>().norm();
     PoseChange drift;
     drift.head<3>().setConstant(model.velocity_error * (move + model.radius * turn));
     drift.tail<3>().setConstant(model.velocity_error * turn);
     drifts_ = directions_.Closed(drift.asDiagonal().toDenseMatrix(), false);
-    errors_ = directions_.Closed(Turned(belief.errors), true);
+    errors_ = directions_.Closed(Turned(believed.errors), true);
     if (turn == 0) {
       swept_ = errors_;
     } else {
       swept_.resize(Eigen::NoChange, 2 * errors_.cols());
-      swept_ << errors_, errors_ - belief.errors;
+      swept_ << errors_, errors_ - believed.errors;
     }
     if (until_ != nullptr) {
       until_at_start_ = RangeOf(until_->row, errors_);
@@ -89,7 +89,7 @@ class UncertainMotion {
     const PoseChange row = contact.row.head<kPoseDimensions>();
     const double motion = row.dot(command_.displacement);
     const double drift = (drifts_.transpose() * row).lpNorm<1>();
-    const double error = SumOfParts(contact.row, swept_, belief_.tolerances);
+    const double error = SumOfParts(contact.row, swept_, believed_.tolerances);
     return contact.offset - motion - error + time * std::min(0.0, motion - drift);
   }
 
@@ -100,9 +100,10 @@ class UncertainMotion {
   }
 
   SweptEdge SweptAlong(const EdgeAlongEdge& edge) const {
-    return {.ends = {Swept(edge.ends[0]), Swept(edge.ends[1])},
-            .length = edge.length,
-            .elongation = edge.elongation.head(belief_.tolerances.size()).dot(belief_.tolerances)};
+    return {
+        .ends = {Swept(edge.ends[0]), Swept(edge.ends[1])},
+        .length = edge.length,
+        .elongation = edge.elongation.head(believed_.tolerances.size()).dot(believed_.tolerances)};
   }
 
   // Returns the values of the gap of the contact that ends the motion.
@@ -134,7 +135,7 @@ class UncertainMotion {
     const PoseChange step =  // the step that changes the gap by 1
         command_.displacement / row.dot(command_.displacement);
     return {-contact.offset * step,
-            Stepped(errors_, PartsOf(contact.row, errors_, belief_.tolerances), step),
+            Stepped(errors_, PartsOf(contact.row, errors_, believed_.tolerances), step),
             Stepped(drifts_, drifts_.transpose() * row, step)};
   }
 
@@ -148,14 +149,15 @@ class UncertainMotion {
   // Returns the highest value of a row over all arrivals.
   double Highest(const numeric::SmallVector& row, const Arrival& arrival, double time) const {
     const auto pose = row.head<kPoseDimensions>();
-    return pose.dot(arrival.center) + PartsOf(row, arrival.errors, belief_.tolerances).lpNorm<1>() +
+    return pose.dot(arrival.center) +
+           PartsOf(row, arrival.errors, believed_.tolerances).lpNorm<1>() +
            time * (arrival.drifts.transpose() * pose).lpNorm<1>();
   }
 
   // Returns the believed pose after a motion that nothing ends.
-  Belief After() const { return After(PoseChange::Zero(), Joined(errors_, drifts_)); }
+  BelievedPose After() const { return After(PoseChange::Zero(), Joined(errors_, drifts_)); }
   // Returns the believed pose after a motion that `until()` ends.
-  Belief After(const Arrival& arrival, double time) const {
+  BelievedPose After(const Arrival& arrival, double time) const {
     return After(arrival.center, Joined(arrival.errors, time * arrival.drifts));
   }
 
@@ -188,7 +190,7 @@ class UncertainMotion {
     range.motion = pose.dot(command_.displacement);
     range.start = -range.motion;
     range.motion_errors = drifts_.transpose() * pose;
-    range.start_errors = PartsOf(row, errors, belief_.tolerances);
+    range.start_errors = PartsOf(row, errors, believed_.tolerances);
     return range;
   }
 
@@ -206,24 +208,24 @@ class UncertainMotion {
     swept.motion = point.pose * command_.displacement;
     swept.start = point.offset - swept.motion;
     swept.start_errors = point.pose * swept_;
-    const Eigen::Index t = belief_.tolerances.size();
+    const Eigen::Index t = believed_.tolerances.size();
     if (t > 0) {
-      swept.start_errors.leftCols(t) += point.tolerances * belief_.tolerances.asDiagonal();
+      swept.start_errors.leftCols(t) += point.tolerances * believed_.tolerances.asDiagonal();
     }
     swept.motion_errors = point.pose * drifts_;
     return swept;
   }
 
   // Kept contacts drift off their surfaces to second order, so they are closed again.
-  Belief After(const PoseChange& center, PoseChanges errors) const {
+  BelievedPose After(const PoseChange& center, PoseChanges errors) const {
     std::vector<const PrimitiveContact*> touching = kept_;
     if (until_ != nullptr) touching.push_back(until_);
-    Belief after{.X_StationaryMoving =
-                     Displaced(Displaced(belief_.X_StationaryMoving, command_.displacement),
-                               center + Closing(touching, center, model_.radius)),
-                 .errors = std::move(errors),
-                 .kept = command_.kept,
-                 .tolerances = belief_.tolerances};
+    BelievedPose after{.X_StationaryMoving =
+                           Displaced(Displaced(believed_.X_StationaryMoving, command_.displacement),
+                                     center + Closing(touching, center, model_.radius)),
+                       .errors = std::move(errors),
+                       .kept = command_.kept,
+                       .tolerances = believed_.tolerances};
     if (until_ != nullptr) after.kept.push_back(*command_.until);
     std::ranges::sort(after.kept);
     return after;
@@ -235,7 +237,7 @@ class UncertainMotion {
     PoseChanges joined(kPoseDimensions, errors.cols() + drifts.cols());
     Eigen::Index count = 0;
     for (Eigen::Index i = 0; i < errors.cols(); ++i) {
-      if (i < belief_.tolerances.size() || IsSomething(errors.col(i), belief_.errors.col(i))) {
+      if (i < believed_.tolerances.size() || IsSomething(errors.col(i), believed_.errors.col(i))) {
         joined.col(count++) = errors.col(i);
       }
     }
@@ -252,7 +254,7 @@ class UncertainMotion {
   }
 
   const SegmentModel& model_;
-  const Belief& belief_;
+  const BelievedPose& believed_;
   const Command& command_;
   std::vector<const PrimitiveContact*> kept_;
   const PrimitiveContact* until_;

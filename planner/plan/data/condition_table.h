@@ -18,7 +18,7 @@ namespace condition {
 using domain::Dimension;
 
 inline constexpr std::string_view kNothingNear = "no other part is near enough to be met";
-inline constexpr std::string_view kToldAsNotCovered =
+inline constexpr std::string_view kNamedAsNotCovered =
     "it is not proved, and the plan names the step among what is not covered";
 
 // ---- Closing the pads ------------------------------------------------------------------------
@@ -197,7 +197,7 @@ inline constexpr ConditionKind kReach = {
     NeededBy::kWay,
     Origin::kSoundMode,
     AbsorbedBy::kNothing,
-    kToldAsNotCovered,
+    kNamedAsNotCovered,
     "errors that lead the arm to the end of a joint's range, or into another configuration"};
 
 // Arm, hand and held part are clear of everything on the way, and the arm is clear on the straight
@@ -206,7 +206,7 @@ inline constexpr ConditionKind kWayClear = {
     "way clear",        "the arm and what it carries stay clear of everything on the way",
     Dimension::kLength, NeededBy::kWay,
     Origin::kSoundMode, AbsorbedBy::kNothing,
-    kToldAsNotCovered,  "errors that lead the arm into something on its way"};
+    kNamedAsNotCovered, "errors that lead the arm into something on its way"};
 
 }  // namespace condition
 

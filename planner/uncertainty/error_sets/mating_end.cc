@@ -21,7 +21,7 @@ double LengthOfWay(const UncertainWorld& world, domain::MatingId mating,
          std::clamp(world.RangeOf(farther).high, 0.0, guarded);
 }
 
-Transform MatingEnd::Seated() const { return Displaced(told, farther, motion); }
+Transform MatingEnd::Seated() const { return Displaced(commanded, farther, motion); }
 
 MatingEnd MatingEndOf(const UncertainWorld& world, domain::MatingId id, const plan::Hold& hold,
                       const Transform& X_ToolGrasp) {
@@ -30,9 +30,10 @@ MatingEnd MatingEndOf(const UncertainWorld& world, domain::MatingId id, const pl
   const Pose X_WorldTool = X_WorldFixed * mating.X_FixedHeld * hold.X_PartTool;
   MatingEnd end = {.motion = X_WorldFixed.linear() * mating.mating_vector.normalized(),
                    .fixed = PossiblePose(X_WorldFixed, world.resting(mating.fixed)),
-                   .told = PossibleHeldPose(X_WorldTool, X_ToolGrasp, hold.X_PartTool)};
+                   .commanded = PossibleHeldPose(X_WorldTool, X_ToolGrasp, hold.X_PartTool)};
   const SymbolicVector seat = end.fixed * AsVector(mating.X_FixedHeld.translation());
-  end.farther = algebra::Simplify(algebra::Dot(AsVector(end.motion), seat - end.told.translation));
+  end.farther =
+      algebra::Simplify(algebra::Dot(AsVector(end.motion), seat - end.commanded.translation));
   return end;
 }
 

@@ -8,8 +8,8 @@ namespace assay::uncertainty {
 struct MatingEnd {
   Vector3 motion;          // unit vector along the motion, in the world as planned
   Transform fixed;         // pose of the fixed part in the world
-  Transform told;          // commanded end pose of the held part in the world
-  Expression farther = 0;  // metres along the motion from `told` to the seat
+  Transform commanded;     // commanded end pose of the held part in the world
+  Expression farther = 0;  // metres along the motion from `commanded` to the seat
 
   Transform Seated() const;  // pose of the held part in the world, in its seat
 };

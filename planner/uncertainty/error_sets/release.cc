@@ -189,7 +189,7 @@ void DragFixed(UncertainWorld& world, domain::MatingId id, const plan::Hold& hol
         error.displacement[axis] + world.Declare(plan::error::kDrag, {-way, way}, mating.fixed);
   }
   error.theta = error.theta + world.Declare(plan::error::kThetaDrag, {-turn, turn}, mating.fixed);
-  const BeliefShift shift = world.shift(mating.fixed);
+  const BelievedShift shift = world.shift(mating.fixed);
   world.SetResting(mating.fixed, Pose(world.X_WorldPart(mating.fixed)), error, shift);
 }
 

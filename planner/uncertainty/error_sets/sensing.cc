@@ -30,7 +30,7 @@ void ApplySensing(UncertainWorld& world, PartId part, const std::string& sensor)
   const domain::SensorModel* model = workcell.uncertainty_operations().FindSensor(sensor);
   ASSAY_CHECK(model != nullptr, "the workcell has no sensor '{}'", sensor);
   RestingError error = world.resting_in_world(part);
-  BeliefShift shift = world.shift(part);
+  BelievedShift shift = world.shift(part);
   constexpr std::array<const plan::ErrorKind*, 3> kAlong = {&plan::error::kX, &plan::error::kY,
                                                             &plan::error::kZ};
   const std::array<Interval, 3> promises = {model->x, model->y, model->z};
@@ -40,7 +40,7 @@ void ApplySensing(UncertainWorld& world, PartId part, const std::string& sensor)
   }
   Measure(world, part, plan::error::kTheta, model->theta, error.theta, shift.turn);
   if (world.propagation() == Propagation::kPaper) shift = {};
-  world.SetBelief(part, shift, error);
+  world.SetBelieved(part, shift, error);
 }
 
 }  // namespace assay::uncertainty

@@ -6,12 +6,12 @@ plan::ToolErrorBox ToolErrorBoxAt(const UncertainWorld& world, PartId guide,
                                   const Pose& X_WorldTool) {
   const domain::PoseError& hand = world.problem().gripper_error;
   const Vector3 errs(Magnitude(hand.x), Magnitude(hand.y), Magnitude(hand.z));
-  const BeliefShift belief =
-      guide.IsNone() ? BeliefShift{} : world.ShiftAt(guide, X_WorldTool.translation());
-  const double turn = Magnitude(world.RangeOf(belief.turn));
+  const BelievedShift believed =
+      guide.IsNone() ? BelievedShift{} : world.ShiftAt(guide, X_WorldTool.translation());
+  const double turn = Magnitude(world.RangeOf(believed.turn));
   plan::ToolErrorBox doubt{.turn = turn, .spin = Magnitude(hand.theta)};
   for (int axis = 0; axis < 3; ++axis) {
-    doubt.shift[axis] = Magnitude(world.RangeOf(belief.displacement[axis]));
+    doubt.shift[axis] = Magnitude(world.RangeOf(believed.displacement[axis]));
   }
   // The hand errs along its own axes, which are turned with the believed pose.
   doubt.shift += X_WorldTool.linear().cwiseAbs() * errs;

@@ -33,7 +33,7 @@ struct RestingError {
 // The difference between the believed pose of a part on the table and its planned pose: a
 // displacement of its origin and a turn about the world's z, as in RestingError. Sensing changes
 // the believed pose.
-struct BeliefShift {
+struct BelievedShift {
   SymbolicVector displacement = {0, 0, 0};
   Expression turn = 0;
 };

@@ -133,7 +133,7 @@ RestingError UncertainWorld::about_plan(PartId part) const {
           knowledge.shift.turn + knowledge.in_world.theta};
 }
 
-BeliefShift UncertainWorld::ShiftAt(PartId part, const Vector3& point) const {
+BelievedShift UncertainWorld::ShiftAt(PartId part, const Vector3& point) const {
   const PartKnowledge& knowledge = parts_[part.index()];
   const SymbolicVector arm = AsVector(point - knowledge.X_WorldPart.translation());
   const SymbolicVector swung = algebra::RotationZ(knowledge.shift.turn) * arm - arm;
@@ -141,7 +141,7 @@ BeliefShift UncertainWorld::ShiftAt(PartId part, const Vector3& point) const {
 }
 
 void UncertainWorld::SetResting(PartId part, const Pose& X_WorldPart, const RestingError& error,
-                                const BeliefShift& shift) {
+                                const BelievedShift& shift) {
   if (in_hand_ == part) in_hand_ = PartId::None();
   const RestingError condensed = Condensed(error, part);
   const SymbolicVector in_world =
@@ -150,8 +150,8 @@ void UncertainWorld::SetResting(PartId part, const Pose& X_WorldPart, const Rest
                           Condensed({in_world, condensed.theta}, part)};
 }
 
-void UncertainWorld::SetBelief(PartId part, const BeliefShift& shift,
-                               const RestingError& in_world) {
+void UncertainWorld::SetBelieved(PartId part, const BelievedShift& shift,
+                                 const RestingError& in_world) {
   PartKnowledge& knowledge = parts_[part.index()];
   knowledge.shift = shift;
   knowledge.in_world = in_world;
@@ -163,7 +163,7 @@ void UncertainWorld::TellWherePartsRest(bool with_heights) {
   for (std::size_t p = 0; p < parts_.size(); ++p) {
     if (PartId(p) == in_hand_) continue;
     const Expression height = with_heights ? 0 : parts_[p].in_world.displacement[2];
-    SetBelief(PartId(p), {}, {.displacement = {0, 0, height}, .theta = 0});
+    SetBelieved(PartId(p), {}, {.displacement = {0, 0, height}, .theta = 0});
   }
 }
 

@@ -32,7 +32,7 @@ class UncertainWorld {
   // taken.
   const Pose& X_WorldPart(PartId part) const { return parts_[part.index()].X_WorldPart; }
   // Returns the difference between the part's believed pose and its planned pose.
-  const BeliefShift& shift(PartId part) const { return parts_[part.index()].shift; }
+  const BelievedShift& shift(PartId part) const { return parts_[part.index()].shift; }
   // Returns the part's error about its believed pose, in axes that turn with that pose. The hand's
   // work on the part is shifted and turned like the believed pose. So everything between the two
   // happens as if the believed pose had never changed.
@@ -44,7 +44,7 @@ class UncertainWorld {
   RestingError about_plan(PartId part) const;
   // Returns how far a point that moves with the part's believed pose is shifted from its planned
   // place.
-  BeliefShift ShiftAt(PartId part, const Vector3& point) const;
+  BelievedShift ShiftAt(PartId part, const Vector3& point) const;
   PartId in_hand() const { return in_hand_; }  // None: the hand is empty
   const HeldError& held() const { return held_; }
 
@@ -66,10 +66,10 @@ class UncertainWorld {
   // Sets a part down: at the plan's X_WorldPart, with its believed pose shifted from there by
   // `shift`. `error` is in the axes of `resting`.
   void SetResting(PartId part, const Pose& X_WorldPart, const RestingError& error,
-                  const BeliefShift& shift);
+                  const BelievedShift& shift);
   // Changes the believed pose of a part that stays where it is. `in_world` is in the axes of
   // `resting_in_world`.
-  void SetBelief(PartId part, const BeliefShift& shift, const RestingError& in_world);
+  void SetBelieved(PartId part, const BelievedShift& shift, const RestingError& in_world);
   // Records that every part that rests is observed to be where the plan has it. Heights keep their
   // errors unless `with_heights` is set.
   void TellWherePartsRest(bool with_heights);
@@ -96,7 +96,7 @@ class UncertainWorld {
  private:
   struct PartKnowledge {
     Pose X_WorldPart;
-    BeliefShift shift;
+    BelievedShift shift;
     RestingError error;
     RestingError in_world;
   };

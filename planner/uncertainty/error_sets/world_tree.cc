@@ -26,31 +26,31 @@ WorldTree::WorldTree(const domain::Problem& problem, Propagation propagation,
                      const algebra::BoundRequest& request,
                      std::function<void(UncertainWorld&)> learn)
     : request_(request), learn_(std::move(learn)) {
-  moments_.emplace_back();
-  Keep(moments_.front(), UncertainWorld(problem, propagation));
+  snapshots_.emplace_back();
+  Keep(snapshots_.front(), UncertainWorld(problem, propagation));
 }
 
-void WorldTree::Keep(Moment& moment, UncertainWorld world) {
+void WorldTree::Keep(Snapshot& snapshot, UncertainWorld world) {
   if (learn_) learn_(world);
-  moment.world = std::move(world);
+  snapshot.world = std::move(world);
 }
 
-MomentId WorldTree::After(MomentId before, const plan::Action& action,
-                          const plan::Strategy* strategy) {
-  for (const MomentId known : At(before).next) {
-    const Moment& moment = At(known);
-    if (moment.action == action && IsSame(moment.way(), strategy)) {
+SnapshotId WorldTree::After(SnapshotId before, const plan::Action& action,
+                            const plan::Strategy* strategy) {
+  for (const SnapshotId known : At(before).next) {
+    const Snapshot& snapshot = At(known);
+    if (snapshot.action == action && IsSame(snapshot.way(), strategy)) {
       return known;
     }
   }
-  const MomentId after(moments_.size());
-  moments_.push_back({.before = before, .action = action});
+  const SnapshotId after(snapshots_.size());
+  snapshots_.push_back({.before = before, .action = action});
   if (strategy != nullptr) At(after).strategy = *strategy;
   At(before).next.push_back(after);
   return after;
 }
 
-const UncertainWorld& WorldTree::WorldAt(MomentId id) {
+const UncertainWorld& WorldTree::WorldAt(SnapshotId id) {
   if (!At(id).world) {
     UncertainWorld world = WorldAt(At(id).before);
     Propagate(world, At(id).action, At(id).way());
@@ -59,19 +59,19 @@ const UncertainWorld& WorldTree::WorldAt(MomentId id) {
   return *At(id).world;
 }
 
-const std::vector<Unproved>& WorldTree::UnprovedAt(MomentId id) {
+const std::vector<Unproved>& WorldTree::UnprovedAt(SnapshotId id) {
   if (!At(id).unproved) {
     UncertainWorld world = WorldAt(At(id).before);
-    Moment& moment = At(id);
-    moment.unproved =
-        DecideStep(world, moment.action, request_, Wanted::kAllUnproved, moment.way());
-    if (!moment.world) Keep(moment, std::move(world));
+    Snapshot& snapshot = At(id);
+    snapshot.unproved =
+        DecideStep(world, snapshot.action, request_, Wanted::kAllUnproved, snapshot.way());
+    if (!snapshot.world) Keep(snapshot, std::move(world));
   }
   return *At(id).unproved;
 }
 
-Unproved WorldTree::Told(MomentId moment, const Unproved& unproved) {
-  return AsCertified(unproved, WorldAt(moment), request_);
+Unproved WorldTree::Certified(SnapshotId snapshot, const Unproved& unproved) {
+  return AsCertified(unproved, WorldAt(snapshot), request_);
 }
 
 }  // namespace assay::uncertainty

@@ -98,7 +98,7 @@ class StepCertifier {
 
   void Squeeze(const plan::Action& squeeze) {
     const HandWork work = Grasp(squeeze.part, squeeze.hold);
-    const BeliefShift shift = world_.shift(squeeze.part);
+    const BelievedShift shift = world_.shift(squeeze.part);
     const Expression height = world_.resting(squeeze.part).displacement[2];
     world_.SetHeld(squeeze.part, work.held);
     RestingError error = Release(world_, squeeze.part, squeeze.hold,

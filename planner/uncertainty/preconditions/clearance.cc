@@ -19,7 +19,7 @@ Expression Along(const Vector3& direction, const SymbolicVector& p) {
   return direction.x() * p[0] + direction.y() * p[1] + direction.z() * p[2];
 }
 
-bool IsNone(const BeliefShift& shift) {
+bool IsNone(const BelievedShift& shift) {
   return shift.turn.IsConstant(0) &&
          std::ranges::all_of(shift.displacement, [](const auto& d) { return d.IsConstant(0); });
 }
@@ -102,7 +102,7 @@ PossibleFrame BelievedFrameOf(const UncertainWorld& world, PartId part) {
 }
 
 PossibleFrame Shifted(const UncertainWorld& world, const PossibleFrame& frame,
-                      const BeliefShift& shift) {
+                      const BelievedShift& shift) {
   if (IsNone(shift)) return frame;
   const Transform moved =
       PossiblePose(frame.planned, {.displacement = shift.displacement, .theta = shift.turn}) *

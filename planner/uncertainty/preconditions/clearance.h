@@ -27,7 +27,7 @@ PossibleFrame FrameOf(const UncertainWorld& world, PartId part);
 PossibleFrame BelievedFrameOf(const UncertainWorld& world, PartId part);
 // Returns the frame of a body that follows a believed pose, after that pose has moved by `shift`.
 PossibleFrame Shifted(const UncertainWorld& world, const PossibleFrame& frame,
-                      const BeliefShift& shift);
+                      const BelievedShift& shift);
 
 // A straight way along which a body moves with its frame, without turning.
 struct StraightWay {

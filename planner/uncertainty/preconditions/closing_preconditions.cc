@@ -63,7 +63,7 @@ class ClosingConditions {
   Neighbour Nearest() const {
     const domain::Problem& problem = world_.problem();
     const geometry::Polygon own = domain::Footprint(problem.part(part_), X_WorldPart_);
-    const BeliefShift shift = world_.ShiftAt(part_, X_WorldTool_.translation());
+    const BelievedShift shift = world_.ShiftAt(part_, X_WorldTool_.translation());
     const double moved =
         std::hypot(MostOf(world_, shift.displacement[0]), MostOf(world_, shift.displacement[1])) +
         hand_ + off_.shift.norm() +

@@ -75,7 +75,7 @@ class HandConditions {
 
   // Requires clearance from all parts that rest except `but`. The hand's way does not depend on the
   // believed poses of these parts, but on a believed pose that has moved by `shift`.
-  void RequireClearOfOthers(const std::vector<PartId>& but, const BeliefShift& shift,
+  void RequireClearOfOthers(const std::vector<PartId>& but, const BelievedShift& shift,
                             const Vector3& way_in) {
     const PossibleFrame tool = Shifted(world_, tool_, shift);
     const std::vector<Body> bodies = Swept(tool, WayOf(world_, way_in, shift.turn));
@@ -196,8 +196,8 @@ double AngleOf(const UncertainWorld& world, const ManipulatorError& draw) {
   return Magnitude(world.RangeOf(draw.theta));
 }
 
-PossibleFrame ToolTold(const UncertainWorld& world, const Pose& X_WorldTool,
-                       const ManipulatorError& draw) {
+PossibleFrame CommandedTool(const UncertainWorld& world, const Pose& X_WorldTool,
+                            const ManipulatorError& draw) {
   return {X_WorldTool, algebra::Simplify(AsTransform(X_WorldTool) * draw.AsTransform()),
           AngleOf(world, draw)};
 }
@@ -205,8 +205,8 @@ PossibleFrame ToolTold(const UncertainWorld& world, const Pose& X_WorldTool,
 // Returns the frame of the hand after its motion to the place where the part meets its support.
 PossibleFrame ToolAtEnd(const UncertainWorld& world, const LettingGo& work) {
   const Pose X_WorldTool = work.X_WorldPart * work.hold.X_PartTool;
-  const Transform told = AsTransform(X_WorldTool) * work.draw.AsTransform();
-  return {X_WorldTool, algebra::Simplify(Displaced(told, work.farther, work.motion)),
+  const Transform commanded = AsTransform(X_WorldTool) * work.draw.AsTransform();
+  return {X_WorldTool, algebra::Simplify(Displaced(commanded, work.farther, work.motion)),
           AngleOf(world, work.draw)};
 }
 
@@ -226,7 +226,7 @@ std::vector<Precondition> HandClearanceAtGrasp(const UncertainWorld& world, Part
                                                const plan::Hold& hold, const ManipulatorError& draw,
                                                const HeldError& held, bool opens_again) {
   const Pose X_WorldTool = world.X_WorldPart(part) * hold.X_PartTool;
-  HandConditions conditions(world, part, hold, ToolTold(world, X_WorldTool, draw));
+  HandConditions conditions(world, part, hold, CommandedTool(world, X_WorldTool, draw));
   conditions.RequireClearOfOthers({part}, world.ShiftAt(part, X_WorldTool.translation()),
                                   Vector3::Zero());
   conditions.RequireClearOfTaken();

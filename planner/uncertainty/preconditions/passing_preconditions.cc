@@ -124,7 +124,7 @@ class PassingConditions {
   }
 
   void RequireClearOf(PartId neighbour) {
-    const BeliefShift shift = world_.ShiftAt(mating_.fixed, way_.end.planned.translation());
+    const BelievedShift shift = world_.ShiftAt(mating_.fixed, way_.end.planned.translation());
     const PossibleFrame held = Shifted(world_, way_.end, shift);
     const PossibleFrame other = FrameOf(world_, neighbour);
     const Clearance clearance = ClearOf(neighbour, neighbour, held, other);

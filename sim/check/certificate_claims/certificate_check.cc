@@ -121,10 +121,10 @@ class CertificateCheck {
   }
 
   void CheckSets(Claimed about, const std::vector<plan::ErrorSet>& sets,
-                 const execution::Snapshot& moment) {
+                 const execution::Snapshot& snapshot) {
     for (const plan::ErrorSet& set : sets) {
       const plan::Action& action = plan_.step(step_).action;
-      for (ObservedError& error : ObservedErrors(problem_, action, set, moment)) {
+      for (ObservedError& error : ObservedErrors(problem_, action, set, snapshot)) {
         Add({.step = step_,
              .about = about,
              .name = std::move(error.name),
@@ -165,7 +165,7 @@ class CertificateCheck {
     const plan::Condition condition = measurement.condition;
     std::vector<Claim> proved;
     std::vector<Claim> not_proved;
-    for (const GeometricMeaning& meaning : measurement.measure(measured)) {
+    for (const MeasuredMargin& meaning : measurement.measure(measured)) {
       if (meaning.counts_on_yielding && meaning.observed < 0) {
         assumed_ = false;
         continue;
@@ -177,7 +177,7 @@ class CertificateCheck {
     AppendWorst(not_proved, claims);
   }
 
-  Claim ClaimOf(plan::Condition condition, const GeometricMeaning& meaning, double margin) {
+  Claim ClaimOf(plan::Condition condition, const MeasuredMargin& meaning, double margin) {
     const bool proved = margin > 0;
     const std::string name(condition.name());
     return {.step = step_,

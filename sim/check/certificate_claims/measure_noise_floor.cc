@@ -76,8 +76,8 @@ void AddComponent(const Claim& coarse, const std::vector<Claim>& fine, StepNoise
 }
 
 // Without noise the hand should be at its commanded pose, so its error is the arm's lag.
-void AddLag(const execution::Snapshot& moment, StepNoiseFloor& gate) {
-  const geometry::Pose off = moment.tool.believed.inverse() * moment.tool.truth;
+void AddLag(const execution::Snapshot& snapshot, StepNoiseFloor& gate) {
+  const geometry::Pose off = snapshot.tool.believed.inverse() * snapshot.tool.truth;
   gate.lag = std::max(gate.lag, off.translation().norm());
   gate.lag_turn = std::max(gate.lag_turn, std::abs(Eigen::AngleAxisd(off.rotation()).angle()));
 }
@@ -101,10 +101,10 @@ NoiseFloor MeasureNoiseFloor(const domain::Problem& problem, const plan::Plan& p
     AddComponent(claim, with_half, gate.steps[claim.step.index()]);
   }
   for (const execution::Milestone* milestone : coarse.trace().All<execution::Milestone>()) {
-    AddLag(milestone->moment, gate.steps[milestone->step.index()]);
+    AddLag(milestone->snapshot, gate.steps[milestone->step.index()]);
   }
   for (const execution::StepEnd* end : coarse.trace().All<execution::StepEnd>()) {
-    AddLag(end->moment, gate.steps[end->step.index()]);
+    AddLag(end->snapshot, gate.steps[end->step.index()]);
   }
   return gate;
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sim/check/falsification/attack_result.h"
+#include "sim/check/falsification/falsification_result.h"
 
 namespace assay::check {
 

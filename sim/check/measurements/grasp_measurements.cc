@@ -20,35 +20,35 @@ constexpr double kFirstContact = 0.5;  // of the width
 constexpr double kFirstFinger = -1;    // of half the opening
 
 // Returns the grasp frame of the true part in the frame of the true tool.
-Pose GraspInTool(const MeasuredStep& step, const execution::Snapshot& moment) {
-  return moment.tool.truth.inverse() * step.PartAt(moment) * step.hold().X_PartTool;
+Pose GraspInTool(const MeasuredStep& step, const execution::Snapshot& snapshot) {
+  return snapshot.tool.truth.inverse() * step.PartAt(snapshot) * step.hold().X_PartTool;
 }
 
 // Both contacts lie between the pads when these begin to close.
-std::vector<GeometricMeaning> BetweenFingers(const MeasuredStep& step) {
+std::vector<MeasuredMargin> BetweenFingers(const MeasuredStep& step) {
   const execution::Snapshot* reached = step.events().reached;
   if (reached == nullptr) return {};
   const Pose X_ToolGrasp = GraspInTool(step, *reached);
-  std::vector<GeometricMeaning> meanings;
+  std::vector<MeasuredMargin> measured;
   for (const int contact : {1, 2}) {
     const double side = contact == 1 ? kFirstContact : -kFirstContact;
     const double at = (X_ToolGrasp * Vector3(0, side * step.hold().width, 0)).y();
     for (const int finger : {1, 2}) {
       const double inward = finger == 1 ? kFirstFinger * at : -kFirstFinger * at;
       AddFinite(fmt::format("contact {} lies on the inner side of finger {}", contact, finger),
-                reached->opening / 2 - inward, meanings);
+                reached->opening / 2 - inward, measured);
     }
   }
-  return meanings;
+  return measured;
 }
 
 // The inner corners of the open pads lie outside the faces on which the pads close.
-std::vector<GeometricMeaning> FingerClear(const MeasuredStep& step) {
+std::vector<MeasuredMargin> FingerClear(const MeasuredStep& step) {
   const execution::Snapshot* reached = step.events().reached;
   if (reached == nullptr) return {};
   const Pose X_GraspTool = GraspInTool(step, *reached).inverse();
   const Vector2& pad = step.gripper().pad_half_extents();
-  std::vector<GeometricMeaning> meanings;
+  std::vector<MeasuredMargin> measured;
   for (const int finger : {1, 2}) {
     const double side = finger == 1 ? kFirstFinger : -kFirstFinger;
     double worst = kInfinity;
@@ -58,13 +58,13 @@ std::vector<GeometricMeaning> FingerClear(const MeasuredStep& step) {
         worst = std::min(worst, side * corner.y() - step.hold().width / 2);
       }
     }
-    AddFinite(fmt::format("finger {} comes down beside the part", finger), worst, meanings);
+    AddFinite(fmt::format("finger {} comes down beside the part", finger), worst, measured);
   }
-  return meanings;
+  return measured;
 }
 
 // The fingers end above the table as the pads close. Nothing measures the fingers as the pads open.
-std::vector<GeometricMeaning> Fingertip(const MeasuredStep& step) {
+std::vector<MeasuredMargin> Fingertip(const MeasuredStep& step) {
   const execution::Snapshot* reached = step.events().reached;
   if (!step.step().action.kind->ClosesPads() || reached == nullptr) return {};
   double lowest = kInfinity;
@@ -77,18 +77,18 @@ std::vector<GeometricMeaning> Fingertip(const MeasuredStep& step) {
 }
 
 // The closed pads hold the grasped point, with the workcell's margin.
-std::vector<GeometricMeaning> PadContact(const MeasuredStep& step) {
+std::vector<MeasuredMargin> PadContact(const MeasuredStep& step) {
   const StepEvents& events = step.events();
   if (events.reached == nullptr || events.acted == nullptr) return {};
   const Vector3 p = GraspInTool(step, *events.acted).translation();
   const Vector2& pad = step.gripper().pad_half_extents();
   const double margin = step.problem().workcell->rules().pad_margin;
-  std::vector<GeometricMeaning> meanings;
+  std::vector<MeasuredMargin> measured;
   AddFinite("the grasped point stays within the pads' width", pad.x() - margin - std::abs(p.x()),
-            meanings);
+            measured);
   AddFinite("the grasped point stays within the pads' height", pad.y() - margin - std::abs(p.z()),
-            meanings);
-  return meanings;
+            measured);
+  return measured;
 }
 
 }  // namespace

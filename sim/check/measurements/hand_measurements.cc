@@ -30,10 +30,10 @@ class HandDistances {
   double From(std::size_t part) const {
     const StepEvents& events = step_.events();
     double nearest = kInfinity;
-    for (const execution::Snapshot* moment : {events.reached, events.acted, events.stopped}) {
-      if (moment == nullptr) continue;
+    for (const execution::Snapshot* snapshot : {events.reached, events.acted, events.stopped}) {
+      if (snapshot == nullptr) continue;
       const bool is_held = domain::PartId(part) == step_.part();
-      nearest = std::min(nearest, is_held ? BesidePads(*moment) : FromHand(part, *moment));
+      nearest = std::min(nearest, is_held ? BesidePads(*snapshot) : FromHand(part, *snapshot));
     }
     if (events.reached != nullptr) nearest = std::min(nearest, Opened(part, *events.reached));
     return nearest;
@@ -96,14 +96,14 @@ class HandDistances {
 };
 
 // Hand and fingers touch no part, except the faces on which the pads close.
-std::vector<GeometricMeaning> HandClear(const MeasuredStep& step) {
+std::vector<MeasuredMargin> HandClear(const MeasuredStep& step) {
   const HandDistances distances(step);
-  std::vector<GeometricMeaning> meanings;
+  std::vector<MeasuredMargin> measured;
   for (std::size_t p = 0; p < step.problem().parts.size(); ++p) {
     AddClearance(fmt::format("the hand stays clear of {}", step.problem().parts[p].name),
-                 distances.From(p), meanings);
+                 distances.From(p), measured);
   }
-  return meanings;
+  return measured;
 }
 
 }  // namespace

@@ -16,7 +16,7 @@ using geometry::Vector2;
 using geometry::Vector3;
 
 // The part meets the table within the guarded travel.
-std::vector<GeometricMeaning> LandingHeight(const MeasuredStep& step) {
+std::vector<MeasuredMargin> LandingHeight(const MeasuredStep& step) {
   const execution::Snapshot* reached = step.events().reached;
   if (reached == nullptr) return {};
   const Pose& X_WorldPart = step.step().action.place.X_WorldPart;
@@ -28,7 +28,7 @@ std::vector<GeometricMeaning> LandingHeight(const MeasuredStep& step) {
 }
 
 // Every vertex on which the part stands is on the table.
-std::vector<GeometricMeaning> Footprint(const MeasuredStep& step) {
+std::vector<MeasuredMargin> Footprint(const MeasuredStep& step) {
   const StepEvents& events = step.events();
   if (events.reached == nullptr || events.end == nullptr) return {};
   const domain::Part& part = step.problem().part(step.part());
@@ -50,19 +50,19 @@ std::vector<GeometricMeaning> Footprint(const MeasuredStep& step) {
 }
 
 // The part does not touch other parts where it is let go.
-std::vector<GeometricMeaning> NeighbourClear(const MeasuredStep& step) {
+std::vector<MeasuredMargin> NeighbourClear(const MeasuredStep& step) {
   const execution::Snapshot* reached = step.events().reached;
   if (reached == nullptr) return {};
-  std::vector<GeometricMeaning> meanings;
+  std::vector<MeasuredMargin> measured;
   for (std::size_t p = 0; p < step.problem().parts.size(); ++p) {
     if (domain::PartId(p) == step.part()) continue;
     const domain::Part& other = step.problem().parts[p];
     AddClearance(fmt::format("the part stays clear of {}", other.name),
                  geometry::Distance(step.shape(), step.PartAt(*reached), other.model->shape(),
                                     reached->parts[p].truth),
-                 meanings);
+                 measured);
   }
-  return meanings;
+  return measured;
 }
 
 }  // namespace

@@ -33,7 +33,7 @@ Motion MatingMotion(const MeasuredStep& step, const execution::Snapshot& poised)
 }
 
 // The part reaches its seat within the guarded travel.
-std::vector<GeometricMeaning> Seat(const MeasuredStep& step) {
+std::vector<MeasuredMargin> Seat(const MeasuredStep& step) {
   const execution::Snapshot* reached = step.events().reached;
   if (reached == nullptr) return {};
   const execution::TrueAndBelieved& fixed = reached->parts[step.mating().fixed.index()];
@@ -46,7 +46,7 @@ std::vector<GeometricMeaning> Seat(const MeasuredStep& step) {
 // The held part, moved along the mating motion from where it was poised, touches nothing. It is
 // measured against the fixed part until the shafts come to the mouths of their holes, and against
 // other parts to the end.
-std::vector<GeometricMeaning> PassingClear(const MeasuredStep& step) {
+std::vector<MeasuredMargin> PassingClear(const MeasuredStep& step) {
   if (step.events().poised == nullptr) return {};
   const execution::Snapshot& poised = *step.events().poised;
   const domain::Problem& problem = step.problem();
@@ -56,7 +56,7 @@ std::vector<GeometricMeaning> PassingClear(const MeasuredStep& step) {
     depth = std::max(depth, fit.depth);
   }
   const Vector3 direction = MatingDirection(step, poised);
-  std::vector<GeometricMeaning> meanings;
+  std::vector<MeasuredMargin> measured;
   for (std::size_t p = 0; p < problem.parts.size(); ++p) {
     if (domain::PartId(p) == step.part()) continue;
     const bool is_fixed = domain::PartId(p) == mating.fixed;
@@ -71,34 +71,34 @@ std::vector<GeometricMeaning> PassingClear(const MeasuredStep& step) {
     }
     AddClearance(fmt::format("{} passes {} on its way in", problem.part(step.part()).name,
                              problem.parts[p].name),
-                 nearest, meanings);
+                 nearest, measured);
   }
-  return meanings;
+  return measured;
 }
 
 // A wrist that yields makes room that is not there before the walls push, so the certified margin
 // cannot be expected of the observed value.
-std::vector<GeometricMeaning> InsideWalls(const MeasuredStep& step, double FitMargins::*margin) {
+std::vector<MeasuredMargin> InsideWalls(const MeasuredStep& step, double FitMargins::*margin) {
   if (step.events().poised == nullptr) return {};
   const FitMargins margins =
       MarginsOfFits(step.problem(), step.mating(), MatingMotion(step, *step.events().poised));
-  std::vector<GeometricMeaning> meanings = OfAll(margins.*margin);
-  for (GeometricMeaning& meaning : meanings) {
+  std::vector<MeasuredMargin> measured = OfAll(margins.*margin);
+  for (MeasuredMargin& meaning : measured) {
     meaning.counts_on_yielding = step.problem().workcell->rules().lateral_compliance > 0;
     meaning.is_at_least_the_margin = !meaning.counts_on_yielding;
   }
-  return meanings;
+  return measured;
 }
 
 // The shaft, moved along the mating motion from where it was poised, is inside the walls of its
 // hole when its tip is in the mouth.
-std::vector<GeometricMeaning> Entry(const MeasuredStep& step) {
+std::vector<MeasuredMargin> Entry(const MeasuredStep& step) {
   return InsideWalls(step, &FitMargins::entry);
 }
 
 // The shaft, moved along the mating motion from where it was poised, is inside the walls of its
 // hole at its seat.
-std::vector<GeometricMeaning> SlideIn(const MeasuredStep& step) {
+std::vector<MeasuredMargin> SlideIn(const MeasuredStep& step) {
   return InsideWalls(step, &FitMargins::slide_in);
 }
 
@@ -115,15 +115,15 @@ double LeastLimit(const plan::Certificate& certificate, const std::string& subje
 }
 
 // The shaft's axis leans across each pair of walls by less than the limit.
-std::vector<GeometricMeaning> Tilt(const MeasuredStep& step) {
+std::vector<MeasuredMargin> Tilt(const MeasuredStep& step) {
   if (step.events().poised == nullptr) return {};
-  std::vector<GeometricMeaning> meanings;
+  std::vector<MeasuredMargin> measured;
   for (const Lean& lean :
        LeansInSlots(step.problem(), step.mating(), MatingMotion(step, *step.events().poised))) {
     const std::string subject = lean.slot + " neither touches twice nor wedges";
-    meanings.push_back({subject, LeastLimit(step.step().certificate, subject) - lean.sine});
+    measured.push_back({subject, LeastLimit(step.step().certificate, subject) - lean.sine});
   }
-  return meanings;
+  return measured;
 }
 
 // Returns the pose of the tip, relative to the fixed part, that the hand's poses give.
@@ -141,7 +141,7 @@ TipPoses TipAtStart(const MeasuredStep& step, const execution::Snapshot& poised)
 
 // At the strategy's start, the tip is where it is believed to be, except for the shift that the
 // strategy absorbs.
-std::vector<GeometricMeaning> TipShift(const MeasuredStep& step) {
+std::vector<MeasuredMargin> TipShift(const MeasuredStep& step) {
   if (step.events().poised == nullptr) return {};
   const TipPoses tip = TipAtStart(step, *step.events().poised);
   const Vector3 shift = tip.truth.translation() - tip.believed.translation();
@@ -151,7 +151,7 @@ std::vector<GeometricMeaning> TipShift(const MeasuredStep& step) {
 
 // At the strategy's start, the tip is turned as it is believed to be, except for the turn that the
 // strategy absorbs.
-std::vector<GeometricMeaning> TipTurn(const MeasuredStep& step) {
+std::vector<MeasuredMargin> TipTurn(const MeasuredStep& step) {
   if (step.events().poised == nullptr) return {};
   const TipPoses tip = TipAtStart(step, *step.events().poised);
   const Eigen::AngleAxisd turn(
@@ -163,7 +163,7 @@ std::vector<GeometricMeaning> TipTurn(const MeasuredStep& step) {
 double RoomOf(const Finding& finding) { return finding.limit - finding.value; }
 
 // The part is as near its place as a successful assembly needs.
-std::vector<GeometricMeaning> InPlace(const MeasuredStep& step) {
+std::vector<MeasuredMargin> InPlace(const MeasuredStep& step) {
   if (step.events().end == nullptr) return {};
   const execution::Snapshot& end = *step.events().end;
   const domain::Mating& mating = step.mating();

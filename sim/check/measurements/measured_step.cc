@@ -31,12 +31,12 @@ const plan::Hold& MeasuredStep::hold() const {
 
 const domain::Mating& MeasuredStep::mating() const { return problem_.mating(step_.action.mating); }
 
-const geometry::Pose& MeasuredStep::PartAt(const execution::Snapshot& moment) const {
-  return moment.parts[part_.index()].truth;
+const geometry::Pose& MeasuredStep::PartAt(const execution::Snapshot& snapshot) const {
+  return snapshot.parts[part_.index()].truth;
 }
 
-double MeasuredStep::OpeningAt(const execution::Snapshot& moment) const {
-  return std::clamp(moment.opening, 0.0, gripper().max_opening());
+double MeasuredStep::OpeningAt(const execution::Snapshot& snapshot) const {
+  return std::clamp(snapshot.opening, 0.0, gripper().max_opening());
 }
 
 double MetOnGuardedWay(const MeasuredStep& step, const GuardedEnd& end) {

@@ -26,9 +26,9 @@ class MeasuredStep {
   const domain::Mating& mating() const;
 
   // Returns the true pose of the handled part.
-  const geometry::Pose& PartAt(const execution::Snapshot& moment) const;
+  const geometry::Pose& PartAt(const execution::Snapshot& snapshot) const;
   // Returns the opening of the pads, within what the gripper can open.
-  double OpeningAt(const execution::Snapshot& moment) const;
+  double OpeningAt(const execution::Snapshot& snapshot) const;
 
  private:
   const domain::Problem& problem_;

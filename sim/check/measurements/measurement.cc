@@ -28,22 +28,22 @@ const Measurement& MeasurementOf(plan::Condition condition,
   return *found;
 }
 
-void AddFinite(std::string subject, double observed, std::vector<GeometricMeaning>& meanings) {
-  if (std::isfinite(observed)) meanings.push_back({std::move(subject), observed});
+void AddFinite(std::string subject, double observed, std::vector<MeasuredMargin>& measured) {
+  if (std::isfinite(observed)) measured.push_back({std::move(subject), observed});
 }
 
-void AddClearance(std::string subject, double distance, std::vector<GeometricMeaning>& meanings) {
+void AddClearance(std::string subject, double distance, std::vector<MeasuredMargin>& measured) {
   constexpr double kOverlap = 1e-3;  // metres, of unknown depth
   if (!std::isfinite(distance)) return;
-  meanings.push_back({.subject = std::move(subject),
+  measured.push_back({.subject = std::move(subject),
                       .observed = distance > 0 ? distance : -kOverlap,
                       .is_at_least_the_margin = false});
 }
 
-std::vector<GeometricMeaning> OfAll(double observed) {
-  std::vector<GeometricMeaning> meanings;
-  AddFinite({}, observed, meanings);
-  return meanings;
+std::vector<MeasuredMargin> OfAll(double observed) {
+  std::vector<MeasuredMargin> measured;
+  AddFinite({}, observed, measured);
+  return measured;
 }
 
 }  // namespace assay::check

@@ -10,7 +10,7 @@ namespace assay::check {
 
 // The margin by which preconditions about one subject hold, the worst of them, measured where parts
 // and hand truly were.
-struct GeometricMeaning {
+struct MeasuredMargin {
   std::string subject;  // plan::CertifiedPrecondition::meaning; empty: all of that condition
   // In SI units of the condition's dimension; negative if one of them does not hold.
   double observed = 0;
@@ -31,7 +31,7 @@ struct Measurement {
   // empty if the execution did not come to the point at which the kind can be measured. The
   // geometry is computed from the parts' boxes and features alone, not from the planner's
   // expressions. The function is null if nothing measures the kind.
-  std::vector<GeometricMeaning> (*measure)(const MeasuredStep& step) = nullptr;
+  std::vector<MeasuredMargin> (*measure)(const MeasuredStep& step) = nullptr;
 
   bool is_measured() const { return measure != nullptr; }
 };
@@ -51,11 +51,11 @@ const Measurement& MeasurementOf(plan::Condition condition,
                                  const std::vector<Measurement>& measurements);
 
 // Adds a margin unless the observed value is infinite: an infinite distance has no subject.
-void AddFinite(std::string subject, double observed, std::vector<GeometricMeaning>& meanings);
+void AddFinite(std::string subject, double observed, std::vector<MeasuredMargin>& measured);
 // Adds a clearance between two bodies. If the shapes overlap, their distance is 0 and the depth of
 // the overlap is unknown. They then get a fixed negative value.
-void AddClearance(std::string subject, double distance, std::vector<GeometricMeaning>& meanings);
+void AddClearance(std::string subject, double distance, std::vector<MeasuredMargin>& measured);
 // Returns the margin of all preconditions of a kind; empty if the observed value is infinite.
-std::vector<GeometricMeaning> OfAll(double observed);
+std::vector<MeasuredMargin> OfAll(double observed);
 
 }  // namespace assay::check

@@ -49,11 +49,12 @@ const plan::Hold& HoldOf(const plan::Action& action) {
 
 std::vector<ObservedError> ObservedErrors(const domain::Problem& problem,
                                           const plan::Action& action, const plan::ErrorSet& set,
-                                          const execution::Snapshot& moment) {
-  const execution::TrueAndBelieved& part = moment.parts[set.part.index()];
+                                          const execution::Snapshot& snapshot) {
+  const execution::TrueAndBelieved& part = snapshot.parts[set.part.index()];
   const Components observed =
-      set.in_hand ? InHand(moment.tool.believed.inverse() * part.truth * HoldOf(action).X_PartTool)
-                  : AtRest(part);
+      set.in_hand
+          ? InHand(snapshot.tool.believed.inverse() * part.truth * HoldOf(action).X_PartTool)
+          : AtRest(part);
   std::vector<ObservedError> errors;
   const auto components = plan::ErrorComponents();
   for (std::size_t i = 0; i < components.size(); ++i) {

@@ -16,11 +16,11 @@ struct ObservedError {
   double observed = 0;
 };
 
-// Returns the components of an error set with their true values at `moment`. The set must be one
+// Returns the components of an error set with their true values at `snapshot`. The set must be one
 // that is claimed to hold at this snapshot.
 std::vector<ObservedError> ObservedErrors(const domain::Problem& problem,
                                           const plan::Action& action, const plan::ErrorSet& set,
-                                          const execution::Snapshot& moment);
+                                          const execution::Snapshot& snapshot);
 
 // Returns how the action holds its part. The action must not be a look, which holds none.
 const plan::Hold& HoldOf(const plan::Action& action);

@@ -12,13 +12,13 @@ class Sorter {
       steps_.push_back({.step = milestone.step});
     }
     StepEvents& step = steps_.back();
-    const execution::Snapshot*& moment = milestone.stage == execution::Stage::kPoised ? step.poised
-                                         : milestone.stage == execution::Stage::kReached
-                                             ? step.reached
-                                             : step.acted;
+    const execution::Snapshot*& snapshot =
+        milestone.stage == execution::Stage::kPoised    ? step.poised
+        : milestone.stage == execution::Stage::kReached ? step.reached
+                                                        : step.acted;
     // The tool may be poised a second time, to take up other errors.
-    if (moment == nullptr || milestone.stage == execution::Stage::kPoised)
-      moment = &milestone.moment;
+    if (snapshot == nullptr || milestone.stage == execution::Stage::kPoised)
+      snapshot = &milestone.snapshot;
   }
   void operator()(const execution::GuardRecord& guard) {
     if (!steps_.empty() && !steps_.back().resisted) steps_.back().resisted = guard.resisted;
@@ -27,9 +27,9 @@ class Sorter {
     if (!steps_.empty()) steps_.back().look = &look;
   }
   void operator()(const execution::RecoveryRecord&) { steps_.back().recovered = true; }
-  void operator()(const execution::StepEnd& end) { steps_.back().end = &end.moment; }
+  void operator()(const execution::StepEnd& end) { steps_.back().end = &end.snapshot; }
   void operator()(const execution::ExecutionEnd& end) {
-    if (!steps_.empty() && steps_.back().end == nullptr) steps_.back().stopped = &end.moment;
+    if (!steps_.empty() && steps_.back().end == nullptr) steps_.back().stopped = &end.snapshot;
   }
   void operator()(const auto&) {}
 

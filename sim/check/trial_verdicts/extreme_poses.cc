@@ -62,10 +62,10 @@ Pose Displaced(const Error& error, const Pose& believed) {
 }  // namespace
 
 std::vector<Pose> ExtremePoses(const plan::Action& action, const plan::ErrorSet& set,
-                               const execution::Snapshot& moment, const Sight& sight) {
+                               const execution::Snapshot& snapshot, const Sight& sight) {
   const auto pose_with = [&](const Error& error) {
-    return set.in_hand ? InHand(error, action, moment.tool.believed)
-                       : Displaced(error, moment.parts[set.part.index()].believed);
+    return set.in_hand ? InHand(error, action, snapshot.tool.believed)
+                       : Displaced(error, snapshot.parts[set.part.index()].believed);
   };
   const Error middle = MiddleOf(set);
   std::vector<Pose> poses;

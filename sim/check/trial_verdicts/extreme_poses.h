@@ -18,7 +18,7 @@ struct Sight {
 // first its low end, then its high end, with all other components at their middle. A component
 // without bounds gives none.
 std::vector<geometry::Pose> ExtremePoses(const plan::Action& action, const plan::ErrorSet& set,
-                                         const execution::Snapshot& moment,
+                                         const execution::Snapshot& snapshot,
                                          const Sight& sight = {});
 
 }  // namespace assay::check

@@ -128,7 +128,7 @@ class Ledger {
   }
 
   // Returns the snapshot in which the first step is poised: nothing has been touched by then.
-  const execution::Snapshot* FirstMoment() const {
+  const execution::Snapshot* FirstSnapshot() const {
     return steps_.empty() ? nullptr : steps_.front().poised;
   }
   const StepEvents* Find(plan::StepId step) const {
@@ -138,22 +138,22 @@ class Ledger {
 
   // Returns the displacement from where the part rests without errors. Measured from there, heights
   // and tilts that the engine itself causes drop out.
-  double FromRest(const Channel& channel, const execution::Snapshot& moment) const {
+  double FromRest(const Channel& channel, const execution::Snapshot& snapshot) const {
     const std::size_t part = channel.part.index();
-    return Between(resting_[part], moment.parts[part].truth)[CoordinateOf(channel.effect)];
+    return Between(resting_[part], snapshot.parts[part].truth)[CoordinateOf(channel.effect)];
   }
 
   Reading OfPart(const Channel& channel) const {
     const Pose& said = problem_.part(channel.part).X_WorldPart;
     const Displacement given = Between(said, scene_.TruePose(start_, channel.part));
     Reading reading{.applied = given[CoordinateOf(channel.effect)]};
-    if (const execution::Snapshot* first = FirstMoment())
+    if (const execution::Snapshot* first = FirstSnapshot())
       reading.measured = FromRest(channel, *first);
     return reading;
   }
 
   Reading OfTableAtStart(const Channel& channel) const {
-    const execution::Snapshot* first = FirstMoment();
+    const execution::Snapshot* first = FirstSnapshot();
     if (first == nullptr) return {};
     return {first->table_heights[channel.part.index()], FromRest(channel, *first)};
   }
@@ -186,10 +186,10 @@ class Ledger {
     const StepEvents* step = Find(channel.step);
     if (step == nullptr || step->poised == nullptr) return {};
     const execution::TrueAndBelieved& tool = step->poised->tool;
-    const Pose told = Pose::Identity();
+    const Pose commanded = Pose::Identity();
     const Eigen::Index coordinate = CoordinateOf(channel.effect);
-    return {Between(told, noise_.HandError(channel.step))[coordinate],
-            Between(told, tool.believed.inverse() * tool.truth)[coordinate]};
+    return {Between(commanded, noise_.HandError(channel.step))[coordinate],
+            Between(commanded, tool.believed.inverse() * tool.truth)[coordinate]};
   }
 
   Reading OfSensor(const Channel& channel) const {

@@ -16,7 +16,7 @@ using execution::GraspFact;
 class Judgement {
  public:
   Judgement(const Problem& problem, const execution::Trace& trace, const Limits& limits)
-      : problem_(problem), trace_(trace), limits_(limits), end_(trace.end().moment) {}
+      : problem_(problem), trace_(trace), limits_(limits), end_(trace.end().snapshot) {}
 
   std::vector<Finding> Findings() {
     for (const domain::Goal& goal : problem_.goals) {

@@ -86,7 +86,7 @@ class MotionLister {
   view::Region RegionOf(const Belief& belief) const {
     const auto samples = mating_.strategy.result.trace.All<execution::Sample>();
     const geometry::Pose& X_WorldFixed =
-        samples.front()->moment.parts[mated_.fixed.index()].believed;
+        samples.front()->snapshot.parts[mated_.fixed.index()].believed;
     view::Region region{.part = mated_.held, .extremes = {}};
     for (const geometry::Pose& X_FixedTip : Extremes(belief)) {
       region.extremes.push_back(X_WorldFixed * X_FixedTip * mating_.geometry.X_HeldTip.inverse());

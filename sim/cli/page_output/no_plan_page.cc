@@ -12,7 +12,7 @@ execution::Trace StillOf(const domain::Problem& problem, const scene::Scene& sce
   const execution::Snapshot start = execution::Execution(problem, scene, data, options).Now();
   return {.problem = problem.name,
           .parts = {},
-          .events = {execution::Sample{start}, execution::ExecutionEnd{.moment = start}}};
+          .events = {execution::Sample{start}, execution::ExecutionEnd{.snapshot = start}}};
 }
 
 // The sentences are those of `assay plan`.

@@ -18,14 +18,15 @@ struct Listed {
 
 // A falsification lists counterexamples, any other run lists trials by their numbers.
 Listed FindListed(const Value& result, const ViewRequest& request) {
-  const bool is_attack = result.Find("counterexamples").has_value();
-  const std::string kind = is_attack ? "counterexample" : "trial";
+  const bool is_falsification = result.Find("counterexamples").has_value();
+  const std::string kind = is_falsification ? "counterexample" : "trial";
   if (!request.number)
     throw UsageError(fmt::format("view: a result needs the number of a {}", kind));
-  const std::vector<Value> rows = result.At(is_attack ? "counterexamples" : "rows").Items();
+  const std::vector<Value> rows = result.At(is_falsification ? "counterexamples" : "rows").Items();
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    const int number = is_attack ? static_cast<int>(i) + 1
-                                 : rows[i].At("trial").Integer(1, std::numeric_limits<int>::max());
+    const int number = is_falsification
+                           ? static_cast<int>(i) + 1
+                           : rows[i].At("trial").Integer(1, std::numeric_limits<int>::max());
     if (number != *request.number) continue;
     return {fmt::format("{} {}", kind, number), rows[i].At("noise")};
   }

@@ -9,7 +9,7 @@
 namespace assay::cli {
 namespace {
 
-using sweep::AttackRecord;
+using sweep::FalsificationRecord;
 using sweep::TrialRecord;
 
 // The errors of a trial, and its name for people.
@@ -19,12 +19,13 @@ struct StoredNoise {
 };
 
 // Without a counterexample, the worst claim of the falsification is shown.
-StoredNoise NoiseOfAttack(const TrialRecord& trial, const std::optional<AttackRecord>& attack,
-                          const sweep::PlannedCell& cell, const ViewRequest& request) {
+StoredNoise NoiseOfFalsification(const TrialRecord& trial,
+                                 const std::optional<FalsificationRecord>& falsification,
+                                 const sweep::PlannedCell& cell, const ViewRequest& request) {
   const auto parsed = [&](const std::string& text) {
     return noise::ParseNoise(text, cell.preparation->box);
   };
-  const std::size_t all = attack ? attack->counterexamples.size() : 0;
+  const std::size_t all = falsification ? falsification->counterexamples.size() : 0;
   if (all == 0 && !request.counterexample) {
     return {parsed(trial.noise), fmt::format("worst claim of trial {}", trial.trial)};
   }
@@ -33,14 +34,14 @@ StoredNoise NoiseOfAttack(const TrialRecord& trial, const std::optional<AttackRe
     throw UsageError(fmt::format("view: trial {} has no counterexample {}; it has {}", trial.trial,
                                  number, all));
   }
-  return {parsed(attack->counterexamples[number - 1].noise),
+  return {parsed(falsification->counterexamples[number - 1].noise),
           fmt::format("counterexample {} of trial {}", number, trial.trial)};
 }
 
 StoredNoise NoiseOf(const TrialRecord& trial, const sweep::Store& store,
                     const sweep::PlannedCell& cell, const ViewRequest& request) {
-  if (cell.cell.noise == sweep::NoiseKind::kAttack) {
-    return NoiseOfAttack(trial, store.FindAttack(trial.cell), cell, request);
+  if (cell.cell.noise == sweep::NoiseKind::kFalsification) {
+    return NoiseOfFalsification(trial, store.FindFalsification(trial.cell), cell, request);
   }
   if (request.counterexample) {
     throw UsageError(fmt::format(

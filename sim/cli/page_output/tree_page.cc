@@ -8,18 +8,18 @@
 #include "sim/cli/tasks/tree_worlds.h"
 #include "sim/cli/tree_output/plan_tree_report.h"
 #include "sim/execution/interpretation/planned_worlds.h"
-#include "sim/execution/trial/enactment.h"
+#include "sim/execution/trial/tree_trial.h"
 #include "sim/scenario/models_folder.h"
 
 namespace assay::cli {
 namespace {
 
-using execution::EnactedTrial;
 using execution::KnowledgeScenario;
 using execution::PlannedWorlds;
+using execution::TreeTrial;
 
-EnactedTrial Enacted(const KnowledgeScenario& scenario, const contingent::PlanTree& tree,
-                     const ViewRequest& request) {
+TreeTrial Enacted(const KnowledgeScenario& scenario, const contingent::PlanTree& tree,
+                  const ViewRequest& request) {
   const Progress progress("executing the plan tree for " + scenario.scenario.problem.name);
   const std::uint64_t seed = scenario.scenario.simulation.seed;
   const int number = request.number.value_or(1);
@@ -41,7 +41,7 @@ plan::StepId StepOf(const std::string& action, const PlannedWorlds* planned, int
 }
 
 view::Way WayOf(const KnowledgeScenario& scenario, const contingent::PlanTree& tree,
-                const EnactedTrial& trial) {
+                const TreeTrial& trial) {
   const PlannedWorlds* const planned = scenario.interpretation.planned.get();
   std::map<std::string, std::string> words;
   if (planned != nullptr) words = ActionWords(planned->worlds, planned->assembly);
@@ -65,7 +65,7 @@ ViewedPage TreePage(const ViewRequest& request) {
     throw UsageError(fmt::format("view: there is no plan tree for {} (see assay plan)",
                                  Quote(request.input.string())));
   }
-  const EnactedTrial trial = Enacted(scenario, plan.tree, request);
+  const TreeTrial trial = Enacted(scenario, plan.tree, request);
   const PlannedWorlds* const planned = scenario.interpretation.planned.get();
   const domain::Problem& problem =
       planned == nullptr ? scenario.scenario.problem : planned->worlds[trial.world.world];

@@ -3,7 +3,7 @@
 namespace assay::cli {
 
 ViewedPage PageOf(const view::Subject& subject) {
-  return {view::Page(subject), subject.trace.end().moment.time};
+  return {view::Page(subject), subject.trace.end().snapshot.time};
 }
 
 }  // namespace assay::cli

@@ -6,10 +6,10 @@ namespace assay::cli {
 
 std::vector<render::Ghost> GhostsAfter(const domain::Problem& problem,
                                        const plan::PlannedStep& step,
-                                       const execution::Snapshot& moment) {
+                                       const execution::Snapshot& snapshot) {
   std::vector<render::Ghost> ghosts;
   for (const plan::ErrorSet& set : step.certificate.after) {
-    for (const geometry::Pose& pose : check::ExtremePoses(step.action, set, moment)) {
+    for (const geometry::Pose& pose : check::ExtremePoses(step.action, set, snapshot)) {
       ghosts.push_back(render::GhostOf(*problem.part(set.part).model, pose, render::kPredicted));
     }
   }

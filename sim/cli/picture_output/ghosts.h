@@ -10,9 +10,9 @@
 namespace assay::cli {
 
 // Returns what the step's certificate predicts for the step's end: each part at the extremes of its
-// error set, relative to the believed poses in `moment`. Empty if the step has no certificate.
+// error set, relative to the believed poses in `snapshot`. Empty if the step has no certificate.
 std::vector<render::Ghost> GhostsAfter(const domain::Problem& problem,
                                        const plan::PlannedStep& step,
-                                       const execution::Snapshot& moment);
+                                       const execution::Snapshot& snapshot);
 
 }  // namespace assay::cli

@@ -76,13 +76,13 @@ void StepPictures::TakeStepEnd(const std::string& action, const mujoco::Data& da
   Take(FileName(action), fmt::format("{} {}", ended_, action), data, {});
 }
 
-void StepPictures::TakeCloseUp(const plan::PlannedStep& step, const Snapshot& moment,
+void StepPictures::TakeCloseUp(const plan::PlannedStep& step, const Snapshot& snapshot,
                                const render::FreeCamera& camera, const mujoco::Data& data) {
   const int number = ended_ + 1;
   pictures_.push_back(
-      {fmt::format("{:02}-{}-{}-{}.png", number, step.name, ++close_ups_, moment.name),
+      {fmt::format("{:02}-{}-{}-{}.png", number, step.name, ++close_ups_, snapshot.name),
        renderer_.Render(data, camera)});
-  sheet_.push_back({fmt::format("{} {}", number, moment.caption), pictures_.back().image});
+  sheet_.push_back({fmt::format("{} {}", number, snapshot.caption), pictures_.back().image});
 }
 
 void StepPictures::TakeGrasp(const plan::PlannedStep& step, const mujoco::Data& data) {
@@ -93,8 +93,8 @@ void StepPictures::TakeGrasp(const plan::PlannedStep& step, const mujoco::Data& 
   TakeCloseUp(step, {"closed", caption}, camera, data);
 }
 
-void StepPictures::TakeMating(const std::optional<Snapshot>& moment, const mujoco::Data& data) {
-  if (moment) TakeCloseUp(plan_.step(mating_step_), *moment, mating_->camera(), data);
+void StepPictures::TakeMating(const std::optional<Snapshot>& snapshot, const mujoco::Data& data) {
+  if (snapshot) TakeCloseUp(plan_.step(mating_step_), *snapshot, mating_->camera(), data);
 }
 
 void StepPictures::SeeTimestep(const mujoco::Data& data) {
@@ -120,7 +120,7 @@ void StepPictures::SeeStepEnd(const execution::StepEnd& end, const mujoco::Data&
   mating_.reset();
   ++ended_;
   std::vector<render::Ghost> ghosts;
-  if (!hides_ghosts_) ghosts = GhostsAfter(problem_, plan_.step(end.step), end.moment);
+  if (!hides_ghosts_) ghosts = GhostsAfter(problem_, plan_.step(end.step), end.snapshot);
   has_ghosts_ = has_ghosts_ || !ghosts.empty();
   Take(end.name, fmt::format("{} {}", ended_, end.action), data, ghosts);
 }

@@ -57,10 +57,10 @@ class StepPictures : public execution::Observer {
                      std::span<const render::Ghost> ghosts);
   void Take(const std::string& name, const std::string& caption, const mujoco::Data& data,
             std::span<const render::Ghost> ghosts);
-  void TakeCloseUp(const plan::PlannedStep& step, const Snapshot& moment,
+  void TakeCloseUp(const plan::PlannedStep& step, const Snapshot& snapshot,
                    const render::FreeCamera& camera, const mujoco::Data& data);
   void TakeGrasp(const plan::PlannedStep& step, const mujoco::Data& data);
-  void TakeMating(const std::optional<Snapshot>& moment, const mujoco::Data& data);
+  void TakeMating(const std::optional<Snapshot>& snapshot, const mujoco::Data& data);
 
   const domain::Problem& problem_;
   const plan::Plan& plan_;

@@ -22,7 +22,7 @@
 #include "sim/cli/tree_output/contingent_report.h"
 #include "sim/cli/tree_output/goal_conflict_text.h"
 #include "sim/cli/tree_output/plan_tree_report.h"
-#include "sim/cli/trial_output/enactment_report.h"
+#include "sim/cli/trial_output/tree_trial_report.h"
 #include "sim/execution/interpretation/knowledge_scenario.h"
 #include "sim/execution/interpretation/plan_interpretation.h"
 #include "sim/execution/trial/scheduler.h"
@@ -31,15 +31,15 @@
 namespace assay::cli {
 namespace {
 
-using execution::EnactedTrial;
 using execution::KnowledgeScenario;
+using execution::TreeTrial;
 using Json = nlohmann::ordered_json;
 
 // A scenario's plan tree and its trials.
-class Enacting {
+class RunningTrees {
  public:
-  Enacting(const ContingentRun& run, const KnowledgeScenario& scenario,
-           const contingent::PlanTree& tree)
+  RunningTrees(const ContingentRun& run, const KnowledgeScenario& scenario,
+               const contingent::PlanTree& tree)
       : run_(run),
         scenario_(scenario),
         tree_(tree),
@@ -60,7 +60,7 @@ class Enacting {
     execution::Scheduler(run_.jobs, Interruption::Requested)
         .InOrder(
             numbers.size(), [&](std::size_t i) { return Run(numbers[i], i == 0 && run_.renders); },
-            [&](std::size_t, EnactedTrial trial) {
+            [&](std::size_t, TreeTrial trial) {
               study_.trials.push_back(std::move(trial));
               progress_->Tell({std::ssize(study_.trials), std::ssize(numbers), "trials"});
             });
@@ -92,7 +92,7 @@ class Enacting {
     return numbers;
   }
 
-  EnactedTrial Run(int number, bool is_pictured) const {
+  TreeTrial Run(int number, bool is_pictured) const {
     execution::TrialSettings settings{.seed = seed_, .sensing_errors = run_.command.sensing_errors};
     std::optional<StepPictures> pictures;
     settings.on_step_end = [&](const execution::StepPicture& step) {
@@ -100,7 +100,7 @@ class Enacting {
       Interruption::BreakOffIfRequested();
     };
 
-    EnactedTrial trial =
+    TreeTrial trial =
         execution::RunTrial(scenario_, tree_, {number, worlds_.WorldOf(number)}, settings);
     if (pictures) pictures->Write(run_.folder);
     return trial;
@@ -120,12 +120,12 @@ class Enacting {
   const contingent::PlanTree& tree_;
   const std::uint64_t seed_;
   const TreeWorlds worlds_;
-  EnactmentStudy study_;
+  TreeStudy study_;
   const Stopwatch stopwatch_;
   std::unique_ptr<Progress> progress_ = std::make_unique<Progress>("enacting");
 };
 
-const plan::Plan Enacting::kNoPlan = {};
+const plan::Plan RunningTrees::kNoPlan = {};
 
 // Reports an assembly without a plan in the same form as `assay plan`.
 ExitCode RefuseAssembly(const execution::PlannedWorlds& planned, const ContingentRun& run) {
@@ -150,7 +150,7 @@ ExitCode RunContingent(const ContingentRun& run) {
       run.command.input, scenario::FindModels(run.command.input, run.command.models));
   const ContingentAnswer answer = TreeOf(scenario.interpretation);
   if (answer.plan.outcome == Outcome::kFound) {
-    return Enacting(run, scenario, answer.plan.tree).Execute();
+    return RunningTrees(run, scenario, answer.plan.tree).Execute();
   }
   if (const auto& planned = scenario.interpretation.planned) return RefuseAssembly(*planned, run);
   return RefuseKnowledge(answer, run);

@@ -207,15 +207,15 @@ class NoisyTrials {
     if (!noiseless_.Holds()) return text + Text(plan_, noiseless_, experiment_.gate);
     text += Tally().Text(run_.planned.problem) + "\n";
     if (!Ledger().empty()) text += Text(Ledger()) + "\n";
-    constexpr int kMostTold = 3;
-    int told = 0;
+    constexpr int kMostListed = 3;
+    int listed = 0;
     for (const NoisyRow& row : rows_) {
-      if (!row.Failed() || ++told > kMostTold) continue;
+      if (!row.Failed() || ++listed > kMostListed) continue;
       text += fmt::format("trial {}: {}{}{}\nagain: {}\n", row.number, execution::Name(row.outcome),
                           row.reason.empty() ? "" : ": ", row.reason, ReplayCommand(row.number));
     }
-    if (told > kMostTold) text += fmt::format("and {} more\n", told - kMostTold);
-    if (told > 0) text += "\n";
+    if (listed > kMostListed) text += fmt::format("and {} more\n", listed - kMostListed);
+    if (listed > 0) text += "\n";
     for (const auto& [name, count] : Outcomes()) {
       if (name != "succeeded") text += fmt::format("{}: {}\n", name, count);
     }

@@ -29,8 +29,8 @@ ExitCode RunNoisy(const NoisyRun& run);
 // Parses the errors of a command line (see noise::Text) for this plan. Throws UsageError.
 noise::Noise NoiseFrom(const std::string& errors, const PlannedProblem& planned);
 
-// A falsification of one plan (see sim/check/falsification/attack.h).
-struct AttackRun {
+// A falsification of one plan (see sim/check/falsification/falsification.h).
+struct FalsificationRun {
   const PlannedProblem& planned;
   const sweep::RunCommand& command;
   std::filesystem::path folder;
@@ -43,6 +43,6 @@ struct AttackRun {
 };
 
 // Runs the falsification and prints its report.
-ExitCode RunAttack(const AttackRun& run);
+ExitCode RunFalsification(const FalsificationRun& run);
 
 }  // namespace assay::cli

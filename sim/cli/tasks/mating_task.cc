@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "planner/base/check.h"
-#include "planner/constraint_posting/resolvers/moment.h"
+#include "planner/constraint_posting/resolvers/plan_states.h"
 #include "sim/cli/command_line/usage_error.h"
 
 namespace assay::cli {
@@ -20,10 +20,10 @@ MatingTask LastMatingOf(PlannedProblem planned) {
     throw UsageError(fmt::format("mate: {}: no plan with an assemble action", planned.scenario));
   const auto states = constraint_posting::StatesOf(planned.problem, actions);
   const domain::PartId held = HandledPart(planned.problem, actions[step]);
-  const auto moment = constraint_posting::LatestGraspable(planned.problem, states, step, held);
-  ASSAY_CHECK(moment.has_value(), "a part that is mated was taken before");
+  const auto latest = constraint_posting::LatestGraspable(planned.problem, states, step, held);
+  ASSAY_CHECK(latest.has_value(), "a part that is mated was taken before");
   planned.problem =
-      constraint_posting::ProblemFrom(planned.problem, states[static_cast<std::size_t>(*moment)]);
+      constraint_posting::ProblemFrom(planned.problem, states[static_cast<std::size_t>(*latest)]);
   return {std::move(planned), actions[step]};
 }
 

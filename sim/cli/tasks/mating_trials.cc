@@ -36,8 +36,8 @@ MatedTrial MatingTrials::RunStrategy(int number, const check::PlannedContacts& c
     observer(data, motion);
   };
   MatedTrial trial =
-      Told(number, drawn,
-           execution::RunMatingTrial(problem_, scene_, drawn.setting, strategy_, options));
+      Recorded(number, drawn,
+               execution::RunMatingTrial(problem_, scene_, drawn.setting, strategy_, options));
   const std::vector<check::ContactSpan> bridged = check::Bridged(observer.seen().spans);
   trial.sequence = {observer.seen(), check::StatesOf(bridged), check::Compare(contacts, bridged)};
   return trial;
@@ -45,7 +45,7 @@ MatedTrial MatingTrials::RunStrategy(int number, const check::PlannedContacts& c
 
 MatedTrial MatingTrials::RunStraight(int number, double sample_rate) const {
   const Drawn drawn = DrawnFor(number);
-  return Told(
+  return Recorded(
       number, drawn,
       execution::RunStraightMating(problem_, scene_, drawn.setting, {.sample_rate = sample_rate}));
 }
@@ -67,8 +67,8 @@ MatingTrials::Drawn MatingTrials::DrawnFor(int number) const {
                                settings_.beyond, kMostDraws));
 }
 
-MatedTrial MatingTrials::Told(int number, const Drawn& drawn,
-                              execution::MatingResult result) const {
+MatedTrial MatingTrials::Recorded(int number, const Drawn& drawn,
+                                  execution::MatingResult result) const {
   MatedTrial trial{.number = number, .redrawn = drawn.redrawn, .result = std::move(result)};
   for (int i = 0; i < finemotion::kPoseDimensions; ++i) {
     const double half = settings_.errors.pose[i];

@@ -62,7 +62,7 @@ class MatingTrials {
     int redrawn = 0;
   };
   Drawn DrawnFor(int number) const;
-  MatedTrial Told(int number, const Drawn& drawn, execution::MatingResult result) const;
+  MatedTrial Recorded(int number, const Drawn& drawn, execution::MatingResult result) const;
 
   const domain::Problem& problem_;
   const plan::Action& assemble_;

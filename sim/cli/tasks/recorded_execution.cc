@@ -35,7 +35,7 @@ std::string Mismatch(const execution::Trace& trace, const PlannedProblem& planne
   const auto samples = trace.All<execution::Sample>();
   if (samples.empty()) return "the trace has no samples";
   const bool same_robots = std::ranges::all_of(samples, [&](const execution::Sample* sample) {
-    return sample->moment.arms.size() == problem.workcell->robots().size();
+    return sample->snapshot.arms.size() == problem.workcell->robots().size();
   });
   return same_robots ? "" : "it is a trace of other robots";
 }

@@ -21,7 +21,7 @@ using contingent::TreeCheck;
 using contingent::TreeSize;
 
 constexpr double kMostUnfolded = 10'000;  // leaves
-constexpr int kDeepestTold = 1'000;       // depth of nested branches
+constexpr int kDeepestPrinted = 1'000;    // depth of nested branches
 
 std::string Word(Guarantee guarantee) {
   switch (guarantee) {
@@ -113,9 +113,9 @@ std::string Text(const ContingentAnswer& answer, bool unfolds, std::int64_t budg
                     size.leaves, kMostUnfolded));
   }
   std::string text =
-      size.nesting > kDeepestTold
+      size.nesting > kDeepestPrinted
           ? fmt::format("The tree has {} branches in each other; as text at most {} are told.\n",
-                        size.nesting, kDeepestTold)
+                        size.nesting, kDeepestPrinted)
           : TextOf(answer.task, plan.tree,
                    unfolds ? contingent::Sharing::kUnfolded : contingent::Sharing::kOnce);
   text += fmt::format(

@@ -272,14 +272,14 @@ Json MatedTrialJson(const MatingStudy& study, const MatedTrial& trial) {
 }
 
 // Returns whether a contact is listed. Most contacts neither happened nor have a margin.
-bool IsTold(const check::RankedContact& contact) {
+bool IsListed(const check::RankedContact& contact) {
   return contact.happened > 0 || contact.scale != finemotion::kBeyondLadder;
 }
 
 Json RankingJson(const check::MarginRanking& ranking) {
   Json contacts = Json::array();
   for (const check::RankedContact& contact : ranking.contacts) {
-    if (!IsTold(contact)) continue;
+    if (!IsListed(contact)) continue;
     Json row = EventJson(contact.event);
     row.update(
         {{"scale", contact.scale}, {"happened", contact.happened}, {"trials", contact.trials}});
@@ -321,7 +321,7 @@ report::MatingSubject::Trials TrialsOf(const MatingStudy& study) {
                                        .ranking = RankingText(study.ranking),
                                        .contacts = {}};
   for (const check::RankedContact& contact : study.ranking.contacts) {
-    if (!IsTold(contact)) continue;
+    if (!IsListed(contact)) continue;
     const auto& [motion, key, is_loss] = contact.event;
     const bool is_beyond = contact.scale == finemotion::kBeyondLadder;
     trials.contacts.push_back(

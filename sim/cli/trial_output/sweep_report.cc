@@ -62,13 +62,13 @@ std::string PlanText(const CellRecord& cell) {
                      cell.proved ? "proved" : fmt::format("{} unproved", cell.errors));
 }
 
-bool IsAttack(const CellSummary& summary) {
-  return summary.cell.noise == sweep::Name(sweep::NoiseKind::kAttack);
+bool IsFalsification(const CellSummary& summary) {
+  return summary.cell.noise == sweep::Name(sweep::NoiseKind::kFalsification);
 }
 
 // Returns a cell's rate: "98.1 % [97.1, 98.8]". A falsification has no rate.
 std::string RateText(const CellSummary& summary) {
-  if (summary.done == 0 || IsAttack(summary)) return "-";
+  if (summary.done == 0 || IsFalsification(summary)) return "-";
   const Interval interval = sweep::WilsonInterval(summary.succeeded, summary.done);
   return fmt::format("{:.1f} % [{:.1f}, {:.1f}]", 100.0 * summary.succeeded / summary.done,
                      100 * interval.low, 100 * interval.high);
@@ -131,14 +131,14 @@ std::string CounterexampleText(const sweep::CounterexampleRecord& example,
                      CommandOf(example.replay, database));
 }
 
-std::string AttackText(const CellAttack& cell, const std::string& database) {
-  const sweep::AttackRecord& attack = cell.attack;
-  std::string text = fmt::format("cell {}: {} attempts, {} violated\n", cell.cell, attack.attempts,
-                                 attack.certificates.violated);
-  for (const sweep::CounterexampleRecord& example : attack.counterexamples) {
+std::string FalsificationText(const CellFalsification& cell, const std::string& database) {
+  const sweep::FalsificationRecord& falsification = cell.falsification;
+  std::string text = fmt::format("cell {}: {} attempts, {} violated\n", cell.cell,
+                                 falsification.attempts, falsification.certificates.violated);
+  for (const sweep::CounterexampleRecord& example : falsification.counterexamples) {
     text += CounterexampleText(example, database);
   }
-  for (const sweep::ConservatismRecord& ratio : attack.conservatism) {
+  for (const sweep::ConservatismRecord& ratio : falsification.conservatism) {
     text += fmt::format("  {}: guaranteed up to x {:.3g}, {}\n", ratio.variable, ratio.guaranteed,
                         ratio.broken ? fmt::format("broken at x {:.3g}", *ratio.broken)
                                      : std::string("never broken"));
@@ -146,10 +146,11 @@ std::string AttackText(const CellAttack& cell, const std::string& database) {
   return text;
 }
 
-std::string AttacksText(const SweepResults& results) {
-  if (results.attacks.empty()) return "";
+std::string FalsificationsText(const SweepResults& results) {
+  if (results.falsifications.empty()) return "";
   std::string text = "\nattacks\n";
-  for (const CellAttack& cell : results.attacks) text += AttackText(cell, results.database);
+  for (const CellFalsification& cell : results.falsifications)
+    text += FalsificationText(cell, results.database);
   return text;
 }
 
@@ -177,18 +178,18 @@ Json CounterexampleJson(const sweep::CounterexampleRecord& example, const std::s
           {"multiple", example.multiple}, {"replay", CommandOf(example.replay, database)}};
 }
 
-Json AttackJson(const CellAttack& cell, const std::string& database) {
-  const sweep::AttackRecord& attack = cell.attack;
+Json FalsificationJson(const CellFalsification& cell, const std::string& database) {
+  const sweep::FalsificationRecord& falsification = cell.falsification;
   Json json = {{"cell", cell.cell},
-               {"attempts", attack.attempts},
-               {"verdicts", ToJson(attack.certificates)},
-               {"claims", ToJson(attack.claims)},
+               {"attempts", falsification.attempts},
+               {"verdicts", ToJson(falsification.certificates)},
+               {"claims", ToJson(falsification.claims)},
                {"counterexamples", Json::array()},
                {"conservatism", Json::array()}};
-  for (const sweep::CounterexampleRecord& example : attack.counterexamples) {
+  for (const sweep::CounterexampleRecord& example : falsification.counterexamples) {
     json["counterexamples"].push_back(CounterexampleJson(example, database));
   }
-  for (const sweep::ConservatismRecord& ratio : attack.conservatism) {
+  for (const sweep::ConservatismRecord& ratio : falsification.conservatism) {
     json["conservatism"].push_back({{"variable", ratio.variable},
                                     {"guaranteed", ratio.guaranteed},
                                     {"broken", OrNull(ratio.broken)},
@@ -269,14 +270,16 @@ SweepResults ResultsOf(const sweep::Store& store, const std::string& database) {
   std::erase_if(results.runs,
                 [](const sweep::RunRecord& run) { return run.throughput.trials == 0; });
   for (const CellSummary& summary : results.cells) {
-    std::optional<sweep::AttackRecord> attack = store.FindAttack(summary.cell.cell);
-    if (attack) results.attacks.push_back({summary.cell.cell, *std::move(attack)});
+    std::optional<sweep::FalsificationRecord> falsification =
+        store.FindFalsification(summary.cell.cell);
+    if (falsification)
+      results.falsifications.push_back({summary.cell.cell, *std::move(falsification)});
   }
   return results;
 }
 
 std::string ForPeople(const SweepResults& results) {
-  std::string text = CellTable(results).Text() + AttacksText(results);
+  std::string text = CellTable(results).Text() + FalsificationsText(results);
   const int done = results.Done();
   text += fmt::format("\n{} of {} trials succeeded; {} certificates violated\n",
                       results.Succeeded(), done, results.Certificates().violated);
@@ -304,8 +307,8 @@ Json ToJson(const SweepResults& results) {
                {"attacks", Json::array()},     {"runs", Json::array()}};
   if (results.first_bad > 0) json["replay"].push_back(ReplayCommand(results));
   for (const CellSummary& summary : results.cells) json["cells"].push_back(CellJson(summary));
-  for (const CellAttack& cell : results.attacks) {
-    json["attacks"].push_back(AttackJson(cell, results.database));
+  for (const CellFalsification& cell : results.falsifications) {
+    json["attacks"].push_back(FalsificationJson(cell, results.database));
   }
   for (const sweep::RunRecord& run : results.runs) json["runs"].push_back(RunJson(run));
   return json;
@@ -330,19 +333,20 @@ Report ReportOn(const sweep::Sweep& sweep, const domain::ModelPath& models) {
     plans += i == 0 || !sweep::SharePlan(cells[i - 1], cells[i]);
   }
   const int trials = sweep::TrialCount(cells);
-  const auto attacks = std::ranges::count(cells, sweep::NoiseKind::kAttack, &sweep::Cell::noise);
+  const auto falsifications =
+      std::ranges::count(cells, sweep::NoiseKind::kFalsification, &sweep::Cell::noise);
   Report report;
   report.text = fmt::format("sweep {}: {} trials in {} cells, {} plans\n",
                             sweep.file.stem().string(), trials, cells.size(), plans);
-  if (attacks > 0) {
-    report.text += fmt::format("{} of the trials are attacks with {} attempts each\n", attacks,
-                               sweep.attempts);
+  if (falsifications > 0) {
+    report.text += fmt::format("{} of the trials are attacks with {} attempts each\n",
+                               falsifications, sweep.attempts);
   }
   report.json = std::make_shared<const Json>(Json{{"sweep", sweep.file.stem().string()},
                                                   {"scenarios", sweep.scenarios},
                                                   {"trials", trials},
                                                   {"cells", cells.size()},
-                                                  {"attacks", attacks},
+                                                  {"attacks", falsifications},
                                                   {"plans", plans}});
   return report;
 }

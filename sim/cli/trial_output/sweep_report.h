@@ -13,9 +13,9 @@
 namespace assay::cli {
 
 // A falsification in the database of a sweep.
-struct CellAttack {
+struct CellFalsification {
   int cell = 0;
-  sweep::AttackRecord attack;
+  sweep::FalsificationRecord falsification;
 };
 
 // The content of the database of a sweep.
@@ -23,7 +23,7 @@ struct SweepResults {
   std::string database;  // path, as the user gave it
   int trials = 0;        // number of trials of the whole sweep
   std::vector<sweep::CellSummary> cells = {};
-  std::vector<CellAttack> attacks = {};  // in the order of the cells
+  std::vector<CellFalsification> falsifications = {};  // in the order of the cells
   // Runs that finished trials other than falsifications.
   std::vector<sweep::RunRecord> runs = {};
   // The number of the first trial that failed or violated a prediction; 0 if none did.

@@ -27,10 +27,10 @@ std::vector<StepRow> StepRows(const domain::Problem& problem, const plan::Plan& 
   double start = 0;
   for (const execution::StepEnd* end : trace.All<execution::StepEnd>()) {
     const execution::TrueAndBelieved& part =
-        end->moment.parts[HandledPart(problem, plan.step(end->step).action).index()];
+        end->snapshot.parts[HandledPart(problem, plan.step(end->step).action).index()];
     rows.push_back(
-        {*end, end->moment.time - start, part.truth.translation() - part.believed.translation()});
-    start = end->moment.time;
+        {*end, end->snapshot.time - start, part.truth.translation() - part.believed.translation()});
+    start = end->snapshot.time;
   }
   return rows;
 }
@@ -47,7 +47,7 @@ std::string StepTable(const std::vector<StepRow>& rows) {
     table.Add({std::to_string(i + 1), rows[i].end.name, rows[i].end.action,
                fmt::format("{:.2f}", rows[i].duration),
                fmt::format("{:+.3f} {:+.3f} {:+.3f}", mm.x(), mm.y(), mm.z()),
-               fmt::format("{:.2f}", 1000 * rows[i].end.moment.opening)});
+               fmt::format("{:.2f}", 1000 * rows[i].end.snapshot.opening)});
   }
   return table.Text();
 }
@@ -77,7 +77,7 @@ Json StepsToJson(const std::vector<StepRow>& rows) {
                     {"action", row.end.action},
                     {"duration", row.duration},
                     {"error", {row.error.x(), row.error.y(), row.error.z()}},
-                    {"opening", row.end.moment.opening}});
+                    {"opening", row.end.snapshot.opening}});
   }
   return json;
 }
@@ -106,7 +106,7 @@ Json ToJson(const domain::Problem& problem, const plan::Plan& plan, const check:
   return {{"trial", trial.number},
           {"outcome", execution::Name(trial.verdict.outcome)},
           {"reason", trial.verdict.reason},
-          {"simulated", trial.trace.end().moment.time},
+          {"simulated", trial.trace.end().snapshot.time},
           {"steps", StepsToJson(StepRows(problem, plan, trial.trace))},
           {"goals", FindingsToJson(trial.verdict.findings)}};
 }

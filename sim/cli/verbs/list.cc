@@ -137,8 +137,8 @@ Entries ListWords(const Words& words) {
 }
 
 Entries ListSkills(const domain::ModelPath&) { return ListWords(execution::SkillWords()); }
-Entries ListMeanings(const domain::ModelPath&) {
-  Entries entries = ListWords(execution::MeaningWords());
+Entries ListPredicates(const domain::ModelPath&) {
+  Entries entries = ListWords(execution::PredicateWords());
   for (Entry& quantity : ListWords(execution::QuantityWords()))
     entries.push_back(std::move(quantity));
   return entries;
@@ -150,7 +150,7 @@ struct Kind {
 };
 constexpr std::array kKinds = {Kind{"scenarios", ListScenarios}, Kind{"parts", ListParts},
                                Kind{"workcells", ListWorkcells}, Kind{"actions", ListActions},
-                               Kind{"skills", ListSkills},       Kind{"meanings", ListMeanings}};
+                               Kind{"skills", ListSkills},       Kind{"meanings", ListPredicates}};
 
 std::string ForPeople(const char* kind, const Entries& entries) {
   Table table({{kind}, {""}});

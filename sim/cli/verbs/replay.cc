@@ -49,8 +49,8 @@ struct Options {
   bool json = false;
 };
 
-bool IsAttack(const sweep::PlannedCell& cell) {
-  return cell.cell.noise == sweep::NoiseKind::kAttack;
+bool IsFalsification(const sweep::PlannedCell& cell) {
+  return cell.cell.noise == sweep::NoiseKind::kFalsification;
 }
 
 void SetNumbers(const TrialRecord& from, TrialRecord& to) {
@@ -96,19 +96,21 @@ Again RunFilmed(const sweep::PlannedCell& cell, const TrialRecord& stored, const
   return again;
 }
 
-Again AttackAgain(const sweep::Store& store, const sweep::Work& work,
-                  const sweep::PlannedCell& cell, const TrialRecord& stored) {
-  if (const std::optional<sweep::AttackRecord> attack = store.FindAttack(stored.cell)) {
+Again FalsificationAgain(const sweep::Store& store, const sweep::Work& work,
+                         const sweep::PlannedCell& cell, const TrialRecord& stored) {
+  if (const std::optional<sweep::FalsificationRecord> falsification =
+          store.FindFalsification(stored.cell)) {
     Progress progress(fmt::format("trial {}", stored.trial));
-    sweep::AttackControl control{
+    sweep::FalsificationControl control{
         .jobs = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()))};
     control.progress = [&](std::int64_t made) {
-      progress.Tell({made, attack->attempts, "attempts"});
+      progress.Tell({made, falsification->attempts, "attempts"});
     };
-    sweep::TimedTrial timed = work.attack(cell, control);
+    sweep::TimedTrial timed = work.falsification(cell, control);
     SetNumbers(stored, timed.record);
     std::vector<std::string> differences = sweep::Differences(stored, timed.record);
-    std::ranges::move(sweep::Differences(*attack, *timed.attack), std::back_inserter(differences));
+    std::ranges::move(sweep::Differences(*falsification, *timed.falsification),
+                      std::back_inserter(differences));
     return {.record = std::move(timed.record),
             .verdicts = std::move(timed.verdicts),
             .differences = std::move(differences)};
@@ -120,7 +122,7 @@ Again AttackAgain(const sweep::Store& store, const sweep::Work& work,
 
 Again Repeat(const sweep::Store& store, const sweep::Work& work, const sweep::PlannedCell& cell,
              const TrialRecord& stored, const Options& options) {
-  if (!IsAttack(cell)) {
+  if (!IsFalsification(cell)) {
     return options.renders ? RunFilmed(cell, stored, options) : RunAgain(cell, stored, nullptr);
   }
   if (options.renders) {
@@ -129,7 +131,7 @@ Again Repeat(const sweep::Store& store, const sweep::Work& work, const sweep::Pl
         "trials. Commands for its counterexamples: assay sweep show {}",
         stored.trial, store.file().string()));
   }
-  return AttackAgain(store, work, cell, stored);
+  return FalsificationAgain(store, work, cell, stored);
 }
 
 std::string VerdictTable(const plan::Plan& plan,

@@ -103,14 +103,14 @@ ExitCode ExecutePlan(const Options& options, PlannedProblem& planned) {
                      .json = options.json});
   }
   if (command.noise == "attack") {
-    return RunAttack({.planned = planned,
-                      .command = command,
-                      .folder = options.folder,
-                      .attempts = options.attempts,
-                      .jobs = options.jobs,
-                      .seed = seed,
-                      .conservatism = options.conservatism,
-                      .json = options.json});
+    return RunFalsification({.planned = planned,
+                             .command = command,
+                             .folder = options.folder,
+                             .attempts = options.attempts,
+                             .jobs = options.jobs,
+                             .seed = seed,
+                             .conservatism = options.conservatism,
+                             .json = options.json});
   }
   const auto& names = noise::ModeNames();
   const auto mode = std::ranges::find(names, command.noise.value_or("none")) - names.begin();

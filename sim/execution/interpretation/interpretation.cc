@@ -8,8 +8,8 @@ int Interpretation::WorldCount() const {
   return planned ? static_cast<int>(planned->worlds.size()) : 1;
 }
 
-const Meaning* Interpretation::MeaningOf(contingent::AtomId atom) const {
-  return meanings.at(task.ground_atoms[atom.index()].symbol).get();
+const Predicate* Interpretation::PredicateOf(contingent::AtomId atom) const {
+  return predicates.at(task.ground_atoms[atom.index()].symbol).get();
 }
 
 const Quantity* Interpretation::QuantityOf(contingent::FunctionId function) const {
@@ -18,7 +18,7 @@ const Quantity* Interpretation::QuantityOf(contingent::FunctionId function) cons
 }
 
 bool Interpretation::CanSpill(const Truth& truth, PartId part) const {
-  return spill && meanings.at(spill->predicate)->IsTrue(truth, {.part = part});
+  return spill && predicates.at(spill->predicate)->IsTrue(truth, {.part = part});
 }
 
 }  // namespace assay::execution

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "planner/contingent/grounding/ground_task.h"
-#include "sim/execution/predicates/meaning.h"
+#include "sim/execution/predicates/predicate.h"
 #include "sim/execution/predicates/quantity.h"
 #include "sim/execution/skills/skill.h"
 #include "sim/execution/worlds/hidden_world.h"
@@ -30,7 +30,7 @@ struct PlannedWorlds;
 struct Interpretation {
   contingent::GroundTask task;
   std::map<std::string, std::unique_ptr<const Skill>> skills;
-  std::map<std::string, std::unique_ptr<const Meaning>> meanings;
+  std::map<std::string, std::unique_ptr<const Predicate>> predicates;
   // The quantities by the names of their numeric functions. A function that is internal to the
   // domain has a null pointer.
   std::map<std::string, std::unique_ptr<const Quantity>> quantities;
@@ -46,11 +46,11 @@ struct Interpretation {
 
   int WorldCount() const;
   // Returns the atom's predicate in the workcell; null if it is internal to the domain.
-  const Meaning* MeaningOf(contingent::AtomId atom) const;
+  const Predicate* PredicateOf(contingent::AtomId atom) const;
   // Returns whether a sensor can observe the truth of the atom.
-  bool IsTold(contingent::AtomId atom) const {
-    const Meaning* const meaning = MeaningOf(atom);
-    return meaning != nullptr && meaning->IsTold();
+  bool IsObservable(contingent::AtomId atom) const {
+    const Predicate* const predicate = PredicateOf(atom);
+    return predicate != nullptr && predicate->IsObservable();
   }
   // Returns the quantity of a numeric function; null if it is internal to the domain.
   const Quantity* QuantityOf(contingent::FunctionId function) const;

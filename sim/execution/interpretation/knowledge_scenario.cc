@@ -137,12 +137,12 @@ class KnowledgeFile {
       if (numbers_.contains(name.Text())) {
         read_.quantities[name.Text()] = ReadQuantity(entry);
       } else {
-        read_.meanings[name.Text()] = ReadMeaning(entry, {problem_, read_.colors});
+        read_.predicates[name.Text()] = ReadPredicate(entry, {problem_, read_.colors});
       }
     }
     for (const contingent::GroundAtom& atom : read_.task.ground_atoms) {
       const Value& place = MeaningAt(map, places, atom.symbol);
-      RequireMeaning(place, read_.meanings[atom.symbol].get(), atom.symbol, atom.arguments);
+      RequireMeaning(place, read_.predicates[atom.symbol].get(), atom.symbol, atom.arguments);
     }
     for (const contingent::FunctionId id : read_.task.function_of_slot) {
       const contingent::GroundFunction& function = read_.task.functions[id.index()];
@@ -171,7 +171,7 @@ class KnowledgeFile {
   void RequireSensible(const std::map<std::string, Value>& places) const {
     for (const contingent::FormulaId id : contingent::SensedFormulas(read_.task)) {
       const contingent::Formula& formula = read_.task.formulas[id.index()];
-      if (IsTold(formula)) continue;
+      if (IsObservable(formula)) continue;
       const std::string& symbol =
           formula.bound ? read_.task.functions[formula.bound->function.index()].symbol
                         : read_.task.ground_atoms[formula.literals.front().atom.index()].symbol;
@@ -182,10 +182,10 @@ class KnowledgeFile {
   }
 
   // One observed literal suffices, because the other literals may be known when it is sensed.
-  bool IsTold(const contingent::Formula& formula) const {
+  bool IsObservable(const contingent::Formula& formula) const {
     if (formula.bound) return read_.QuantityOf(formula.bound->function) != nullptr;
     return std::ranges::any_of(formula.literals, [&](const contingent::GroundLiteral& literal) {
-      return read_.IsTold(literal.atom);
+      return read_.IsObservable(literal.atom);
     });
   }
 
@@ -202,7 +202,7 @@ class KnowledgeFile {
     map.AllowOnly({"if", "beyond"});
     const Value predicate = map.At("if");
     predicate.OneOf(predicates_);
-    if (read_.meanings[predicate.Text()] == nullptr) {
+    if (read_.predicates[predicate.Text()] == nullptr) {
       predicate.Fail(fmt::format("'{}' has no meaning in the workcell", predicate.Text()),
                      "a predicate with one");
     }
@@ -213,7 +213,7 @@ class KnowledgeFile {
 
   // The predicate for spilling is evaluated for each part alone, without further arguments.
   void RequireMeaningOfParts(const Value& predicate) const {
-    const Meaning& meaning = *read_.meanings.at(predicate.Text());
+    const Predicate& meaning = *read_.predicates.at(predicate.Text());
     for (std::size_t i = 0; i < problem_.parts.size(); ++i) {
       const std::string lacking = meaning.Lacks({.part = PartId(i)});
       if (lacking.empty()) continue;

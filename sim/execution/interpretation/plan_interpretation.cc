@@ -162,7 +162,7 @@ std::unique_ptr<const Skill> SkillOf(const Planned& planned, const KnowledgeActi
 }
 
 // The meaning of pose(part) = name.
-class IsPosed : public Meaning {
+class IsPosed : public Predicate {
  public:
   explicit IsPosed(Planned planned) : planned_(std::move(planned)) {}
 
@@ -176,8 +176,8 @@ class IsPosed : public Meaning {
     });
     return nearest->name == PoseOf(roles);
   }
-  bool IsTold() const override { return true; }
-  std::optional<bool> Told(const Readings& readings, const Roles& roles) const override {
+  bool IsObservable() const override { return true; }
+  std::optional<bool> Observed(const Readings& readings, const Roles& roles) const override {
     const auto found = readings.poses.find(PartOf(roles));
     if (found == readings.poses.end()) return std::nullopt;
     return found->second == PoseOf(roles);
@@ -205,7 +205,7 @@ class IsPosed : public Meaning {
 };
 
 // A predicate of a step, which the task names "plan1-action_2".
-class OfStep : public Meaning {
+class OfStep : public Predicate {
  public:
   explicit OfStep(Planned planned) : planned_(std::move(planned)) {}
 
@@ -236,8 +236,8 @@ class Passed : public OfStep {
     return false;
   }
   bool IsAudited() const override { return false; }
-  bool IsTold() const override { return true; }
-  std::optional<bool> Told(const Readings& readings, const Roles& roles) const override {
+  bool IsObservable() const override { return true; }
+  std::optional<bool> Observed(const Readings& readings, const Roles& roles) const override {
     const auto found = readings.errors.find(roles.symbols.front());
     if (found == readings.errors.end()) return std::nullopt;
     return found->second.empty();
@@ -260,8 +260,8 @@ class Signals : public OfStep {
              (off > check.tolerance && check.above == ErrorOf(roles));
     });
   }
-  bool IsTold() const override { return true; }
-  std::optional<bool> Told(const Readings& readings, const Roles& roles) const override {
+  bool IsObservable() const override { return true; }
+  std::optional<bool> Observed(const Readings& readings, const Roles& roles) const override {
     const auto found = readings.errors.find(roles.symbols.front());
     if (found == readings.errors.end()) return std::nullopt;
     return found->second == ErrorOf(roles);
@@ -287,12 +287,12 @@ Interpretation InterpretationOf(Planned planned) {
   for (const auto& [name, action] : planned->assembly.knowledge.actions) {
     interpretation.skills[name] = SkillOf(planned, action);
   }
-  interpretation.meanings["pose"] = std::make_unique<IsPosed>(planned);
-  interpretation.meanings["passed"] = std::make_unique<Passed>(planned);
-  interpretation.meanings["signals"] = std::make_unique<Signals>(planned);
-  interpretation.meanings["done"] = nullptr;
-  interpretation.meanings["moved"] = nullptr;
-  interpretation.meanings["operatorCalled"] = nullptr;
+  interpretation.predicates["pose"] = std::make_unique<IsPosed>(planned);
+  interpretation.predicates["passed"] = std::make_unique<Passed>(planned);
+  interpretation.predicates["signals"] = std::make_unique<Signals>(planned);
+  interpretation.predicates["done"] = nullptr;
+  interpretation.predicates["moved"] = nullptr;
+  interpretation.predicates["operatorCalled"] = nullptr;
   interpretation.planned = std::move(planned);
   return interpretation;
 }

@@ -1,9 +1,9 @@
-#include "sim/execution/predicates/meaning.h"
+#include "sim/execution/predicates/predicate.h"
 
 namespace assay::execution {
 namespace {
 
-class At : public Meaning {
+class At : public Predicate {
  public:
   std::string Lacks(const Roles& roles) const override {
     if (roles.part.IsNone()) return "part";
@@ -16,10 +16,10 @@ class At : public Meaning {
 
 }  // namespace
 
-const MeaningWord kAt = {
+const PredicateWord kAt = {
     .name = "at",
     .summary = "the part stands within the place, as it stood at the start",
-    .read = [](const Value& map, const MeaningContext&) -> std::unique_ptr<const Meaning> {
+    .read = [](const Value& map, const PredicateContext&) -> std::unique_ptr<const Predicate> {
       map.AllowOnly({"is"});
       return std::make_unique<At>();
     },

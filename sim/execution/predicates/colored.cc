@@ -1,9 +1,9 @@
-#include "sim/execution/predicates/meaning.h"
+#include "sim/execution/predicates/predicate.h"
 
 namespace assay::execution {
 namespace {
 
-class Colored : public Meaning {
+class Colored : public Predicate {
  public:
   Colored(sense::ColorId color, const sense::NamedColor& named) : color_(color), named_(named) {}
 
@@ -13,8 +13,8 @@ class Colored : public Meaning {
     const auto found = colors.find(roles.part);
     return found != colors.end() && found->second.head<3>() == named_.color;
   }
-  bool IsTold() const override { return true; }
-  std::optional<bool> Told(const Readings& readings, const Roles& roles) const override {
+  bool IsObservable() const override { return true; }
+  std::optional<bool> Observed(const Readings& readings, const Roles& roles) const override {
     const auto found = readings.colors.find(roles.part);
     if (found == readings.colors.end()) return std::nullopt;
     return found->second == color_;
@@ -30,10 +30,11 @@ class Colored : public Meaning {
 
 }  // namespace
 
-const MeaningWord kColored = {
+const PredicateWord kColored = {
     .name = "colored",
     .summary = "the part has the `color`, one of the scenario's `colors`; told by looking",
-    .read = [](const Value& map, const MeaningContext& context) -> std::unique_ptr<const Meaning> {
+    .read = [](const Value& map,
+               const PredicateContext& context) -> std::unique_ptr<const Predicate> {
       map.AllowOnly({"is", "color"});
       const sense::ColorId color = ReadColorName(map.At("color"), context.colors);
       return std::make_unique<Colored>(color, context.colors[color.index()]);

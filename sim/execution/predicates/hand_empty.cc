@@ -1,9 +1,9 @@
-#include "sim/execution/predicates/meaning.h"
+#include "sim/execution/predicates/predicate.h"
 
 namespace assay::execution {
 namespace {
 
-class HandEmpty : public Meaning {
+class HandEmpty : public Predicate {
  public:
   bool IsTrue(const Truth& truth, const Roles& roles) const override {
     const scene::Scene scene = truth.SceneOf(roles.robot);
@@ -19,10 +19,10 @@ class HandEmpty : public Meaning {
 
 }  // namespace
 
-const MeaningWord kHandEmpty = {
+const PredicateWord kHandEmpty = {
     .name = "hand-empty",
     .summary = "no finger touches a part: of the robot of the arguments",
-    .read = [](const Value& map, const MeaningContext&) -> std::unique_ptr<const Meaning> {
+    .read = [](const Value& map, const PredicateContext&) -> std::unique_ptr<const Predicate> {
       map.AllowOnly({"is"});
       return std::make_unique<HandEmpty>();
     },

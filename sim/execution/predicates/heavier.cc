@@ -2,12 +2,12 @@
 #include <limits>
 
 #include "planner/domain/problem/units.h"
-#include "sim/execution/predicates/meaning.h"
+#include "sim/execution/predicates/predicate.h"
 
 namespace assay::execution {
 namespace {
 
-class Heavier : public Meaning {
+class Heavier : public Predicate {
  public:
   explicit Heavier(double mass) : mass_(mass) {}
 
@@ -15,8 +15,8 @@ class Heavier : public Meaning {
   bool IsTrue(const Truth& truth, const Roles& roles) const override {
     return truth.scene.TrueMass(roles.part) > mass_;
   }
-  bool IsTold() const override { return true; }
-  std::optional<bool> Told(const Readings& readings, const Roles& roles) const override {
+  bool IsObservable() const override { return true; }
+  std::optional<bool> Observed(const Readings& readings, const Roles& roles) const override {
     const auto found = readings.masses.find(roles.part);
     if (found == readings.masses.end()) return std::nullopt;
     const auto& [value, error] = found->second;
@@ -35,10 +35,10 @@ class Heavier : public Meaning {
 
 }  // namespace
 
-const MeaningWord kHeavier = {
+const PredicateWord kHeavier = {
     .name = "heavier",
     .summary = "the part's mass is more than `than`, kg; told by weighing",
-    .read = [](const Value& map, const MeaningContext&) -> std::unique_ptr<const Meaning> {
+    .read = [](const Value& map, const PredicateContext&) -> std::unique_ptr<const Predicate> {
       map.AllowOnly({"is", "than"});
       return std::make_unique<Heavier>(
           domain::ReadWithin(map.At("than"), domain::kKilograms, {0.001, 10}));

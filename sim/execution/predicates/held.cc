@@ -1,9 +1,9 @@
-#include "sim/execution/predicates/meaning.h"
+#include "sim/execution/predicates/predicate.h"
 
 namespace assay::execution {
 namespace {
 
-class Held : public Meaning {
+class Held : public Predicate {
  public:
   std::string Lacks(const Roles& roles) const override { return roles.part.IsNone() ? "part" : ""; }
   bool IsTrue(const Truth& truth, const Roles& roles) const override {
@@ -15,10 +15,10 @@ class Held : public Meaning {
 
 }  // namespace
 
-const MeaningWord kHeld = {
+const PredicateWord kHeld = {
     .name = "held",
     .summary = "both fingers touch the part: those of the robot of the arguments",
-    .read = [](const Value& map, const MeaningContext&) -> std::unique_ptr<const Meaning> {
+    .read = [](const Value& map, const PredicateContext&) -> std::unique_ptr<const Predicate> {
       map.AllowOnly({"is"});
       return std::make_unique<Held>();
     },

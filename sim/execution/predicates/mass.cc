@@ -9,7 +9,7 @@ class Mass : public Quantity {
   double TrueValue(const Truth& truth, const Roles& roles) const override {
     return truth.scene.TrueMass(roles.part);
   }
-  std::optional<Reading> Told(const Readings& readings, const Roles& roles) const override {
+  std::optional<Reading> Observed(const Readings& readings, const Roles& roles) const override {
     const auto found = readings.masses.find(roles.part);
     if (found == readings.masses.end()) return std::nullopt;
     return found->second;

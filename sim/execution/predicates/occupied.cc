@@ -1,9 +1,9 @@
-#include "sim/execution/predicates/meaning.h"
+#include "sim/execution/predicates/predicate.h"
 
 namespace assay::execution {
 namespace {
 
-class Occupied : public Meaning {
+class Occupied : public Predicate {
  public:
   std::string Lacks(const Roles& roles) const override {
     return roles.place == nullptr ? "place" : "";
@@ -19,10 +19,10 @@ class Occupied : public Meaning {
 
 }  // namespace
 
-const MeaningWord kOccupied = {
+const PredicateWord kOccupied = {
     .name = "occupied",
     .summary = "as many parts stand within the place as find room there",
-    .read = [](const Value& map, const MeaningContext&) -> std::unique_ptr<const Meaning> {
+    .read = [](const Value& map, const PredicateContext&) -> std::unique_ptr<const Predicate> {
       map.AllowOnly({"is"});
       return std::make_unique<Occupied>();
     },

@@ -1,11 +1,11 @@
 #include "planner/domain/parts/resting.h"
-#include "sim/execution/predicates/meaning.h"
+#include "sim/execution/predicates/predicate.h"
 
 namespace assay::execution {
 namespace {
 
 // A part that is carried above a table is over it, just like a part that stands on it.
-class Over : public Meaning {
+class Over : public Predicate {
  public:
   explicit Over(const domain::Table* table) : table_(table) {}
 
@@ -25,10 +25,11 @@ class Over : public Meaning {
 
 }  // namespace
 
-const MeaningWord kOver = {
+const PredicateWord kOver = {
     .name = "over",
     .summary = "the part's whole shadow is on the table: `place`, or the one of the arguments",
-    .read = [](const Value& map, const MeaningContext& context) -> std::unique_ptr<const Meaning> {
+    .read = [](const Value& map,
+               const PredicateContext& context) -> std::unique_ptr<const Predicate> {
       map.AllowOnly({"is", "place"});
       const std::optional<Value> place = map.Find("place");
       return std::make_unique<Over>(place ? &ReadTable(*place, context.problem) : nullptr);

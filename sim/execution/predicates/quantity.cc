@@ -33,7 +33,7 @@ Interval WhereHolds(const contingent::Bound& bound) {
   return {std::min(end, far), std::max(end, far)};
 }
 
-std::optional<bool> Told(const contingent::Bound& bound, const Reading& reading) {
+std::optional<bool> Observed(const contingent::Bound& bound, const Reading& reading) {
   const contingent::Range range = {.low = reading.value - reading.error,
                                    .high = reading.value + reading.error};
   if (SurelyHolds(bound, range)) return true;

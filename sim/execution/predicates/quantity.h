@@ -1,11 +1,12 @@
 #pragma once
 
 #include "planner/contingent/grounding/ground_task.h"
-#include "sim/execution/predicates/meaning.h"
+#include "sim/execution/predicates/predicate.h"
 
 namespace assay::execution {
 
-// The meaning of a domain's numeric function in the workcell. Meaning does the same for predicates.
+// The meaning of a domain's numeric function in the workcell. Predicate does the same for
+// predicates.
 class Quantity {
  public:
   virtual ~Quantity() = default;
@@ -15,7 +16,7 @@ class Quantity {
   virtual std::string Lacks(const Roles& roles) const = 0;
   virtual double TrueValue(const Truth& truth, const Roles& roles) const = 0;
   // Returns the reading of the quantity; none if no sensor has read it.
-  virtual std::optional<Reading> Told(const Readings& readings, const Roles& roles) const = 0;
+  virtual std::optional<Reading> Observed(const Readings& readings, const Roles& roles) const = 0;
   // Adds `by` to the reading, which must exist.
   virtual void Shift(Readings& readings, const Roles& roles, double by) const = 0;
   // Removes the kinds of the part for which the quantity is outside the interval.
@@ -43,6 +44,6 @@ bool Holds(const contingent::Bound& bound, double value);
 Interval WhereHolds(const contingent::Bound& bound);
 // Returns whether the bound holds according to a reading. Returns none if the bound may or may not
 // hold within the reading's error.
-std::optional<bool> Told(const contingent::Bound& bound, const Reading& reading);
+std::optional<bool> Observed(const contingent::Bound& bound, const Reading& reading);
 
 }  // namespace assay::execution

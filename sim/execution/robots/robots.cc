@@ -11,7 +11,7 @@ namespace {
 double TimeOf(const TraceEvent& event) {
   return std::visit(
       [](const auto& record) {
-        if constexpr (requires { record.moment; }) return record.moment.time;
+        if constexpr (requires { record.snapshot; }) return record.snapshot.time;
         if constexpr (requires { record.time; }) return record.time;
         return 0.0;  // records of the end of an execution, which no robot makes
       },

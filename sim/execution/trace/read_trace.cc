@@ -70,7 +70,7 @@ class TraceParser {
  private:
   TraceEvent EventOf(const TraceLine& line) const {
     const std::string kind = line.at("kind");
-    if (kind == "sample") return Sample{MomentOf(line)};
+    if (kind == "sample") return Sample{SnapshotOf(line)};
     if (kind == "grasp") return GraspOf(line);
     if (kind == "look") return LookOf(line);
     if (kind == "guard") return GuardOf(line);
@@ -95,23 +95,23 @@ class TraceParser {
     return PartId(static_cast<int>(found - trace_.parts.begin()));
   }
 
-  Snapshot MomentOf(const TraceLine& line) const {
+  Snapshot SnapshotOf(const TraceLine& line) const {
     const TraceLine& wrist = line.at("wrist");
-    Snapshot moment{.time = line.at("time"),
-                    .tool = PosesOf(line.at("tool")),
-                    .table_heights = line.at("table_heights").get<std::vector<double>>(),
-                    .opening = line.at("opening"),
-                    .wrist = {VectorOf(wrist.at("force")), VectorOf(wrist.at("torque"))},
-                    .contacts = line.at("contacts").get<decltype(Snapshot::contacts)>()};
+    Snapshot snapshot{.time = line.at("time"),
+                      .tool = PosesOf(line.at("tool")),
+                      .table_heights = line.at("table_heights").get<std::vector<double>>(),
+                      .opening = line.at("opening"),
+                      .wrist = {VectorOf(wrist.at("force")), VectorOf(wrist.at("torque"))},
+                      .contacts = line.at("contacts").get<decltype(Snapshot::contacts)>()};
     for (const std::string& part : trace_.parts) {
-      moment.parts.push_back(PosesOf(line.at("parts").at(part)));
+      snapshot.parts.push_back(PosesOf(line.at("parts").at(part)));
     }
     for (const TraceLine& arm : line.at("arms")) {
       const auto joints = arm.at("joints").get<std::vector<double>>();
       if (joints.size() != 6) throw std::invalid_argument("an arm has not 6 joints");
-      moment.arms.push_back({scene::JointVector(joints.data()), arm.at("opening").get<double>()});
+      snapshot.arms.push_back({scene::JointVector(joints.data()), arm.at("opening").get<double>()});
     }
-    return moment;
+    return snapshot;
   }
 
   GraspFact GraspOf(const TraceLine& line) const {
@@ -157,7 +157,7 @@ class TraceParser {
   }
   Milestone MilestoneOf(const TraceLine& line) const {
     return {plan::StepId(line.at("step").get<int>()), Named(line.at("stage"), Stage::kActed),
-            MomentOf(line)};
+            SnapshotOf(line)};
   }
   static VerificationRecord VerificationOf(const TraceLine& line) {
     return {.time = line.at("time"),
@@ -180,7 +180,7 @@ class TraceParser {
   StepEnd StepEndOf(const TraceLine& line) const {
     const std::string name = line.at("step");
     const int number = std::stoi(name.substr(name.find('_') + 1));
-    return {plan::StepId(number - 1), name, line.at("action"), MomentOf(line)};
+    return {plan::StepId(number - 1), name, line.at("action"), SnapshotOf(line)};
   }
   RestRecord RestOf(const TraceLine& line) const {
     RestRecord rest{.duration = line.at("duration")};
@@ -193,7 +193,7 @@ class TraceParser {
   ExecutionEnd EndOf(const TraceLine& line) const {
     return {.outcome = OutcomeNamed(line.at("outcome")),
             .reason = line.at("reason"),
-            .moment = MomentOf(line),
+            .snapshot = SnapshotOf(line),
             .steps = line.at("steps")};
   }
 

@@ -33,7 +33,7 @@ class TraceWriter {
   Json Header() const {
     return {{"format", "assay-trace/1"}, {"problem", trace_.problem}, {"parts", trace_.parts}};
   }
-  Json operator()(const Sample& sample) const { return Of("sample", sample.moment); }
+  Json operator()(const Sample& sample) const { return Of("sample", sample.snapshot); }
   Json operator()(const GraspFact& fact) const {
     return {{"kind", "grasp"},         {"time", fact.time},
             {"part", Name(fact.part)}, {"expected_width", fact.expected_width},
@@ -70,7 +70,7 @@ class TraceWriter {
             {"recognized", recognized}};
   }
   Json operator()(const Milestone& milestone) const {
-    Json json = Of("milestone", milestone.moment);
+    Json json = Of("milestone", milestone.snapshot);
     json["step"] = milestone.step.index();
     json["stage"] = execution::Name(milestone.stage);
     return json;
@@ -92,7 +92,7 @@ class TraceWriter {
             {"offset", ToJson(recovery.offset)}};
   }
   Json operator()(const StepEnd& end) const {
-    Json json = Of("step", end.moment);
+    Json json = Of("step", end.snapshot);
     json["step"] = end.name;
     json["action"] = end.action;
     return json;
@@ -112,7 +112,7 @@ class TraceWriter {
             {"other", collision.other}};
   }
   Json operator()(const ExecutionEnd& end) const {
-    Json json = Of("end", end.moment);
+    Json json = Of("end", end.snapshot);
     json["outcome"] = NameOfEnd(end.outcome);
     json["reason"] = end.reason;
     json["steps"] = end.steps;
@@ -120,27 +120,27 @@ class TraceWriter {
   }
 
  private:
-  Json Of(const char* kind, const Snapshot& moment) const {
+  Json Of(const char* kind, const Snapshot& snapshot) const {
     Json parts = Json::object();
-    for (std::size_t i = 0; i < moment.parts.size(); ++i) {
-      parts[trace_.parts[i]] = ToJson(moment.parts[i]);
+    for (std::size_t i = 0; i < snapshot.parts.size(); ++i) {
+      parts[trace_.parts[i]] = ToJson(snapshot.parts[i]);
     }
     Json contacts = Json::array();
-    for (const auto& [a, b] : moment.contacts) contacts.push_back({a, b});
+    for (const auto& [a, b] : snapshot.contacts) contacts.push_back({a, b});
     Json arms = Json::array();
-    for (const auto& [q, opening] : moment.arms) {
+    for (const auto& [q, opening] : snapshot.arms) {
       arms.push_back({{"joints", std::vector(q.begin(), q.end())}, {"opening", opening}});
     }
-    return {
-        {"kind", kind},
-        {"time", moment.time},
-        {"tool", ToJson(moment.tool)},
-        {"opening", moment.opening},
-        {"wrist", {{"force", ToJson(moment.wrist.force)}, {"torque", ToJson(moment.wrist.torque)}}},
-        {"parts", parts},
-        {"table_heights", moment.table_heights},
-        {"contacts", contacts},
-        {"arms", arms}};
+    return {{"kind", kind},
+            {"time", snapshot.time},
+            {"tool", ToJson(snapshot.tool)},
+            {"opening", snapshot.opening},
+            {"wrist",
+             {{"force", ToJson(snapshot.wrist.force)}, {"torque", ToJson(snapshot.wrist.torque)}}},
+            {"parts", parts},
+            {"table_heights", snapshot.table_heights},
+            {"contacts", contacts},
+            {"arms", arms}};
   }
   const std::string& Name(PartId part) const { return trace_.parts[part.index()]; }
 

@@ -37,7 +37,7 @@ struct Snapshot {
 
 // One of a series of snapshots at equal intervals.
 struct Sample {
-  Snapshot moment;
+  Snapshot snapshot;
 };
 
 // The result of closing the gripper. A failed grasp is recorded like any other, and the execution
@@ -106,7 +106,7 @@ std::string_view Name(Stage stage);  // for example "poised"
 struct Milestone {
   plan::StepId step;
   Stage stage;
-  Snapshot moment;
+  Snapshot snapshot;
 };
 
 // The measurement of a verification (Spar, figure 11).
@@ -135,7 +135,7 @@ struct StepEnd {
   plan::StepId step;
   std::string name;    // for example "action_3"
   std::string action;  // for example "putdown(block, on-back)"
-  Snapshot moment;
+  Snapshot snapshot;
 };
 
 // The motion of each part in the last half second, after the last command.
@@ -160,7 +160,7 @@ struct CollisionRecord {
 struct ExecutionEnd {
   TrialOutcome outcome = TrialOutcome::kSucceeded;
   std::string reason = {};  // empty if every command was executed
-  Snapshot moment;
+  Snapshot snapshot;
   std::int64_t steps = 0;  // number of the engine's steps
 };
 

@@ -88,7 +88,7 @@ class Trial {
   Trace TraceIfSampled() {
     if (options_.sample_rate == 0) return {};
     Trace trace = execution_.trace();
-    trace.events.emplace_back(ExecutionEnd{.moment = execution_.Now()});
+    trace.events.emplace_back(ExecutionEnd{.snapshot = execution_.Now()});
     return trace;
   }
 

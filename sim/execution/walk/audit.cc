@@ -82,7 +82,7 @@ std::vector<FalseClaim> Audit::FalseNumbers(const KnowledgeBase& knowledge,
     if (!Contains(range, value))
       found.push_back({step, TextOf(function, range), true, false, HowItIs(value)});
     if (!knowledge.layout().IsSensed(state, id)) continue;
-    const auto reading = quantity->Told(readings, RolesOf(problem_, function.arguments));
+    const auto reading = quantity->Observed(readings, RolesOf(problem_, function.arguments));
     const std::string wrong = WrongReading(reading, value, range.error);
     const std::string text = fmt::format("Kv({} within {})", function.text, range.error);
     if (!wrong.empty()) found.push_back({step, text, true, false, wrong});
@@ -109,13 +109,13 @@ std::vector<FalseClaim> Audit::FalseAtoms(const KnowledgeBase& knowledge,
 bool Audit::IsGoalTrue(const Truth& truth) const { return Holds(interpretation_.task.goal, truth); }
 
 bool Audit::IsAudited(AtomId atom) const {
-  const Meaning* const meaning = interpretation_.MeaningOf(atom);
-  return meaning != nullptr && meaning->IsAudited();
+  const Predicate* const predicate = interpretation_.PredicateOf(atom);
+  return predicate != nullptr && predicate->IsAudited();
 }
 
 bool Audit::IsTrue(AtomId atom, const Truth& truth) const {
   const contingent::GroundAtom& ground = interpretation_.task.ground_atoms[atom.index()];
-  return interpretation_.MeaningOf(atom)->IsTrue(truth, RolesOf(problem_, ground.arguments));
+  return interpretation_.PredicateOf(atom)->IsTrue(truth, RolesOf(problem_, ground.arguments));
 }
 
 double Audit::TrueValue(FunctionId function, const Truth& truth) const {

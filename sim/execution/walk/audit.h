@@ -18,7 +18,7 @@ struct FalseClaim {
 };
 
 // Compares what a knowledge state claims to know with the simulator's truth. The audit covers:
-// - every audited atom (Meaning::IsAudited) that is known to be true or known to be false;
+// - every audited atom (Predicate::IsAudited) that is known to be true or known to be false;
 // - every relation of Kx, in which atoms that are not audited may have either value;
 // - the interval of every numeric function that is a quantity of the workcell;
 // - every numeric value that counts as sensed (Kv): a sensor must have read it, within the error.

@@ -86,7 +86,7 @@ Trace Execute(const domain::Problem& problem, const plan::Plan& plan, const scen
   Execution execution(problem, scene, data, options);
   if (options.observer != nullptr) options.observer->SeeStart(data);
   const Progress failure = RunPlan(plan, execution);
-  ExecutionEnd end{.moment = execution.Now(), .steps = execution.steps()};
+  ExecutionEnd end{.snapshot = execution.Now(), .steps = execution.steps()};
   if (failure) {
     end.outcome = failure->outcome;
     end.reason = failure->reason;

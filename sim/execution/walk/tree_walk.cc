@@ -93,48 +93,48 @@ auto TreeWalk::Sensed(const Ask& ask) -> decltype(ask()) {
 // yet known. Such a goal holds before the reading is learned, so `sensed` is asked, too.
 std::optional<NodeId> TreeWalk::Arrive() {
   KnowledgeState sensed = state_;
-  std::vector<std::string> not_told = LearnSensedFormulas(sensed);
-  std::ranges::move(LearnSensedValues(sensed), std::back_inserter(not_told));
+  std::vector<std::string> not_observed = LearnSensedFormulas(sensed);
+  std::ranges::move(LearnSensedValues(sensed), std::back_inserter(not_observed));
   AuditNow();
   const contingent::GroundQuery& goal = interpretation_.task.goal;
   if (knowledge_.Holds(goal, sensed) || knowledge_.Holds(goal, state_)) return std::nullopt;
-  ASSAY_CHECK(!not_told.empty(), "the plan ends where its goal does not hold");
-  return NotTold(not_told.front());
+  ASSAY_CHECK(!not_observed.empty(), "the plan ends where its goal does not hold");
+  return NotObserved(not_observed.front());
 }
 
 std::vector<std::string> TreeWalk::LearnSensedFormulas(KnowledgeState& sensed) {
-  std::vector<std::string> not_told;
+  std::vector<std::string> not_observed;
   for (std::size_t i = 0; i < interpretation_.task.formulas.size(); ++i) {
     const FormulaId formula(i);
     if (!knowledge_.layout().IsSensed(state_, formula)) continue;
-    const auto told = Sensed([&] { return Told(formula); });
-    if (!told || !Learn(knowledge_.Learned(state_, formula, *told != IsFlipped()))) {
+    const auto observed = Sensed([&] { return Observed(formula); });
+    if (!observed || !Learn(knowledge_.Learned(state_, formula, *observed != IsFlipped()))) {
       knowledge_.layout().SetSensed(state_, formula, false);
       knowledge_.layout().SetSensed(sensed, formula, false);
-      not_told.push_back(WordsOf(formula));
+      not_observed.push_back(WordsOf(formula));
     }
   }
-  return not_told;
+  return not_observed;
 }
 
 // Only functions whose values are symbols are learned here. The audit checks readings of numeric
 // functions itself.
 std::vector<std::string> TreeWalk::LearnSensedValues(KnowledgeState& sensed) {
-  std::vector<std::string> not_told;
+  std::vector<std::string> not_observed;
   for (std::size_t i = 0; i < interpretation_.task.functions.size(); ++i) {
     const FunctionId function(i);
     const bool is_number = interpretation_.task.functions[i].slot >= 0;
     if (is_number || !knowledge_.layout().IsSensed(state_, function)) continue;
     const std::vector<AtomId> values = knowledge_.PossibleValues(function, state_);
-    std::optional<std::size_t> told = Sensed([&] { return ToldValue(values); });
-    if (told && values.size() > 1 && IsFlipped()) told = Flipped(*told, values.size());
-    if (!told || !Learn(knowledge_.Learned(state_, {values[*told], true}))) {
+    std::optional<std::size_t> observed = Sensed([&] { return ObservedValue(values); });
+    if (observed && values.size() > 1 && IsFlipped()) observed = Flipped(*observed, values.size());
+    if (!observed || !Learn(knowledge_.Learned(state_, {values[*observed], true}))) {
       knowledge_.layout().SetSensed(state_, function, false);
       knowledge_.layout().SetSensed(sensed, function, false);
-      not_told.push_back(WordsOf(function));
+      not_observed.push_back(WordsOf(function));
     }
   }
-  return not_told;
+  return not_observed;
 }
 
 bool TreeWalk::Learn(std::optional<KnowledgeState> learned) {
@@ -183,33 +183,33 @@ Progress TreeWalk::Do(const GroundAction& action) {
   return failure;
 }
 
-std::optional<bool> TreeWalk::Told(AtomId atom) const {
-  const Meaning* const meaning = interpretation_.MeaningOf(atom);
-  if (meaning == nullptr) return std::nullopt;
+std::optional<bool> TreeWalk::Observed(AtomId atom) const {
+  const Predicate* const predicate = interpretation_.PredicateOf(atom);
+  if (predicate == nullptr) return std::nullopt;
   const auto& arguments = interpretation_.task.ground_atoms[atom.index()].arguments;
-  return meaning->Told(situation_.readings, RolesOf(situation_.problem(), arguments));
+  return predicate->Observed(situation_.readings, RolesOf(situation_.problem(), arguments));
 }
 
-std::optional<bool> TreeWalk::Told(const contingent::Bound& bound) const {
+std::optional<bool> TreeWalk::Observed(const contingent::Bound& bound) const {
   const Quantity* const quantity = interpretation_.QuantityOf(bound.function);
   if (quantity == nullptr) return std::nullopt;
   const auto& arguments = interpretation_.task.functions[bound.function.index()].arguments;
   const auto reading =
-      quantity->Told(situation_.readings, RolesOf(situation_.problem(), arguments));
-  return reading ? execution::Told(bound, *reading) : std::nullopt;
+      quantity->Observed(situation_.readings, RolesOf(situation_.problem(), arguments));
+  return reading ? execution::Observed(bound, *reading) : std::nullopt;
 }
 
-std::optional<bool> TreeWalk::Told(FormulaId id) const {
+std::optional<bool> TreeWalk::Observed(FormulaId id) const {
   const contingent::Formula& formula = interpretation_.task.formulas[id.index()];
-  if (formula.bound) return Told(*formula.bound);
-  bool are_all_told = true;
+  if (formula.bound) return Observed(*formula.bound);
+  bool are_all_observed = true;
   for (const contingent::GroundLiteral& literal : formula.literals) {
     if (knowledge_.layout().IsKnown(state_, literal)) continue;
-    const std::optional<bool> told = Told(literal.atom);
-    if (told && *told != literal.is_positive) return false;
-    are_all_told &= told.has_value();
+    const std::optional<bool> observed = Observed(literal.atom);
+    if (observed && *observed != literal.is_positive) return false;
+    are_all_observed &= observed.has_value();
   }
-  return are_all_told ? std::optional(true) : std::nullopt;
+  return are_all_observed ? std::optional(true) : std::nullopt;
 }
 
 bool TreeWalk::IsFlipped() {
@@ -226,7 +226,7 @@ void TreeWalk::FlipReadings(const GroundAction& action) {
       if (quantity == nullptr) continue;
       const auto& arguments = interpretation_.task.functions[change.function.index()].arguments;
       const Roles roles = RolesOf(situation_.problem(), arguments);
-      const auto reading = quantity->Told(situation_.readings, roles);
+      const auto reading = quantity->Observed(situation_.readings, roles);
       if (!reading || !IsFlipped()) continue;
       quantity->Shift(situation_.readings, roles, 2 * (reading->error + change.error));
     }
@@ -235,12 +235,12 @@ void TreeWalk::FlipReadings(const GroundAction& action) {
 
 std::optional<NodeId> TreeWalk::Whether(NodeId id) {
   const PlanNode& node = tree_.node(id);
-  const auto told = Sensed([&] { return Told(node.formula); });
-  if (!told) return NotTold(WordsOf(node.formula));
+  const auto observed = Sensed([&] { return Observed(node.formula); });
+  if (!observed) return NotObserved(WordsOf(node.formula));
   const bool is_flipped = IsFlipped();
-  const bool value = *told != is_flipped;
+  const bool value = *observed != is_flipped;
   if (!Learn(knowledge_.Learned(state_, node.formula, value)))
-    return NotTold(WordsOf(node.formula));
+    return NotObserved(WordsOf(node.formula));
   return Take(id, value ? 0 : 1, is_flipped);
 }
 
@@ -253,25 +253,25 @@ const std::string& TreeWalk::WordsOf(FunctionId function) const {
   return interpretation_.task.functions[function.index()].text;
 }
 
-std::optional<NodeId> TreeWalk::NotTold(const std::string& what) {
+std::optional<NodeId> TreeWalk::NotObserved(const std::string& what) {
   return End(TrialOutcome::kUncertain, fmt::format("the sensors do not tell {}", what));
 }
 
-std::optional<std::size_t> TreeWalk::ToldValue(const std::vector<AtomId>& values) const {
+std::optional<std::size_t> TreeWalk::ObservedValue(const std::vector<AtomId>& values) const {
   for (std::size_t i = 0; i < values.size(); ++i) {
-    if (Told(values[i]) == std::optional(true)) return i;
+    if (Observed(values[i]) == std::optional(true)) return i;
   }
   return std::nullopt;
 }
 
 std::optional<NodeId> TreeWalk::ByValue(NodeId id) {
   const PlanNode& node = tree_.node(id);
-  const auto told = Sensed([&] { return ToldValue(node.values); });
-  if (!told) return NotTold(WordsOf(node.function));
+  const auto observed = Sensed([&] { return ObservedValue(node.values); });
+  if (!observed) return NotObserved(WordsOf(node.function));
   const bool is_flipped = node.values.size() > 1 && IsFlipped();
-  const std::size_t child = is_flipped ? Flipped(*told, node.values.size()) : *told;
+  const std::size_t child = is_flipped ? Flipped(*observed, node.values.size()) : *observed;
   if (!Learn(knowledge_.Learned(state_, {node.values[child], true}))) {
-    return NotTold(WordsOf(node.function));
+    return NotObserved(WordsOf(node.function));
   }
   return Take(id, child, is_flipped);
 }

@@ -63,11 +63,11 @@ class TreeWalk {
   std::optional<contingent::NodeId> Whether(contingent::NodeId id);
   std::optional<contingent::NodeId> ByValue(contingent::NodeId id);
   Progress Do(const contingent::GroundAction& action);
-  std::optional<bool> Told(contingent::AtomId atom) const;
-  std::optional<bool> Told(const contingent::Bound& bound) const;
-  std::optional<bool> Told(contingent::FormulaId formula) const;
+  std::optional<bool> Observed(contingent::AtomId atom) const;
+  std::optional<bool> Observed(const contingent::Bound& bound) const;
+  std::optional<bool> Observed(contingent::FormulaId formula) const;
   // Returns the index of the value that sensors have observed; none if they leave it open.
-  std::optional<std::size_t> ToldValue(const std::vector<contingent::AtomId>& values) const;
+  std::optional<std::size_t> ObservedValue(const std::vector<contingent::AtomId>& values) const;
   // Returns the answer of `ask`. While the answer is open, the last action is repeated if it is a
   // sensing action.
   template <class Ask>
@@ -82,7 +82,7 @@ class TreeWalk {
   bool Learn(std::optional<contingent::KnowledgeState> learned);
   std::string WordsOf(contingent::FormulaId formula) const;
   const std::string& WordsOf(contingent::FunctionId function) const;
-  std::optional<contingent::NodeId> NotTold(const std::string& what);
+  std::optional<contingent::NodeId> NotObserved(const std::string& what);
   // Draws whether the value that is sensed now is made wrong.
   bool IsFlipped();
   // Draws which numbers of a sensing action are made wrong, by more than their claims allow.

@@ -104,7 +104,7 @@ class WorldSearch {
       return no_fault_.empty() ? "in no world of the scenario " + refuted_ : no_fault_;
     }
     for (const GroundLiteral& literal : leaf_.literals) {
-      if (!interpretation_.IsTold(literal.atom)) {
+      if (!interpretation_.IsObservable(literal.atom)) {
         return fmt::format("no sensor tells whether {}",
                            interpretation_.task.atoms[literal.atom.index()]);
       }
@@ -160,12 +160,12 @@ class WorldSearch {
   }
 
   void Narrow(const GroundLiteral& literal) {
-    const Meaning* const meaning = interpretation_.MeaningOf(literal.atom);
-    if (meaning == nullptr) return;
+    const Predicate* const predicate = interpretation_.PredicateOf(literal.atom);
+    if (predicate == nullptr) return;
     const PartId part = PartOf(interpretation_.task.ground_atoms[literal.atom.index()].arguments);
     if (part.IsNone()) return;
     const HiddenKinds before = kinds_[part.index()];
-    meaning->Narrow(kinds_[part.index()], literal.is_positive);
+    predicate->Narrow(kinds_[part.index()], literal.is_positive);
     if (kinds_[part.index()] == before) return;
     asked_[part.index()].push_back(TextOf(interpretation_.task, literal));
   }
@@ -209,10 +209,10 @@ class WorldSearch {
   }
 
   bool IsRefuted(const GroundLiteral& literal) const {
-    const Meaning* const meaning = interpretation_.MeaningOf(literal.atom);
-    if (meaning == nullptr) return false;
+    const Predicate* const predicate = interpretation_.PredicateOf(literal.atom);
+    if (predicate == nullptr) return false;
     const auto& arguments = interpretation_.task.ground_atoms[literal.atom.index()].arguments;
-    const auto is_true = meaning->IsTrueIn(world_, RolesOf(problem_, arguments));
+    const auto is_true = predicate->IsTrueIn(world_, RolesOf(problem_, arguments));
     return is_true && *is_true != literal.is_positive;
   }
 
@@ -241,12 +241,14 @@ class CaseSearch {
     if (next == leaf.denied.size()) {
       return WorldSearch(leaf, interpretation_, problem_, random_).Find();
     }
-    std::vector<GroundLiteral> told = leaf.denied[next];
-    std::erase_if(told, [&](const GroundLiteral& l) { return !interpretation_.IsTold(l.atom); });
-    if (told.empty()) return Find(leaf, next + 1);
-    std::ranges::rotate(told, told.begin() + random_.Index(static_cast<int>(told.size())));
+    std::vector<GroundLiteral> observable = leaf.denied[next];
+    std::erase_if(observable,
+                  [&](const GroundLiteral& l) { return !interpretation_.IsObservable(l.atom); });
+    if (observable.empty()) return Find(leaf, next + 1);
+    std::ranges::rotate(observable,
+                        observable.begin() + random_.Index(static_cast<int>(observable.size())));
     std::variant<HiddenWorld, std::string> found;
-    for (const GroundLiteral& literal : told) {
+    for (const GroundLiteral& literal : observable) {
       Leaf longer = leaf;
       longer.literals.push_back({literal.atom, !literal.is_positive});
       found = Find(longer, next + 1);

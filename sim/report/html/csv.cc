@@ -133,27 +133,28 @@ CsvFile VerdictsCsv(const Findings& findings) {
   return csv.Take();
 }
 
-CsvFile AttacksCsv(const Findings& findings) {
+CsvFile FalsificationsCsv(const Findings& findings) {
   Csv csv("attacks.csv",
           "cell,attempts,contained,inconclusive,violated,not_claimed,claims_contained,claims_"
           "inconclusive,claims_violated,claims_not_claimed");
   for (const CellFindings& cell : findings.cells) {
-    if (!cell.attack) continue;
-    const auto& [certificates, claims] = std::pair(cell.attack->certificates, cell.attack->claims);
-    csv.Add(cell.cell().cell, cell.attack->attempts, certificates.contained,
+    if (!cell.falsification) continue;
+    const auto& [certificates, claims] =
+        std::pair(cell.falsification->certificates, cell.falsification->claims);
+    csv.Add(cell.cell().cell, cell.falsification->attempts, certificates.contained,
             certificates.inconclusive, certificates.violated, certificates.not_claimed,
             claims.contained, claims.inconclusive, claims.violated, claims.not_claimed);
   }
   return csv.Take();
 }
 
-CsvFile AttackedClaimsCsv(const Findings& findings) {
+CsvFile TriedClaimsCsv(const Findings& findings) {
   Csv csv(
       "attacked_claims.csv",
       "cell,step,action,about,name,unit,observed,low,high,margin,gate,verdict,phase,attempt,noise");
   for (const CellFindings& cell : findings.cells) {
-    if (!cell.attack) continue;
-    for (const sweep::WorstClaimRecord& claim : cell.attack->worst) {
+    if (!cell.falsification) continue;
+    for (const sweep::WorstClaimRecord& claim : cell.falsification->worst) {
       csv.Add(cell.cell().cell, claim.step, claim.action, claim.about, claim.name, claim.dimension,
               claim.observed, claim.low, claim.high, claim.margin, claim.gate, claim.verdict,
               claim.phase, claim.attempt, claim.noise);
@@ -167,8 +168,8 @@ CsvFile CounterexamplesCsv(const Findings& findings) {
           "cell,number,claim,action,name,unit,observed,low,high,margin,gate,noise,steps,replayed,"
           "multiple,replay");
   for (const CellFindings& cell : findings.cells) {
-    if (!cell.attack) continue;
-    for (const sweep::CounterexampleRecord& example : cell.attack->counterexamples) {
+    if (!cell.falsification) continue;
+    for (const sweep::CounterexampleRecord& example : cell.falsification->counterexamples) {
       csv.Add(cell.cell().cell, example.number, example.claim, example.action, example.name,
               example.dimension, example.observed, example.low, example.high, example.margin,
               example.gate, example.noise, example.steps, example.replayed, example.multiple,
@@ -181,8 +182,8 @@ CsvFile CounterexamplesCsv(const Findings& findings) {
 CsvFile ConservatismRatiosCsv(const Findings& findings) {
   Csv csv("conservatism.csv", "cell,variable,guaranteed,broken,ratio");
   for (const CellFindings& cell : findings.cells) {
-    if (!cell.attack) continue;
-    for (const sweep::ConservatismRecord& row : cell.attack->conservatism) {
+    if (!cell.falsification) continue;
+    for (const sweep::ConservatismRecord& row : cell.falsification->conservatism) {
       csv.Add(cell.cell().cell, row.variable, row.guaranteed, row.broken, row.ratio);
     }
   }
@@ -200,11 +201,10 @@ CsvFile RunsCsv(const Findings& findings) {
 }  // namespace
 
 std::vector<CsvFile> CsvFiles(const Findings& findings) {
-  return {OutcomesCsv(findings),           FailuresCsv(findings),
-          RecoveriesCsv(findings),         ErrorSetsCsv(findings),
-          VerdictsCsv(findings),           AttacksCsv(findings),
-          AttackedClaimsCsv(findings),     CounterexamplesCsv(findings),
-          ConservatismRatiosCsv(findings), RunsCsv(findings)};
+  return {OutcomesCsv(findings),    FailuresCsv(findings),        RecoveriesCsv(findings),
+          ErrorSetsCsv(findings),   VerdictsCsv(findings),        FalsificationsCsv(findings),
+          TriedClaimsCsv(findings), CounterexamplesCsv(findings), ConservatismRatiosCsv(findings),
+          RunsCsv(findings)};
 }
 
 }  // namespace assay::report

@@ -56,7 +56,7 @@ Element ConservatismRatios(const Subject& subject) {
                      {"guaranteed", "number"},
                      {"broken at", "number"},
                      {"ratio", "number"}});
-    const std::vector<ConservatismRecord>& rows = cell.attack->conservatism;
+    const std::vector<ConservatismRecord>& rows = cell.falsification->conservatism;
     for (const ConservatismRecord& row : rows) AddRow(table, row, Greatest(rows));
     section.Add(table.Take());
   }

@@ -67,16 +67,17 @@ struct CellFindings {
   std::vector<StepFindings> steps;
   // The falsification of the plan. Its worst claims are ordered by step, and its conservatism
   // begins with all errors together.
-  std::optional<sweep::AttackRecord> attack = {};
-  int attack_trial = 0;  // the number of the falsification's trial in the sweep; 0: there is none
+  std::optional<sweep::FalsificationRecord> falsification = {};
+  int falsification_trial =
+      0;  // the number of the falsification's trial in the sweep; 0: there is none
   // The trials of the same plan without noise. If control_done is 0, there are none.
   int control_done = 0;
   int control_succeeded = 0;
 
   const sweep::CellRecord& cell() const { return summary.cell; }
   bool is_control() const { return cell().noise == "none"; }
-  bool is_attack() const { return cell().noise == "attack"; }
-  bool has_conservatism() const { return attack && !attack->conservatism.empty(); }
+  bool is_falsification() const { return cell().noise == "attack"; }
+  bool has_conservatism() const { return falsification && !falsification->conservatism.empty(); }
 };
 
 // A trial that failed, or that violated a certificate. Falsifications are left out.

@@ -56,17 +56,17 @@ RecoveryFindings ReadRecovery(const Database& database, const CellRecord& cell, 
   return recovery;
 }
 
-std::optional<sweep::AttackRecord> ReadAttack(const sweep::Store& store, int cell) {
-  std::optional<sweep::AttackRecord> attack = store.FindAttack(cell);
-  if (!attack) return attack;
-  std::ranges::stable_sort(attack->worst, {}, &sweep::WorstClaimRecord::step);
-  std::ranges::stable_partition(attack->conservatism, [](const sweep::ConservatismRecord& ratio) {
-    return ratio.variable == "all";
-  });
-  return attack;
+std::optional<sweep::FalsificationRecord> ReadFalsification(const sweep::Store& store, int cell) {
+  std::optional<sweep::FalsificationRecord> falsification = store.FindFalsification(cell);
+  if (!falsification) return falsification;
+  std::ranges::stable_sort(falsification->worst, {}, &sweep::WorstClaimRecord::step);
+  std::ranges::stable_partition(
+      falsification->conservatism,
+      [](const sweep::ConservatismRecord& ratio) { return ratio.variable == "all"; });
+  return falsification;
 }
 
-int AttackTrial(const Database& database, int cell) {
+int FalsificationTrial(const Database& database, int cell) {
   Statement row = database.Prepare("SELECT trial FROM trial WHERE cell = ?");
   row.Bind(cell);
   return row.Next() ? row.Int(0) : 0;
@@ -96,8 +96,8 @@ CellFindings ReadCell(const sweep::Store& store, sweep::CellSummary summary) {
   CellFindings cell{.summary = std::move(summary),
                     .recovery = {},
                     .steps = ReadSteps(store, number),
-                    .attack = ReadAttack(store, number)};
-  if (cell.attack) cell.attack_trial = AttackTrial(store.database(), number);
+                    .falsification = ReadFalsification(store, number)};
+  if (cell.falsification) cell.falsification_trial = FalsificationTrial(store.database(), number);
   cell.recovery = ReadRecovery(store.database(), cell.cell(), plan);
   const std::map<std::string, std::string> actions = ActionsOf(plan);
   for (StepFindings& step : cell.steps) {

@@ -7,7 +7,7 @@ namespace {
 
 bool HasViolation(const CellFindings& cell) {
   return cell.summary.certificates.violated > 0 ||
-         (cell.attack && cell.attack->certificates.violated > 0);
+         (cell.falsification && cell.falsification->certificates.violated > 0);
 }
 
 // Returns the priority of a cell if not all cells can be shown in full. Smaller numbers come first.
@@ -45,7 +45,7 @@ const std::vector<Section>& Sections() {
       {"recoveries", "Verifications and recoveries", Recoveries},
       {"verdicts", "Verdicts on certificates", Verdicts},
       {"error-sets", "Predicted and observed errors", ErrorSets},
-      {"attacks", "Attacks", Attacks},
+      {"attacks", "Attacks", Falsifications},
       {"conservatism", "Conservatism", ConservatismRatios},
       {"setup", "How it was done", Setup},
   };

@@ -39,7 +39,7 @@ Element Failures(const Subject& subject);
 Element Recoveries(const Subject& subject);
 Element Verdicts(const Subject& subject);
 Element ErrorSets(const Subject& subject);
-Element Attacks(const Subject& subject);
+Element Falsifications(const Subject& subject);
 Element ConservatismRatios(const Subject& subject);
 Element Setup(const Subject& subject);
 

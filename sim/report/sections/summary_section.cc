@@ -16,19 +16,19 @@ struct Tally {
   int control_done = 0, control_succeeded = 0;  // trials without noise
   StandingCounts certificates;                  // the certificates of these trials
   // Attempts of falsifications on single steps.
-  std::int64_t attacked = 0, attacked_violated = 0, attacked_inconclusive = 0;
+  std::int64_t tried = 0, tried_violated = 0, tried_inconclusive = 0;
 
   std::int64_t violated() const { return certificates.Of(Standing::kViolated); }
-  std::int64_t all_violated() const { return violated() + attacked_violated; }
+  std::int64_t all_violated() const { return violated() + tried_violated; }
 };
 
 void Add(const CellFindings& cell, Tally& tally) {
-  if (cell.attack) {
-    tally.attacked += cell.attack->attempts;
-    tally.attacked_violated += cell.attack->certificates.violated;
-    tally.attacked_inconclusive += cell.attack->certificates.inconclusive;
+  if (cell.falsification) {
+    tally.tried += cell.falsification->attempts;
+    tally.tried_violated += cell.falsification->certificates.violated;
+    tally.tried_inconclusive += cell.falsification->certificates.inconclusive;
   }
-  if (cell.is_attack()) return;  // its only trial stands for all these attempts
+  if (cell.is_falsification()) return;  // its only trial stands for all these attempts
   (cell.is_control() ? tally.control_done : tally.done) += cell.summary.done;
   (cell.is_control() ? tally.control_succeeded : tally.succeeded) += cell.summary.succeeded;
   for (const StepFindings& step : cell.steps) tally.certificates += step.counts;
@@ -78,7 +78,7 @@ std::string SuccessWords(const Tally& tally) {
   return words;
 }
 
-std::string Told(const Tally& tally, Standing standing) {
+std::string CountOf(const Tally& tally, Standing standing) {
   return fmt::format("{} {}", CountText(tally.certificates.Of(standing)), TextOf(standing));
 }
 
@@ -88,16 +88,16 @@ Element Tiles(const Findings& findings, const Tally& tally) {
   AddTile(tiles, "Trials", Words(CountText(findings.done())), TrialWords(findings));
   AddTile(tiles, "Success under noise", Words(RateText(tally.succeeded, tally.done)),
           SuccessWords(tally));
-  AddTile(
-      tiles, "Certificates violated in trials", Counted(tally.violated()),
-      fmt::format("of {} compared with the true poses; {}, {}, {}",
-                  CountText(tally.certificates.Total()), Told(tally, Standing::kWithinResolution),
-                  Told(tally, Standing::kInconclusive), Told(tally, Standing::kNotClaimed)));
-  if (tally.attacked > 0) {
-    AddTile(tiles, "Violated in attacked steps", Counted(tally.attacked_violated),
-            fmt::format("of {}; {} inconclusive or within the engine’s resolution",
-                        CountText(tally.attacked, "attacked step"),
-                        CountText(tally.attacked_inconclusive)));
+  AddTile(tiles, "Certificates violated in trials", Counted(tally.violated()),
+          fmt::format(
+              "of {} compared with the true poses; {}, {}, {}",
+              CountText(tally.certificates.Total()), CountOf(tally, Standing::kWithinResolution),
+              CountOf(tally, Standing::kInconclusive), CountOf(tally, Standing::kNotClaimed)));
+  if (tally.tried > 0) {
+    AddTile(
+        tiles, "Violated in attacked steps", Counted(tally.tried_violated),
+        fmt::format("of {}; {} inconclusive or within the engine’s resolution",
+                    CountText(tally.tried, "attacked step"), CountText(tally.tried_inconclusive)));
   } else {
     AddTile(tiles, "Attacked steps", Words("0"), "the sweep attacks nothing");
   }
@@ -106,12 +106,12 @@ Element Tiles(const Findings& findings, const Tally& tally) {
 
 std::string EvaluationsText(const Tally& tally) {
   std::string text = CountText(tally.certificates.Total(), "certificate") + " of trials";
-  if (tally.attacked > 0) text += " and " + CountText(tally.attacked, "attacked step");
+  if (tally.tried > 0) text += " and " + CountText(tally.tried, "attacked step");
   return text;
 }
 
 std::string Lead(const Tally& tally) {
-  if (tally.certificates.Total() + tally.attacked == 0) return "No prediction has been tried yet.";
+  if (tally.certificates.Total() + tally.tried == 0) return "No prediction has been tried yet.";
   if (tally.all_violated() == 0) {
     return fmt::format(
         "No prediction was violated in {}: not falsified, which is less than proved.",

@@ -63,7 +63,7 @@ std::string TextOf(const std::optional<double>& value) {
   return value ? fmt::format("{}", *value) : "none";
 }
 
-Fields FieldsOf(const AttackRecord& record) {
+Fields FieldsOf(const FalsificationRecord& record) {
   Fields fields = {{"attempts", fmt::format("{}", record.attempts)},
                    {"certificates of attempts", TextOf(record.certificates)},
                    {"claims", TextOf(record.claims)}};
@@ -100,7 +100,8 @@ std::vector<std::string> Differences(const TrialRecord& stored, const TrialRecor
   return Different(FieldsOf(stored), FieldsOf(again));
 }
 
-std::vector<std::string> Differences(const AttackRecord& stored, const AttackRecord& again) {
+std::vector<std::string> Differences(const FalsificationRecord& stored,
+                                     const FalsificationRecord& again) {
   return Different(FieldsOf(stored), FieldsOf(again));
 }
 

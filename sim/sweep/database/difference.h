@@ -11,6 +11,7 @@ namespace assay::sweep {
 // Returns nothing if they are equal, bit for bit.
 std::vector<std::string> Differences(const TrialRecord& stored, const TrialRecord& again);
 // Returns the differences between two records of a falsification. The commands in them are ignored.
-std::vector<std::string> Differences(const AttackRecord& stored, const AttackRecord& again);
+std::vector<std::string> Differences(const FalsificationRecord& stored,
+                                     const FalsificationRecord& again);
 
 }  // namespace assay::sweep

@@ -91,7 +91,7 @@ WorstClaimRecord RecordOf(const plan::Plan& plan, const check::WorstClaim& worst
 }
 
 CounterexampleRecord RecordOf(const plan::Plan& plan, const check::Counterexample& example,
-                              const Attacked& attacked) {
+                              const MadeFalsification& made) {
   const check::Claim& claim = example.claim;
   const std::string noise = noise::Text(example.noise);
   return {.claim = ClaimName(plan, claim),
@@ -107,22 +107,22 @@ CounterexampleRecord RecordOf(const plan::Plan& plan, const check::Counterexampl
           .steps = example.steps,
           .replayed = example.replayed,
           .multiple = example.multiple,
-          .replay = attacked.run_command ? attacked.run_command->WithErrors(noise).Text()
-                                         : attacked.replay_command};
+          .replay =
+              made.run_command ? made.run_command->WithErrors(noise).Text() : made.replay_command};
 }
 
-AttackRecord RecordOf(const plan::Plan& plan, const Attacked& attacked) {
-  const check::AttackResult& result = attacked.result;
+FalsificationRecord RecordOf(const plan::Plan& plan, const MadeFalsification& made) {
+  const check::FalsificationResult& result = made.result;
   VerdictCounts certificates;
   for (const VerdictCounts& counts : result.certificates) certificates += counts;
-  AttackRecord record{
+  FalsificationRecord record{
       .attempts = result.attempts, .certificates = certificates, .claims = result.claims};
   for (const check::WorstClaim& worst : result.worst) record.worst.push_back(RecordOf(plan, worst));
   for (const check::Counterexample& example : result.counterexamples) {
-    record.counterexamples.push_back(RecordOf(plan, example, attacked));
+    record.counterexamples.push_back(RecordOf(plan, example, made));
     record.counterexamples.back().number = static_cast<int>(record.counterexamples.size());
   }
-  for (const check::ConservatismRatio& ratio : attacked.ratios) {
+  for (const check::ConservatismRatio& ratio : made.ratios) {
     record.conservatism.push_back({ratio.variable, ratio.guaranteed, ratio.broken, ratio.ratio()});
   }
   // A database returns the records in this order.
@@ -132,7 +132,7 @@ AttackRecord RecordOf(const plan::Plan& plan, const Attacked& attacked) {
 }
 
 // Returns the worst of all claims; null if nothing was claimed.
-const check::WorstClaim* WorstOf(const check::AttackResult& result) {
+const check::WorstClaim* WorstOf(const check::FalsificationResult& result) {
   const auto worst = std::ranges::min_element(
       result.worst, [](const check::WorstClaim& a, const check::WorstClaim& b) {
         return IsWorse(a.claim, b.claim);
@@ -142,7 +142,7 @@ const check::WorstClaim* WorstOf(const check::AttackResult& result) {
 
 // Returns a claim in words: "step 2 (action_3): y of peg: observed 0.0012 m, predicted [-0.001,
 // 0.001]".
-std::string Told(const plan::Plan& plan, const check::Claim& claim) {
+std::string ClaimText(const plan::Plan& plan, const check::Claim& claim) {
   const plan::PlannedStep& step = plan.step(claim.step);
   return fmt::format("step {} ({}): {}: observed {:.6g} {}, predicted [{:.6g}, {:.6g}]",
                      step.executed, step.name, claim.name, claim.observed, claim.UnitName(),
@@ -155,13 +155,13 @@ std::string WrongWithoutNoise(const plan::Plan& plan, const check::Noiseless& no
                               const check::NoiseFloor& gate) {
   std::vector<std::string> lines;
   for (const check::Claim& claim : noiseless.violated) {
-    lines.push_back("violated without any noise: " + Told(plan, claim));
+    lines.push_back("violated without any noise: " + ClaimText(plan, claim));
   }
   for (const check::Claim& claim : noiseless.hidden) {
     lines.push_back(
         fmt::format("{}: the noise floor, {:.6g} {}, is wider than the certified set or the "
                     "clearance: the plan cannot be tested",
-                    Told(plan, claim), gate.Floor(claim), claim.UnitName()));
+                    ClaimText(plan, claim), gate.Floor(claim), claim.UnitName()));
   }
   return fmt::format("{}", fmt::join(lines, "\n"));
 }
@@ -172,7 +172,7 @@ TimedTrial Recorded(const plan::Plan& plan, const check::Trial& trial) {
   TimedTrial timed{.record = {.noise = noise::Text(trial.noise),
                               .outcome = std::string(execution::Name(trial.verdict.outcome)),
                               .reason = trial.verdict.reason,
-                              .simulated = end.moment.time,
+                              .simulated = end.snapshot.time,
                               .steps = end.steps,
                               .errors_signalled = trial.errors_signalled,
                               .recovered = trial.recovered,
@@ -193,16 +193,16 @@ TimedTrial Recorded(const plan::Plan& plan, const check::Trial& trial) {
   return timed;
 }
 
-TimedTrial Recorded(const plan::Plan& plan, const Attacked& attacked) {
-  const check::AttackResult& result = attacked.result;
+TimedTrial Recorded(const plan::Plan& plan, const MadeFalsification& made) {
+  const check::FalsificationResult& result = made.result;
   TimedTrial timed;
-  timed.attack = RecordOf(plan, attacked);
+  timed.falsification = RecordOf(plan, made);
   TrialRecord& record = timed.record;
-  record.counts = timed.attack->certificates;
+  record.counts = timed.falsification->certificates;
   record.outcome = record.counts.violated == 0 ? "succeeded" : "violated";
   if (const check::WorstClaim* const worst = WorstOf(result)) {
     record.noise = noise::Text(worst->noise);
-    if (record.counts.violated > 0) record.reason = Told(plan, worst->claim);
+    if (record.counts.violated > 0) record.reason = ClaimText(plan, worst->claim);
   }
   std::vector<check::Claim> claims;
   for (const check::WorstClaim& worst : result.worst) claims.push_back(worst.claim);

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "sim/check/falsification/attack.h"
 #include "sim/check/falsification/conservatism.h"
+#include "sim/check/falsification/falsification.h"
 #include "sim/check/trial_verdicts/trial.h"
 #include "sim/sweep/database/store.h"
 #include "sim/sweep/grid/run_command.h"
@@ -20,8 +20,8 @@ std::string WrongWithoutNoise(const plan::Plan& plan, const check::Noiseless& no
                               const check::NoiseFloor& gate);
 
 // A whole falsification of a plan.
-struct Attacked {
-  const check::AttackResult& result;
+struct MadeFalsification {
+  const check::FalsificationResult& result;
   const std::vector<check::ConservatismRatio>& ratios;  // empty if they were not measured
   std::optional<RunCommand> run_command;  // makes the same plan; none if there is no such command
   std::string replay_command;             // the command that repeats the falsification
@@ -29,6 +29,6 @@ struct Attacked {
 
 // Returns the record of a falsification as a trial. The trial succeeded if no certificate was
 // violated.
-TimedTrial Recorded(const plan::Plan& plan, const Attacked& attacked);
+TimedTrial Recorded(const plan::Plan& plan, const MadeFalsification& made);
 
 }  // namespace assay::sweep

@@ -100,7 +100,7 @@ struct TrialRecord {
   bool operator==(const TrialRecord&) const = default;
 };
 
-// The worst observation of a claim in a falsification: a row of table `attack_worst`.
+// The worst observation of a claim in a falsification: a row of table `falsification_worst`.
 struct WorstClaimRecord {
   std::string claim;  // the name in table `claim`
   int step = 0;
@@ -140,9 +140,9 @@ struct ConservatismRecord {
   bool operator==(const ConservatismRecord&) const = default;
 };
 
-// The results of a falsification beside its trial: a row of table `attack`, with the rows of the
-// tables for worst claims, counterexamples and conservatism.
-struct AttackRecord {
+// The results of a falsification beside its trial: a row of table `falsification`, with the rows of
+// the tables for worst claims, counterexamples and conservatism.
+struct FalsificationRecord {
   std::int64_t attempts = 0;
   VerdictCounts certificates = {}, claims = {};
   // The records are in the order of their keys.
@@ -150,7 +150,7 @@ struct AttackRecord {
   std::vector<CounterexampleRecord> counterexamples = {};
   std::vector<ConservatismRecord> conservatism = {};
 
-  bool operator==(const AttackRecord&) const = default;
+  bool operator==(const FalsificationRecord&) const = default;
 };
 
 // The speed of trials, without falsifications.

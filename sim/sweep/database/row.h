@@ -60,7 +60,7 @@ auto Columns(Is<VerdictRecord> auto& r) {
                   r.gate);
 }
 auto Columns(Is<ObservationRecord> auto& r) { return std::tie(r.claim, r.observed); }
-auto Columns(Is<AttackRecord> auto& r) {
+auto Columns(Is<FalsificationRecord> auto& r) {
   return std::tuple_cat(std::tie(r.attempts), Columns(r.certificates), Columns(r.claims));
 }
 auto Columns(Is<WorstClaimRecord> auto& r) {

@@ -61,13 +61,13 @@ struct Store::Writing {
         gate(Insertion(database, "gate")),
         component(Insertion(database, "gate_component")),
         planning(Insertion(database, "planning")),
-        attack(Insertion(database, "attack")),
+        falsification(Insertion(database, "attack")),
         worst(Insertion(database, "attack_worst")),
         counterexample(Insertion(database, "counterexample")),
         conservatism(Insertion(database, "conservatism")) {}
 
   Statement trial, verdict, claim, observation, timing, cell, gate, component, planning;
-  Statement attack, worst, counterexample, conservatism;
+  Statement falsification, worst, counterexample, conservatism;
 };
 
 SweepFacts FactsOf(const Sweep& sweep, const std::string& version) {
@@ -196,15 +196,15 @@ void Store::WriteTrial(const TimedTrial& timed) {
   WriteRows(writing_->claim, trial.cell, timed.claims);
   WriteRows(writing_->verdict, trial.trial, trial.verdicts);
   WriteRows(writing_->observation, trial.trial, trial.observations);
-  if (timed.attack) WriteAttack(trial.cell, *timed.attack);
+  if (timed.falsification) WriteFalsification(trial.cell, *timed.falsification);
   writing_->timing.Bind(trial.trial, timed.seconds).Run();
 }
 
-void Store::WriteAttack(int cell, const AttackRecord& attack) {
-  WriteRow(writing_->attack, std::tuple(cell), attack);
-  WriteRows(writing_->worst, cell, attack.worst);
-  WriteRows(writing_->counterexample, cell, attack.counterexamples);
-  WriteRows(writing_->conservatism, cell, attack.conservatism);
+void Store::WriteFalsification(int cell, const FalsificationRecord& falsification) {
+  WriteRow(writing_->falsification, std::tuple(cell), falsification);
+  WriteRows(writing_->worst, cell, falsification.worst);
+  WriteRows(writing_->counterexample, cell, falsification.counterexamples);
+  WriteRows(writing_->conservatism, cell, falsification.conservatism);
 }
 
 void Store::Close() {
@@ -267,11 +267,11 @@ std::optional<TrialRecord> Store::FindTrial(int trial) const {
   return record;
 }
 
-std::optional<AttackRecord> Store::FindAttack(int cell) const {
+std::optional<FalsificationRecord> Store::FindFalsification(int cell) const {
   Statement row = database_->Prepare("SELECT * FROM attack WHERE cell = ?");
   row.Bind(cell);
   if (!row.Next()) return std::nullopt;
-  auto record = ReadRow<AttackRecord>(row, 1);
+  auto record = ReadRow<FalsificationRecord>(row, 1);
   record.worst =
       ReadRows<WorstClaimRecord>(*database_, "attack_worst WHERE cell = ? ORDER BY claim", 1, cell);
   record.counterexamples = ReadRows<CounterexampleRecord>(

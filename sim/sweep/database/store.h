@@ -25,14 +25,14 @@ struct TimedTrial {
   // The claims of its observations. Claims that are stored already are ignored.
   std::vector<ClaimRecord> claims = {};
   double seconds = 0;
-  std::optional<AttackRecord> attack = {};  // only if it is a falsification
+  std::optional<FalsificationRecord> falsification = {};  // only if it is a falsification
   // The verdicts of `record` in the same order, with all of their claims. These claims are not
   // stored.
   std::vector<check::CertificateVerdict> verdicts = {};
 };
 
 // The results of a sweep in an SQLite database. Its tables are sweep, run, cell, gate,
-// gate_component, claim, trial, verdict, observation, attack, attack_worst, counterexample,
+// gate_component, claim, trial, verdict, observation, attack, falsification_worst, counterexample,
 // conservatism, timing and planning (schema.cc). They keep their meaning once released. All tables
 // but `run`, `timing` and `planning` are the same, row for row, for the same sweep. They do not
 // depend on the number of threads, shards and starts of the program.
@@ -72,7 +72,7 @@ class Store {
   std::vector<ClaimRecord> Claims(int cell) const;
   std::vector<int> Trials() const;  // numbers of the done trials, in order
   std::optional<TrialRecord> FindTrial(int trial) const;
-  std::optional<AttackRecord> FindAttack(int cell) const;
+  std::optional<FalsificationRecord> FindFalsification(int cell) const;
   // Returns the mean time of the trials that are not falsifications; 0 if none is done.
   double MeanSeconds() const;
 
@@ -86,7 +86,7 @@ class Store {
   void WriteCell(const CellRecord& cell);
   void WriteGate(int cell, int id, const check::StepNoiseFloor& gate);
   void WriteTrial(const TimedTrial& trial);
-  void WriteAttack(int cell, const AttackRecord& attack);
+  void WriteFalsification(int cell, const FalsificationRecord& falsification);
 
   std::unique_ptr<Database> database_;  // on the heap, because statements refer to its address
   std::shared_ptr<Writing> writing_;

@@ -29,7 +29,7 @@ int TrialsOf(const Sweep& sweep, const Cell& cell) {
     case NoiseKind::kVertices:
     case NoiseKind::kLowDiscrepancy:
       return sweep.trials;
-    case NoiseKind::kAttack:
+    case NoiseKind::kFalsification:
       return 1;
   }
   ASSAY_CHECK(false, "a kind of noise that the switch does not know");
@@ -51,11 +51,11 @@ std::vector<Cell> Cells(const Sweep& sweep) {
   cells = Spread(cells, sweep.seeds, &Cell::seed);
   int number = 0;
   int first_trial = 1;
-  int attacks = 0;
+  int falsifications = 0;
   for (Cell& cell : cells) {
     cell.number = ++number;
     cell.trials = TrialsOf(sweep, cell);
-    if (cell.noise == NoiseKind::kAttack) cell.attack = ++attacks;
+    if (cell.noise == NoiseKind::kFalsification) cell.falsification = ++falsifications;
     cell.first_trial = first_trial;
     first_trial += cell.trials;
   }

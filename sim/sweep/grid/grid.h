@@ -22,8 +22,8 @@ struct Cell {
   NoiseKind noise = NoiseKind::kUniform;
   std::uint64_t seed = 0;
   int trials = 0;
-  int first_trial = 1;  // the number of its first trial in the whole sweep
-  int attack = 0;       // its number among the falsification cells, from 1; 0: it is not one
+  int first_trial = 1;    // the number of its first trial in the whole sweep
+  int falsification = 0;  // its number among the falsification cells, from 1; 0: it is not one
 
   bool operator==(const Cell&) const = default;
 };
@@ -54,7 +54,9 @@ struct Shard {
   int count = 1;
 
   bool Has(int trial) const { return (trial - 1) % count == index - 1; }
-  bool Has(const Cell& cell, int trial) const { return Has(cell.attack > 0 ? cell.attack : trial); }
+  bool Has(const Cell& cell, int trial) const {
+    return Has(cell.falsification > 0 ? cell.falsification : trial);
+  }
 };
 
 }  // namespace assay::sweep

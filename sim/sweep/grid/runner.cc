@@ -65,18 +65,18 @@ class Running {
     FindTrialsToDo();
     MakePlans();
     std::erase_if(to_do_, [&](int trial) { return !HasPlan(trial); });
-    const auto attacks = std::ranges::stable_partition(
-        to_do_, [&](int trial) { return CellOf(trial).noise != NoiseKind::kAttack; });
-    attacks_.assign(attacks.begin(), attacks.end());
-    to_do_.erase(attacks.begin(), attacks.end());
+    const auto falsifications = std::ranges::stable_partition(
+        to_do_, [&](int trial) { return CellOf(trial).noise != NoiseKind::kFalsification; });
+    falsifications_.assign(falsifications.begin(), falsifications.end());
+    to_do_.erase(falsifications.begin(), falsifications.end());
     advance_.trials = static_cast<int>(to_do_.size());
-    advance_.attempts = attempts_ * std::ssize(attacks_);
+    advance_.attempts = attempts_ * std::ssize(falsifications_);
     Tell();
     BatchWriter writer(store_, options_);
     RunTrials(writer);
     throughput_.trials = writer.done();
-    RunAttacks(writer);
-    const int left = static_cast<int>(to_do_.size() + attacks_.size()) - writer.done();
+    RunFalsifications(writer);
+    const int left = static_cast<int>(to_do_.size() + falsifications_.size()) - writer.done();
     return {.done = writer.done(),
             .before = before_,
             .left = left,
@@ -209,10 +209,10 @@ class Running {
 
   // The falsifications share the threads: a thread that finds no new one to begin helps with
   // another one.
-  void RunAttacks(BatchWriter& writer) {
-    attacks_started_ = Clock::now();
+  void RunFalsifications(BatchWriter& writer) {
+    falsifications_started_ = Clock::now();
     scheduler_.AsDone(
-        attacks_.size(), [&](std::size_t i) { return RunAttack(attacks_[i]); },
+        falsifications_.size(), [&](std::size_t i) { return RunFalsification(falsifications_[i]); },
         [&](std::size_t, TimedTrial timed) {
           writer.Add(std::move(timed));
           writer.Write();
@@ -222,20 +222,20 @@ class Running {
   // The exception by which the progress callback ends a falsification.
   struct BreakOff {};
 
-  TimedTrial RunAttack(int trial) {
+  TimedTrial RunFalsification(int trial) {
     std::int64_t made = 0;
     const auto progress = [&](std::int64_t attempts) {
       {
         const std::lock_guard lock(mutex_);
         advance_.attempts_made += std::max(attempts, made) - made;
         made = std::max(attempts, made);
-        advance_.attack_seconds = SecondsSince(attacks_started_);
+        advance_.falsification_seconds = SecondsSince(falsifications_started_);
         Tell();
       }
       if (scheduler_.Ends()) throw BreakOff();
     };
     const PlannedCell& planned = planned_[PlaceOf(cells_, trial).cell];
-    TimedTrial timed = work_.attack(planned, {.jobs = options_.jobs, .progress = progress});
+    TimedTrial timed = work_.falsification(planned, {.jobs = options_.jobs, .progress = progress});
     SetNumbers(trial, timed.record);
     return timed;
   }
@@ -244,9 +244,9 @@ class Running {
   Store& store_;
   const RunOptions& options_;
   const std::vector<Cell> cells_;
-  const std::int64_t attempts_;  // attempts of each falsification
-  std::vector<int> to_do_;       // trials; without falsifications once all plans are made
-  std::vector<int> attacks_;     // trials that are falsifications
+  const std::int64_t attempts_;      // attempts of each falsification
+  std::vector<int> to_do_;           // trials; without falsifications once all plans are made
+  std::vector<int> falsifications_;  // trials that are falsifications
   int before_ = 0;
   std::map<int, CellRecord> stored_;  // by number of the cell
   std::vector<PlannedCell> planned_;  // by index of the cell
@@ -254,7 +254,7 @@ class Running {
   std::mutex mutex_;  // guards the advance while falsifications are made
   Advance advance_;
   Throughput throughput_;
-  Clock::time_point attacks_started_;
+  Clock::time_point falsifications_started_;
 };
 
 }  // namespace

@@ -18,9 +18,9 @@ struct Advance {
   int trials = 0;       // all trials of this run; 0 until all plans are made
   double seconds = 0;   // since the first trial of this run began
   // Falsifications, which follow after the other trials.
-  std::int64_t attempts_made = 0;  // attempts that this run has made
-  std::int64_t attempts = 0;       // the most attempts of this run; 0 until all plans are made
-  double attack_seconds = 0;       // since the first falsification of this run began
+  std::int64_t attempts_made = 0;    // attempts that this run has made
+  std::int64_t attempts = 0;         // the most attempts of this run; 0 until all plans are made
+  double falsification_seconds = 0;  // since the first falsification of this run began
 };
 
 struct RunOptions {

@@ -99,13 +99,13 @@ void ReadAxes(const Value& root, Sweep& sweep) {
   });
 }
 
-bool HasAttack(const Sweep& sweep) {
-  return std::ranges::find(sweep.noises, NoiseKind::kAttack) != sweep.noises.end();
+bool HasFalsification(const Sweep& sweep) {
+  return std::ranges::find(sweep.noises, NoiseKind::kFalsification) != sweep.noises.end();
 }
 
 void ReadTrials(const Value& root, Sweep& sweep) {
-  const bool only_attacks = HasAttack(sweep) && sweep.noises.size() == 1;
-  if (!only_attacks || root.Find("trials")) {
+  const bool only_falsifications = HasFalsification(sweep) && sweep.noises.size() == 1;
+  if (!only_falsifications || root.Find("trials")) {
     sweep.trials = root.At("trials").Integer(1, kMostTrials);
   }
   if (const auto trials = root.Find("control_trials")) {
@@ -120,10 +120,10 @@ void RequireDrawnSensing(const Value& root, const Sweep& sweep) {
                           "'drawn' alone where 'attack' is among the noise");
 }
 
-void ReadAttack(const Value& root, Sweep& sweep) {
+void ReadFalsification(const Value& root, Sweep& sweep) {
   for (const char* key : {"attempts", "conservatism"}) {
     const std::optional<Value> value = root.Find(key);
-    if (value && !HasAttack(sweep)) {
+    if (value && !HasFalsification(sweep)) {
       value->Fail("nothing is attacked", "only where 'attack' is among the noise");
     }
   }
@@ -133,7 +133,7 @@ void ReadAttack(const Value& root, Sweep& sweep) {
   if (const auto conservatism = root.Find("conservatism")) {
     sweep.conservatism = conservatism->Flag();
   }
-  if (HasAttack(sweep)) RequireDrawnSensing(root, sweep);
+  if (HasFalsification(sweep)) RequireDrawnSensing(root, sweep);
 }
 
 void CheckSize(const Value& root, const Sweep& sweep) {
@@ -162,7 +162,7 @@ noise::Mode ModeOf(NoiseKind kind) {
       return noise::Mode::kVertices;
     case NoiseKind::kLowDiscrepancy:
       return noise::Mode::kLowDiscrepancy;
-    case NoiseKind::kAttack:
+    case NoiseKind::kFalsification:
       break;
   }
   ASSAY_CHECK(false, "an attack chooses its errors itself");
@@ -220,7 +220,7 @@ Sweep ReadSweep(const Document& document, const fs::path& file, std::string text
   root.At("scenarios");
   ReadAxes(root, sweep);
   ReadTrials(root, sweep);
-  ReadAttack(root, sweep);
+  ReadFalsification(root, sweep);
   ReadPlanner(root, sweep);
   CheckSize(root, sweep);
   return sweep;

@@ -24,7 +24,7 @@ enum class NoiseKind {
   kUniform,
   kVertices,
   kLowDiscrepancy,
-  kAttack,  // the whole cell is one trial, a falsification of the plan
+  kFalsification,  // the whole cell is one trial, a falsification of the plan
 };
 noise::Mode ModeOf(NoiseKind kind);
 

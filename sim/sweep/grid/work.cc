@@ -7,8 +7,8 @@
 
 #include "planner/assembly/certified_plan.h"
 #include "planner/plan/plan_files/plan_file.h"
-#include "sim/check/falsification/attack.h"
 #include "sim/check/falsification/conservatism.h"
+#include "sim/check/falsification/falsification.h"
 #include "sim/sweep/database/recording.h"
 #include "sim/sweep/grid/clock.h"
 
@@ -160,13 +160,14 @@ TimedTrial RunTrial(const PlannedCell& cell, int number) {
   return timed;
 }
 
-TimedTrial RunAttack(const Sweep& sweep, const PlannedCell& cell, const AttackControl& control) {
+TimedTrial RunFalsification(const Sweep& sweep, const PlannedCell& cell,
+                            const FalsificationControl& control) {
   const Clock::time_point start = Clock::now();
   const check::Experiment experiment = ExperimentOf(*cell.preparation);
-  check::AttackOptions options = {
+  check::FalsificationOptions options = {
       .attempts = sweep.attempts, .seed = cell.cell.seed, .jobs = control.jobs};
   options.progress = control.progress;
-  const check::AttackResult result = check::Attack(experiment, options);
+  const check::FalsificationResult result = check::Falsify(experiment, options);
   std::vector<check::ConservatismRatio> ratios;
   if (sweep.conservatism) {
     // The progress callback is called before each trial, too, so that it can break off by throwing.
@@ -185,12 +186,12 @@ TimedTrial RunAttack(const Sweep& sweep, const PlannedCell& cell, const AttackCo
         experiment, {.seed = cell.cell.seed, .jobs = control.jobs, .stop = is_broken_off});
     tell();  // throws again if it has broken off the comparison
   }
-  TimedTrial timed = Recorded(
-      cell.preparation->plan,
-      Attacked{.result = result,
-               .ratios = ratios,
-               .run_command = cell.preparation->run_command,
-               .replay_command = fmt::format("assay replay DB {}", cell.cell.first_trial)});
+  TimedTrial timed = Recorded(cell.preparation->plan,
+                              MadeFalsification{.result = result,
+                                                .ratios = ratios,
+                                                .run_command = cell.preparation->run_command,
+                                                .replay_command = fmt::format(
+                                                    "assay replay DB {}", cell.cell.first_trial)});
   timed.seconds = SecondsSince(start);
   return timed;
 }
@@ -214,15 +215,16 @@ check::Trial Execute(const PlannedCell& cell, const noise::Noise& noise,
 
 Work RealWork(const Sweep& sweep, const domain::ModelPath& models,
               const NoiseFloorOf& noise_floor) {
-  return {
-      .plan = [=](const Cell& cell) { return Planning(sweep, models, noise_floor).Plan(cell); },
-      .restore =
-          [=](const Cell& cell, const CellRecord& record) {
-            return Planning(sweep, models, noise_floor).Restore(cell, record);
-          },
-      .run = RunTrial,
-      .attack = [sweep](const PlannedCell& cell,
-                        const AttackControl& control) { return RunAttack(sweep, cell, control); }};
+  return {.plan = [=](const Cell& cell) { return Planning(sweep, models, noise_floor).Plan(cell); },
+          .restore =
+              [=](const Cell& cell, const CellRecord& record) {
+                return Planning(sweep, models, noise_floor).Restore(cell, record);
+              },
+          .run = RunTrial,
+          .falsification =
+              [sweep](const PlannedCell& cell, const FalsificationControl& control) {
+                return RunFalsification(sweep, cell, control);
+              }};
 }
 
 }  // namespace assay::sweep

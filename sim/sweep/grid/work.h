@@ -35,7 +35,7 @@ struct PlannedCell {
 };
 
 // The control of a falsification.
-struct AttackControl {
+struct FalsificationControl {
   int jobs = 1;  // threads; the result does not depend on their number
   // Called with the number of attempts made so far, by one thread at a time. If it throws, the
   // falsification is broken off.
@@ -53,7 +53,7 @@ struct Work {
   // numbers in the sweep.
   std::function<TimedTrial(const PlannedCell&, int number)> run;
   // Runs the only trial of a falsification cell.
-  std::function<TimedTrial(const PlannedCell&, const AttackControl&)> attack;
+  std::function<TimedTrial(const PlannedCell&, const FalsificationControl&)> falsification;
 };
 
 // Returns the noise floor of a plan in a scene. `settings` is a text of the cell's options that

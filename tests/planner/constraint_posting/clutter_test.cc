@@ -119,7 +119,7 @@ Scene RandomScene(RandomStream& random, int most) {
 }
 
 // The knowledge of a cluttered scene after some bricks were moved.
-struct Moment {
+struct Snapshot {
   UncertainWorld world;
   std::vector<Pose> poses;  // by part
   std::vector<bool> moved;  // by part
@@ -133,49 +133,50 @@ class Exhaustive {
 
   // Returns none if not even moving all bricks suffices.
   std::optional<int> LeastMoved() {
-    std::vector<Moment> moments = {Beginning()};
-    for (int moved = 0; !moments.empty(); ++moved) {
-      if (std::ranges::any_of(moments, [&](const Moment& moment) { return IsEnough(moment); })) {
+    std::vector<Snapshot> snapshots = {Beginning()};
+    for (int moved = 0; !snapshots.empty(); ++moved) {
+      if (std::ranges::any_of(snapshots,
+                              [&](const Snapshot& snapshot) { return IsEnough(snapshot); })) {
         return moved;
       }
-      moments = AfterOneMore(moments);
+      snapshots = AfterOneMore(snapshots);
     }
     return std::nullopt;
   }
 
  private:
-  Moment Beginning() const {
-    Moment moment = {.world = UncertainWorld(problem_, Propagation::kSound),
-                     .poses = {},
-                     .moved = std::vector<bool>(problem_.parts.size(), false)};
-    for (const domain::Part& part : problem_.parts) moment.poses.push_back(part.X_WorldPart);
-    return moment;
+  Snapshot Beginning() const {
+    Snapshot snapshot = {.world = UncertainWorld(problem_, Propagation::kSound),
+                         .poses = {},
+                         .moved = std::vector<bool>(problem_.parts.size(), false)};
+    for (const domain::Part& part : problem_.parts) snapshot.poses.push_back(part.X_WorldPart);
+    return snapshot;
   }
 
   // Snapshots with the same bricks at the same places and the same errors count as one.
-  std::vector<Moment> AfterOneMore(const std::vector<Moment>& moments) const {
-    std::map<std::string, Moment> after;
-    for (const Moment& moment : moments) {
+  std::vector<Snapshot> AfterOneMore(const std::vector<Snapshot>& snapshots) const {
+    std::map<std::string, Snapshot> after;
+    for (const Snapshot& snapshot : snapshots) {
       for (std::size_t p = 0; p < problem_.parts.size(); ++p) {
-        if (problem_.parts[p].name.starts_with("brick") && !moment.moved[p]) {
-          Move(moment, PartId(p), after);
+        if (problem_.parts[p].name.starts_with("brick") && !snapshot.moved[p]) {
+          Move(snapshot, PartId(p), after);
         }
       }
     }
-    std::vector<Moment> distinct;
-    for (auto& [key, moment] : after) distinct.push_back(std::move(moment));
+    std::vector<Snapshot> distinct;
+    for (auto& [key, snapshot] : after) distinct.push_back(std::move(snapshot));
     return distinct;
   }
 
-  void Move(const Moment& moment, PartId part, std::map<std::string, Moment>& after) const {
+  void Move(const Snapshot& snapshot, PartId part, std::map<std::string, Snapshot>& after) const {
     ForEachGrasp(part, [&](const plan::Hold& hold, GraspId grasp) {
-      Moment taken = moment;
+      Snapshot taken = snapshot;
       if (!Takes(taken, part, hold, grasp)) return;
       const auto& stable = problem_.part(part).model->stable_poses();
       for (const domain::StablePose& pose : stable) {
         for (const domain::Placement& place : problem_.workcell->placements()) {
           const Pose X_WorldPart = place.X_WorldTable() * pose.X_TablePart;
-          Moment next = taken;
+          Snapshot next = taken;
           if (!PutsDown(next, part, hold, grasp, {pose.label, X_WorldPart})) continue;
           next.poses[p(part)] = X_WorldPart;
           next.moved[p(part)] = true;
@@ -185,11 +186,11 @@ class Exhaustive {
     });
   }
 
-  bool IsEnough(const Moment& moment) const {
+  bool IsEnough(const Snapshot& snapshot) const {
     const domain::Mating& mating = problem_.matings.front();
     bool enough = false;
     ForEachGrasp(mating.held, [&](const plan::Hold& hold, GraspId grasp) {
-      Moment taken = moment;
+      Snapshot taken = snapshot;
       enough = enough || (Takes(taken, mating.held, hold, grasp) && Mates(taken, hold, grasp));
     });
     return enough;
@@ -203,41 +204,41 @@ class Exhaustive {
     }
   }
 
-  bool Takes(Moment& moment, PartId part, const plan::Hold& hold, GraspId grasp) const {
-    const Pose& X_WorldPart = moment.poses[p(part)];
+  bool Takes(Snapshot& snapshot, PartId part, const plan::Hold& hold, GraspId grasp) const {
+    const Pose& X_WorldPart = snapshot.poses[p(part)];
     return IsReachableAt(problem_, part, grasp, X_WorldPart) &&
-           HandIsFree(moment, hold, X_WorldPart, {part}) &&
-           IsProved(moment, plan::Pickup(part, hold, {"initial", X_WorldPart}));
+           HandIsFree(snapshot, hold, X_WorldPart, {part}) &&
+           IsProved(snapshot, plan::Pickup(part, hold, {"initial", X_WorldPart}));
   }
 
-  bool PutsDown(Moment& moment, PartId part, const plan::Hold& hold, GraspId grasp,
+  bool PutsDown(Snapshot& snapshot, PartId part, const plan::Hold& hold, GraspId grasp,
                 const plan::Place& to) const {
     return OnTable(problem_, part, to.X_WorldPart) &&
            IsReachableAt(problem_, part, grasp, to.X_WorldPart) &&
-           Crowding(problem_, part, to.X_WorldPart, Others(moment, {part})).IsNone() &&
-           HandIsFree(moment, hold, to.X_WorldPart, {part}) &&
-           IsProved(moment, plan::Putdown(part, hold, to));
+           Crowding(problem_, part, to.X_WorldPart, Others(snapshot, {part})).IsNone() &&
+           HandIsFree(snapshot, hold, to.X_WorldPart, {part}) &&
+           IsProved(snapshot, plan::Putdown(part, hold, to));
   }
 
-  bool Mates(Moment& moment, const plan::Hold& hold, GraspId grasp) const {
+  bool Mates(Snapshot& snapshot, const plan::Hold& hold, GraspId grasp) const {
     const domain::Mating& mating = problem_.matings.front();
-    const Pose& X_WorldFixed = moment.poses[p(mating.fixed)];
+    const Pose& X_WorldFixed = snapshot.poses[p(mating.fixed)];
     if (!IsMateReachableAt(problem_, MatingId(0), grasp, X_WorldFixed)) return false;
-    const std::vector<PlacedPart> others = Others(moment, {mating.held, mating.fixed});
+    const std::vector<PlacedPart> others = Others(snapshot, {mating.held, mating.fixed});
     for (const double back : {0.0, 1.0}) {
       const Pose X_WorldHeld =
           X_WorldFixed * geometry::Translation(-back * mating.mating_vector) * mating.X_FixedHeld;
       if (!Obstacle(problem_, {mating.held, X_WorldHeld}, others).IsNone() ||
-          !HandIsFree(moment, hold, X_WorldHeld, {mating.held, mating.fixed})) {
+          !HandIsFree(snapshot, hold, X_WorldHeld, {mating.held, mating.fixed})) {
         return false;
       }
     }
-    return IsProved(moment, plan::Assemble(MatingId(0), hold, {"initial", X_WorldFixed}));
+    return IsProved(snapshot, plan::Assemble(MatingId(0), hold, {"initial", X_WorldFixed}));
   }
 
-  bool HandIsFree(const Moment& moment, const plan::Hold& hold, const Pose& X_WorldPart,
+  bool HandIsFree(const Snapshot& snapshot, const plan::Hold& hold, const Pose& X_WorldPart,
                   const std::vector<PartId>& handled) const {
-    const std::vector<PlacedPart> others = Others(moment, handled);
+    const std::vector<PlacedPart> others = Others(snapshot, handled);
     const Pose X_WorldTool = X_WorldPart * hold.X_PartTool;
     const double open = problem_.workcell->gripper().max_opening();
     const Pose back =
@@ -247,30 +248,31 @@ class Exhaustive {
            Obstacle(problem_, back, open, others).IsNone();
   }
 
-  std::vector<PlacedPart> Others(const Moment& moment, const std::vector<PartId>& handled) const {
+  std::vector<PlacedPart> Others(const Snapshot& snapshot,
+                                 const std::vector<PartId>& handled) const {
     std::vector<PlacedPart> others;
-    for (std::size_t i = 0; i < moment.poses.size(); ++i) {
+    for (std::size_t i = 0; i < snapshot.poses.size(); ++i) {
       if (std::ranges::count(handled, PartId(i)) == 0)
-        others.push_back({PartId(i), moment.poses[i]});
+        others.push_back({PartId(i), snapshot.poses[i]});
     }
     return others;
   }
 
-  static bool IsProved(Moment& moment, const Action& action) {
-    return DecideStep(moment.world, action, {}, uncertainty::Wanted::kFirstUnproved).empty();
+  static bool IsProved(Snapshot& snapshot, const Action& action) {
+    return DecideStep(snapshot.world, action, {}, uncertainty::Wanted::kFirstUnproved).empty();
   }
 
-  static std::string KeyOf(const Moment& moment) {
+  static std::string KeyOf(const Snapshot& snapshot) {
     std::string key;
-    for (std::size_t i = 0; i < moment.poses.size(); ++i) {
-      const uncertainty::RestingError& error = moment.world.resting(PartId(i));
-      key += fmt::format("{:.9f} {:.9f} ", moment.poses[i].translation().x(),
-                         moment.poses[i].translation().y());
+    for (std::size_t i = 0; i < snapshot.poses.size(); ++i) {
+      const uncertainty::RestingError& error = snapshot.world.resting(PartId(i));
+      key += fmt::format("{:.9f} {:.9f} ", snapshot.poses[i].translation().x(),
+                         snapshot.poses[i].translation().y());
       for (const auto& e : {error.displacement[0], error.displacement[1], error.theta}) {
-        const Interval range = moment.world.RangeOf(e);
+        const Interval range = snapshot.world.RangeOf(e);
         key += fmt::format("{:.9f} {:.9f} ", range.low, range.high);
       }
-      key += fmt::format("{:.6f};", moment.poses[i].linear()(2, 2));
+      key += fmt::format("{:.6f};", snapshot.poses[i].linear()(2, 2));
     }
     return key;
   }
@@ -378,11 +380,11 @@ TEST(Judge, WhoObjectsToAPlaceGetsAnother) {
   };
   PlannerOptions options;
   options.judge = [&](std::span<const Action> actions) -> Judgement {
-    if (is_far(actions.back())) return {.moments = 1};
+    if (is_far(actions.back())) return {.snapshots = 1};
     return {.objections = {{.action = static_cast<int>(actions.size()) - 1,
                             .parts = {PartId(0)},
                             .place = true}},
-            .moments = 1};
+            .snapshots = 1};
   };
   const plan::PlanResult result = MakePlan(problem, options);
   ASSERT_EQ(result.outcome, Outcome::kFound);
@@ -401,12 +403,12 @@ TEST(Judge, APartThatIsInTheWayIsMovedAndThePlanSaysWhy) {
   options.judge = [&](std::span<const Action> actions) -> Judgement {
     const auto* pickup = As(domain::kPickup, actions.back());
     const bool is_free = std::ranges::any_of(actions, puts_down_brick);
-    if (pickup == nullptr || pickup->part == brick || is_free) return {.moments = 1};
+    if (pickup == nullptr || pickup->part == brick || is_free) return {.snapshots = 1};
     return {.objections = {{.action = static_cast<int>(actions.size()) - 1,
                             .parts = {pickup->part},
                             .place = true,
                             .in_the_way = {{brick, "the brick is unlucky"}}}},
-            .moments = 1};
+            .snapshots = 1};
   };
   const plan::PlanResult result = MakePlan(problem, options);
   ASSERT_EQ(result.outcome, Outcome::kFound);
@@ -426,17 +428,17 @@ TEST(Judge, WhoAlwaysObjectsGetsNoPlan) {
   std::map<bool, std::int64_t> judged;
   for (const bool blames_brick : {false, true}) {
     PlannerOptions options;
-    options.moments = 600;
+    options.snapshots = 600;
     options.judge = [&](std::span<const Action> actions) -> Judgement {
       ++judged[blames_brick];
       Objection objection = {.action = static_cast<int>(actions.size()) - 1};
       if (blames_brick) objection.in_the_way = {{PartId(1), "never"}};
-      return {.objections = {objection}, .moments = 1};
+      return {.objections = {objection}, .snapshots = 1};
     };
     const plan::PlanResult result = MakePlan(problem, options);
     EXPECT_EQ(result.outcome, Outcome::kBudget);
     EXPECT_TRUE(result.plan.steps.empty());
-    EXPECT_LE(judged[blames_brick], options.moments + 1);
+    EXPECT_LE(judged[blames_brick], options.snapshots + 1);
   }
   EXPECT_LT(judged[false], judged[true]);
 }

@@ -7,7 +7,7 @@
 #include "planner/contingent/plan_tree/tree_check.h"
 #include "planner/contingent/plan_tree/tree_text.h"
 #include "planner/contingent/world_sets/initial_worlds.h"
-#include "tests/oracle/belief_search.h"
+#include "tests/oracle/world_set_search.h"
 #include "tests/planner/contingent/tasks.h"
 
 namespace assay::contingent::random_domains_test {
@@ -207,7 +207,7 @@ TEST_P(RandomDomains, LeastDepthIsTheOracles) {
     const ContingentPlan least = PlanFor(task, Wanted::kLeastDepth);
     const bool has_tree =
         least.outcome == Outcome::kFound && least.guarantee == Guarantee::kLeastDepth;
-    const auto expected = oracle::BeliefSearch(task).LeastDepth(kOraclesDepth);
+    const auto expected = oracle::WorldSetSearch(task).LeastDepth(kOraclesDepth);
     EXPECT_TRUE(has_tree || !expected) << "the oracle finds one of depth " << *expected;
     if (has_tree) {
       const int depth = SizeOf(least.tree).depth;

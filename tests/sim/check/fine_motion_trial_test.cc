@@ -7,7 +7,7 @@
 
 #include "planner/assembly/certified_plan.h"
 #include "sim/check/certificate_claims/measure_noise_floor.h"
-#include "sim/check/falsification/attack.h"
+#include "sim/check/falsification/falsification.h"
 #include "sim/noise/error_box.h"
 #include "sim/noise/sampling.h"
 #include "tests/sim/check/certified.h"
@@ -71,7 +71,8 @@ TEST_F(FeltAssembly, SeatsThePartInSpiteOfErrors) {
   EXPECT_THAT(claimed, Contains("x of peg"));
 
   const Experiment experiment{certified().problem, certified().plan, {}, Gate()};
-  const AttackResult result = Attack(experiment, {.attempts = 1, .seed = kSeed, .shrunk = 0});
+  const FalsificationResult result =
+      Falsify(experiment, {.attempts = 1, .seed = kSeed, .shrunk = 0});
   EXPECT_EQ(result.attempts, 1);
   EXPECT_EQ(result.certificates.size(), certified().plan.steps.size());
 }

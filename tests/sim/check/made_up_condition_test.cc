@@ -46,7 +46,7 @@ std::vector<Precondition> HandTurn(const HandWork& work) {
   return conditions.Take();
 }
 
-std::vector<GeometricMeaning> MeasureHandTurn(const MeasuredStep& step) {
+std::vector<MeasuredMargin> MeasureHandTurn(const MeasuredStep& step) {
   if (step.events().reached == nullptr) return {};
   const execution::TrueAndBelieved& tool = step.events().reached->tool;
   const Eigen::AngleAxisd turn(
@@ -106,17 +106,17 @@ class MadeUpCondition : public testing::Test {
   // Returns what is claimed of a pickup by a hand that is turned by an angle (radians).
   std::vector<Claim> ClaimsOfTurned(double angle) const {
     const plan::Action& action = pickup().action;
-    execution::Snapshot moment;
+    execution::Snapshot snapshot;
     const geometry::Pose X_WorldTool = action.place.X_WorldPart * action.hold.X_PartTool;
-    moment.tool = {X_WorldTool * geometry::RotationZ(angle), X_WorldTool};
-    moment.opening = problem_.workcell->gripper().max_opening();
+    snapshot.tool = {X_WorldTool * geometry::RotationZ(angle), X_WorldTool};
+    snapshot.opening = problem_.workcell->gripper().max_opening();
     for (const domain::Part& part : problem_.parts) {
-      moment.parts.push_back({part.X_WorldPart, part.X_WorldPart});
-      moment.table_heights.push_back(0);
+      snapshot.parts.push_back({part.X_WorldPart, part.X_WorldPart});
+      snapshot.table_heights.push_back(0);
     }
     execution::Trace trace;
-    trace.events.push_back(execution::Milestone{pickup_, execution::Stage::kPoised, moment});
-    trace.events.push_back(execution::Milestone{pickup_, execution::Stage::kReached, moment});
+    trace.events.push_back(execution::Milestone{pickup_, execution::Stage::kPoised, snapshot});
+    trace.events.push_back(execution::Milestone{pickup_, execution::Stage::kReached, snapshot});
     std::vector<Claim> claims = CheckCertificates(problem_, plan_, trace, {}, plan::StepId::None(),
                                                   vocabulary_.measurements);
     std::erase_if(claims, [](const Claim& claim) { return claim.name != kHandTurn.name; });

@@ -34,7 +34,7 @@ void Scale(double factor, domain::PartId part, int component, uncertainty::Uncer
   } else {
     uncertainty::RestingError resting = world.resting_in_world(part);
     ComponentOf(resting, component) = factor * ComponentOf(resting, component);
-    world.SetBelief(part, world.shift(part), resting);
+    world.SetBelieved(part, world.shift(part), resting);
   }
 }
 

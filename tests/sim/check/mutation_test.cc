@@ -19,7 +19,7 @@
 #include "sim/check/certificate_claims/certificate_check.h"
 #include "sim/check/certificate_claims/confirmation.h"
 #include "sim/check/certificate_claims/measure_noise_floor.h"
-#include "sim/check/falsification/attack.h"
+#include "sim/check/falsification/falsification.h"
 #include "sim/check/falsification/main_effects.h"
 #include "sim/execution/walk/executor.h"
 #include "sim/noise/sampling.h"
@@ -139,8 +139,8 @@ using Scores = std::map<Lie, Score>;
 std::optional<std::int64_t> AttemptThatFinds(const plan::Plan& mutant, const Experiment& original,
                                              std::int64_t attempts) {
   const Experiment experiment = {original.problem, mutant, original.scene, original.gate};
-  return Attack(experiment,
-                {.attempts = attempts, .seed = kSeed, .until_violated = true, .shrunk = 0})
+  return Falsify(experiment,
+                 {.attempts = attempts, .seed = kSeed, .until_violated = true, .shrunk = 0})
       .first_violation;
 }
 

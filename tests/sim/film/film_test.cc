@@ -60,8 +60,8 @@ TEST(Captions, NameTheStepsInTheOrderOfExecutionAndTheEnd) {
               ElementsAre(StartsWith("1 pickup(peg"), StartsWith("2 assemble(peg, block"), "done"));
   EXPECT_EQ(captions[0].from, 0);
   const auto ends = TwoActions().trace.All<execution::StepEnd>();
-  EXPECT_EQ(captions[1].from, ends[0]->moment.time);
-  EXPECT_EQ(captions[2].from, ends[1]->moment.time);
+  EXPECT_EQ(captions[1].from, ends[0]->snapshot.time);
+  EXPECT_EQ(captions[2].from, ends[1]->snapshot.time);
 
   // The same, as if the arm had collided during the last step.
   execution::Trace trace = TwoActions().trace;
@@ -75,7 +75,7 @@ TEST(Captions, NameTheStepsInTheOrderOfExecutionAndTheEnd) {
   Subject subject{TwoActions().scenario.problem, TwoActions().plan, TwoActions().scene, trace};
   EXPECT_EQ(CaptionsOf(subject).back().text,
             std::string(execution::NameOfEnd(end.outcome)) + ": the arm touched the block");
-  EXPECT_EQ(CaptionsOf(subject).back().from, end.moment.time);
+  EXPECT_EQ(CaptionsOf(subject).back().from, end.snapshot.time);
 }
 
 TEST(TextAt, IsThatOfTheLastCaptionWhoseTimeHasCome) {
@@ -91,7 +91,7 @@ TEST(Film, LastsAsLongAsTheExecutionAtItsSpeedAndIsTheSameEachTime) {
   Film film(TwoActions().subject(), Small());
   double duration = 0;
   for (int i = 0; i + 1 < film.size(); ++i) duration += film.Duration(i);
-  EXPECT_NEAR(duration, TwoActions().trace.end().moment.time / 4, 0.5);
+  EXPECT_NEAR(duration, TwoActions().trace.end().snapshot.time / 4, 0.5);
   EXPECT_GT(film.Duration(film.size() - 1), 1);
   const render::Image first = film.Draw(0);
   EXPECT_EQ(first.width, 160);

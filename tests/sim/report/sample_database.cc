@@ -71,7 +71,7 @@ TimedTrial Trial(int trial, int cell, int number) {
   return timed;
 }
 
-constexpr const char* kAttack = R"sql(
+constexpr const char* kFalsification = R"sql(
 INSERT INTO attack(cell, attempts, contained, inconclusive, violated, not_claimed, claims_contained,
   claims_inconclusive, claims_violated, claims_not_claimed)
   VALUES(3, 20000, 19990, 8, 2, 0, 99000, 10, 2, 0);
@@ -89,7 +89,7 @@ INSERT INTO conservatism(cell, variable, guaranteed, broken, ratio)
 
 }  // namespace
 
-void WriteSampleDatabase(const std::filesystem::path& file, bool attacked) {
+void WriteSampleDatabase(const std::filesystem::path& file, bool tried) {
   sweep::Store store = sweep::Store::Create(
       file,
       {{"format", "assay-sweep/1"},
@@ -108,7 +108,7 @@ void WriteSampleDatabase(const std::filesystem::path& file, bool attacked) {
   std::vector<TimedTrial> trials = {Trial(1, 1, 1)};
   for (int number = 1; number <= 10; ++number) trials.push_back(Trial(number + 1, 2, number));
   store.Add(trials);
-  if (attacked) store.database().Execute(kAttack);
+  if (tried) store.database().Execute(kFalsification);
   store.Close();
 }
 

@@ -17,7 +17,7 @@ inline const std::string kHostilePart = "x of </td><script>alert(1)</script>&peg
 // theta is 0, but 0.0105 in the 9th trial and 0.02 in the 10th. ±0.01 rad was predicted for it,
 // with a gate of 0.001. Errors were signalled in trials 1 to 4. The first two recovered, and the
 // other two called the operator and failed.
-// If `attacked` is false, there are no tables of falsification, and cell 3 has only its plan.
-void WriteSampleDatabase(const std::filesystem::path& file, bool attacked);
+// If `tried` is false, there are no tables of falsification, and cell 3 has only its plan.
+void WriteSampleDatabase(const std::filesystem::path& file, bool tried);
 
 }  // namespace assay::report

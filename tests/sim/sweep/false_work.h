@@ -69,15 +69,16 @@ inline TimedTrial FalseTrial(const PlannedCell& planned, int number) {
 constexpr int kFalseAttempts = 25;
 
 // Returns a record in which some plans are falsified. For one variable, no ratio is known.
-inline AttackRecord FalseAttackRecord(const Cell& cell) {
+inline FalsificationRecord MadeUpFalsificationRecord(const Cell& cell) {
   RandomStream random(cell.seed, fmt::format("{} {}", cell.scenario, cell.error_scale));
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   const double x = random.Uniform(-1, 1);
   const bool broken = x < 0;
   const std::string noise = fmt::format("dx_peg={}", x);
-  AttackRecord record{.attempts = kFalseAttempts,
-                      .certificates = {kFalseAttempts - (broken ? 3 : 0), 0, broken ? 3 : 0, 0},
-                      .claims = {40, 7, broken ? 4 : 0, 2}};
+  FalsificationRecord record{
+      .attempts = kFalseAttempts,
+      .certificates = {kFalseAttempts - (broken ? 3 : 0), 0, broken ? 3 : 0, 0},
+      .claims = {40, 7, broken ? 4 : 0, 2}};
   record.worst = {
       {"1/before/x of 'peg'", 1, "action_2", "before", "x of 'peg'", domain::Dimension::kLength,
        0.1, -0.5, 0.5, 0.4, 1e-6, "contained", "vertices", 4, noise},
@@ -95,20 +96,21 @@ inline AttackRecord FalseAttackRecord(const Cell& cell) {
   return record;
 }
 
-inline TimedTrial FalseAttack(const PlannedCell& planned, const AttackControl& control) {
+inline TimedTrial MadeUpFalsification(const PlannedCell& planned,
+                                      const FalsificationControl& control) {
   for (int attempt = 1; attempt <= kFalseAttempts; ++attempt) {
     if (control.progress) control.progress(attempt);
   }
   TimedTrial timed;
-  timed.attack = FalseAttackRecord(planned.cell);
+  timed.falsification = MadeUpFalsificationRecord(planned.cell);
   timed.seconds = 100;
-  const WorstClaimRecord& worst = timed.attack->worst.back();
-  const bool broken = timed.attack->certificates.violated > 0;
+  const WorstClaimRecord& worst = timed.falsification->worst.back();
+  const bool broken = timed.falsification->certificates.violated > 0;
   timed.record = {.noise = worst.noise,
                   .outcome = broken ? "violated" : "succeeded",
                   .reason = broken ? "step 2 (action_1): y of peg" : "",
                   .warnings = "",
-                  .counts = timed.attack->certificates,
+                  .counts = timed.falsification->certificates,
                   .verdicts = {{worst.step, worst.action, worst.verdict, worst.name, worst.observed,
                                 worst.low, worst.high, worst.margin, worst.gate}}};
   return timed;
@@ -124,7 +126,7 @@ inline Work FalseWork() {
                 return PlannedCell{cell, record, nullptr};
               },
           .run = FalseTrial,
-          .attack = FalseAttack};
+          .falsification = MadeUpFalsification};
 }
 
 }  // namespace assay::sweep

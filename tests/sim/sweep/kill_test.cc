@@ -37,9 +37,9 @@ class BrokenOff : public SweepFolder {
       std::this_thread::sleep_for(std::chrono::microseconds(300));
       return FalseTrial(cell, number);
     };
-    work.attack = [](const PlannedCell& cell, const AttackControl& control) {
+    work.falsification = [](const PlannedCell& cell, const FalsificationControl& control) {
       std::this_thread::sleep_for(std::chrono::milliseconds(3));
-      return FalseAttack(cell, control);
+      return MadeUpFalsification(cell, control);
     };
     RunSweep(sweep_, work, store, options);
     store.Close();

@@ -76,7 +76,7 @@ TEST_F(PageOfFigure15, HasEveryStepInTheOrderOfExecution) {
     time = step["to"];
   }
   EXPECT_EQ(number, static_cast<int>(Figure15().plan.steps.size()));
-  EXPECT_LT(time, Figure15().trace.end().moment.time);
+  EXPECT_LT(time, Figure15().trace.end().snapshot.time);
 }
 
 TEST_F(PageOfFigure15, CountsEveryPrecondition) {
@@ -129,9 +129,10 @@ TEST_F(PageOfFigure15, RecordsWhatTheTraceHas) {
       pose.linear() =
           Eigen::Quaterniond(turn(0), turn(1), turn(2), turn(3)).normalized().toRotationMatrix();
       for (int k = 0; k < 3; ++k) pose.translation()[k] = 1e-5 * static_cast<double>(track[k][i]);
-      const execution::Snapshot& moment = samples[i]->moment;
-      const geometry::Pose expected = name == "part/peg" ? moment.parts[PegIndex()].truth
-                                                         : moment.tool.truth * X_HandTool.inverse();
+      const execution::Snapshot& snapshot = samples[i]->snapshot;
+      const geometry::Pose expected = name == "part/peg"
+                                          ? snapshot.parts[PegIndex()].truth
+                                          : snapshot.tool.truth * X_HandTool.inverse();
       EXPECT_LT((pose.translation() - expected.translation()).norm(), 3e-5) << name << " " << i;
       EXPECT_LT(geometry::AngleBetween(pose.linear(), expected.linear()), 2e-4) << name;
     }

@@ -8,7 +8,7 @@
 namespace assay::constraint_posting {
 
 using domain::PartId;
-using uncertainty::MomentId;
+using uncertainty::SnapshotId;
 using uncertainty::UncertainWorld;
 using uncertainty::Unproved;
 
@@ -58,14 +58,14 @@ bool Augmentation::Add(plan::StepId id, const plan::Action& action, IfUnproved i
 
 // Returns false if a remedy was inserted, so all steps must be decided again.
 bool Augmentation::DecideInOrder() {
-  MomentId moment = task_->possible.Beginning();
+  SnapshotId snapshot = task_->possible.Beginning();
   for (int i = 0; i < steps_.size(); ++i) {
     AugmentedStep& step = steps_[i];
-    moment = task_->possible.After(moment, step.action, step.way());
-    step.failed = MomentId::None();
-    if (step.Unabsorbed(task_->possible.UnprovedAt(moment)).empty()) continue;
-    if (!step.given_up && Mend(i, {moment, step.absorbed})) return false;
-    steps_[i].failed = moment;
+    snapshot = task_->possible.After(snapshot, step.action, step.way());
+    step.failed = SnapshotId::None();
+    if (step.Unabsorbed(task_->possible.UnprovedAt(snapshot)).empty()) continue;
+    if (!step.given_up && Mend(i, {snapshot, step.absorbed})) return false;
+    steps_[i].failed = snapshot;
   }
   return true;
 }
@@ -99,9 +99,9 @@ bool Augmentation::Mend(int step, const Unmet& unmet) {
 Objection Augmentation::ObjectionToLast() const {
   const int step = steps_.size() - 1;
   const auto unmet = UnmetWhateverIsKnown(step);
-  const UncertainWorld& world = unmet.empty()
-                                    ? task_->possible.WorldAt(steps_[step].failed)
-                                    : task_->best->WorldAt(steps_.MomentAfter(step, *task_->best));
+  const UncertainWorld& world =
+      unmet.empty() ? task_->possible.WorldAt(steps_[step].failed)
+                    : task_->best->WorldAt(steps_.SnapshotAfter(step, *task_->best));
   Objection objection = {.action = step - steps_.InsertedBefore(step),
                          .parts = plan::PartsOf(task_->problem, steps_[step].action),
                          .history = unmet.empty()};
@@ -118,8 +118,8 @@ std::vector<Unproved> Augmentation::GoalsUnproved(int step) const {
 // wherever parts are, only those are returned. The result is empty if remedies may prove the step.
 std::vector<Unproved> Augmentation::UnmetWhateverIsKnown(int step) const {
   if (!task_->best) return {};
-  std::vector<Unproved> unmet =
-      task_->best->UnprovedAt(steps_.MomentAfter(step, *task_->best), task_->options.Absorbable());
+  std::vector<Unproved> unmet = task_->best->UnprovedAt(steps_.SnapshotAfter(step, *task_->best),
+                                                        task_->options.Absorbable());
   if (!std::ranges::all_of(unmet, DependsOnPlace)) std::erase_if(unmet, DependsOnPlace);
   return unmet;
 }

@@ -13,7 +13,7 @@ namespace assay::constraint_posting {
 namespace {
 
 using plan::Resolution;
-using uncertainty::MomentId;
+using uncertainty::SnapshotId;
 using uncertainty::Unproved;
 
 class PlanWriter {
@@ -78,7 +78,7 @@ class PlanWriter {
         WithoutConditions(unmet.absorbed, task_.possible.UnprovedAt(unmet.after));
     const auto margin = [](const Unproved& goal) { return goal.claim.margin; };
     const Unproved& worst = *std::ranges::min_element(unproved, {}, margin);
-    return WhyUnproved(task_.possible.Told(unmet.after, worst).claim);
+    return WhyUnproved(task_.possible.Certified(unmet.after, worst).claim);
   }
 
   // A plan with inserted actions was certified only for the order of execution. A plan without
@@ -86,11 +86,11 @@ class PlanWriter {
   bool IsProvedInEveryOrder() const {
     if (static_cast<std::size_t>(steps_.size()) > steps_.of_instance()) return false;
     const auto is_proved_in = [&](const std::vector<plan::StepId>& order) {
-      MomentId moment = task_.possible.Beginning();
+      SnapshotId snapshot = task_.possible.Beginning();
       return std::ranges::all_of(order, [&](plan::StepId id) {
         const AugmentedStep& step = *std::ranges::find(steps_, id, &AugmentedStep::id);
-        moment = task_.possible.After(moment, step.action, step.way());
-        return step.fails() || step.IsProved(task_.possible, moment);
+        snapshot = task_.possible.After(snapshot, step.action, step.way());
+        return step.fails() || step.IsProved(task_.possible, snapshot);
       });
     };
     return plan::VisitLinearizations(

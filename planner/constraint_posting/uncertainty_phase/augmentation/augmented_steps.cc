@@ -6,7 +6,7 @@
 
 namespace assay::constraint_posting {
 
-using uncertainty::MomentId;
+using uncertainty::SnapshotId;
 using uncertainty::Unproved;
 using uncertainty::WorldTree;
 
@@ -14,7 +14,7 @@ std::vector<Unproved> AugmentedStep::Unabsorbed(std::vector<Unproved> unproved) 
   return WithoutConditions(absorbed, std::move(unproved));
 }
 
-bool AugmentedStep::IsProved(WorldTree& tree, MomentId after) const {
+bool AugmentedStep::IsProved(WorldTree& tree, SnapshotId after) const {
   if (absorbed.empty()) return tree.IsProved(after);
   return Unabsorbed(tree.UnprovedAt(after)).empty();
 }
@@ -42,18 +42,19 @@ plan::StepId AugmentedSteps::NextId() const {
   return plan::StepId(of_instance_ + static_cast<std::size_t>(InsertedBefore(size())));
 }
 
-MomentId AugmentedSteps::MomentAfter(int step, WorldTree& tree) const {
-  MomentId moment = tree.Beginning();
-  for (int i = 0; i <= step; ++i) moment = tree.After(moment, steps_[i].action, steps_[i].way());
-  return moment;
+SnapshotId AugmentedSteps::SnapshotAfter(int step, WorldTree& tree) const {
+  SnapshotId snapshot = tree.Beginning();
+  for (int i = 0; i <= step; ++i)
+    snapshot = tree.After(snapshot, steps_[i].action, steps_[i].way());
+  return snapshot;
 }
 
-MomentId AugmentedSteps::MomentAfter(int step, BestKnown& best) const {
-  MomentId moment = best.Beginning();
+SnapshotId AugmentedSteps::SnapshotAfter(int step, BestKnown& best) const {
+  SnapshotId snapshot = best.Beginning();
   for (int i = 0; i <= step; ++i) {
-    if (!IsInserted(steps_[i])) moment = best.After(moment, steps_[i].action, steps_[i].way());
+    if (!IsInserted(steps_[i])) snapshot = best.After(snapshot, steps_[i].action, steps_[i].way());
   }
-  return moment;
+  return snapshot;
 }
 
 }  // namespace assay::constraint_posting

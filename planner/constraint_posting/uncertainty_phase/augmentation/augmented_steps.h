@@ -14,7 +14,7 @@ namespace assay::constraint_posting {
 // The unproved goals of a step, stored as the snapshot after the step. The snapshot keeps the
 // execution of the step that was planned when the goals were found.
 struct Unmet {
-  uncertainty::MomentId after;
+  uncertainty::SnapshotId after;
   std::vector<plan::Condition> absorbed;  // conditions that remedies absorbed
 
   bool operator==(const Unmet&) const = default;
@@ -46,13 +46,13 @@ struct AugmentedStep {
   std::optional<plan::Strategy> strategy = {};
   bool given_up = false;  // true if its goals cannot all be proved
   // the snapshot after the step if goals are unproved
-  uncertainty::MomentId failed = uncertainty::MomentId::None();
+  uncertainty::SnapshotId failed = uncertainty::SnapshotId::None();
 
   const plan::Strategy* way() const { return strategy ? &*strategy : nullptr; }
   bool fails() const { return !failed.IsNone(); }
   // Returns the unproved goals that no remedy absorbs.
   std::vector<uncertainty::Unproved> Unabsorbed(std::vector<uncertainty::Unproved> unproved) const;
-  bool IsProved(uncertainty::WorldTree& tree, uncertainty::MomentId after) const;
+  bool IsProved(uncertainty::WorldTree& tree, uncertainty::SnapshotId after) const;
 
   // Returns the measure of this resolver, or a new one if there is none.
   Measure& Note(const std::string& resolver, const Unmet& unmet);
@@ -85,9 +85,9 @@ class AugmentedSteps {
   // the id of the next inserted step
   plan::StepId NextId() const;
 
-  uncertainty::MomentId MomentAfter(int step, uncertainty::WorldTree& tree) const;
+  uncertainty::SnapshotId SnapshotAfter(int step, uncertainty::WorldTree& tree) const;
   // Returns the snapshot with the best knowledge, for which nothing need be inserted.
-  uncertainty::MomentId MomentAfter(int step, BestKnown& best) const;
+  uncertainty::SnapshotId SnapshotAfter(int step, BestKnown& best) const;
 
  private:
   std::size_t of_instance_;

@@ -11,7 +11,7 @@
 namespace assay::constraint_posting {
 namespace {
 
-using uncertainty::MomentId;
+using uncertainty::SnapshotId;
 
 // Lower bounds for any remedies.
 struct Least {
@@ -24,13 +24,13 @@ Least LeastOf(const plan::Plan& instance, UncertaintyTask& task) {
   Least least = {.standing = {.actions = instance.steps.size()}};
   if (!task.best) return least;
   const std::vector<plan::Condition> absorbable = task.options.Absorbable();
-  MomentId moment = task.best->Beginning();
+  SnapshotId snapshot = task.best->Beginning();
   for (const plan::StepId id : instance.ExecutionOrder()) {
-    moment = task.best->After(moment, instance.step(id).action, nullptr);
-    const Shortfall shortfall = task.best->LeastShortfall(moment, absorbable);
+    snapshot = task.best->After(snapshot, instance.step(id).action, nullptr);
+    const Shortfall shortfall = task.best->LeastShortfall(snapshot, absorbable);
     least.standing.errors += shortfall.goals > 0 ? 1 : 0;
     least.standing.violation += shortfall.violation;
-    const auto unproved = task.best->UnprovedAt(moment, absorbable);
+    const auto unproved = task.best->UnprovedAt(snapshot, absorbable);
     least.certain_errors += std::ranges::all_of(unproved, DependsOnPlace) ? 0 : 1;
   }
   return least;

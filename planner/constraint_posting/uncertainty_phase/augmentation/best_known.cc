@@ -9,8 +9,8 @@
 namespace assay::constraint_posting {
 namespace {
 
-using uncertainty::MomentId;
 using uncertainty::Propagation;
+using uncertainty::SnapshotId;
 using uncertainty::UncertainWorld;
 using uncertainty::Unproved;
 
@@ -52,21 +52,21 @@ BestKnown::BestKnown(const domain::Problem& problem, Propagation propagation,
         w.TellWherePartsRest(heights);
       }) {}
 
-MomentId BestKnown::After(MomentId before, const plan::Action& action,
-                          const plan::Strategy* strategy) {
+SnapshotId BestKnown::After(SnapshotId before, const plan::Action& action,
+                            const plan::Strategy* strategy) {
   return worlds_.After(FirstAlike(before), action, strategy);
 }
 
-MomentId BestKnown::FirstAlike(MomentId moment) {
-  const auto [known, is_new] = first_alike_.try_emplace(moment, moment);
-  if (is_new) known->second = FindAlike(moment);
+SnapshotId BestKnown::FirstAlike(SnapshotId snapshot) {
+  const auto [known, is_new] = first_alike_.try_emplace(snapshot, snapshot);
+  if (is_new) known->second = FindAlike(snapshot);
   return known->second;
 }
 
-MomentId BestKnown::FindAlike(MomentId moment) {
-  const UncertainWorld& world = worlds_.WorldAt(moment);
-  if (!world.in_hand().IsNone()) return moment;
-  const auto is_alike = [&](MomentId other) {
+SnapshotId BestKnown::FindAlike(SnapshotId snapshot) {
+  const UncertainWorld& world = worlds_.WorldAt(snapshot);
+  if (!world.in_hand().IsNone()) return snapshot;
+  const auto is_alike = [&](SnapshotId other) {
     const UncertainWorld& known = worlds_.WorldAt(other);
     for (std::size_t p = 0; p < problem_.parts.size(); ++p) {
       const domain::PartId part(p);
@@ -76,10 +76,10 @@ MomentId BestKnown::FindAlike(MomentId moment) {
   };
   const auto known = std::ranges::find_if(with_empty_hand_, is_alike);
   if (known != with_empty_hand_.end()) return *known;
-  return with_empty_hand_.emplace_back(moment);
+  return with_empty_hand_.emplace_back(snapshot);
 }
 
-std::vector<Unproved> BestKnown::UnprovedAt(MomentId after,
+std::vector<Unproved> BestKnown::UnprovedAt(SnapshotId after,
                                             const std::vector<plan::Condition>& absorbable) {
   std::vector<Unproved> unproved;
   std::ranges::copy_if(worlds_.UnprovedAt(after), std::back_inserter(unproved),
@@ -89,7 +89,7 @@ std::vector<Unproved> BestKnown::UnprovedAt(MomentId after,
   return unproved;
 }
 
-Shortfall BestKnown::LeastShortfall(MomentId after,
+Shortfall BestKnown::LeastShortfall(SnapshotId after,
                                     const std::vector<plan::Condition>& absorbable) {
   Shortfall least;
   for (const Unproved& unproved : worlds_.UnprovedAt(after)) {

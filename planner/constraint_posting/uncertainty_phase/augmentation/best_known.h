@@ -25,35 +25,35 @@ class BestKnown {
   BestKnown(const domain::Problem& problem, uncertainty::Propagation propagation,
             const algebra::BoundRequest& bound);
 
-  uncertainty::MomentId Beginning() const { return worlds_.Beginning(); }
-  uncertainty::MomentId After(uncertainty::MomentId before, const plan::Action& action,
-                              const plan::Strategy* strategy);
+  uncertainty::SnapshotId Beginning() const { return worlds_.Beginning(); }
+  uncertainty::SnapshotId After(uncertainty::SnapshotId before, const plan::Action& action,
+                                const plan::Strategy* strategy);
 
-  const uncertainty::UncertainWorld& WorldAt(uncertainty::MomentId moment) {
-    return worlds_.WorldAt(moment);
+  const uncertainty::UncertainWorld& WorldAt(uncertainty::SnapshotId snapshot) {
+    return worlds_.WorldAt(snapshot);
   }
   // the number of snapshots that were computed
-  std::int64_t moments() const { return worlds_.size(); }
+  std::int64_t snapshots() const { return worlds_.size(); }
 
   // Returns the unproved goals of the action that leads to the snapshot, without `absorbable`
   // conditions.
-  std::vector<uncertainty::Unproved> UnprovedAt(uncertainty::MomentId after,
+  std::vector<uncertainty::Unproved> UnprovedAt(uncertainty::SnapshotId after,
                                                 const std::vector<plan::Condition>& absorbable);
   // Returns a lower bound on the shortfall with any remedies.
-  Shortfall LeastShortfall(uncertainty::MomentId after,
+  Shortfall LeastShortfall(uncertainty::SnapshotId after,
                            const std::vector<plan::Condition>& absorbable);
 
  private:
   // Returns the first equal snapshot. If the hand is empty and everything is known, two snapshots
   // in which all parts have the same poses are equal, whatever was done before.
-  uncertainty::MomentId FirstAlike(uncertainty::MomentId moment);
-  uncertainty::MomentId FindAlike(uncertainty::MomentId moment);
+  uncertainty::SnapshotId FirstAlike(uncertainty::SnapshotId snapshot);
+  uncertainty::SnapshotId FindAlike(uncertainty::SnapshotId snapshot);
 
   const domain::Problem& problem_;
   uncertainty::WorldTree worlds_;
   // pairwise different snapshots with an empty hand
-  std::vector<uncertainty::MomentId> with_empty_hand_;
-  std::map<uncertainty::MomentId, uncertainty::MomentId> first_alike_;
+  std::vector<uncertainty::SnapshotId> with_empty_hand_;
+  std::map<uncertainty::SnapshotId, uncertainty::SnapshotId> first_alike_;
 };
 
 }  // namespace assay::constraint_posting

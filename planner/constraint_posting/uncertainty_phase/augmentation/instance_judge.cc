@@ -24,12 +24,12 @@ InstanceJudge::InstanceJudge(UncertaintyTask& task, Allowance allowance, IfUnpro
 }
 
 Judgement InstanceJudge::operator()(std::span<const plan::Action> actions) {
-  const std::int64_t moments = task_.moments();
+  const std::int64_t snapshots = task_.snapshots();
   way_.resize(actions.size());
   way_.push_back(After(way_.back(), actions));
   const Beginning& judged = beginnings_[way_.back()];
   return {.objections = judged.augmentation ? std::vector<Objection>{} : judged.objections,
-          .moments = 1 + task_.moments() - moments};
+          .snapshots = 1 + task_.snapshots() - snapshots};
 }
 
 std::size_t InstanceJudge::After(std::size_t before, std::span<const plan::Action> actions) {

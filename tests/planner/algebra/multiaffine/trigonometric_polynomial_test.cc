@@ -6,7 +6,7 @@
 
 #include "planner/base/random.h"
 
-namespace assay::algebra::wave_sum_test {
+namespace assay::algebra::trigonometric_polynomial_test {
 namespace {
 
 constexpr int kAngles = 3;
@@ -76,7 +76,7 @@ Point Within(const std::vector<numeric::NearestInterval>& box, RandomStream& ran
   return point;
 }
 
-TrigonometricPolynomial WavesOf(const Products& products) {
+TrigonometricPolynomial PolynomialOf(const Products& products) {
   TrigonometricPolynomial sum;
   EXPECT_TRUE(sum.Assign(products.form, kCosines));
   EXPECT_LT(sum.left_out(), 1e-12);
@@ -87,9 +87,9 @@ TEST(TrigonometricPolynomial, HasTheValuesOfTheProducts) {
   RandomStream random(1, "waves");
   for (int i = 0; i < 100; ++i) {
     const Products products(random);
-    const TrigonometricPolynomial sum = WavesOf(products);
+    const TrigonometricPolynomial sum = PolynomialOf(products);
     const Point point = Within(RandomBox(0, random), random);
-    WaveEvaluation evaluation;
+    TrigonometricEvaluation evaluation;
     evaluation.Enter(sum, std::vector<numeric::NearestInterval>(point.begin(), point.end()));
     EXPECT_NEAR(evaluation.range().low, products.At(point), kRounding);
     EXPECT_NEAR(evaluation.range().high, products.At(point), kRounding);
@@ -101,8 +101,8 @@ TEST(TrigonometricPolynomial, RangesHoldValuesSlopesAndCurvatures) {
   for (int i = 0; i < 200; ++i) {
     const Products products(random);
     const std::vector<numeric::NearestInterval> box = RandomBox(i % 2 == 0 ? 0.3 : 2, random);
-    WaveEvaluation evaluation;
-    evaluation.Enter(WavesOf(products), box);
+    TrigonometricEvaluation evaluation;
+    evaluation.Enter(PolynomialOf(products), box);
     for (int sample = 0; sample < 20; ++sample) {
       const Point point = Within(box, random);
       EXPECT_LE(evaluation.range().low, products.At(point) + kRounding);
@@ -123,8 +123,8 @@ TEST(TrigonometricPolynomial, NoDirectionBendsMoreThanTheGreatestCurvature) {
   for (int i = 0; i < 100; ++i) {
     const Products products(random);
     const std::vector<numeric::NearestInterval> box = RandomBox(0.5, random);
-    WaveEvaluation evaluation;
-    evaluation.Enter(WavesOf(products), box);
+    TrigonometricEvaluation evaluation;
+    evaluation.Enter(PolynomialOf(products), box);
     const numeric::SymmetricMatrix& greatest = evaluation.greatest_curvature();
     for (int sample = 0; sample < 20; ++sample) {
       const Point direction = {random.Uniform(-1, 1), random.Uniform(-1, 1), random.Uniform(-1, 1)};
@@ -147,11 +147,11 @@ TEST(TrigonometricPolynomial, KnowsSumsOfAngles) {
   form.Assign(terms);
   TrigonometricPolynomial sum;
   ASSERT_TRUE(sum.Assign(form, std::vector<int>{0, 2}));
-  WaveEvaluation evaluation;
+  TrigonometricEvaluation evaluation;
   evaluation.Enter(sum, std::vector<numeric::NearestInterval>{{0.1, 0.4}, {0.2, 0.3}});
   EXPECT_NEAR(evaluation.range().low, std::cos(0.7), kRounding);
   EXPECT_NEAR(evaluation.range().high, std::cos(0.3), kRounding);
 }
 
 }  // namespace
-}  // namespace assay::algebra::wave_sum_test
+}  // namespace assay::algebra::trigonometric_polynomial_test

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "planner/constraint_posting/resolvers/moment.h"
+#include "planner/constraint_posting/resolvers/plan_states.h"
 #include "planner/constraint_posting/resolvers/sensing_resolver.h"
 #include "planner/constraint_posting/resolvers/squeezing_resolver.h"
 #include "planner/constraint_posting/uncertainty_phase/uncertainty_phase.h"

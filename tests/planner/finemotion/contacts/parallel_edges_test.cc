@@ -38,7 +38,7 @@ struct Case {
   Polyhedron moving;
   Polyhedron stationary;
   Pose X_end = Pose::Identity();
-  Belief belief;
+  BelievedPose believed;
   Command command;
   std::vector<ModelTolerance> tolerances = {};
 
@@ -53,7 +53,7 @@ struct Case {
     const std::vector<ParallelEdges> edges = Edges();
     SegmentModel model{none, scale * kVelocityError, kRadius};
     model.parallel_edges = edges;
-    Belief enlarged = belief;
+    BelievedPose enlarged = believed;
     enlarged.errors *= scale;
     enlarged.tolerances *= scale;
     return Check(model, enlarged, command, Telling::kAll);
@@ -90,7 +90,7 @@ Vector3 Outward(const Polyhedron& shape, const OuterEdge& edge) {
 
 Case RandomCase(RandomStream& random) {
   Case made{
-      .moving = RandomBox(random), .stationary = RandomBox(random), .belief = {}, .command = {}};
+      .moving = RandomBox(random), .stationary = RandomBox(random), .believed = {}, .command = {}};
   const auto edge_of = [&](const Polyhedron& shape) {
     return shape.edges[static_cast<std::size_t>(random.Index(12))];
   };
@@ -112,7 +112,7 @@ Case RandomCase(RandomStream& random) {
                           point_of(b));
   made.command.displacement = Change(oracle::RandomVector(random, 0.003),
                                      random.Index(2) * oracle::RandomVector(random, 0.01));
-  made.belief = {Displaced(made.X_end, -made.command.displacement), RandomErrors(random)};
+  made.believed = {Displaced(made.X_end, -made.command.displacement), RandomErrors(random)};
   return made;
 }
 
@@ -121,10 +121,10 @@ void AddTolerances(Case& made, RandomStream& random) {
   made.tolerances = {{"a", Of::kMovingFaces, {random.Index(6)}},
                      {"b", Of::kStationaryFaces, {random.Index(6)}},
                      {"c", Of::kMovingFaces, {0, 3}}};
-  made.belief.tolerances.setConstant(3, random.Uniform(0, 0.5e-3));
-  PoseChanges errors = PoseChanges::Zero(kPoseDimensions, 3 + made.belief.errors.cols());
-  errors.rightCols(made.belief.errors.cols()) = made.belief.errors;
-  made.belief.errors = errors;
+  made.believed.tolerances.setConstant(3, random.Uniform(0, 0.5e-3));
+  PoseChanges errors = PoseChanges::Zero(kPoseDimensions, 3 + made.believed.errors.cols());
+  errors.rightCols(made.believed.errors.cols()) = made.believed.errors;
+  made.believed.errors = errors;
 }
 
 // --- Sampled motions, in coordinates about the errorless end of the command.
@@ -138,9 +138,9 @@ struct SampledMotion {
 SampledMotion SampleMotion(const Case& given, double scale, RandomStream& random) {
   const PoseChange& displacement = given.command.displacement;
   const Eigen::Matrix3d turn = Displaced(Pose::Identity(), displacement).linear();
-  Eigen::VectorXd factors(given.belief.errors.cols());
+  Eigen::VectorXd factors(given.believed.errors.cols());
   for (double& factor : factors) factor = scale * Factor(random);
-  PoseChange error = given.belief.errors * factors;
+  PoseChange error = given.believed.errors * factors;
   error << turn * error.head<3>(), turn * error.tail<3>();
   const double angle = displacement.tail<3>().norm();
   const double way = displacement.head<3>().norm() + kRadius * angle;
@@ -148,7 +148,7 @@ SampledMotion SampleMotion(const Case& given, double scale, RandomStream& random
   for (int i = 0; i < kPoseDimensions; ++i) {
     velocity[i] += scale * kVelocityError * (i < 3 ? way : angle) * Factor(random);
   }
-  const Eigen::VectorXd& widths = given.belief.tolerances;
+  const Eigen::VectorXd& widths = given.believed.tolerances;
   return {error - displacement, velocity, widths.cwiseProduct(factors.head(widths.size()))};
 }
 
@@ -268,7 +268,7 @@ Counted CompareWithSamples(Motion kind, bool with_tolerances, int cases) {
     if (pairs.empty()) continue;
     Case checked = given;
     if (kind == Motion::kRigid) {  // adds what linear rows leave out
-      PoseChanges& errors = checked.belief.errors;
+      PoseChanges& errors = checked.believed.errors;
       errors.conservativeResize(Eigen::NoChange, errors.cols() + 3);
       errors.rightCols(3).setZero();
       errors.topRightCorner(3, 3).diagonal().setConstant(6e-5);
@@ -316,7 +316,7 @@ TEST(ParallelEdges, WithFewerErrorsThereIsNoMoreToTell) {
     const Case given = RandomCase(random);
     const std::set<ContactKey> told = UnwantedIn(given.Checked());
     Case less = given;
-    less.belief.errors *= random.Uniform();
+    less.believed.errors *= random.Uniform();
     for (const ContactKey& key : UnwantedIn(less.Checked())) EXPECT_TRUE(told.contains(key));
   }
 }
@@ -330,11 +330,11 @@ Case PegIn(const Pose& X_end, const Vector3& way) {
   Case made{.moving = workloads::BoxShape({-kHalf, -kHalf, 0}, {kHalf, kHalf, 0.07}),
             .stationary = workloads::SquareHoleShape(kHalf + kPlay, 0.038, 0.07),
             .X_end = X_end,
-            .belief = {},
+            .believed = {},
             .command = {}};
   made.command.displacement = Change(way, Vector3::Zero());
-  made.belief.X_StationaryMoving = Displaced(X_end, -made.command.displacement);
-  made.belief.errors.setZero(kPoseDimensions, kPoseDimensions);
+  made.believed.X_StationaryMoving = Displaced(X_end, -made.command.displacement);
+  made.believed.errors.setZero(kPoseDimensions, kPoseDimensions);
   return made;
 }
 
@@ -347,17 +347,17 @@ SegmentCheck WithContacts(const Case& given, const std::vector<ParallelEdges>& e
       PrimitiveContacts(given.moving, given.stationary, given.X_end, kReach, {}, kTurn);
   SegmentModel model{contacts, kVelocityError, kRadius};
   model.parallel_edges = edges;
-  return Check(model, given.belief, given.command, Telling::kAll);
+  return Check(model, given.believed, given.command, Telling::kAll);
 }
 
 TEST(ParallelEdges, ThoseOfAPegInTheMiddleOfItsHoleDoNotTouch) {
   const double room = 0.6 * kPlay;
   for (const double depth : {-0.001, 0.0, 0.003}) {
     Case given = PegIn(At({0, 0, -depth}, Vector3::Zero()), {0, 0, -0.004});
-    given.belief.errors.diagonal() << room / 2, room / 2, 2e-3, 1e-4, 1e-4, 0.4 * room / kHalf;
+    given.believed.errors.diagonal() << room / 2, room / 2, 2e-3, 1e-4, 1e-4, 0.4 * room / kHalf;
     EXPECT_TRUE(given.Checked().unwanted.empty());
     EXPECT_GE(given.Edges().size(), 4U);
-    given.belief.errors.diagonal() << 1.1 * kPlay, 0, 2e-3, 0, 0, 0;
+    given.believed.errors.diagonal() << 1.1 * kPlay, 0, 2e-3, 0, 0, 0;
     EXPECT_FALSE(given.Checked().certain);
   }
 }
@@ -403,11 +403,11 @@ TEST(ParallelEdges, AWantedCornerIsNoTouchOfItsEdges) {
 
     Case coming = PegIn(X, {0, 0, -0.004});
     coming.command.until = key;
-    coming.belief.errors.diagonal() << 1e-3, 1e-3, 1e-3, 0, 0, 0;
+    coming.believed.errors.diagonal() << 1e-3, 1e-3, 1e-3, 0, 0, 0;
     Case sliding = PegIn(X, {0, 0.004, 0});
-    sliding.belief.kept = {key};
+    sliding.believed.kept = {key};
     sliding.command.kept = {key};
-    sliding.belief.errors.diagonal() << 1e-3, 1e-3, 0, 1e-3, 1e-3, 1e-3;
+    sliding.believed.errors.diagonal() << 1e-3, 1e-3, 0, 1e-3, 1e-3, 1e-3;
     for (const Case* given : {&coming, &sliding}) {
       EXPECT_FALSE(given->Edges().empty());
       const auto told = UnwantedIn(WithContacts(*given, given->Edges()));

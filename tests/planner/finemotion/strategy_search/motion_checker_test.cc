@@ -20,18 +20,18 @@ const Polyhedron& Peg() {
   return peg;
 }
 
-CertainMotion ComeDown(const Polyhedron& stationary, const Belief& belief,
+CertainMotion ComeDown(const Polyhedron& stationary, const BelievedPose& believed,
                        const std::optional<ContactKey>& until) {
   PoseChange down = PoseChange::Zero();
   down.z() = -kDown;
   const MotionChecker checker(Peg(), ContactFinder(Peg(), stationary), {.velocity_error = 0});
-  return checker.Check(belief, {down, {}, until}, Margins::kAll);
+  return checker.Check(believed, {down, {}, until}, Margins::kAll);
 }
 
-Belief Erring(const Pose& X, int coordinate, double error) {
-  Belief belief{X, PoseChanges::Zero(kPoseDimensions, 1)};
-  belief.errors(coordinate, 0) = error;
-  return belief;
+BelievedPose Erring(const Pose& X, int coordinate, double error) {
+  BelievedPose believed{X, PoseChanges::Zero(kPoseDimensions, 1)};
+  believed.errors(coordinate, 0) = error;
+  return believed;
 }
 
 double ScaleOf(const CertainMotion& motion, const ContactKey& key) {

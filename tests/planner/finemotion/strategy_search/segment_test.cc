@@ -62,9 +62,9 @@ const std::vector<ModelTolerance>& Tolerances() {
   return tolerances;
 }
 
-// Returns the contacts with the tolerances that `belief` has.
-Contacts ContactsFor(const Belief& belief, const Pose& X) {
-  if (belief.tolerances.size() == 0) return ContactsAt(X);
+// Returns the contacts with the tolerances that `believed` has.
+Contacts ContactsFor(const BelievedPose& believed, const Pose& X) {
+  if (believed.tolerances.size() == 0) return ContactsAt(X);
   return PrimitiveContacts(Peg(), Hole(), X, kReach, Tolerances(), kTurn);
 }
 
@@ -179,7 +179,7 @@ GeneralizedPoint VelocityErrors(const GeneralizedPoint& displacement, double vel
 
 struct Case {
   Contacts contacts;  // the contacts at the end of the command
-  Belief belief;
+  BelievedPose believed;
   Command command;
 
   SegmentModel Model(double scale = 1) const { return {contacts, scale * kVelocityError, kRadius}; }
@@ -198,12 +198,12 @@ SampledMotion SampleMotion(const Case& given, const Eigen::MatrixXd& tangent,
                            RandomStream& random) {
   const GeneralizedPoint& displacement = given.command.displacement;
   const Eigen::Matrix3d turn = Displaced(Pose::Identity(), displacement).linear();
-  Eigen::VectorXd factors(given.belief.errors.cols());
+  Eigen::VectorXd factors(given.believed.errors.cols());
   for (double& factor : factors) factor = RandomFactor(random);
-  GeneralizedPoint error = given.belief.errors * factors;
+  GeneralizedPoint error = given.believed.errors * factors;
   error.head<3>() = turn * error.head<3>();
   error.tail<3>() = turn * error.tail<3>();
-  const Eigen::VectorXd& widths = given.belief.tolerances;
+  const Eigen::VectorXd& widths = given.believed.tolerances;
   const Eigen::VectorXd model = widths.cwiseProduct(factors.head(widths.size()));
   const GeneralizedPoint closed = ClosedBy(RowsOf(given.contacts, given.command.kept),
                                            OpenedBy(model, given.contacts, given.command.kept));
@@ -236,7 +236,7 @@ struct Touch {
 std::vector<Touch> Touches(const Case& given, const SampledMotion& motion, double longest) {
   std::vector<Touch> touches;
   for (const PrimitiveContact& contact : given.contacts) {
-    if (Holds(given.belief.kept, KeyOf(contact))) continue;
+    if (Holds(given.believed.kept, KeyOf(contact))) continue;
     const double gap = contact.Gap(motion.start);
     const double speed = -contact.row.dot(motion.velocity);
     if (gap <= 0 || speed <= 0 || gap > longest * speed + kRounding) continue;
@@ -284,9 +284,9 @@ std::optional<FirstContact> FirstOnTheWay(const Contacts& contacts, const Genera
 }
 
 // Returns the change q after the kept contacts have been closed.
-GeneralizedPoint Closed(const Belief& belief, GeneralizedPoint q,
+GeneralizedPoint Closed(const BelievedPose& believed, GeneralizedPoint q,
                         const std::vector<ContactKey>& kept) {
-  const Contacts contacts = ContactsFor(belief, Displaced(belief.X_StationaryMoving, q));
+  const Contacts contacts = ContactsFor(believed, Displaced(believed.X_StationaryMoving, q));
   const Eigen::MatrixXd rows = RowsOf(contacts, kept);
   if (rows.rows() == 0) return q;
   Eigen::VectorXd gaps(rows.rows());
@@ -299,19 +299,19 @@ GeneralizedPoint Closed(const Belief& belief, GeneralizedPoint q,
 }
 
 // Returns a command along q that ends at a contact or, if no contact is near enough, without one.
-std::optional<Case> Commanded(const Belief& belief, GeneralizedPoint q,
+std::optional<Case> Commanded(const BelievedPose& believed, GeneralizedPoint q,
                               const std::vector<ContactKey>& kept, bool to_contact) {
   std::optional<FirstContact> first;
   for (int round = 0; round < 8; ++round) {
-    q = Closed(belief, q, kept);
-    first =
-        FirstOnTheWay(ContactsFor(belief, Displaced(belief.X_StationaryMoving, q)), q, belief.kept);
+    q = Closed(believed, q, kept);
+    first = FirstOnTheWay(ContactsFor(believed, Displaced(believed.X_StationaryMoving, q)), q,
+                          believed.kept);
     if (!to_contact) continue;
     if (!first || first->amount < 0.05 || first->amount > 4) return std::nullopt;
     q *= first->amount;
   }
   if (to_contact && std::abs(first->amount - 1) * q.norm() > 1e-8) return std::nullopt;
-  Case made{ContactsFor(belief, Displaced(belief.X_StationaryMoving, q)), belief, {q, kept}};
+  Case made{ContactsFor(believed, Displaced(believed.X_StationaryMoving, q)), believed, {q, kept}};
   if (to_contact) made.command.until = first->key;
   for (const ContactKey& key : kept) {
     if (Find(made.contacts, key) == nullptr) return std::nullopt;
@@ -329,34 +329,34 @@ Eigen::MatrixXd RandomErrors(RandomStream& random) {
 }
 
 // Returns the believed pose with errors of the model, whose columns come first.
-Belief WithTolerances(Belief belief, double width) {
-  belief.tolerances.setConstant(std::ssize(Tolerances()), width);
-  const Eigen::Index t = belief.tolerances.size();
-  PoseChanges errors = PoseChanges::Zero(kPoseDimensions, t + belief.errors.cols());
-  errors.rightCols(belief.errors.cols()) = belief.errors;
-  belief.errors = errors;
-  return belief;
+BelievedPose WithTolerances(BelievedPose believed, double width) {
+  believed.tolerances.setConstant(std::ssize(Tolerances()), width);
+  const Eigen::Index t = believed.tolerances.size();
+  PoseChanges errors = PoseChanges::Zero(kPoseDimensions, t + believed.errors.cols());
+  errors.rightCols(believed.errors.cols()) = believed.errors;
+  believed.errors = errors;
+  return believed;
 }
 
 enum class Model { kExact, kWithTolerances };
 
 std::optional<Case> RandomFirst(RandomStream& random, Model model = Model::kExact) {
-  Belief belief{RandomTilted(random), RandomErrors(random)};
+  BelievedPose believed{RandomTilted(random), RandomErrors(random)};
   if (model == Model::kWithTolerances) {
-    belief = WithTolerances(belief, random.Uniform(0.01e-3, 0.2e-3));
+    believed = WithTolerances(believed, random.Uniform(0.01e-3, 0.2e-3));
   }
   const Vector3 d(random.Uniform(-0.5, 0.5), random.Uniform(-0.5, 0.5), -1);
   const Vector3 w = random.Index(2) * oracle::RandomVector(random, 2);
   const double length = random.Uniform(0.001, 0.008);
-  return Commanded(belief, length * Motion(d, w), {}, random.Index(4) != 0);
+  return Commanded(believed, length * Motion(d, w), {}, random.Index(4) != 0);
 }
 
 // Returns a random next motion, along some of the contacts.
-std::optional<Case> RandomNext(const Belief& belief, RandomStream& random) {
-  std::vector<ContactKey> kept = belief.kept;
+std::optional<Case> RandomNext(const BelievedPose& believed, RandomStream& random) {
+  std::vector<ContactKey> kept = believed.kept;
   GeneralizedPoint q = Motion(oracle::RandomVector(random, 0.004),
                               random.Index(2) * oracle::RandomVector(random, 0.02));
-  const Contacts contacts = ContactsFor(belief, belief.X_StationaryMoving);
+  const Contacts contacts = ContactsFor(believed, believed.X_StationaryMoving);
   if (random.Index(4) == 0) {
     const PrimitiveContact* left = Find(contacts, kept[0]);
     if (left == nullptr) return std::nullopt;
@@ -365,7 +365,7 @@ std::optional<Case> RandomNext(const Belief& belief, RandomStream& random) {
     q.tail<3>() *= 0.1;
   }
   q = TangentProjection(RowsOf(contacts, kept)) * q;
-  return Commanded(belief, q, kept, random.Index(3) != 0);
+  return Commanded(believed, q, kept, random.Index(3) != 0);
 }
 
 // --- Verdicts compared with sampled motions.
@@ -402,7 +402,7 @@ Ends EndOf(const Case& given, const SampledMotion& motion, double longest) {
   return ends;
 }
 
-void ExpectHolds(const Belief& after, const Pose& X_about, const GeneralizedPoint& z,
+void ExpectHolds(const BelievedPose& after, const Pose& X_about, const GeneralizedPoint& z,
                  RandomStream& random) {
   const Eigen::Index t = after.tolerances.size();
   const GeneralizedPoint inside =
@@ -422,8 +422,8 @@ void ExpectHolds(const Belief& after, const Pose& X_about, const GeneralizedPoin
 // Compares a case with samples. Returns the result of Check.
 SegmentCheck Compare(const Case& given, RandomStream& random, Counted& counted) {
   constexpr int kSamples = 300;
-  SegmentCheck check = Check(given.Model(), given.belief, given.command);
-  const Pose X_about = Displaced(given.belief.X_StationaryMoving, given.command.displacement);
+  SegmentCheck check = Check(given.Model(), given.believed, given.command);
+  const Pose X_about = Displaced(given.believed.X_StationaryMoving, given.command.displacement);
   const Eigen::MatrixXd tangent = TangentProjection(RowsOf(given.contacts, given.command.kept));
   bool wrong = false;
   for (int i = 0; i < kSamples; ++i) {
@@ -490,13 +490,13 @@ TEST(Check, ThePapersTestIsComparedWhereItIsApplicable) {
     const std::optional<Case> given = RandomFirst(random);
     if (!given) continue;
     SegmentModel model = given->Model();
-    const bool certain = Check(model, given->belief, given->command).certain;
+    const bool certain = Check(model, given->believed, given->command).certain;
     model.test = MeetingTest::kCompare;
-    const SegmentCheck compared = Check(model, given->belief, given->command);
+    const SegmentCheck compared = Check(model, given->believed, given->command);
     EXPECT_EQ(compared.certain, certain);
     comparison += compared.comparison;
     model.test = MeetingTest::kEdges;
-    const SegmentCheck by_edges = Check(model, given->belief, given->command);
+    const SegmentCheck by_edges = Check(model, given->believed, given->command);
     EXPECT_LE(certain, by_edges.certain);  // it never finds a meeting that does not exist
     if (compared.comparison.missed == 0) {
       EXPECT_EQ(certain, by_edges.certain);
@@ -509,9 +509,9 @@ TEST(Check, ThePapersTestIsComparedWhereItIsApplicable) {
 
 // --- Unwanted contacts, and the scales at which they occur.
 
-Belief Scaled(Belief belief, double factor) {
-  belief.errors *= factor;
-  return belief;
+BelievedPose Scaled(BelievedPose believed, double factor) {
+  believed.errors *= factor;
+  return believed;
 }
 
 std::set<std::pair<ContactKey, bool>> UnwantedIn(const SegmentCheck& check) {
@@ -530,7 +530,7 @@ TEST(Check, LargerErrorsDoAllThatSmallerOnesDo) {
     std::set<std::pair<ContactKey, bool>> with_less;
     for (const double scale : kLadder) {
       const SegmentCheck check =
-          Check(given->Model(scale), Scaled(given->belief, scale), given->command, Telling::kAll);
+          Check(given->Model(scale), Scaled(given->believed, scale), given->command, Telling::kAll);
       if (check.unwanted.empty()) continue;  // also for motions that may never end
       const auto with_more = UnwantedIn(check);
       EXPECT_TRUE(std::ranges::includes(with_more, with_less)) << scale;
@@ -546,8 +546,8 @@ TEST(Check, TheFirstThatIsToldIsOneOfAll) {
   for (int trial = 0; trial < 100; ++trial) {
     const std::optional<Case> given = RandomFirst(random);
     if (!given) continue;
-    const SegmentCheck all = Check(given->Model(), given->belief, given->command, Telling::kAll);
-    const SegmentCheck first = Check(given->Model(), given->belief, given->command);
+    const SegmentCheck all = Check(given->Model(), given->believed, given->command, Telling::kAll);
+    const SegmentCheck first = Check(given->Model(), given->believed, given->command);
     EXPECT_EQ(first.certain, all.certain);
     EXPECT_EQ(first.unwanted.size(), std::min<std::size_t>(1, all.unwanted.size()));
     EXPECT_TRUE(std::ranges::includes(UnwantedIn(all), UnwantedIn(first)));
@@ -560,10 +560,10 @@ TEST(Check, WithLessErrorsItIsCertainToo) {
   for (int trial = 0; trial < 200; ++trial) {
     const std::optional<Case> given = RandomFirst(random);
     if (!given) continue;
-    if (!Check(given->Model(), given->belief, given->command).certain) continue;
+    if (!Check(given->Model(), given->believed, given->command).certain) continue;
     const double less = random.Uniform();
-    const Belief belief = Scaled(given->belief, less);
-    EXPECT_TRUE(Check(given->Model(less), belief, given->command).certain) << trial;
+    const BelievedPose believed = Scaled(given->believed, less);
+    EXPECT_TRUE(Check(given->Model(less), believed, given->command).certain) << trial;
     ++certain;
   }
   EXPECT_GT(certain, 20);
@@ -581,17 +581,17 @@ const Polyhedron& Floor() {
 constexpr ContactKey kCorner{ContactKind::kVertexFace, 0, 5};
 constexpr double kHigh = 0.01;
 
-Belief Above(const Vector3& w, const Eigen::MatrixXd& errors) {
+BelievedPose Above(const Vector3& w, const Eigen::MatrixXd& errors) {
   Pose X = Turned(w);
   X.pretranslate(Vector3(0, 0, kHigh - (X * Peg().vertices[0].p).z()));
   return {X, errors};
 }
 
-SegmentCheck ComeDown(const Belief& belief, double velocity_error = kVelocityError) {
+SegmentCheck ComeDown(const BelievedPose& believed, double velocity_error = kVelocityError) {
   const Command down{kHigh * Motion(-Vector3::UnitZ(), Vector3::Zero()), {}, kCorner};
   const Contacts contacts =
-      ContactsAt(Displaced(belief.X_StationaryMoving, down.displacement), Floor(), 0.15);
-  return Check({contacts, velocity_error, kRadius}, belief, down, Telling::kAll);
+      ContactsAt(Displaced(believed.X_StationaryMoving, down.displacement), Floor(), 0.15);
+  return Check({contacts, velocity_error, kRadius}, believed, down, Telling::kAll);
 }
 
 Eigen::MatrixXd ErrorsOf(double length, double angle) {
@@ -624,11 +624,11 @@ TEST(Check, ComingDownUprightIsNot) {
 // The corner may come down beside the floor, where there is nothing.
 TEST(Check, ComingDownNearTheFloorsEndIsNot) {
   for (const bool may_miss : {false, true}) {
-    Belief belief = Above({0.15, -0.12, 0}, ErrorsOf(1e-3, 0));
+    BelievedPose believed = Above({0.15, -0.12, 0}, ErrorsOf(1e-3, 0));
     const double inside = may_miss ? 0.5e-3 : 1.5e-3;
-    const Vector3 corner = belief.X_StationaryMoving * Peg().vertices[0].p;
-    belief.X_StationaryMoving.pretranslate(Vector3(1 - inside - corner.x(), 0, 0));
-    EXPECT_EQ(ComeDown(belief, 0).certain, !may_miss);
+    const Vector3 corner = believed.X_StationaryMoving * Peg().vertices[0].p;
+    believed.X_StationaryMoving.pretranslate(Vector3(1 - inside - corner.x(), 0, 0));
+    EXPECT_EQ(ComeDown(believed, 0).certain, !may_miss);
   }
 }
 

@@ -57,7 +57,7 @@ TEST(Starts, AreFreeForTheMultipleOfTheErrors) {
     Starts starts(passage, errors, options, random);
     const Start start = starts.Random();
     const double multiple = random.Uniform(0.1, 4);
-    const Pose X_StationaryMoving = starts.BeliefAt(start, multiple).X_StationaryMoving;
+    const Pose X_StationaryMoving = starts.BelievedPoseAt(start, multiple).X_StationaryMoving;
     EXPECT_GT(LeastHeight(passage, X_StationaryMoving, multiple * errors.pose), 0)
         << "with " << multiple << " times " << errors.pose.transpose();
   }

@@ -56,14 +56,15 @@ TEST_P(WorldTreeLaws, TellWhatStartingAnewTells) {
   WorldTree tree(problem_, Propagation::kSound, {});
   for (const std::vector<plan::Action>& actions : ListsOf(problem_)) {
     UncertainWorld anew(problem_, Propagation::kSound);
-    MomentId moment = tree.Beginning();
+    SnapshotId snapshot = tree.Beginning();
     for (const plan::Action& action : actions) {
-      moment = tree.After(moment, action, nullptr);
+      snapshot = tree.After(snapshot, action, nullptr);
       const std::vector<Unproved> unproved = CertifyStep(anew, action, {}).unproved;
-      EXPECT_EQ(tree.IsProved(moment), unproved.empty());
-      EXPECT_EQ(tree.UnprovedAt(moment).size(), unproved.size());
+      EXPECT_EQ(tree.IsProved(snapshot), unproved.empty());
+      EXPECT_EQ(tree.UnprovedAt(snapshot).size(), unproved.size());
       std::vector<Unproved> told;
-      for (const Unproved& goal : tree.UnprovedAt(moment)) told.push_back(tree.Told(moment, goal));
+      for (const Unproved& goal : tree.UnprovedAt(snapshot))
+        told.push_back(tree.Certified(snapshot, goal));
       ExpectSame(told, unproved);
     }
   }
@@ -73,13 +74,13 @@ TEST_P(WorldTreeLaws, KeepTheErrorsOfEveryPart) {
   WorldTree tree(problem_, Propagation::kSound, {});
   for (const std::vector<plan::Action>& actions : ListsOf(problem_)) {
     UncertainWorld anew(problem_, Propagation::kSound);
-    MomentId moment = tree.Beginning();
+    SnapshotId snapshot = tree.Beginning();
     for (const plan::Action& action : actions) {
-      moment = tree.After(moment, action, nullptr);
+      snapshot = tree.After(snapshot, action, nullptr);
       Propagate(anew, action);
     }
     for (std::size_t p = 0; p < problem_.parts.size(); ++p) {
-      const plan::ErrorSet kept = ErrorSetOf(tree.WorldAt(moment), PartId(p));
+      const plan::ErrorSet kept = ErrorSetOf(tree.WorldAt(snapshot), PartId(p));
       const plan::ErrorSet fresh = ErrorSetOf(anew, PartId(p));
       EXPECT_NEAR(kept.x.low, fresh.x.low, kSame);
       EXPECT_NEAR(kept.y.high, fresh.y.high, kSame);
@@ -93,9 +94,9 @@ TEST_P(WorldTreeLaws, MeetTheSameMomentAgain) {
   WorldTree tree(problem_, Propagation::kSound, {});
   const std::vector<plan::Action> actions = FirstPlan(problem_);
   for (int round = 0; round < 3; ++round) {
-    MomentId moment = tree.Beginning();
-    for (const plan::Action& action : actions) moment = tree.After(moment, action, nullptr);
-    EXPECT_EQ(moment.index(), std::ssize(actions));
+    SnapshotId snapshot = tree.Beginning();
+    for (const plan::Action& action : actions) snapshot = tree.After(snapshot, action, nullptr);
+    EXPECT_EQ(snapshot.index(), std::ssize(actions));
   }
   EXPECT_EQ(tree.size(), std::ssize(actions) + 1);
 }

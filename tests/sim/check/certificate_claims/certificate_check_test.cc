@@ -35,16 +35,16 @@ class CertificateCheckTest : public testing::Test {
                           .tip = wide,
                           .twist = wide}};
     certificate.preconditions = {Precondition(plan::condition::kBetweenFingers, kJustProved)};
-    moment_.parts.resize(2);
-    moment_.table_heights.resize(2);
-    moment_.opening = problem_.workcell->gripper().max_opening();
-    moment_.tool = {pickup_.place.X_WorldPart * pickup_.hold.X_PartTool,
-                    pickup_.place.X_WorldPart * pickup_.hold.X_PartTool};
-    for (std::size_t i = 0; i < moment_.parts.size(); ++i) {
+    snapshot_.parts.resize(2);
+    snapshot_.table_heights.resize(2);
+    snapshot_.opening = problem_.workcell->gripper().max_opening();
+    snapshot_.tool = {pickup_.place.X_WorldPart * pickup_.hold.X_PartTool,
+                      pickup_.place.X_WorldPart * pickup_.hold.X_PartTool};
+    for (std::size_t i = 0; i < snapshot_.parts.size(); ++i) {
       const Pose& X_WorldPart = problem_.part(PartId(i)).X_WorldPart;
-      moment_.parts[i] = {X_WorldPart, X_WorldPart};
+      snapshot_.parts[i] = {X_WorldPart, X_WorldPart};
     }
-    moment_.parts[peg_.index()] = {pickup_.place.X_WorldPart, pickup_.place.X_WorldPart};
+    snapshot_.parts[peg_.index()] = {pickup_.place.X_WorldPart, pickup_.place.X_WorldPart};
   }
 
   static plan::CertifiedPrecondition Precondition(plan::Condition condition, double margin) {
@@ -52,15 +52,15 @@ class CertificateCheckTest : public testing::Test {
   }
   // Returns the snapshot with the peg displaced by `y_of_tool` metres along the tool's y.
   execution::Snapshot Displaced(double y_of_tool) const {
-    execution::Snapshot moment = moment_;
-    Pose& truth = moment.parts[peg_.index()].truth;
-    truth.translation() += moment.tool.truth.linear().col(1) * y_of_tool;
-    return moment;
+    execution::Snapshot snapshot = snapshot_;
+    Pose& truth = snapshot.parts[peg_.index()].truth;
+    truth.translation() += snapshot.tool.truth.linear().col(1) * y_of_tool;
+    return snapshot;
   }
   std::vector<Claim> Check(const execution::Snapshot& reached, const execution::Snapshot& end,
                            bool recovered = false) {
     execution::Trace trace;
-    trace.events.push_back(execution::Milestone{kPickup, Stage::kPoised, moment_});
+    trace.events.push_back(execution::Milestone{kPickup, Stage::kPoised, snapshot_});
     trace.events.push_back(execution::Milestone{kPickup, Stage::kReached, reached});
     trace.events.push_back(execution::Milestone{kPickup, Stage::kActed, end});
     if (recovered) {
@@ -89,17 +89,17 @@ class CertificateCheckTest : public testing::Test {
   plan::Plan plan_;
   PartId peg_;
   plan::Action pickup_;
-  execution::Snapshot moment_;
+  execution::Snapshot snapshot_;
 };
 
 TEST_F(CertificateCheckTest, WithoutErrorsAllIsContained) {
-  const std::vector<Claim> claims = Check(moment_, moment_);
+  const std::vector<Claim> claims = Check(snapshot_, snapshot_);
   EXPECT_EQ(claims.size(), 4u + 1u + 6u);
   EXPECT_EQ(Worst(claims), ClaimVerdict::kContained);
 }
 
 TEST_F(CertificateCheckTest, APartThatIsElsewhereInTheHandViolatesTheOutputSet) {
-  const std::vector<Claim> claims = Check(moment_, Displaced(0.012));
+  const std::vector<Claim> claims = Check(snapshot_, Displaced(0.012));
   const Claim& y = Named(claims, Claimed::kAfter, "y of peg");
   EXPECT_EQ(y.verdict, ClaimVerdict::kViolated);
   EXPECT_NEAR(y.margin, -0.002, kRounding);
@@ -108,9 +108,9 @@ TEST_F(CertificateCheckTest, APartThatIsElsewhereInTheHandViolatesTheOutputSet) 
 
 // The contacts lie half the part's width from the grasped point, and the pads half the opening.
 TEST_F(CertificateCheckTest, ContactsBesideThePadsViolateAProvedPrecondition) {
-  const double room = (moment_.opening - pickup_.hold.width) / 2;
+  const double room = (snapshot_.opening - pickup_.hold.width) / 2;
   const auto between = [&](double y) {
-    return Named(Check(Displaced(y), moment_), Claimed::kPrecondition, "between fingers");
+    return Named(Check(Displaced(y), snapshot_), Claimed::kPrecondition, "between fingers");
   };
   EXPECT_NEAR(between(room - 0.001).margin, 0.001, kRounding);
   EXPECT_EQ(between(-room - 0.001).verdict, ClaimVerdict::kViolated);
@@ -119,11 +119,12 @@ TEST_F(CertificateCheckTest, ContactsBesideThePadsViolateAProvedPrecondition) {
 // The observed margin may fall short of the certified one by a tenth of the certified one.
 TEST_F(CertificateCheckTest, LessThanTheCertifiedMarginViolatesAProvedPrecondition) {
   problem_.clearance = 1;
-  const double room = (moment_.opening - pickup_.hold.width) / 2;
+  const double room = (snapshot_.opening - pickup_.hold.width) / 2;
   plan_.steps[kPickup.index()].certificate.preconditions = {
       Precondition(plan::condition::kBetweenFingers, 0.002)};
   const auto between = [&](double left) {
-    return Named(Check(Displaced(room - left), moment_), Claimed::kPrecondition, "between fingers");
+    return Named(Check(Displaced(room - left), snapshot_), Claimed::kPrecondition,
+                 "between fingers");
   };
   EXPECT_EQ(between(0.0019).verdict, ClaimVerdict::kContained);
   EXPECT_EQ(between(0.0017).verdict, ClaimVerdict::kViolated);
@@ -140,7 +141,7 @@ TEST_F(CertificateCheckTest, NothingElseOfTheStepIsClaimedOnceAnUnprovedPrecondi
       Precondition(plan::condition::kBetweenFingers, 0.002),
       Precondition(plan::condition::kFingerClear, -1)};
   const double width = pickup_.hold.width;
-  const std::vector<Claim> failed = Check(Displaced(moment_.opening + width), moment_);
+  const std::vector<Claim> failed = Check(Displaced(snapshot_.opening + width), snapshot_);
   EXPECT_EQ(Named(failed, Claimed::kPrecondition, "between fingers").verdict,
             ClaimVerdict::kNotClaimed);
 }
@@ -148,11 +149,11 @@ TEST_F(CertificateCheckTest, NothingElseOfTheStepIsClaimedOnceAnUnprovedPrecondi
 TEST_F(CertificateCheckTest, NothingIsClaimedOnceAnUnprovedPreconditionFails) {
   plan_.steps[kPickup.index()].certificate.preconditions = {
       Precondition(plan::condition::kBetweenFingers, -1)};
-  const double room = (moment_.opening - pickup_.hold.width) / 2;
+  const double room = (snapshot_.opening - pickup_.hold.width) / 2;
   const std::vector<Claim> failed = Check(Displaced(room + 0.001), Displaced(0.012));
   EXPECT_EQ(Named(failed, Claimed::kAfter, "y of peg").verdict, ClaimVerdict::kNotClaimed);
   // If the unproved precondition holds in the trial, the rest is claimed.
-  const std::vector<Claim> held = Check(moment_, Displaced(0.012));
+  const std::vector<Claim> held = Check(snapshot_, Displaced(0.012));
   EXPECT_EQ(Named(held, Claimed::kAfter, "y of peg").verdict, ClaimVerdict::kViolated);
 }
 
@@ -162,7 +163,7 @@ TEST_F(CertificateCheckTest, NothingIsClaimedAfterWhatIsNeitherProvedNorMeasured
   auto& preconditions = plan_.steps[kPickup.index()].certificate.preconditions;
   preconditions.push_back(Precondition(plan::condition::kHolding, -1));
   const auto y_of_peg = [&] {
-    return Named(Check(moment_, Displaced(0.012)), Claimed::kAfter, "y of peg").verdict;
+    return Named(Check(snapshot_, Displaced(0.012)), Claimed::kAfter, "y of peg").verdict;
   };
   EXPECT_EQ(y_of_peg(), ClaimVerdict::kNotClaimed);
   preconditions.back().margin = kJustProved;
@@ -170,16 +171,18 @@ TEST_F(CertificateCheckTest, NothingIsClaimedAfterWhatIsNeitherProvedNorMeasured
 }
 
 TEST_F(CertificateCheckTest, NothingIsClaimedAfterARecovery) {
-  const std::vector<Claim> claims = Check(moment_, Displaced(0.012), true);
+  const std::vector<Claim> claims = Check(snapshot_, Displaced(0.012), true);
   EXPECT_EQ(Named(claims, Claimed::kAfter, "y of peg").verdict, ClaimVerdict::kNotClaimed);
 }
 
 TEST_F(CertificateCheckTest, AStepThatIsProvedComesToItsEnd) {
   execution::Trace trace;
-  trace.events.push_back(execution::Milestone{kPickup, Stage::kPoised, moment_});
-  trace.events.push_back(execution::ExecutionEnd{execution::TrialOutcome::kOverload, "", moment_});
+  trace.events.push_back(execution::Milestone{kPickup, Stage::kPoised, snapshot_});
+  trace.events.push_back(
+      execution::ExecutionEnd{execution::TrialOutcome::kOverload, "", snapshot_});
   EXPECT_EQ(Worst(CheckCertificates(problem_, plan_, trace, {})), ClaimVerdict::kViolated);
-  trace.events.back() = execution::ExecutionEnd{execution::TrialOutcome::kUnreachable, "", moment_};
+  trace.events.back() =
+      execution::ExecutionEnd{execution::TrialOutcome::kUnreachable, "", snapshot_};
   EXPECT_EQ(Worst(CheckCertificates(problem_, plan_, trace, {})), ClaimVerdict::kContained);
 }
 
@@ -192,25 +195,26 @@ TEST_F(CertificateCheckTest, AStepThatIsStoppedOnItsWayIsTheOneThatDoesNotComeTo
     return end.step;
   };
   execution::Trace trace;
-  trace.events.push_back(execution::ExecutionEnd{execution::TrialOutcome::kOverload, "", moment_});
+  trace.events.push_back(
+      execution::ExecutionEnd{execution::TrialOutcome::kOverload, "", snapshot_});
   EXPECT_EQ(stopped(trace, order[1]), order[1]);
   // Without a first step, the trace is taken to begin with the first step of the plan. Once that
   // step has ended, the next step is the one that is stopped.
   EXPECT_EQ(stopped(trace, plan::StepId::None()), order[0]);
-  trace.events.insert(trace.events.begin(), execution::StepEnd{order[0], "", "", moment_});
+  trace.events.insert(trace.events.begin(), execution::StepEnd{order[0], "", "", snapshot_});
   trace.events.insert(trace.events.begin(),
-                      execution::Milestone{order[0], Stage::kPoised, moment_});
+                      execution::Milestone{order[0], Stage::kPoised, snapshot_});
   EXPECT_EQ(stopped(trace, plan::StepId::None()), order[1]);
 }
 
 TEST_F(CertificateCheckTest, ACollisionIsAClaimOfTheStepInWhichItHappens) {
   const std::vector<plan::StepId> order = plan_.ExecutionOrder();
   execution::Trace trace;
-  trace.events.push_back(execution::Milestone{order[0], Stage::kPoised, moment_});
-  trace.events.push_back(execution::StepEnd{order[0], "", "", moment_});
+  trace.events.push_back(execution::Milestone{order[0], Stage::kPoised, snapshot_});
+  trace.events.push_back(execution::StepEnd{order[0], "", "", snapshot_});
   trace.events.push_back(execution::CollisionRecord{.time = 0, .robot = "arm", .other = "block"});
-  trace.events.push_back(execution::Milestone{order[1], Stage::kPoised, moment_});
-  trace.events.push_back(execution::StepEnd{order[1], "", "", moment_});
+  trace.events.push_back(execution::Milestone{order[1], Stage::kPoised, snapshot_});
+  trace.events.push_back(execution::StepEnd{order[1], "", "", snapshot_});
   const std::vector<Claim> claims = CheckCertificates(problem_, plan_, trace, {});
   const Claim& clear = Named(claims, Claimed::kAfter, "keeps clear of everything else");
   EXPECT_EQ(clear.step, order[1]);
@@ -221,10 +225,10 @@ TEST_F(CertificateCheckTest, ACollisionIsAClaimOfTheStepInWhichItHappens) {
 TEST_F(CertificateCheckTest, APartThatTheStepDoesNotHandleStaysWhereItIs) {
   const std::size_t block = execution::PartNamed(problem_, "block").index();
   const auto shoved = [&](double metres, double radians) {
-    execution::Snapshot end = moment_;
+    execution::Snapshot end = snapshot_;
     end.parts[block].truth.translation().x() += metres;
     end.parts[block].truth.linear() *= geometry::RotationZ(radians).linear();
-    return Check(moment_, end);
+    return Check(snapshot_, end);
   };
   EXPECT_EQ(Worst(shoved(1e-5, 0)), ClaimVerdict::kContained);
   for (const auto& claims : {shoved(1.3e-4, 0), shoved(0, 2e-3)}) {
@@ -243,13 +247,13 @@ TEST_F(CertificateCheckTest, WhatIsProvedIsTestedEvenIfAnotherOfItsNameIsNot) {
     claim.meaning = "contact " + std::to_string(contact) + " lies on the inner side of finger 1";
     return claim;
   };
-  const double room = (moment_.opening - pickup_.hold.width) / 2;
+  const double room = (snapshot_.opening - pickup_.hold.width) / 2;
   for (const int proved : {1, 2}) {
     plan_.steps[kPickup.index()].certificate.preconditions = {of_contact(1, proved == 1),
                                                               of_contact(2, proved == 2)};
     // Finger 1 is the one with the least y. Contact 2 lies on the side of finger 1, and this
     // displacement makes the finger miss it.
-    const std::vector<Claim> claims = Check(Displaced(-room - 0.001), moment_);
+    const std::vector<Claim> claims = Check(Displaced(-room - 0.001), snapshot_);
     const Claim& claim = Named(claims, Claimed::kPrecondition, "between fingers");
     EXPECT_EQ(claim.IsViolated(), proved == 2);
     const Claim& other = Named(claims, Claimed::kPrecondition, "between fingers, not proved");

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "sim/check/certificate_claims/measure_noise_floor.h"
-#include "sim/check/falsification/attack.h"
+#include "sim/check/falsification/falsification.h"
 #include "tests/sim/check/certified.h"
 
 namespace assay::check::noise_floor_test {
@@ -94,12 +94,12 @@ class WithoutNoise : public testing::Test {
     certified_.plan = UpToThePickup(certified_.plan);
     pickup_ = FirstStep(domain::kPickup, certified_.plan);
   }
-  AttackResult Attacked() const {
+  FalsificationResult Falsified() const {
     const Experiment experiment = {certified_.problem,
                                    certified_.plan,
                                    {},
                                    MeasureNoiseFloor(certified_.problem, certified_.plan, {})};
-    return Attack(experiment, {.attempts = 1, .shrunk = 1});
+    return Falsify(experiment, {.attempts = 1, .shrunk = 1});
   }
   plan::ErrorSet& InHand() {
     return certified_.plan.steps[pickup_.index()].certificate.after.front();
@@ -113,7 +113,7 @@ class WithoutNoise : public testing::Test {
 // away. The offset of 1 mm in the execution without noise does not widen the gate of that claim.
 TEST_F(WithoutNoise, APlanThatLeavesItsOwnCertificateIsViolatedBeforeAnythingIsTried) {
   InHand().x = {0.001, 0.002};
-  const AttackResult result = Attacked();
+  const FalsificationResult result = Falsified();
   EXPECT_EQ(result.attempts, 0);
   ASSERT_EQ(result.noiseless.violated.size(), 1u);
   EXPECT_EQ(result.noiseless.violated.front().name, "x of peg");
@@ -130,7 +130,7 @@ TEST_F(WithoutNoise, ASetThatTheEngineDoesNotResolveIsToldBeforeAnythingIsTried)
   twist.step = pickup_;
   const double half = 0.45 * gate.Floor(twist);
   InHand().twist = {-half, half};
-  const AttackResult result = Attacked();
+  const FalsificationResult result = Falsified();
   EXPECT_EQ(result.attempts, 0);
   EXPECT_TRUE(result.noiseless.violated.empty());
   ASSERT_EQ(result.noiseless.hidden.size(), 1u);

@@ -75,14 +75,14 @@ void ExpectMeasured(double sampled, double observed) {
   }
 }
 
-double Observed(const std::vector<GeometricMeaning>& meanings, const std::string& subject) {
-  const auto found = std::ranges::find(meanings, subject, &GeometricMeaning::subject);
-  EXPECT_NE(found, meanings.end()) << subject;
-  return found == meanings.end() ? 0 : found->observed;
+double Observed(const std::vector<MeasuredMargin>& measured, const std::string& subject) {
+  const auto found = std::ranges::find(measured, subject, &MeasuredMargin::subject);
+  EXPECT_NE(found, measured.end()) << subject;
+  return found == measured.end() ? 0 : found->observed;
 }
 
-std::vector<GeometricMeaning> Measured(plan::Condition condition, const plan::PlannedStep& step,
-                                       const StepEvents& events) {
+std::vector<MeasuredMargin> Measured(plan::Condition condition, const plan::PlannedStep& step,
+                                     const StepEvents& events) {
   return MeasurementOf(condition, KnownMeasurements())
       .measure(MeasuredStep(Known().problem, step, events));
 }
@@ -91,14 +91,14 @@ const plan::PlannedStep& StepOf(const domain::ActionKind& kind) {
   return Known().plan.step(FirstStep(kind, Known().plan));
 }
 
-execution::Snapshot MomentWith(const Pose& X_WorldTool, double opening) {
-  execution::Snapshot moment;
-  moment.tool = {X_WorldTool, X_WorldTool};
-  moment.opening = opening;
+execution::Snapshot SnapshotWith(const Pose& X_WorldTool, double opening) {
+  execution::Snapshot snapshot;
+  snapshot.tool = {X_WorldTool, X_WorldTool};
+  snapshot.opening = opening;
   for (const domain::Part& part : Known().problem.parts) {
-    moment.parts.push_back({part.X_WorldPart, part.X_WorldPart});
+    snapshot.parts.push_back({part.X_WorldPart, part.X_WorldPart});
   }
-  return moment;
+  return snapshot;
 }
 
 std::size_t IndexOf(const domain::Part& part) {
@@ -122,7 +122,7 @@ TEST(Measurement, HandClearIsTheHandsDistanceFromAnotherPart) {
   RandomStream random(5, "hand clear");
   int overlaps = 0;
   for (int i = 0; i < 40; ++i) {
-    execution::Snapshot acted = MomentWith(peg.X_WorldPart * hold.X_PartTool, hold.width);
+    execution::Snapshot acted = SnapshotWith(peg.X_WorldPart * hold.X_PartTool, hold.width);
     Pose& X_WorldBlock = acted.parts[IndexOf(block)].truth;
     X_WorldBlock = acted.tool.truth * Somewhere(0.18, random);
     StepEvents events;
@@ -143,7 +143,7 @@ TEST(Measurement, HandClearLeavesOutWhatThePadsTouch) {
   const plan::Hold& hold = pickup.action.hold;
   const domain::Part& peg = PartNamed("peg");
   const auto observed = [&](double ahead) {
-    const execution::Snapshot acted = MomentWith(
+    const execution::Snapshot acted = SnapshotWith(
         peg.X_WorldPart * hold.X_PartTool * geometry::Translation(0, 0, ahead), hold.width);
     StepEvents events;
     events.step = FirstStep(domain::kPickup, Known().plan);
@@ -170,7 +170,7 @@ TEST(Measurement, PassingClearIsTheWayToTheMouth) {
   const auto observed = [&](const Vector3& off) {
     const Pose X_WorldPeg = geometry::Translation(off - vector) * X_WorldSeat;
     execution::Snapshot poised =
-        MomentWith(X_WorldPeg * assemble.hold.X_PartTool, assemble.hold.width);
+        SnapshotWith(X_WorldPeg * assemble.hold.X_PartTool, assemble.hold.width);
     poised.parts[IndexOf(peg)] = {X_WorldPeg, X_WorldPeg};
     StepEvents events;
     events.step = FirstStep(domain::kAssemble, Known().plan);

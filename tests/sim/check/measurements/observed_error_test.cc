@@ -17,9 +17,9 @@ class ObservedErrorTest : public testing::Test {
       : problem_(execution::Figure15()),
         plan_(execution::TwoActions(problem_)),
         peg_(execution::PartNamed(problem_, "peg")) {
-    moment_.parts.resize(2);
+    snapshot_.parts.resize(2);
   }
-  execution::TrueAndBelieved& Peg() { return moment_.parts[peg_.index()]; }
+  execution::TrueAndBelieved& Peg() { return snapshot_.parts[peg_.index()]; }
   double Named(const std::vector<ObservedError>& errors, const std::string& name) const {
     for (const ObservedError& error : errors) {
       if (error.name == name + " of peg") return error.observed;
@@ -31,7 +31,7 @@ class ObservedErrorTest : public testing::Test {
   domain::Problem problem_;
   plan::Plan plan_;
   PartId peg_;
-  execution::Snapshot moment_;
+  execution::Snapshot snapshot_;
 };
 
 TEST_F(ObservedErrorTest, AtRestItIsDisplacedInTheWorldAndTurnedAboutTheVertical) {
@@ -41,7 +41,7 @@ TEST_F(ObservedErrorTest, AtRestItIsDisplacedInTheWorldAndTurnedAboutTheVertical
   Peg() = {truth, believed};
   const plan::Action& pickup = plan_.step(plan::StepId(1)).action;
   const auto errors = ObservedErrors(
-      problem_, pickup, {.part = peg_, .x = {}, .y = {}, .z = {}, .theta = {}}, moment_);
+      problem_, pickup, {.part = peg_, .x = {}, .y = {}, .z = {}, .theta = {}}, snapshot_);
   EXPECT_EQ(errors.size(), 4u);
   EXPECT_NEAR(Named(errors, "x"), 0.001, 1e-12);
   EXPECT_NEAR(Named(errors, "y"), -0.002, 1e-12);
@@ -59,12 +59,12 @@ TEST_F(ObservedErrorTest, InTheHandItIsOfTheGraspedPoint) {
        Eigen::AngleAxisd(0.05, Vector3::UnitY()))
           .toRotationMatrix();
   X_ToolGrasp.translation() = Vector3(0.001, 0.002, -0.004);
-  moment_.tool.believed = geometry::Translation(0.5, 0.1, 0.4) * geometry::RotationZ(1);
-  moment_.tool.truth = Pose::Identity();  // the true tool pose does not matter
-  Peg().truth = moment_.tool.believed * X_ToolGrasp * X_PartTool.inverse();
+  snapshot_.tool.believed = geometry::Translation(0.5, 0.1, 0.4) * geometry::RotationZ(1);
+  snapshot_.tool.truth = Pose::Identity();  // the true tool pose does not matter
+  Peg().truth = snapshot_.tool.believed * X_ToolGrasp * X_PartTool.inverse();
   const auto errors = ObservedErrors(
       problem_, pickup, {.part = peg_, .in_hand = true, .x = {}, .y = {}, .z = {}, .theta = {}},
-      moment_);
+      snapshot_);
   EXPECT_EQ(errors.size(), 6u);
   EXPECT_NEAR(Named(errors, "x"), 0.001, 1e-12);
   EXPECT_NEAR(Named(errors, "y"), 0.002, 1e-12);

@@ -21,14 +21,14 @@ constexpr double kRight = std::numbers::pi / 2;
 
 const domain::PartId kPart(0);
 
-execution::Snapshot MomentWith(const Pose& believed_part,
-                               const Pose& believed_tool = Pose::Identity()) {
+execution::Snapshot SnapshotWith(const Pose& believed_part,
+                                 const Pose& believed_tool = Pose::Identity()) {
   // The true poses do not matter.
   const Pose elsewhere = Translation(7, 7, 7);
-  execution::Snapshot moment;
-  moment.tool = {elsewhere, believed_tool};
-  moment.parts = {{elsewhere, believed_part}};
-  return moment;
+  execution::Snapshot snapshot;
+  snapshot.tool = {elsewhere, believed_tool};
+  snapshot.parts = {{elsewhere, believed_part}};
+  return snapshot;
 }
 
 // Returns the error set of a part with these ranges. All other components are 0.
@@ -59,7 +59,7 @@ TEST(ExtremePoses, AreShiftedInTheAxesOfTheWorld) {
   const Pose believed = Translation(1, 2, 3) * RotationZ(kRight);
   ExpectPoses(
       ExtremePoses(plan::Action{.kind = &domain::kSense},
-                   SetWith({{&plan::ErrorSet::x, {-0.01, 0.03}}}), MomentWith(believed)),
+                   SetWith({{&plan::ErrorSet::x, {-0.01, 0.03}}}), SnapshotWith(believed)),
       {Translation(0.99, 2, 3) * RotationZ(kRight), Translation(1.03, 2, 3) * RotationZ(kRight)});
 }
 
@@ -67,7 +67,7 @@ TEST(ExtremePoses, AreTurnedAboutThePartsOwnOrigin) {
   const Pose believed = Translation(1, 2, 3) * RotationX(kRight);
   ExpectPoses(
       ExtremePoses(plan::Action{.kind = &domain::kSense},
-                   SetWith({{&plan::ErrorSet::theta, {-kRight, 0.1}}}), MomentWith(believed)),
+                   SetWith({{&plan::ErrorSet::theta, {-kRight, 0.1}}}), SnapshotWith(believed)),
       {Translation(1, 2, 3) * RotationZ(-kRight) * RotationX(kRight),
        Translation(1, 2, 3) * RotationZ(0.1) * RotationX(kRight)});
 }
@@ -76,22 +76,23 @@ TEST(ExtremePoses, LeaveTheOtherComponentsAtTheirMiddle) {
   ExpectPoses(
       ExtremePoses(plan::Action{.kind = &domain::kSense},
                    SetWith({{&plan::ErrorSet::x, {0, 0.02}}, {&plan::ErrorSet::z, {0.1, 0.3}}}),
-                   MomentWith(Pose::Identity())),
+                   SnapshotWith(Pose::Identity())),
       {Translation(0, 0, 0.2), Translation(0.02, 0, 0.2), Translation(0.01, 0, 0.1),
        Translation(0.01, 0, 0.3)});
 }
 
 TEST(ExtremePoses, AreThoseThatCanBeSeen) {
-  const execution::Snapshot moment = MomentWith(Pose::Identity());
+  const execution::Snapshot snapshot = SnapshotWith(Pose::Identity());
   const plan::ErrorSet small =
       SetWith({{&plan::ErrorSet::x, {-0.0001, 0.0001}}, {&plan::ErrorSet::theta, {-0.001, 0.001}}});
-  EXPECT_TRUE(ExtremePoses(plan::Action{.kind = &domain::kSense}, small, moment).empty());
-  EXPECT_EQ(ExtremePoses(plan::Action{.kind = &domain::kSense}, small, moment, {.length = 0.00019})
+  EXPECT_TRUE(ExtremePoses(plan::Action{.kind = &domain::kSense}, small, snapshot).empty());
+  EXPECT_EQ(
+      ExtremePoses(plan::Action{.kind = &domain::kSense}, small, snapshot, {.length = 0.00019})
+          .size(),
+      2);
+  EXPECT_EQ(ExtremePoses(plan::Action{.kind = &domain::kSense}, small, snapshot, {.angle = 0.0019})
                 .size(),
             2);
-  EXPECT_EQ(
-      ExtremePoses(plan::Action{.kind = &domain::kSense}, small, moment, {.angle = 0.0019}).size(),
-      2);
 }
 
 TEST(ExtremePoses, HaveNoEndsWhereThereIsNoBound) {
@@ -99,7 +100,7 @@ TEST(ExtremePoses, HaveNoEndsWhereThereIsNoBound) {
   ExpectPoses(ExtremePoses(plan::Action{.kind = &domain::kSense},
                            SetWith({{&plan::ErrorSet::x, {-infinity, infinity}},
                                     {&plan::ErrorSet::y, {-0.01, 0.01}}}),
-                           MomentWith(Pose::Identity())),
+                           SnapshotWith(Pose::Identity())),
               {Translation(0, -0.01, 0), Translation(0, 0.01, 0)});
 }
 
@@ -109,7 +110,8 @@ TEST(ExtremePoses, InTheHandAreTurnedAboutTheGraspedPoint) {
   const plan::Action pickup = PickupWith(Translation(0.1, 0, 0));
   const Pose tool = Translation(1, 0, 0.5);
   const plan::ErrorSet set = SetWith({{&plan::ErrorSet::theta, {0, kRight}}}, true);
-  const std::vector<Pose> poses = ExtremePoses(pickup, set, MomentWith(Translation(9, 9, 9), tool));
+  const std::vector<Pose> poses =
+      ExtremePoses(pickup, set, SnapshotWith(Translation(9, 9, 9), tool));
   // The other components are at the middle of their ranges, which is 0. The low end of theta is 0.
   ExpectPoses(poses, {Translation(0.9, 0, 0.5), Translation(1, -0.1, 0.5) * RotationZ(kRight)});
 }
@@ -118,7 +120,7 @@ TEST(ExtremePoses, InTheHandAreShiftedAlongTheAxesOfTheTool) {
   const plan::Action pickup = PickupWith(Pose::Identity());
   const Pose tool = RotationX(kRight);  // its y is the world's z
   const plan::ErrorSet set = SetWith({{&plan::ErrorSet::y, {-0.02, 0.04}}}, true);
-  ExpectPoses(ExtremePoses(pickup, set, MomentWith(Pose::Identity(), tool)),
+  ExpectPoses(ExtremePoses(pickup, set, SnapshotWith(Pose::Identity(), tool)),
               {Translation(0, 0, -0.02) * tool, Translation(0, 0, 0.04) * tool});
 }
 
@@ -130,8 +132,8 @@ TEST(ExtremePoses, AreWhereTheErrorsAreObservedAtTheirEnds) {
   plan::Action putdown{.kind = &domain::kPutdown};
   putdown.hold.X_PartTool = Translation(0.02, 0.01, 0.03) * RotationX(2);
   putdown.place.X_WorldPart = planned;
-  execution::Snapshot moment = MomentWith(Translation(0.001, 0, 0) * planned * RotationZ(0.2),
-                                          Translation(0.3, 0.2, 0.1) * RotationX(3));
+  execution::Snapshot snapshot = SnapshotWith(Translation(0.001, 0, 0) * planned * RotationZ(0.2),
+                                              Translation(0.3, 0.2, 0.1) * RotationX(3));
   for (const bool in_hand : {false, true}) {
     plan::ErrorSet set = SetWith({{&plan::ErrorSet::x, {-0.01, 0.02}},
                                   {&plan::ErrorSet::y, {-0.03, 0.04}},
@@ -142,11 +144,11 @@ TEST(ExtremePoses, AreWhereTheErrorsAreObservedAtTheirEnds) {
       set.tip = {-0.2, 0.1};
       set.twist = {0, 0.1};
     }
-    const std::vector<Pose> poses = ExtremePoses(putdown, set, moment);
+    const std::vector<Pose> poses = ExtremePoses(putdown, set, snapshot);
     ASSERT_EQ(poses.size(), in_hand ? 12 : 8);
     for (std::size_t i = 0; i < poses.size(); ++i) {
-      moment.parts.front().truth = poses[i];
-      const std::vector<ObservedError> observed = ObservedErrors(problem, putdown, set, moment);
+      snapshot.parts.front().truth = poses[i];
+      const std::vector<ObservedError> observed = ObservedErrors(problem, putdown, set, snapshot);
       for (std::size_t k = 0; k < poses.size() / 2; ++k) {
         const auto& [low, high] = observed[k].predicted;
         const double end = i % 2 == 0 ? low : high;

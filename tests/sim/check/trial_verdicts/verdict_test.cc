@@ -25,15 +25,15 @@ class JudgeTest : public testing::Test {
                                      ASSAY_SOURCE_DIR "/models")),
         mating_(problem_.matings.front()) {
     const domain::Part& fixed = problem_.part(mating_.fixed);
-    end_.moment.opening = 0.1;
-    end_.moment.parts.resize(2);
-    end_.moment.table_heights.resize(2);
+    end_.snapshot.opening = 0.1;
+    end_.snapshot.parts.resize(2);
+    end_.snapshot.table_heights.resize(2);
     rest_.parts.resize(2);
     Truth(mating_.fixed) = fixed.X_WorldPart;
     Truth(mating_.held) = fixed.X_WorldPart * mating_.X_FixedHeld;
   }
 
-  Pose& Truth(PartId part) { return end_.moment.parts[part.index()].truth; }
+  Pose& Truth(PartId part) { return end_.snapshot.parts[part.index()].truth; }
   void DisplaceHeld(double x, double y, double z) {
     Truth(mating_.held) =
         Truth(mating_.fixed) * geometry::Translation(x, y, z) * mating_.X_FixedHeld;
@@ -92,12 +92,12 @@ TEST_F(JudgeTest, NamesTheFirstReason) {
 }
 
 TEST_F(JudgeTest, NotReleased) {
-  end_.moment.opening = 0.0765;
+  end_.snapshot.opening = 0.0765;
   EXPECT_EQ(Judged().outcome, TrialOutcome::kNotReleased);
 }
 
 TEST_F(JudgeTest, NotReleasedWhileAFingerTouches) {
-  end_.moment.contacts = {{"gripper/finger_left", "part/peg"}};
+  end_.snapshot.contacts = {{"gripper/finger_left", "part/peg"}};
   EXPECT_EQ(Judged().outcome, TrialOutcome::kNotReleased);
 }
 

@@ -76,7 +76,7 @@ TEST(Run, ScatteredTrialsDependOnTheirNumberAlone) {
   EXPECT_EQ(second["rows"][0], both["rows"][1]);
 }
 
-TEST(Run, AnAttackTellsWhatCameNearestToBeingViolated) {
+TEST(Run, AFalsificationTellsWhatCameNearestToBeingViolated) {
   const Ended ended = Assay({"run", kTwoActions, "--noise", "attack", "--attempts", "4", "--json"});
   EXPECT_EQ(ended.code, 0) << ended.err << ended.out;
   const nlohmann::json result = ended.Json();

@@ -103,7 +103,7 @@ TEST_P(Heights, TheMoveEndsAtTheTable) {
 
 TEST_P(Heights, ThePartRestsThere) {
   const Landing& landing = Onto(GetParam());
-  const Snapshot& end = landing.trace.All<StepEnd>().at(0)->moment;
+  const Snapshot& end = landing.trace.All<StepEnd>().at(0)->snapshot;
   EXPECT_NEAR(end.table_heights[peg().index()], GetParam(), 1e-15);
   EXPECT_EQ(end.table_heights[1 - peg().index()], 0) << "the other part's stays";
   EXPECT_NEAR(end.parts[peg().index()].truth.translation().z(), RestingHeight() + GetParam(), 2e-5);
@@ -115,7 +115,7 @@ TEST_P(Heights, ThePartRestsThere) {
 
 // The believed pose after the putdown is the planned one, whatever the table's height.
 TEST_P(Heights, ThePartIsBelievedToBeWhereItWasToGo) {
-  const Snapshot& end = Onto(GetParam()).trace.All<StepEnd>().at(0)->moment;
+  const Snapshot& end = Onto(GetParam()).trace.All<StepEnd>().at(0)->snapshot;
   const auto& putdown = plan().step(kPutdown).action;
   EXPECT_EQ(end.parts[peg().index()].believed.matrix(), putdown.place.X_WorldPart.matrix());
 }
@@ -125,8 +125,8 @@ TEST_P(Heights, NothingIsPressedHard) {
   const Landing& landing = Onto(GetParam());
   double greatest = 0;
   for (const Sample* sample : landing.trace.All<Sample>()) {
-    if (sample->moment.time > landing.guard().time + 0.15) break;
-    greatest = std::max(greatest, sample->moment.wrist.force.norm());
+    if (sample->snapshot.time > landing.guard().time + 0.15) break;
+    greatest = std::max(greatest, sample->snapshot.wrist.force.norm());
   }
   EXPECT_GT(greatest, kResistance);
   EXPECT_LT(greatest, 60);
@@ -138,7 +138,7 @@ TEST_F(GuardedMove, EndsWithoutResistanceWhereThereIsNothing) {
   EXPECT_FALSE(landing.guard().resisted);
   const double travel = problem().workcell->rules().guarded_travel;
   EXPECT_NEAR(landing.guard().tool.translation().z(), ExpectedHeight() - travel, 1e-6);
-  const Snapshot& end = landing.trace.All<StepEnd>().at(0)->moment;
+  const Snapshot& end = landing.trace.All<StepEnd>().at(0)->snapshot;
   EXPECT_LT(end.parts[peg().index()].truth.translation().z(), RestingHeight() - travel);
 }
 

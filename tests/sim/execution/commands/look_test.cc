@@ -88,7 +88,7 @@ TEST_F(Looking, WhatItMeasuresIsBelieved) {
   EXPECT_LT(geometry::AngleBetween(look.believed.linear(), expected.linear()), 1e-4);
   EXPECT_TRUE(look.believed.linear().row(2).isApprox(look.before.believed.linear().row(2), 1e-12))
       << "turned about the vertical only";
-  EXPECT_EQ(trace.end().moment.parts[peg_.index()].believed.matrix(), look.believed.matrix());
+  EXPECT_EQ(trace.end().snapshot.parts[peg_.index()].believed.matrix(), look.believed.matrix());
 }
 
 // The overhead camera measures heights as well, and they are used.
@@ -125,8 +125,8 @@ TEST_F(Looking, LaterCommandsGoToTheBelievedPlace) {
   for (const Milestone* milestone : trace.All<Milestone>()) {
     if (milestone->step != kPickup || milestone->stage != Stage::kReached) continue;
     const Pose told = believed * pickup.hold.X_PartTool;
-    EXPECT_TRUE(milestone->moment.tool.believed.isApprox(told, 1e-9));
-    EXPECT_LT((milestone->moment.tool.truth.translation() - told.translation()).norm(), 5e-5);
+    EXPECT_TRUE(milestone->snapshot.tool.believed.isApprox(told, 1e-9));
+    EXPECT_LT((milestone->snapshot.tool.truth.translation() - told.translation()).norm(), 5e-5);
   }
   EXPECT_TRUE(trace.All<GraspFact>().at(0)->holds());
 }

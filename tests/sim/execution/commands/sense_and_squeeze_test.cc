@@ -37,7 +37,7 @@ class CarefullyExecuted : public testing::TestWithParam<scene::GraspMode> {
         trace_(Executed().trace) {}
 
   const Snapshot& AfterStep(int executed) const {
-    return trace_.All<StepEnd>()[static_cast<std::size_t>(executed) - 1]->moment;
+    return trace_.All<StepEnd>()[static_cast<std::size_t>(executed) - 1]->snapshot;
   }
 
  private:
@@ -90,7 +90,7 @@ TEST_P(CarefullyExecuted, TheSqueezeIsAGraspThatHolds) {
 
 TEST_P(CarefullyExecuted, ThePlanGoesOnAsIfNothingHadHappened) {
   ASSERT_EQ(trace_.end().outcome, TrialOutcome::kSucceeded) << trace_.end().reason;
-  const TrueAndBelieved& peg = trace_.end().moment.parts[peg_.index()];
+  const TrueAndBelieved& peg = trace_.end().snapshot.parts[peg_.index()];
   EXPECT_LT((peg.truth.translation() - peg.believed.translation()).norm(), 2e-4);
 }
 

@@ -36,7 +36,7 @@ std::string PlaceOf(const std::string& what, const Replacements& replacements) {
 TEST(Interpretation, OfTwoCans) {
   const KnowledgeScenario scenario = TwoCans();
   EXPECT_EQ(scenario.interpretation.skills.size(), 5u);
-  EXPECT_EQ(scenario.interpretation.meanings.size(), 4u);
+  EXPECT_EQ(scenario.interpretation.predicates.size(), 4u);
   EXPECT_EQ(scenario.interpretation.hidden.size(), 2u);
   EXPECT_TRUE(scenario.interpretation.spill);
 }
@@ -122,7 +122,7 @@ TEST(Interpretation, TheDomainMustBeThere) {
 
 TEST(Interpretation, InternalPredicatesMeanNothing) {
   const KnowledgeScenario scenario = TwoCans({{"{is: hand-empty}", "{is: internal}"}});
-  EXPECT_EQ(scenario.interpretation.meanings.at("handEmpty"), nullptr);
+  EXPECT_EQ(scenario.interpretation.predicates.at("handEmpty"), nullptr);
 }
 
 }  // namespace

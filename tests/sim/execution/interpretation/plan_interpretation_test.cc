@@ -14,7 +14,7 @@
 #include "planner/contingent/grounding/ground_query.h"
 #include "planner/contingent/search/contingent_planner.h"
 #include "sim/execution/interpretation/knowledge_scenario.h"
-#include "sim/execution/trial/enactment.h"
+#include "sim/execution/trial/tree_trial.h"
 #include "sim/execution/walk/executor.h"
 #include "sim/execution/worlds/fault.h"
 #include "sim/execution/worlds/leaves.h"
@@ -47,7 +47,7 @@ class FallenPeg : public testing::Test {
     std::ofstream(file) << text.str();
     return Load(file, ASSAY_SOURCE_DIR "/models");
   }
-  static EnactedTrial Run(int world, double sensing_errors = 0) {
+  static TreeTrial Run(int world, double sensing_errors = 0) {
     return RunTrial(Scenario(), Scenario().interpretation.planned->assembly.tree,
                     {1, {.masses = {}, .colors = {}, .world = world}},
                     {.seed = 1, .sensing_errors = sensing_errors});
@@ -58,7 +58,7 @@ class FallenPeg : public testing::Test {
 TEST_F(FallenPeg, EachWorldReachesTheGoal) {
   for (const auto& [world, told] :
        {std::pair(0, "pose(peg) = lying"), std::pair(1, "pose(peg) = standing")}) {
-    const EnactedTrial trial = Run(world);
+    const TreeTrial trial = Run(world);
     EXPECT_EQ(trial.outcome, TrialOutcome::kSucceeded) << trial.reason;
     EXPECT_TRUE(trial.is_goal_true);
     EXPECT_THAT(trial.walk.false_claims, IsEmpty());
@@ -83,7 +83,7 @@ TEST_F(FallenPeg, ErrorBranchesAreComeTo) {
     }
     const auto& world = std::get<HiddenWorld>(found);
     ASSERT_TRUE(world.fault);
-    const EnactedTrial trial = RunTrial(Scenario(), tree, {1, world}, {.seed = 1});
+    const TreeTrial trial = RunTrial(Scenario(), tree, {1, world}, {.seed = 1});
     EXPECT_TRUE(leaf.IsOn(trial.walk)) << leaf.Text() << ": " << trial.fault;
     EXPECT_FALSE(trial.IsFailed()) << leaf.Text() << ": " << trial.reason;
     ++executed;
@@ -110,7 +110,7 @@ TEST_F(FallenPeg, AnOpeningThatIsTooWideIsATurnedPart) {
   // The plate is 3 inches wide and 1 inch thick. The peg also leans a little.
   EXPECT_NEAR(std::abs(fault.turn), std::atan2(1, 3), 0.02);
 
-  const EnactedTrial trial =
+  const TreeTrial trial =
       RunTrial(scenario, planned.assembly.tree,
                {1, {.masses = {}, .colors = {}, .world = standing, .fault = fault}}, {.seed = 1});
   EXPECT_EQ(trial.outcome, TrialOutcome::kOperatorCalled) << trial.reason;
@@ -168,8 +168,8 @@ class Says : public Skill {
 // Enacts a plan that ends when the pose is known. If it is enough that the pose is sensed, no
 // branch depends on the look.
 enum class Wanted { kKnown, kSensed };
-EnactedTrial LookAtStandingPeg(const KnowledgeScenario& of, Wanted wanted,
-                               const std::vector<std::string>& said) {
+TreeTrial LookAtStandingPeg(const KnowledgeScenario& of, Wanted wanted,
+                            const std::vector<std::string>& said) {
   KnowledgeScenario scenario{of.scenario, InterpretationOf(of.interpretation.planned)};
   contingent::GroundTask& task = scenario.interpretation.task;
   const auto pose =
@@ -195,13 +195,13 @@ EnactedTrial LookAtStandingPeg(const KnowledgeScenario& of, Wanted wanted,
 }
 
 TEST_F(FallenPeg, AValueThatTheGoalTakesForSensedIsAudited) {
-  const EnactedTrial right = LookAtStandingPeg(Scenario(), Wanted::kSensed, {"standing"});
+  const TreeTrial right = LookAtStandingPeg(Scenario(), Wanted::kSensed, {"standing"});
   EXPECT_EQ(right.walk.end, TrialOutcome::kSucceeded);
   EXPECT_THAT(right.walk.false_claims, IsEmpty());
-  const EnactedTrial wrong = LookAtStandingPeg(Scenario(), Wanted::kSensed, {"lying"});
+  const TreeTrial wrong = LookAtStandingPeg(Scenario(), Wanted::kSensed, {"lying"});
   EXPECT_EQ(wrong.outcome, TrialOutcome::kFalseClaim);
   EXPECT_THAT(wrong.reason, testing::HasSubstr("after step 1 pose(peg) = lying is claimed"));
-  const EnactedTrial silent = LookAtStandingPeg(Scenario(), Wanted::kSensed, {""});
+  const TreeTrial silent = LookAtStandingPeg(Scenario(), Wanted::kSensed, {""});
   EXPECT_EQ(silent.outcome, TrialOutcome::kUncertain);
   EXPECT_EQ(silent.reason, "the sensors do not tell pose(peg)");
 }
@@ -210,11 +210,11 @@ TEST_F(FallenPeg, AValueThatTheGoalTakesForSensedIsAudited) {
 // is treated in the same way.
 TEST_F(FallenPeg, AValueThatIsNotToldIsSensedAgain) {
   for (const Wanted wanted : {Wanted::kKnown, Wanted::kSensed}) {
-    const EnactedTrial late = LookAtStandingPeg(Scenario(), wanted, {"", "", "standing"});
+    const TreeTrial late = LookAtStandingPeg(Scenario(), wanted, {"", "", "standing"});
     EXPECT_EQ(late.walk.end, TrialOutcome::kSucceeded) << late.reason;
     EXPECT_EQ(late.walk.steps.size(), 3U);
     EXPECT_THAT(late.walk.false_claims, IsEmpty());
-    const EnactedTrial never = LookAtStandingPeg(Scenario(), wanted, {""});
+    const TreeTrial never = LookAtStandingPeg(Scenario(), wanted, {""});
     EXPECT_EQ(never.outcome, TrialOutcome::kUncertain);
     EXPECT_EQ(never.walk.steps.size(), 5U);
   }
@@ -266,7 +266,7 @@ TEST_F(FallenPeg, PosesNearEachOtherAreToldApart) {
 
 // The peg stands and is claimed to lie. The audit finds the false claim after the first step.
 TEST_F(FallenPeg, AWrongPoseIsAFalseClaim) {
-  const EnactedTrial trial = Run(1, 1);
+  const TreeTrial trial = Run(1, 1);
   EXPECT_EQ(trial.outcome, TrialOutcome::kFalseClaim);
   ASSERT_FALSE(trial.walk.false_claims.empty());
   EXPECT_EQ(trial.walk.false_claims.front().step, 1);

@@ -7,7 +7,7 @@
 
 #include "planner/base/input_files/input_error.h"
 #include "sim/execution/interpretation/knowledge_scenario.h"
-#include "sim/execution/trial/enactment.h"
+#include "sim/execution/trial/tree_trial.h"
 #include "sim/execution/walk/audit.h"
 #include "tests/sim/execution/two_cans.h"
 
@@ -60,7 +60,7 @@ KnowledgeScenario Weighing(const std::string& init, const std::string& goal,
   return TwoCans(replacements);
 }
 
-EnactedTrial Enact(const KnowledgeScenario& scenario, double mass) {
+TreeTrial RunTree(const KnowledgeScenario& scenario, double mass) {
   return RunTrial(scenario, TreeOf(scenario), {1, {.masses = {{PartId(0), mass}}}}, {});
 }
 
@@ -90,8 +90,8 @@ TEST(Quantity, ABoundIsToldUnlessItIsWithinTheError) {
   for (const auto& [value, is_above] :
        {std::pair(0.29, std::optional(true)), std::pair(0.21, std::optional(false)),
         std::pair(0.27, std::optional<bool>()), std::pair(0.23, std::optional<bool>())}) {
-    EXPECT_EQ(Told(above, {value, 0.03}), is_above) << value;
-    EXPECT_EQ(Told(below, {value, 0.03}), is_above ? std::optional(!*is_above) : std::nullopt);
+    EXPECT_EQ(Observed(above, {value, 0.03}), is_above) << value;
+    EXPECT_EQ(Observed(below, {value, 0.03}), is_above ? std::optional(!*is_above) : std::nullopt);
     EXPECT_EQ(Holds(above, value), value > 0.25);
     EXPECT_EQ(Holds(below, value), value <= 0.25);
   }
@@ -149,7 +149,7 @@ TEST(Quantity, GoalsOnNumbersAreJudgedByTheTruth) {
 
 // The planner uses the known interval and leaves out the weighing.
 TEST(Quantity, AFalseIntervalFailsATrialThatReachesItsGoal) {
-  const EnactedTrial trial = Enact(Weighing("add(Kf, weight(can1) = [0.6, 0.7])", kMoved), 0.42);
+  const TreeTrial trial = RunTree(Weighing("add(Kf, weight(can1) = [0.6, 0.7])", kMoved), 0.42);
   EXPECT_EQ(trial.outcome, TrialOutcome::kFalseClaim);
   EXPECT_TRUE(trial.is_goal_true);
   EXPECT_THAT(trial.reason,
@@ -161,13 +161,13 @@ TEST(Quantity, WeighingTellsOnWhichSideOfABoundItIs) {
   const KnowledgeScenario scenario = Weighing("add(Kf, weight(can1) = [0, 1])", kMoved);
   for (const auto& [mass, action] :
        {std::pair(0.42, "transferUpright(can1)"), std::pair(0.1, "transfer(can1)")}) {
-    const EnactedTrial trial = Enact(scenario, mass);
+    const TreeTrial trial = RunTree(scenario, mass);
     EXPECT_EQ(trial.outcome, TrialOutcome::kSucceeded) << trial.reason;
     ASSERT_EQ(trial.walk.steps.size(), 4u);
     EXPECT_EQ(trial.walk.steps[2].action, action);
   }
-  const EnactedTrial flipped = RunTrial(
-      scenario, TreeOf(scenario), {1, {.masses = {{PartId(0), 0.42}}}}, {.sensing_errors = 1});
+  const TreeTrial flipped = RunTrial(scenario, TreeOf(scenario),
+                                     {1, {.masses = {{PartId(0), 0.42}}}}, {.sensing_errors = 1});
   EXPECT_EQ(flipped.outcome, TrialOutcome::kFalseClaim);
 }
 
@@ -188,8 +188,8 @@ TEST(Quantity, LeavesDrawMassesOnTheirSideOfABound) {
 TEST(Quantity, WhatTheGoalTakesForSensedMustHaveBeenTold) {
   const char* init = "add(Kf, weight(can1) = [0, 1])";
   const char* goal = "Kw(weight(can1) > 0.25)";
-  EXPECT_EQ(Enact(Weighing(init, goal), 0.42).outcome, TrialOutcome::kSucceeded);
-  const EnactedTrial blind = Enact(Weighing(init, goal, {{"error: 0.3", "error: 20"}}), 0.42);
+  EXPECT_EQ(RunTree(Weighing(init, goal), 0.42).outcome, TrialOutcome::kSucceeded);
+  const TreeTrial blind = RunTree(Weighing(init, goal, {{"error: 0.3", "error: 20"}}), 0.42);
   EXPECT_EQ(blind.outcome, TrialOutcome::kUncertain);
   EXPECT_THAT(blind.reason, HasSubstr("do not tell whether weight(can1) > 0.25"));
 }
@@ -206,9 +206,9 @@ TEST(Quantity, AReadingThatIsMadeWrongIsToldByTheAudit) {
                              text.substr(end);
   const KnowledgeScenario scenario =
       Weighing("add(Kf, weight(can1) = [0, 1])", "Kv(weight(can1) within 0.05)", {}, domain);
-  EXPECT_EQ(Enact(scenario, 0.42).outcome, TrialOutcome::kSucceeded);
-  const EnactedTrial wrong = RunTrial(scenario, TreeOf(scenario),
-                                      {1, {.masses = {{PartId(0), 0.42}}}}, {.sensing_errors = 1});
+  EXPECT_EQ(RunTree(scenario, 0.42).outcome, TrialOutcome::kSucceeded);
+  const TreeTrial wrong = RunTrial(scenario, TreeOf(scenario), {1, {.masses = {{PartId(0), 0.42}}}},
+                                   {.sensing_errors = 1});
   EXPECT_TRUE(wrong.walk.is_flipped);
   EXPECT_EQ(wrong.outcome, TrialOutcome::kFalseClaim);
   EXPECT_THAT(wrong.reason, HasSubstr("Kv(weight(can1) within 0.05)"));

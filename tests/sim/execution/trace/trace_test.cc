@@ -17,7 +17,7 @@ using Json = nlohmann::json;
 using testing::IsEmpty;
 using testing::Not;
 
-Snapshot SomeMoment(double time) {
+Snapshot SomeSnapshot(double time) {
   return {.time = time,
           .tool = {geometry::Translation(0.1, 0.2, 0.3) * geometry::RotationX(3.5),
                    geometry::Translation(0.1, 0.2, 0.31)},
@@ -59,28 +59,29 @@ Trace OneOfEach() {
                                .attempt = 2,
                                .outcome = TrialOutcome::kWrongContact,
                                .recognized = RecognizedContact{"vertex 8 on face 6", false}};
-  return {.problem = "test",
-          .parts = {"peg"},
-          .events = {Sample{SomeMoment(0)},
-                     GraspFact{.time = 0.5,
-                               .part = PartId(0),
-                               .expected_width = 0.05,
-                               .opening = 0.0512,
-                               .pads_touch = true},
-                     SomeLook(true), SomeLook(false),
-                     GuardRecord{.time = 0.76,
-                                 .resisted = true,
-                                 .tool = geometry::Translation(1, 2, 6),
-                                 .from = 0.7,
-                                 .force = 15,
-                                 .direction = {0, 0, -1}},
-                     Milestone{plan::StepId(2), Stage::kReached, SomeMoment(0.78)}, check, recovery,
-                     StepEnd{plan::StepId(0), "action_1", "pickup(peg, PG1)", SomeMoment(1)},
-                     motion, RestRecord{.duration = 0.5, .parts = {{1e-6, 2e-6}}},
-                     CollisionRecord{1.5, "arm/forearm", "part/peg"},
-                     ExecutionEnd{.outcome = TrialOutcome::kOverload,
-                                  .reason = "too much",
-                                  .moment = SomeMoment(2)}}};
+  return {
+      .problem = "test",
+      .parts = {"peg"},
+      .events = {Sample{SomeSnapshot(0)},
+                 GraspFact{.time = 0.5,
+                           .part = PartId(0),
+                           .expected_width = 0.05,
+                           .opening = 0.0512,
+                           .pads_touch = true},
+                 SomeLook(true), SomeLook(false),
+                 GuardRecord{.time = 0.76,
+                             .resisted = true,
+                             .tool = geometry::Translation(1, 2, 6),
+                             .from = 0.7,
+                             .force = 15,
+                             .direction = {0, 0, -1}},
+                 Milestone{plan::StepId(2), Stage::kReached, SomeSnapshot(0.78)}, check, recovery,
+                 StepEnd{plan::StepId(0), "action_1", "pickup(peg, PG1)", SomeSnapshot(1)}, motion,
+                 RestRecord{.duration = 0.5, .parts = {{1e-6, 2e-6}}},
+                 CollisionRecord{1.5, "arm/forearm", "part/peg"},
+                 ExecutionEnd{.outcome = TrialOutcome::kOverload,
+                              .reason = "too much",
+                              .snapshot = SomeSnapshot(2)}}};
 }
 
 class TraceSchema : public testing::Test {
@@ -120,7 +121,7 @@ TEST_F(TraceSchema, HasEveryOutcomeAndStage) {
     EXPECT_THAT(schema_.Errors(Lines(trace).back()), IsEmpty());
   }
   for (const Stage stage : {Stage::kPoised, Stage::kReached, Stage::kActed}) {
-    trace.events = {Milestone{plan::StepId(0), stage, SomeMoment(0)}};
+    trace.events = {Milestone{plan::StepId(0), stage, SomeSnapshot(0)}};
     EXPECT_THAT(schema_.Errors(Lines(trace).back()), IsEmpty());
   }
 }

@@ -9,7 +9,7 @@
 #include "planner/contingent/plan_tree/tree_text.h"
 #include "planner/contingent/search/contingent_planner.h"
 #include "sim/execution/interpretation/knowledge_scenario.h"
-#include "sim/execution/trial/enactment.h"
+#include "sim/execution/trial/tree_trial.h"
 #include "sim/render/renderer.h"
 #include "tests/scratch_file.h"
 
@@ -30,7 +30,7 @@ struct Planned {
     tree = MakePlan(scenario.interpretation.task, contingent::Wanted::kFirst, budget).tree;
   }
 
-  EnactedTrial Run(const Leaf& leaf, int number, double sensing_errors = 0) const {
+  TreeTrial Run(const Leaf& leaf, int number, double sensing_errors = 0) const {
     RandomStream random(1, "world");
     const auto world = WorldFor(leaf, scenario.interpretation, scenario.scenario.problem, random);
     return RunTrial(scenario, tree, {number, world.value()},
@@ -64,7 +64,7 @@ TEST_F(Bottles, EveryBranchReachesTheGoal) {
   const Planned bottle(kOneBottle);
   int number = 0;
   for (const Leaf& leaf : bottle.Leaves()) {
-    const EnactedTrial trial = bottle.Run(leaf, ++number);
+    const TreeTrial trial = bottle.Run(leaf, ++number);
     EXPECT_EQ(trial.outcome, TrialOutcome::kSucceeded) << leaf.Text() << ": " << trial.reason;
     EXPECT_TRUE(trial.is_goal_true);
     EXPECT_THAT(trial.walk.false_claims, IsEmpty());
@@ -99,7 +99,7 @@ std::filesystem::path LookAtBoth() {
 TEST_F(Bottles, AreLookedAtTogether) {
   const Planned bottles(LookAtBoth());
   ASSERT_EQ(SizeOf(bottles.tree).depth, 1);
-  const EnactedTrial trial = bottles.Run(bottles.Leaves().front(), 1);
+  const TreeTrial trial = bottles.Run(bottles.Leaves().front(), 1);
   EXPECT_EQ(trial.outcome, TrialOutcome::kSucceeded) << trial.reason;
   EXPECT_THAT(trial.walk.false_claims, IsEmpty());
 }
@@ -109,7 +109,7 @@ TEST_F(Bottles, AreLookedAtTogether) {
 TEST_F(Bottles, WrongSensingIsCaught) {
   const Planned bottle(kOneBottle);
   for (const Leaf& leaf : bottle.Leaves()) {
-    const EnactedTrial trial = bottle.Run(leaf, 1, 1);
+    const TreeTrial trial = bottle.Run(leaf, 1, 1);
     EXPECT_EQ(trial.outcome, TrialOutcome::kFalseClaim) << leaf.Text();
     ASSERT_FALSE(trial.walk.false_claims.empty());
     EXPECT_EQ(trial.walk.false_claims.front().atom, "isEmptyBottle(bottle)");

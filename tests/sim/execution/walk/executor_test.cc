@@ -53,8 +53,8 @@ class Figure15Executed : public testing::Test {
     std::vector<const Sample*> samples;
     for (const Sample* sample : trace().All<Sample>()) {
       const bool closed_on_it =
-          sample->moment.opening < HoldForMating(problem(), domain::MatingId(0)).width + 1e-4;
-      if (sample->moment.time > closed && closed_on_it) samples.push_back(sample);
+          sample->snapshot.opening < HoldForMating(problem(), domain::MatingId(0)).width + 1e-4;
+      if (sample->snapshot.time > closed && closed_on_it) samples.push_back(sample);
     }
     return samples;
   }
@@ -68,8 +68,8 @@ TEST_F(Figure15Executed, Assembles) {
   const ExecutionEnd& end = trace().end();
   ASSERT_EQ(end.outcome, TrialOutcome::kSucceeded) << end.reason;
   const domain::Mating& mating = problem().mating(domain::MatingId(0));
-  const Pose X_FixedHeld = end.moment.parts[mating.fixed.index()].truth.inverse() *
-                           end.moment.parts[mating.held.index()].truth;
+  const Pose X_FixedHeld = end.snapshot.parts[mating.fixed.index()].truth.inverse() *
+                           end.snapshot.parts[mating.held.index()].truth;
   EXPECT_LT((X_FixedHeld.translation() - mating.X_FixedHeld.translation()).norm(), 2e-4);
   EXPECT_LT(geometry::AngleBetween(X_FixedHeld.linear(), mating.X_FixedHeld.linear()), 2e-3);
 }
@@ -79,7 +79,7 @@ TEST_F(Figure15Executed, PickupLiftsThePegAndKeepsIt) {
   ASSERT_EQ(facts.size(), 1u);
   EXPECT_TRUE(facts[0]->holds());
   EXPECT_NEAR(facts[0]->opening, facts[0]->expected_width, 5e-5);
-  const Snapshot& lifted = trace().All<StepEnd>()[0]->moment;
+  const Snapshot& lifted = trace().All<StepEnd>()[0]->snapshot;
   EXPECT_GT(lifted.parts[peg().index()].truth.translation().z(), 0.2);
   EXPECT_THAT(lifted.contacts, testing::Contains(std::pair<std::string, std::string>(
                                    "gripper/finger_left", "part/peg")));
@@ -90,12 +90,12 @@ TEST_F(Figure15Executed, HeldPegSlipsLessThanAFifthOfAMillimetre) {
   const auto samples = SamplesInHand();
   ASSERT_GT(samples.size(), 200u);
   for (const Sample* sample : samples) {
-    const TrueAndBelieved& part = sample->moment.parts[peg().index()];
-    const TrueAndBelieved& tool = sample->moment.tool;
+    const TrueAndBelieved& part = sample->snapshot.parts[peg().index()];
+    const TrueAndBelieved& tool = sample->snapshot.tool;
     const Pose X_ToolPart = tool.truth.inverse() * part.truth;
     const Pose X_ToolPartBelieved = tool.believed.inverse() * part.believed;
     ASSERT_LT((X_ToolPart.translation() - X_ToolPartBelieved.translation()).norm(), 2e-4)
-        << "at " << sample->moment.time << " s";
+        << "at " << sample->snapshot.time << " s";
   }
 }
 
@@ -103,7 +103,7 @@ TEST_F(Figure15Executed, HeldPegSlipsLessThanAFifthOfAMillimetre) {
 // straight lines and between them.
 TEST_F(Figure15Executed, TheToolFollowsItsCommands) {
   for (const Sample* sample : trace().All<Sample>()) {
-    ASSERT_LT(Error(sample->moment.tool).norm(), 2e-4) << "at " << sample->moment.time << " s";
+    ASSERT_LT(Error(sample->snapshot.tool).norm(), 2e-4) << "at " << sample->snapshot.time << " s";
   }
 }
 
@@ -116,12 +116,12 @@ TEST_F(Figure15Executed, TheMatingMotionIsStraight) {
   const Vector3 along = (b - a).normalized();
   int seen = 0;
   for (const Sample* sample : SamplesInHand()) {
-    const Vector3 p = sample->moment.tool.believed.translation();
+    const Vector3 p = sample->snapshot.tool.believed.translation();
     const Vector3 off = (p - a) - along * along.dot(p - a);
     const double gone = along.dot(p - a);
     if (off.norm() > 1e-5 || gone < 0.01 || gone > (b - a).norm()) continue;
     ++seen;
-    const Vector3 q = sample->moment.tool.truth.translation();
+    const Vector3 q = sample->snapshot.tool.truth.translation();
     ASSERT_LT(((q - a) - along * along.dot(q - a)).norm(), 2e-4);
   }
   EXPECT_GT(seen, 100);
@@ -139,7 +139,7 @@ TEST_F(Figure15Executed, PartsAreAtRestAfterwards) {
 TEST_F(Figure15Executed, SamplesComeAtTheirRate) {
   const auto samples = trace().All<Sample>();
   for (std::size_t i = 0; i < samples.size(); ++i) {
-    ASSERT_NEAR(samples[i]->moment.time, static_cast<double>(i) / 50, 0.0025);
+    ASSERT_NEAR(samples[i]->snapshot.time, static_cast<double>(i) / 50, 0.0025);
   }
 }
 
@@ -157,11 +157,11 @@ class Chronicler : public Observer {
     ++timesteps;
   }
   void SeeMilestone(const Milestone& milestone, const mujoco::Data& data) override {
-    EXPECT_EQ(milestone.moment.time, data.time());
+    EXPECT_EQ(milestone.snapshot.time, data.time());
     seen.push_back(fmt::format("{} {}", milestone.step.index(), Name(milestone.stage)));
   }
   void SeeStepEnd(const StepEnd& end, const mujoco::Data& data) override {
-    EXPECT_EQ(end.moment.time, data.time());
+    EXPECT_EQ(end.snapshot.time, data.time());
     seen.push_back(end.name);
   }
 
@@ -223,7 +223,7 @@ TEST_F(Figure15Executed, AMissedPartIsAFactInTheTrace) {
   EXPECT_EQ(missed.end().outcome, TrialOutcome::kSucceeded);
   const std::pair<std::string, std::string> in_the_hole("gripper/finger_left", "part/block");
   EXPECT_TRUE(std::ranges::any_of(missed.All<Sample>(), [&](const Sample* sample) {
-    return std::ranges::count(sample->moment.contacts, in_the_hole) > 0;
+    return std::ranges::count(sample->snapshot.contacts, in_the_hole) > 0;
   }));
 }
 
@@ -250,7 +250,7 @@ TEST_F(Figure15Executed, WorksWithAWeldToo) {
   mujoco::Data data = welded.Start();
   const Trace trace = Execute(problem(), plan(), welded, data, {});
   ASSERT_EQ(trace.end().outcome, TrialOutcome::kSucceeded) << trace.end().reason;
-  EXPECT_LT(Error(trace.end().moment.parts[peg().index()]).norm(), 2e-4);
+  EXPECT_LT(Error(trace.end().snapshot.parts[peg().index()]).norm(), 2e-4);
 }
 
 }  // namespace

@@ -128,7 +128,7 @@ class HandChannels : public Channels {
   // Returns the pose of the tool at a milestone of the pickup.
   TrueAndBelieved ToolAt(Stage stage) {
     for (const Milestone* milestone : execution_.trace().All<Milestone>()) {
-      if (milestone->stage == stage) return milestone->moment.tool;
+      if (milestone->stage == stage) return milestone->snapshot.tool;
     }
     ADD_FAILURE() << "no milestone " << Name(stage);
     return {};
@@ -193,7 +193,7 @@ TEST_F(Channels, AnExecutionErrsAsItsNoiseSays) {
   const auto milestones = trace.All<Milestone>();
   ASSERT_EQ(milestones.size(), 3u);
   for (const Milestone* milestone : {milestones[0], milestones[1]}) {
-    const TrueAndBelieved& tool = milestone->moment.tool;
+    const TrueAndBelieved& tool = milestone->snapshot.tool;
     const Pose off = tool.believed.inverse() * tool.truth;
     EXPECT_LT((off.translation() - error.translation()).norm(), kFollows);
     EXPECT_LT(geometry::AngleBetween(off.linear(), error.linear()), 2e-4);

@@ -46,7 +46,7 @@ class BesideTheMast : public testing::Test {
   static std::set<std::string> TouchedMast(const Trace& trace) {
     std::set<std::string> touched;
     for (const Sample* sample : trace.All<Sample>()) {
-      for (const auto& [a, b] : sample->moment.contacts) {
+      for (const auto& [a, b] : sample->snapshot.contacts) {
         const bool of_mast = a.starts_with("part/mast") || b.starts_with("part/mast");
         if (of_mast && a != "world" && b != "world") touched.insert(a + " " + b);
       }
@@ -64,7 +64,7 @@ TEST_F(BesideTheMast, PlannedPathsTouchNothingAndTheGoalIsReached) {
   const Trace trace = Executed(planned());
   ASSERT_EQ(trace.end().outcome, TrialOutcome::kSucceeded) << trace.end().reason;
   EXPECT_THAT(TouchedMast(trace), IsEmpty());
-  const Snapshot& end = trace.end().moment;
+  const Snapshot& end = trace.end().snapshot;
   for (std::size_t p = 2; p < problem().parts.size(); ++p) {
     const Vector3 moved =
         end.parts[p].truth.translation() - problem().parts[p].X_WorldPart.translation();

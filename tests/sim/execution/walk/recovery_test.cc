@@ -179,11 +179,11 @@ TEST_F(Recovering, ASearchFindsWhatThePadsMissed) {
   EXPECT_EQ(checks.back()->error, "");
   ExpectAttempts(trace, plan_.recoveries[0], Vector3::UnitZ());
   EXPECT_TRUE(trace.All<GraspFact>().back()->holds());
-  const TrueAndBelieved& lifted = trace.end().moment.parts[peg_.index()];
+  const TrueAndBelieved& lifted = trace.end().snapshot.parts[peg_.index()];
   EXPECT_GT(lifted.truth.translation().z(), 0.2) << "it is in the hand";
   const auto& pickup = plan_.step(kPickup).action;
   const Vector3 told = (pickup.place.X_WorldPart * pickup.hold.X_PartTool).translation();
-  const Vector3 tool = trace.end().moment.tool.believed.translation();
+  const Vector3 tool = trace.end().snapshot.tool.believed.translation();
   EXPECT_LT((tool - told - recoveries.back()->offset).head<2>().norm(), 1e-6)
       << "straight up from where it was found";
   EXPECT_THAT(SchemaErrors(trace), testing::IsEmpty());
@@ -289,7 +289,7 @@ TEST_F(Recovering, APegThatStopsAtTheRimIsGropedIn) {
   const auto checks = trace.All<VerificationRecord>();
   EXPECT_EQ(checks[1]->error, "error4");
   EXPECT_EQ(checks.back()->error, "");
-  const std::vector<TrueAndBelieved>& parts = trace.end().moment.parts;
+  const std::vector<TrueAndBelieved>& parts = trace.end().snapshot.parts;
   const Pose X_FixedHeld =
       parts[mating.fixed.index()].truth.inverse() * parts[mating.held.index()].truth;
   EXPECT_LT((X_FixedHeld.translation() - mating.X_FixedHeld.translation()).norm(), 0.002);

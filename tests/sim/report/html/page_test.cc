@@ -15,10 +15,10 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-Findings Sample(bool attacked) {
-  const auto file = ScratchFile(attacked ? "attacked.sqlite" : "sample.sqlite");
+Findings Sample(bool tried) {
+  const auto file = ScratchFile(tried ? "attacked.sqlite" : "sample.sqlite");
   std::filesystem::remove(file);
-  WriteSampleDatabase(file, attacked);
+  WriteSampleDatabase(file, tried);
   return ReadFindings(sweep::Store::Open(file), "my db.sqlite");
 }
 
@@ -60,8 +60,8 @@ TEST(Findings, NotableTrialsAreInOrderOfSuccessAndMargin) {
 }
 
 TEST(Page, IsWellFormedWhateverTheNames) {
-  for (const bool attacked : {false, true}) {
-    const std::string page = Page(Sample(attacked), {});
+  for (const bool tried : {false, true}) {
+    const std::string page = Page(Sample(tried), {});
     const Markup root = ReadMarkup(page);
     EXPECT_TRUE(root.All("script").empty());
     EXPECT_THAT(page, Not(HasSubstr("<script")));
@@ -132,12 +132,13 @@ TEST(Page, TellsTheVerdictsWithTheCommand) {
   EXPECT_EQ(root.WithId("error-sets")->All("table").size(), 4);  // two cells of two steps
 }
 
-TEST(Page, TellsTheAttacks) {
+TEST(Page, TellsTheFalsifications) {
   const Markup root = ReadMarkup(Page(Sample(true), {}));
-  const std::string attacks = root.WithId("attacks")->text;
-  EXPECT_THAT(attacks, HasSubstr("assay replay 'my db.sqlite' --counterexample 3/1"));
-  EXPECT_THAT(attacks, HasSubstr("theta_block = −4.58°"));
-  EXPECT_THAT(attacks, HasSubstr("Observed 2.5 mm where ±1 mm was predicted: outside by 1.5 mm"));
+  const std::string falsifications = root.WithId("attacks")->text;
+  EXPECT_THAT(falsifications, HasSubstr("assay replay 'my db.sqlite' --counterexample 3/1"));
+  EXPECT_THAT(falsifications, HasSubstr("theta_block = −4.58°"));
+  EXPECT_THAT(falsifications,
+              HasSubstr("Observed 2.5 mm where ±1 mm was predicted: outside by 1.5 mm"));
   const std::string conservatism = root.WithId("conservatism")->text;
   EXPECT_THAT(conservatism, HasSubstr("all together× 1× 33"));
   EXPECT_THAT(conservatism, HasSubstr("not broken"));

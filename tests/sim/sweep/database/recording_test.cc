@@ -10,10 +10,10 @@
 namespace assay::sweep::recording_test {
 namespace {
 
-using check::AttackPhase;
 using check::Claim;
 using check::Claimed;
 using check::ClaimVerdict;
+using check::FalsificationPhase;
 using plan::StepId;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
@@ -25,9 +25,9 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 noise::Noise Displaced(double x) { return {{{.name = "dx_peg", .range = {-1, 1}}}, {x}}; }
 
 // The falsification of a plan of two steps. The second step is executed first.
-class AttackRecording : public ::testing::Test {
+class FalsificationRecording : public ::testing::Test {
  protected:
-  AttackRecording() {
+  FalsificationRecording() {
     plan_.steps.resize(2);
     plan_.steps[0].name = "action_1";
     plan_.steps[1].name = "action_2";
@@ -50,7 +50,7 @@ class AttackRecording : public ::testing::Test {
                                        .predicted = predicted,
                                        .observed = observed,
                                        .gate = 0.01});
-    result_.worst.push_back({claim, Displaced(observed), AttackPhase::kLocalSearch, 7});
+    result_.worst.push_back({claim, Displaced(observed), FalsificationPhase::kLocalSearch, 7});
   }
   void AddCounterexample() {
     result_.counterexamples.push_back({.claim = result_.worst[2].claim,
@@ -68,11 +68,11 @@ class AttackRecording : public ::testing::Test {
   }
 
   plan::Plan plan_;
-  check::AttackResult result_;
+  check::FalsificationResult result_;
   std::vector<check::ConservatismRatio> ratios_;
 };
 
-TEST_F(AttackRecording, IsViolatedWhereACertificateWas) {
+TEST_F(FalsificationRecording, IsViolatedWhereACertificateWas) {
   const TimedTrial timed = Record();
   EXPECT_EQ(timed.record.outcome, "violated");
   EXPECT_THAT(timed.record.reason, HasSubstr("step 2 (action_1): y of peg"));
@@ -80,7 +80,7 @@ TEST_F(AttackRecording, IsViolatedWhereACertificateWas) {
   EXPECT_EQ(timed.record.counts, (VerdictCounts{8, 1, 1, 0}));
 }
 
-TEST_F(AttackRecording, SucceededWhereNoneWas) {
+TEST_F(FalsificationRecording, SucceededWhereNoneWas) {
   result_.certificates[0].violated = 0;
   result_.worst.erase(result_.worst.begin() + 2);
   const TimedTrial timed = Record();
@@ -90,7 +90,7 @@ TEST_F(AttackRecording, SucceededWhereNoneWas) {
 
 // The precondition has one end only, and its observed value is nearer to its end than x of the peg
 // is to either of its own.
-TEST_F(AttackRecording, HasTheWorstClaimOfEachStepInTheOrderOfExecution) {
+TEST_F(FalsificationRecording, HasTheWorstClaimOfEachStepInTheOrderOfExecution) {
   const std::vector<VerdictRecord> verdicts = Record().record.verdicts;
   ASSERT_THAT(verdicts, SizeIs(2));
   EXPECT_EQ(verdicts[0],
@@ -101,7 +101,7 @@ TEST_F(AttackRecording, HasTheWorstClaimOfEachStepInTheOrderOfExecution) {
 
 // A replay prints the unit of each claim, and whether it is claimed before or after its step. It
 // takes both from the claims that are kept.
-TEST_F(AttackRecording, KeepsTheClaimsOfItsVerdictsAtHand) {
+TEST_F(FalsificationRecording, KeepsTheClaimsOfItsVerdictsAtHand) {
   const TimedTrial timed = Record();
   ASSERT_THAT(timed.verdicts, SizeIs(2));
   for (std::size_t i = 0; i < 2; ++i) {
@@ -115,46 +115,47 @@ TEST_F(AttackRecording, KeepsTheClaimsOfItsVerdictsAtHand) {
   EXPECT_EQ(timed.verdicts[1].worst.about, Claimed::kAfter);
 }
 
-TEST_F(AttackRecording, NamesClaimsAsTrialsDo) {
+TEST_F(FalsificationRecording, NamesClaimsAsTrialsDo) {
   const TimedTrial timed = Record();
   std::vector<std::string> names;
-  for (const WorstClaimRecord& worst : timed.attack->worst) names.push_back(worst.claim);
+  for (const WorstClaimRecord& worst : timed.falsification->worst) names.push_back(worst.claim);
   EXPECT_THAT(names, ElementsAre("1/before/x of peg", "1/precondition/reach", "2/after/x of peg",
                                  "2/after/y of peg"));
-  EXPECT_EQ(timed.attack->worst[3],
+  EXPECT_EQ(timed.falsification->worst[3],
             (WorstClaimRecord{"2/after/y of peg", 2, "action_1", "after", "y of peg",
                               domain::Dimension::kLength, 0.75, -0.5, 0.5, -0.25, 0.01, "violated",
                               "local-search", 7, "dx_peg=0.75"}));
-  EXPECT_EQ(timed.attack->attempts, 10);
-  EXPECT_EQ(timed.attack->claims, (VerdictCounts{20, 2, 1, 4}));
+  EXPECT_EQ(timed.falsification->attempts, 10);
+  EXPECT_EQ(timed.falsification->claims, (VerdictCounts{20, 2, 1, 4}));
   EXPECT_THAT(timed.claims, SizeIs(4));
 }
 
-TEST_F(AttackRecording, CounterexamplesComeWithTheirCommands) {
+TEST_F(FalsificationRecording, CounterexamplesComeWithTheirCommands) {
   AddCounterexample();
   AddCounterexample();
-  const std::vector<CounterexampleRecord> examples = Record().attack->counterexamples;
+  const std::vector<CounterexampleRecord> examples = Record().falsification->counterexamples;
   ASSERT_THAT(examples, SizeIs(2));
   EXPECT_EQ(examples[1], (CounterexampleRecord{2, "2/after/y of peg", "action_1", "y of peg",
                                                domain::Dimension::kLength, 0.75, -0.5, 0.5, -0.25,
                                                0.01, "dx_peg=0.5", 2, true, 0.25,
                                                "assay run a.yaml --errors 'dx_peg=0.5'"}));
-  EXPECT_EQ(Record(std::nullopt).attack->counterexamples[0].replay, "assay replay DB 4");
+  EXPECT_EQ(Record(std::nullopt).falsification->counterexamples[0].replay, "assay replay DB 4");
 }
 
-TEST_F(AttackRecording, RatiosAreThereWhereThePlanBroke) {
+TEST_F(FalsificationRecording, RatiosAreThereWhereThePlanBroke) {
   ratios_ = {{"x of peg", 2, 5.0}, {"y of peg", 0, 1.0}, {"all", 1, std::nullopt}};
-  EXPECT_THAT(Record().attack->conservatism,
+  EXPECT_THAT(Record().falsification->conservatism,
               ElementsAre(ConservatismRecord{"all", 1, std::nullopt, std::nullopt},
                           ConservatismRecord{"x of peg", 2, 5.0, 2.5},
                           ConservatismRecord{"y of peg", 0, 1.0, std::nullopt}));
 }
 
-TEST_F(AttackRecording, DifferencesAreFoundApartFromCommands) {
+TEST_F(FalsificationRecording, DifferencesAreFoundApartFromCommands) {
   AddCounterexample();
-  const AttackRecord stored = *Record().attack;
-  EXPECT_THAT(Differences(stored, *Record(RunCommand{.input = "../a.yaml"}).attack), IsEmpty());
-  AttackRecord other = stored;
+  const FalsificationRecord stored = *Record().falsification;
+  EXPECT_THAT(Differences(stored, *Record(RunCommand{.input = "../a.yaml"}).falsification),
+              IsEmpty());
+  FalsificationRecord other = stored;
   other.worst[0].observed += 1e-15;
   other.attempts = 9;
   EXPECT_THAT(Differences(stored, other),

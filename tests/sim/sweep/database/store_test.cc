@@ -179,7 +179,7 @@ TEST_F(StoreTest, ClaimsAreKeptOncePerCell) {
 }
 
 // The records have infinite ends, missing ratios, and a command with quotes in it.
-TEST_F(StoreTest, AttacksAreReadAsTheyWereWritten) {
+TEST_F(StoreTest, FalsificationsAreReadAsTheyWereWritten) {
   const Sweep sweep =
       Read("scenarios: [a.yaml, b.yaml]\nnoise: [attack]\nerror_scales: [1, 2, 3]\n");
   const std::vector<Cell> cells = Cells(sweep);
@@ -187,14 +187,14 @@ TEST_F(StoreTest, AttacksAreReadAsTheyWereWritten) {
   int violated = 0;
   for (const Cell& cell : cells) {
     store.Add({FalseCell(cell)}, 0.25);
-    EXPECT_EQ(store.FindAttack(cell.number), std::nullopt);
-    TimedTrial timed = FalseAttack({cell, {}, nullptr}, {});
+    EXPECT_EQ(store.FindFalsification(cell.number), std::nullopt);
+    TimedTrial timed = MadeUpFalsification({cell, {}, nullptr}, {});
     timed.record.trial = cell.first_trial;
     timed.record.cell = cell.number;
     timed.record.number = 1;
     store.Add({timed});
     EXPECT_EQ(store.FindTrial(cell.first_trial), timed.record);
-    EXPECT_EQ(store.FindAttack(cell.number), FalseAttackRecord(cell));
+    EXPECT_EQ(store.FindFalsification(cell.number), MadeUpFalsificationRecord(cell));
     violated += timed.record.outcome == "violated";
   }
   EXPECT_GT(violated, 0);
@@ -205,7 +205,7 @@ TEST_F(StoreTest, AttacksAreReadAsTheyWereWritten) {
 }
 
 // Programs that read the database depend on these columns.
-TEST_F(StoreTest, TablesOfAttacksHaveTheirColumns) {
+TEST_F(StoreTest, TablesOfFalsificationsHaveTheirColumns) {
   const Store store = Store::Create(file_, facts_);
   const std::map<std::string, std::string> columns = {
       {"attack",

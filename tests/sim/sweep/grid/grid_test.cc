@@ -63,15 +63,15 @@ TEST_F(Grid, TrialsAreNumberedThroughTheCells) {
   EXPECT_EQ(trial, TrialCount(cells));
 }
 
-TEST_F(Grid, AnAttackIsOneTrial) {
+TEST_F(Grid, AFalsificationIsOneTrial) {
   const std::vector<Cell> cells = Cells(
       Read("scenarios: [a.yaml, b.yaml]\nnoise: [attack, uniform]\nseeds: [1, 2]\ntrials: 5\n"));
   ASSERT_EQ(cells.size(), 8u);
-  int attacks = 0;
+  int falsifications = 0;
   for (const Cell& cell : cells) {
-    const bool attacked = cell.noise == NoiseKind::kAttack;
-    EXPECT_EQ(cell.trials, attacked ? 1 : 5);
-    EXPECT_EQ(cell.attack, attacked ? ++attacks : 0);
+    const bool tried = cell.noise == NoiseKind::kFalsification;
+    EXPECT_EQ(cell.trials, tried ? 1 : 5);
+    EXPECT_EQ(cell.falsification, tried ? ++falsifications : 0);
   }
   EXPECT_EQ(TrialCount(cells), 4 + 4 * 5);
   EXPECT_TRUE(SharePlan(cells[0], cells[2]));
@@ -79,7 +79,7 @@ TEST_F(Grid, AnAttackIsOneTrial) {
 
 // Each shard gets its share of falsifications, even if the trials between them would bring all of
 // them to one shard.
-TEST_F(Grid, AttacksAreDealtOutEvenly) {
+TEST_F(Grid, FalsificationsAreDealtOutEvenly) {
   const std::vector<Cell> cells = Cells(Read(
       "scenarios: [a.yaml]\nnoise: [attack, uniform]\nerror_scales: [1, 2, 3, 4]\ntrials: 3\n"));
   for (const int count : {1, 2, 3}) {
@@ -90,7 +90,7 @@ TEST_F(Grid, AttacksAreDealtOutEvenly) {
         for (int index = 1; index <= count; ++index) {
           const bool has = Shard{index, count}.Has(cell, trial);
           owners += has;
-          if (cell.attack > 0) shares[index - 1] += has;
+          if (cell.falsification > 0) shares[index - 1] += has;
         }
         EXPECT_EQ(owners, 1);
       }

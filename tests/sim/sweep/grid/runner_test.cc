@@ -55,12 +55,12 @@ TEST_F(Runner, DoesEveryTrialOnce) {
     seen.insert({cell.cell.number, number});
     return FalseTrial(cell, number);
   };
-  work.attack = [&](const PlannedCell& cell, const AttackControl& control) {
+  work.falsification = [&](const PlannedCell& cell, const FalsificationControl& control) {
     {
       const std::lock_guard lock(mutex);
       seen.insert({cell.cell.number, 1});
     }
-    return FalseAttack(cell, control);
+    return MadeUpFalsification(cell, control);
   };
   const RunEnd end = RunInto("a.sqlite", {.jobs = 2}, work);
   EXPECT_EQ(end.done, trials_);
@@ -195,15 +195,15 @@ TEST_F(Runner, TellsHowFarItIs) {
                          const std::lock_guard lock(mutex);
                          advances.push_back(advance);
                        }});
-  constexpr int kAttacks = 8;
-  EXPECT_EQ(advances.back().trials_done, trials_ - kAttacks);
-  EXPECT_EQ(advances.back().trials, trials_ - kAttacks);
+  constexpr int kFalsifications = 8;
+  EXPECT_EQ(advances.back().trials_done, trials_ - kFalsifications);
+  EXPECT_EQ(advances.back().trials, trials_ - kFalsifications);
   EXPECT_EQ(advances.back().cells_planned, 24);
-  EXPECT_EQ(advances.back().attempts_made, kAttacks * kFalseAttempts);
-  EXPECT_EQ(advances.back().attempts, kAttacks * kFalseAttempts);
+  EXPECT_EQ(advances.back().attempts_made, kFalsifications * kFalseAttempts);
+  EXPECT_EQ(advances.back().attempts, kFalsifications * kFalseAttempts);
 }
 
-TEST_F(Runner, AttacksMayUseAllThreadsAndComeLast) {
+TEST_F(Runner, FalsificationsMayUseAllThreadsAndComeLast) {
   std::mutex mutex;
   int trials = 0;
   Work work = FalseWork();
@@ -212,17 +212,17 @@ TEST_F(Runner, AttacksMayUseAllThreadsAndComeLast) {
     ++trials;
     return FalseTrial(cell, number);
   };
-  work.attack = [&](const PlannedCell& cell, const AttackControl& control) {
+  work.falsification = [&](const PlannedCell& cell, const FalsificationControl& control) {
     const std::lock_guard lock(mutex);
     EXPECT_EQ(trials, trials_ - 8);
     EXPECT_EQ(control.jobs, 3);
-    return FalseAttack(cell, {});
+    return MadeUpFalsification(cell, {});
   };
   RunInto("a.sqlite", {.jobs = 3}, work);
 }
 
 // A falsification is stored when it is done. One that was broken off is not stored.
-TEST_F(Runner, AttacksAreStoppedInTheMiddle) {
+TEST_F(Runner, FalsificationsAreStoppedInTheMiddle) {
   RunInto("whole.sqlite", {});
   int before = 0;
   for (int start = 0; start < 100; ++start) {
@@ -236,8 +236,9 @@ TEST_F(Runner, AttacksAreStoppedInTheMiddle) {
     EXPECT_EQ(end.before, before);
     before += end.done;
     const auto tables = TablesOf("stopped.sqlite");
-    const auto attacks = tables.find("attack");
-    EXPECT_EQ(end.left, 8 - (attacks == tables.end() ? 0 : std::ssize(attacks->second)));
+    const auto falsifications = tables.find("attack");
+    EXPECT_EQ(end.left,
+              8 - (falsifications == tables.end() ? 0 : std::ssize(falsifications->second)));
     if (!end.stopped) break;
     EXPECT_GT(end.left, 0);
   }
@@ -245,12 +246,12 @@ TEST_F(Runner, AttacksAreStoppedInTheMiddle) {
   EXPECT_EQ(TablesOf("stopped.sqlite"), TablesOf("whole.sqlite"));
 }
 
-TEST_F(Runner, AnErrorInAnAttackLeavesTheOthersWhole) {
+TEST_F(Runner, AnErrorInAFalsificationLeavesTheOthersWhole) {
   RunInto("whole.sqlite", {});
   Work work = FalseWork();
-  work.attack = [](const PlannedCell& cell, const AttackControl& control) {
-    TimedTrial timed = FalseAttack(cell, control);
-    if (cell.cell.attack == 3) throw EnvironmentError("no room");
+  work.falsification = [](const PlannedCell& cell, const FalsificationControl& control) {
+    TimedTrial timed = MadeUpFalsification(cell, control);
+    if (cell.cell.falsification == 3) throw EnvironmentError("no room");
     return timed;
   };
   EXPECT_THROW(RunInto("a.sqlite", {.jobs = 2}, work), EnvironmentError);
@@ -264,22 +265,24 @@ TEST_F(Runner, AnErrorInAnAttackLeavesTheOthersWhole) {
   EXPECT_EQ(TablesOf("a.sqlite"), whole);
 }
 
-TEST_F(Runner, MergingComparesAttacksButNotTheirCommands) {
-  const auto attack_with = [](auto&& change) {
+TEST_F(Runner, MergingComparesFalsificationsButNotTheirCommands) {
+  const auto falsification_with = [](auto&& change) {
     Work work = FalseWork();
-    work.attack = [change](const PlannedCell& cell, const AttackControl& control) {
-      TimedTrial timed = FalseAttack(cell, control);
-      change(*timed.attack);
+    work.falsification = [change](const PlannedCell& cell, const FalsificationControl& control) {
+      TimedTrial timed = MadeUpFalsification(cell, control);
+      change(*timed.falsification);
       return timed;
     };
     return work;
   };
   RunInto("a.sqlite", {});
-  RunInto("elsewhere.sqlite", {}, attack_with([](AttackRecord& attack) {
-            for (auto& example : attack.counterexamples) example.replay = "assay run ../x.yaml";
+  RunInto("elsewhere.sqlite", {}, falsification_with([](FalsificationRecord& falsification) {
+            for (auto& example : falsification.counterexamples)
+              example.replay = "assay run ../x.yaml";
           }));
-  RunInto("liar.sqlite", {},
-          attack_with([](AttackRecord& attack) { attack.worst[0].margin += 1; }));
+  RunInto("liar.sqlite", {}, falsification_with([](FalsificationRecord& falsification) {
+            falsification.worst[0].margin += 1;
+          }));
   Merge(folder_ / "merged.sqlite", {folder_ / "a.sqlite", folder_ / "elsewhere.sqlite"});
   EXPECT_EQ(TablesOf("merged.sqlite"), TablesOf("a.sqlite"));
   EXPECT_THROW(Merge(folder_ / "b.sqlite", {folder_ / "a.sqlite", folder_ / "liar.sqlite"}),

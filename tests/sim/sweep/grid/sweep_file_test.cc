@@ -92,29 +92,29 @@ TEST_F(SweepFile, ResolversAreSets) {
   EXPECT_THAT(ErrorOf(good + "resolvers: [[fine_motion]]\n"), HasSubstr("'fine-motion'"));
 }
 
-TEST_F(SweepFile, SaysHowToAttack) {
+TEST_F(SweepFile, SaysHowToFalsify) {
   const Sweep sweep = Read(
       "scenarios: [a.yaml]\nnoise: [uniform, attack]\ntrials: 5\nattempts: 2500\n"
       "conservatism: true\n");
-  EXPECT_THAT(sweep.noises, ElementsAre(NoiseKind::kUniform, NoiseKind::kAttack));
+  EXPECT_THAT(sweep.noises, ElementsAre(NoiseKind::kUniform, NoiseKind::kFalsification));
   EXPECT_EQ(sweep.attempts, 2500);
   EXPECT_TRUE(sweep.conservatism);
 }
 
-TEST_F(SweepFile, AnAttackAloneNeedsNoTrials) {
+TEST_F(SweepFile, AFalsificationAloneNeedsNoTrials) {
   const Sweep sweep = Read("scenarios: [a.yaml]\nnoise: [attack]\n");
   EXPECT_EQ(sweep.attempts, 1000);
   EXPECT_FALSE(sweep.conservatism);
   EXPECT_THAT(ErrorOf("scenarios: [a.yaml]\nnoise: [attack, uniform]\n"), HasSubstr("trials"));
 }
 
-TEST_F(SweepFile, WrongAttacksAreRefusedWithTheirPlace) {
-  const std::string attack = "scenarios: [a.yaml]\ntrials: 5\nnoise: [attack]\n";
-  EXPECT_THAT(ErrorOf(attack + "attempts: 0\n"), HasSubstr("sweep.yaml:5:11"));
-  EXPECT_THAT(ErrorOf(attack + "attempts: 1.5\n"), HasSubstr("sweep.yaml:5:11"));
-  EXPECT_THAT(ErrorOf(attack + "atempts: 5\n"), HasSubstr("did you mean 'attempts'?"));
-  EXPECT_THAT(ErrorOf(attack + "conservatism: 3\n"), HasSubstr("sweep.yaml:5:15"));
-  EXPECT_THAT(ErrorOf(attack + "sensing: [drawn, camera]\n"),
+TEST_F(SweepFile, WrongFalsificationsAreRefusedWithTheirPlace) {
+  const std::string falsification = "scenarios: [a.yaml]\ntrials: 5\nnoise: [attack]\n";
+  EXPECT_THAT(ErrorOf(falsification + "attempts: 0\n"), HasSubstr("sweep.yaml:5:11"));
+  EXPECT_THAT(ErrorOf(falsification + "attempts: 1.5\n"), HasSubstr("sweep.yaml:5:11"));
+  EXPECT_THAT(ErrorOf(falsification + "atempts: 5\n"), HasSubstr("did you mean 'attempts'?"));
+  EXPECT_THAT(ErrorOf(falsification + "conservatism: 3\n"), HasSubstr("sweep.yaml:5:15"));
+  EXPECT_THAT(ErrorOf(falsification + "sensing: [drawn, camera]\n"),
               AllOf(HasSubstr("sweep.yaml:5:10"), HasSubstr("no camera")));
   const std::string sampled = "scenarios: [a.yaml]\ntrials: 5\n";
   EXPECT_THAT(ErrorOf(sampled + "attempts: 5\n"), HasSubstr("nothing is attacked"));

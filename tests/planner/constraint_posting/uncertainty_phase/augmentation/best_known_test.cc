@@ -13,8 +13,8 @@ namespace assay::constraint_posting::best_known_test {
 namespace {
 
 using plan::Plan;
-using uncertainty::MomentId;
 using uncertainty::Propagation;
+using uncertainty::SnapshotId;
 
 struct Least {
   int errors = 0;
@@ -25,10 +25,10 @@ Least LeastOf(const domain::Problem& problem, const Plan& instance,
               const std::vector<plan::Condition>& absorbable = {}) {
   BestKnown best(problem, Propagation::kSound, {});
   Least least;
-  MomentId moment = best.Beginning();
+  SnapshotId snapshot = best.Beginning();
   for (const plan::Action& action : ActionsOf(instance)) {
-    moment = best.After(moment, action, nullptr);
-    const Shortfall shortfall = best.LeastShortfall(moment, absorbable);
+    snapshot = best.After(snapshot, action, nullptr);
+    const Shortfall shortfall = best.LeastShortfall(snapshot, absorbable);
     least.errors += shortfall.goals > 0 ? 1 : 0;
     least.violation += shortfall.violation;
   }

@@ -60,7 +60,7 @@ TEST_P(JudgeLaws, SaysTheSameAgainAndAnew) {
     const std::vector<plan::Action> actions = ActionsOf(instances[i]);
     const std::vector<Judgement> again = JudgedInTurn(judge, actions);
     ExpectSame(again, first[i]);
-    for (const Judgement& judgement : again) EXPECT_EQ(judgement.moments, 1);
+    for (const Judgement& judgement : again) EXPECT_EQ(judgement.snapshots, 1);
 
     UncertaintyTask new_task(problem, options);
     InstanceJudge anew(new_task, {.errors = 1, .by_place = 1}, IfUnproved::kObject);

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "sim/check/certificate_claims/noiseless.h"
+#include "sim/check/falsification/falsification_result.h"
+
+namespace assay::check {
+
+struct FalsificationOptions {
+  std::int64_t attempts = 1000;  // attempts at single steps, in all
+  std::uint64_t seed = 0;
+  int jobs = 1;                 // threads; the result does not depend on it
+  bool until_violated = false;  // end soon after the first attempt that violates a claim
+  int shrunk = 3;  // the greatest number of violations that are shrunk to counterexamples
+  // Called with the number of attempts made so far, from one thread at a time.
+  std::function<void(std::int64_t)> progress = {};
+  // Asked before each attempt, from any thread. True ends the falsification with the results so
+  // far, and its violations are not shrunk. An empty function never ends it.
+  std::function<bool()> stop = {};
+};
+
+// Tries to falsify each certificate of a plan in the engine. The plan is first executed without
+// noise. Then its steps are attempted in order, from states saved where the tool is poised for the
+// step. The points of the error box are tried in this sequence: corners of a design; corners at
+// which claims are likely to be extreme, by the main effects that the design shows; points that
+// fill the box evenly; and a local search (NLopt) from the least margins found. The corners of the
+// design are attempted to the step's end. Every other attempt is made for one claim and ends when
+// that claim is decided, which is mostly where the tool is poised. All claims get the same
+// simulated time, so claims that are decided sooner are attempted more often. The next step starts
+// from the states whose errors are farthest out in each direction. The result is the same for any
+// number of threads.
+FalsificationResult Falsify(const Experiment& experiment, const FalsificationOptions& options);
+
+}  // namespace assay::check
