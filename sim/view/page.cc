@@ -142,7 +142,7 @@ Json DataOf(const Subject& subject) {
   return data;
 }
 
-// Returns the data as a text that ends no script element.
+// Returns the data as a text that cannot end the HTML script element in which it stands.
 std::string ScriptText(const Json& data) {
   std::string text;
   for (const char c : data.dump(-1, ' ', false, Json::error_handler_t::replace)) {
