@@ -10,15 +10,17 @@
 namespace assay::cli {
 namespace {
 
-using finemotion::Belief;
+using finemotion::BelievedPose;
 using finemotion::CertainMotion;
 using finemotion::PoseChange;
 
 // Returns the greatest displacement that errors leave in each component: metres, then radians.
-PoseChange HalfWidths(const Belief& belief) { return belief.errors.cwiseAbs().rowwise().sum(); }
+PoseChange HalfWidths(const BelievedPose& believed) {
+  return believed.errors.cwiseAbs().rowwise().sum();
+}
 
-std::string ErrorsText(const Belief& belief) {
-  const PoseChange half = HalfWidths(belief);
+std::string ErrorsText(const BelievedPose& believed) {
+  const PoseChange half = HalfWidths(believed);
   return fmt::format("x ±{:.2f}, y ±{:.2f}, z ±{:.2f} mm; turned ±{:.2f}, ±{:.2f}, ±{:.2f}°",
                      half[0] / kLengthUnit.factor, half[1] / kLengthUnit.factor,
                      half[2] / kLengthUnit.factor, half[3] / kDegree, half[4] / kDegree,
@@ -26,15 +28,15 @@ std::string ErrorsText(const Belief& belief) {
 }
 
 // Returns the poses of the tip at the extremes of each component, in the fixed part's frame.
-std::vector<geometry::Pose> Extremes(const Belief& belief) {
+std::vector<geometry::Pose> Extremes(const BelievedPose& believed) {
   constexpr double kNegligible = 1e-6;
   std::vector<geometry::Pose> poses;
-  for (Eigen::Index k = 0; k < belief.errors.rows(); ++k) {
-    const auto& row = belief.errors.row(k);
+  for (Eigen::Index k = 0; k < believed.errors.rows(); ++k) {
+    const auto& row = believed.errors.row(k);
     if (row.cwiseAbs().sum() < kNegligible) continue;
-    const PoseChange extreme = belief.errors * row.cwiseSign().transpose();
-    poses.push_back(finemotion::Displaced(belief.X_StationaryMoving, extreme));
-    poses.push_back(finemotion::Displaced(belief.X_StationaryMoving, -extreme));
+    const PoseChange extreme = believed.errors * row.cwiseSign().transpose();
+    poses.push_back(finemotion::Displaced(believed.X_StationaryMoving, extreme));
+    poses.push_back(finemotion::Displaced(believed.X_StationaryMoving, -extreme));
   }
   return poses;
 }
@@ -83,12 +85,12 @@ class MotionLister {
     return action;
   }
 
-  view::Region RegionOf(const Belief& belief) const {
+  view::Region RegionOf(const BelievedPose& believed) const {
     const auto samples = mating_.strategy.result.trace.All<execution::Sample>();
     const geometry::Pose& X_WorldFixed =
         samples.front()->snapshot.parts[mated_.fixed.index()].believed;
     view::Region region{.part = mated_.held, .extremes = {}};
-    for (const geometry::Pose& X_FixedTip : Extremes(belief)) {
+    for (const geometry::Pose& X_FixedTip : Extremes(believed)) {
       region.extremes.push_back(X_WorldFixed * X_FixedTip * mating_.geometry.X_HeldTip.inverse());
     }
     return region;
