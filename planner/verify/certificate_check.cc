@@ -196,12 +196,6 @@ void CheckClaims(plan::StepId id, const plan::PlannedStep& step, const std::stri
 
 }  // namespace
 
-bool IsCertified(const plan::Plan& plan) {
-  return std::ranges::any_of(plan.steps, [](const plan::PlannedStep& step) {
-    return step.certificate != plan::Certificate{};
-  });
-}
-
 bool IsUnproved(const plan::PlannedStep& step) {
   return !std::ranges::all_of(step.certificate.preconditions, [&](const auto& claim) {
     return claim.holds() || plan::Absorbs(step.strategy, claim.condition);

@@ -8,10 +8,6 @@
 
 namespace assay::verify {
 
-// Returns whether any step has a certificate. If none has, the plan was made without regard to
-// uncertainty.
-bool IsCertified(const plan::Plan& plan);
-
 // Returns whether a precondition of the step is neither proved nor absorbed by its strategy.
 bool IsUnproved(const plan::PlannedStep& step);
 

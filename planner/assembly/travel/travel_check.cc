@@ -21,7 +21,9 @@ using kinematics::JointVector;
 using plan::StepId;
 
 constexpr double kSamePosture = 1e-6;  // tolerance for equal postures, radians
-constexpr double kSameClaim = 1e-6;    // tolerance for equal claims, metres or radians
+constexpr char kNoWay[] = "the plan has ways of the arm, but none to this step";
+constexpr char kNoWayHome[] = "the plan has ways of the arm, but none home (homing)";
+constexpr double kSameClaim = 1e-6;  // tolerance for equal claims, metres or radians
 
 bool IsAtEnds(const plan::Travel& travel, const PlanWalk& walk, const plan::ToolRoute& route,
               std::vector<std::string>& flaws) {
@@ -106,6 +108,12 @@ bool SaysWhatIsCertain(const plan::Plan& plan) {
   });
 }
 
+// Returns whether the plan says anything about the arm's ways. If so, it must have all of them.
+bool HasWays(const plan::Plan& plan) {
+  const auto has_travel = [](const plan::PlannedStep& step) { return step.travel.has_value(); };
+  return plan.homing || std::ranges::any_of(plan.steps, has_travel) || SaysWhatIsCertain(plan);
+}
+
 }  // namespace
 
 std::vector<plan::Flaw> FlawsOfTravels(const domain::Problem& problem, const plan::Plan& plan) {
@@ -113,6 +121,7 @@ std::vector<plan::Flaw> FlawsOfTravels(const domain::Problem& problem, const pla
   PlanWalk walk(problem, plan,
                 SaysWhatIsCertain(plan) ? uncertainty::Propagation::kSound
                                         : uncertainty::Propagation::kPaper);
+  const bool has_ways = HasWays(plan);
   std::optional<JointVector> posture = problem.workcell->home();
   for (const StepId id : walk.Steps()) {
     walk.ComeTo(id);
@@ -122,6 +131,7 @@ std::vector<plan::Flaw> FlawsOfTravels(const domain::Problem& problem, const pla
         flaws.push_back({id, "the travel: " + std::move(what)});
       }
     } else {
+      if (has_ways) flaws.push_back({id, id.IsNone() ? kNoWayHome : kNoWay});
       posture.reset();
     }
     if (!id.IsNone()) walk.Do(id);

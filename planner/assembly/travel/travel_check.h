@@ -9,7 +9,8 @@
 namespace assay::assembly {
 
 // Returns the flaws in the paths of a plan: in their ends, their clearance and the claims about
-// them.
+// them. A plan that has paths, or claims anything about them, must have a path to each step and one
+// home.
 std::vector<plan::Flaw> FlawsOfTravels(const domain::Problem& problem, const plan::Plan& plan);
 
 }  // namespace assay::assembly

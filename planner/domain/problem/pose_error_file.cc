@@ -29,6 +29,11 @@ Interval ReadInterval(const Value& value, const Unit& unit, const Range& range) 
                            Beside(ends[0].Text(), unit), Beside(ends[1].Text(), unit)),
                "[low, high]");
   }
+  if (interval.low > 0 || interval.high < 0) {
+    value.Fail(fmt::format("the interval from {} to {} does not contain 0",
+                           Beside(ends[0].Text(), unit), Beside(ends[1].Text(), unit)),
+               "an interval that contains 0; move the pose instead");
+  }
   return interval;
 }
 

@@ -8,7 +8,7 @@ namespace assay::domain {
 
 // Reads `{x: , y: , z: , theta: }`, each a half-width or [low, high]. Coordinates that the map
 // leaves out stay as they are in `otherwise`. Throws InputError for other keys, negative
-// half-widths and reversed ends.
+// half-widths, reversed ends, and intervals without 0: the believed pose is always possible.
 PoseError ReadPoseError(const Value& map, const Units& units, const PoseError& otherwise);
 
 }  // namespace assay::domain

@@ -13,6 +13,7 @@
 #include "planner/plan/checker/linearization.h"
 #include "planner/plan/checker/world_state.h"
 #include "planner/plan/data/coverage.h"
+#include "planner/plan/data/not_covered.h"
 
 namespace assay::plan {
 namespace {
@@ -134,14 +135,30 @@ class Simulation {
   std::vector<Flaw> flaws_;
 };
 
+// Adds a flaw for each text that occurs more often in `more` than in `less`.
+void AddSurplus(const std::vector<std::string>& more, const std::vector<std::string>& less,
+                std::string_view says, std::vector<Flaw>& flaws) {
+  for (const std::string& text : std::set(more.begin(), more.end())) {
+    if (std::ranges::count(more, text) <= std::ranges::count(less, text)) continue;
+    flaws.push_back({StepId::None(), fmt::format("not_covered {} '{}'", says, text)});
+  }
+}
+
+// Returns the differences between what the plan says that no precondition covers, and what is so.
+std::vector<Flaw> FlawsOfNotCovered(const Plan& plan) {
+  std::vector<Flaw> flaws;
+  if (!plan.not_covered) return flaws;
+  const std::vector<std::string> anew = NotCovered(plan);
+  AddSurplus(anew, *plan.not_covered, "does not name", flaws);
+  AddSurplus(*plan.not_covered, anew, "names without reason", flaws);
+  return flaws;
+}
+
 }  // namespace
 
 std::vector<Flaw> FlawsOfCoverage(const Plan& plan) {
-  const auto is_certified = [](const PlannedStep& step) {
-    return step.certificate != Certificate{};
-  };
-  std::vector<Flaw> flaws;
-  if (std::ranges::none_of(plan.steps, is_certified)) return flaws;
+  std::vector<Flaw> flaws = FlawsOfNotCovered(plan);
+  if (!IsCertified(plan)) return flaws;
   for (std::size_t i = 0; i < plan.steps.size(); ++i) {
     for (std::string& what : FlawsOfCoverage(plan.steps[i])) {
       flaws.push_back({StepId(i), std::move(what)});

@@ -31,7 +31,7 @@ struct CheckReport {
 CheckReport Check(const domain::Problem& problem, const Plan& plan, int most_linearizations);
 
 // Returns the flaws of the certificates: each must cover what its step needs. If one step has a
-// certificate, all must have one.
+// certificate, all must have one. What the plan says that no precondition covers must be so.
 std::vector<Flaw> FlawsOfCoverage(const Plan& plan);
 
 }  // namespace assay::plan

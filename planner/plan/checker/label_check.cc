@@ -1,9 +1,11 @@
 #include "planner/plan/checker/label_check.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 
 namespace assay::plan {
 namespace {
@@ -20,21 +22,43 @@ bool RestsAlike(const Pose& a, const Pose& b) {
          std::abs(a.translation().z() - b.translation().z()) <= kSamePose;
 }
 
-void CheckHold(const domain::Part& part, const Hold& hold, std::vector<std::string>& wrong) {
-  const auto grasp = std::ranges::find(*part.grasps, hold.grasp, &domain::Grasp::label);
-  if (grasp == part.grasps->end() || IsSame(grasp->X_PartTool, hold.X_PartTool)) return;
-  wrong.push_back(fmt::format("the grasp has the label {}, but is another grasp", hold.grasp));
+constexpr char kInitial[] = "initial";
+
+// Returns the labels of the part's grasps at this pose of the tool.
+std::vector<std::string> LabelsOf(const domain::Part& part, const Hold& hold) {
+  std::vector<std::string> labels;
+  for (const domain::Grasp& grasp : *part.grasps) {
+    if (IsSame(grasp.X_PartTool, hold.X_PartTool)) labels.push_back(grasp.label);
+  }
+  return labels;
 }
 
-void CheckPlace(const domain::Part& part, const Place& place, std::vector<std::string>& wrong) {
-  const auto& poses = part.model->stable_poses();
-  const auto pose = std::ranges::find(poses, place.position, &domain::StablePose::label);
-  const bool fits = place.position == "initial" ? IsSame(part.X_WorldPart, place.X_WorldPart)
-                    : pose == poses.end()       ? !place.position.starts_with(part.model->initial())
-                                                : RestsAlike(pose->X_TablePart, place.X_WorldPart);
-  if (!fits) {
-    wrong.push_back(fmt::format("the place of {} has the label {}, but is another place", part.name,
-                                place.position));
+// Returns the labels of the positions in which the part then rests.
+std::vector<std::string> LabelsOf(const domain::Part& part, const Place& place) {
+  std::vector<std::string> labels;
+  if (IsSame(part.X_WorldPart, place.X_WorldPart)) labels.emplace_back(kInitial);
+  for (const domain::StablePose& pose : part.model->stable_poses()) {
+    if (RestsAlike(pose.X_TablePart, place.X_WorldPart)) labels.push_back(pose.label);
+  }
+  return labels;
+}
+
+// Returns whether the label is, or looks like, one of those that the part's model gives.
+bool IsOfModel(const domain::Part& part, const std::string& label) {
+  return label == kInitial || label.starts_with(part.model->initial());
+}
+
+// Adds a flaw if the label is not among the true ones. `what` is the thing that has the label.
+void CheckLabel(const domain::Part& part, const std::string& label,
+                const std::vector<std::string>& labels, std::string_view what,
+                std::vector<std::string>& wrong) {
+  if (std::ranges::count(labels, label) > 0) return;
+  if (!labels.empty()) {
+    wrong.push_back(
+        fmt::format("the {} has the label '{}', but is {}", what, label, fmt::join(labels, ", ")));
+  } else if (label.empty() || IsOfModel(part, label)) {
+    wrong.push_back(fmt::format("the {} has the label '{}', but is another {}", what, label,
+                                what.substr(0, what.find(' '))));
   }
 }
 
@@ -43,9 +67,12 @@ void CheckPlace(const domain::Part& part, const Place& place, std::vector<std::s
 std::vector<std::string> MisleadingLabels(const domain::Problem& problem, const Action& action) {
   std::vector<std::string> wrong;
   if (const Hold* hold = HoldIn(action)) {
-    CheckHold(problem.part(HandledPart(problem, action)), *hold, wrong);
+    const domain::Part& part = problem.part(HandledPart(problem, action));
+    CheckLabel(part, hold->grasp, LabelsOf(part, *hold), "grasp", wrong);
   }
-  CheckPlace(problem.part(PlacedPart(problem, action)), action.place, wrong);
+  const domain::Part& part = problem.part(PlacedPart(problem, action));
+  CheckLabel(part, action.place.position, LabelsOf(part, action.place),
+             fmt::format("place of {}", part.name), wrong);
   return wrong;
 }
 

@@ -11,4 +11,9 @@ std::vector<StepId> Plan::ExecutionOrder() const {
   return order;
 }
 
+bool IsCertified(const Plan& plan) {
+  return std::ranges::any_of(
+      plan.steps, [](const PlannedStep& step) { return step.certificate != Certificate{}; });
+}
+
 }  // namespace assay::plan

@@ -77,10 +77,16 @@ struct Plan {
   int errors = 0;  // actions whose uncertainty-reduction goals are not met (Spar's error count)
   // Travel from the last step to the arm's home; none: the usual way.
   std::optional<Travel> homing = {};
+  // What the file says that no precondition covers (NotCovered); none: the plan does not say it.
+  std::optional<std::vector<std::string>> not_covered = {};
 
   const PlannedStep& step(StepId id) const { return steps[id.index()]; }
   std::vector<StepId> ExecutionOrder() const;
 };
+
+// Returns whether any step has a certificate. If none has, the plan was made without regard to
+// uncertainty.
+bool IsCertified(const Plan& plan);
 
 // The answer of a planner. `conflict` has entries if and only if the outcome is kNone: constraints
 // in the scenario's words that cannot hold together, and none of which can be left out.

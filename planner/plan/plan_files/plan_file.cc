@@ -86,8 +86,8 @@ PlannedStep ReadStep(const Value& action, const domain::Problem& problem) {
   return step;
 }
 
-// Checks that ids are unique, that insertion numbers increase, and that execution numbers are a
-// permutation.
+// Checks that ids are unique, that insertion numbers count the actions, and that execution numbers
+// are a permutation.
 void CheckNumbering(const std::vector<Value>& actions, const std::vector<PlannedStep>& steps) {
   const int count = static_cast<int>(steps.size());
   for (std::size_t i = 0; i < steps.size(); ++i) {
@@ -97,11 +97,10 @@ void CheckNumbering(const std::vector<Value>& actions, const std::vector<Planned
           .At("executed")
           .Fail(fmt::format("{} of {} steps", step.executed, count), fmt::format("1 to {}", count));
     }
-    if (i > 0 && step.inserted <= steps[i - 1].inserted) {
+    if (step.inserted != static_cast<int>(i) + 1) {
       actions[i]
           .At("inserted")
-          .Fail("the actions are not in the order of insertion",
-                fmt::format("more than {}", steps[i - 1].inserted));
+          .Fail("the actions are not in the order of insertion", fmt::format("{}", i + 1));
     }
     for (std::size_t j = 0; j < i; ++j) {
       if (steps[j].name == step.name) actions[i].At("id").Fail("an id is given twice");
@@ -180,6 +179,9 @@ void ReadAugmentation(const Value& root, const domain::Problem& problem, Plan& p
     plan.recoveries.push_back(ReadRecovery(value, names));
   }
   plan.errors = root.At("errors").Integer(0, static_cast<int>(names.size()));
+  // A plan with certificates that leaves out the key says that nothing is left open.
+  const std::optional<Value> not_covered = root.Find("not_covered");
+  if (not_covered || IsCertified(plan)) plan.not_covered = ReadTexts(not_covered);
 }
 
 }  // namespace

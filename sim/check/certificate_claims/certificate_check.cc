@@ -130,7 +130,8 @@ class CertificateCheck {
              .name = std::move(error.name),
              .dimension = error.dimension,
              .predicted = error.predicted,
-             .observed = error.observed});
+             .observed = error.observed,
+             .lever = error.lever});
       }
     }
   }

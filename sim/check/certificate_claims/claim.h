@@ -8,6 +8,7 @@
 
 #include "planner/base/interval.h"
 #include "planner/plan/data/plan.h"
+#include "sim/check/measurements/observed_error.h"
 
 namespace assay::check {
 
@@ -45,6 +46,7 @@ struct Claim {
   Interval predicted;
   bool proved = true;  // false: a precondition that the planner could not prove
   double observed = 0;
+  Lever lever = {};   // of the point whose position is observed
   double margin = 0;  // distance to the nearer end; negative outside
   double gate = 0;    // the deviation that the engine cannot resolve, in the same unit
   ClaimVerdict verdict = ClaimVerdict::kContained;

@@ -10,9 +10,13 @@ using domain::Dimension;
 
 constexpr double kRounding = 1e-9;  // metres or radians, after products of dozens of poses
 
-// Returns the engine's error that widens a prediction at both ends.
+// Returns the engine's error that widens a prediction at both ends. Contacts that are not equally
+// deep tilt a part, which moves an origin that is far from the part's body.
 double EitherWay(const Claim& claim, const StepNoiseFloor& gate) {
-  if (claim.dimension == Dimension::kLength) return gate.lag + gate.penetration + kRounding;
+  if (claim.dimension == Dimension::kLength) {
+    const double turn = gate.lag_turn + gate.penetration / claim.lever.arm;
+    return gate.lag + gate.penetration + claim.lever.length * turn + kRounding;
+  }
   if (claim.dimension == Dimension::kAngle) {
     return gate.lag_turn + gate.penetration / gate.arm + kRounding;
   }

@@ -2,11 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "planner/base/check.h"
+#include "planner/domain/parts/part_model.h"
 
 namespace assay::check {
 namespace {
@@ -37,6 +40,17 @@ Components AtRest(const execution::TrueAndBelieved& part) {
 
 }  // namespace
 
+Lever LeverOf(const domain::PartModel& model) {
+  Eigen::AlignedBox3d body;
+  double length = std::numeric_limits<double>::infinity();
+  for (const geometry::Box& box : model.boxes()) {
+    const Vector3 origin = box.X_FrameBox.inverse().translation();
+    length = std::min(length, (origin.cwiseAbs() - box.half_extents).cwiseMax(0).norm());
+    for (const Vector3& corner : box.Corners()) body.extend(corner);
+  }
+  return {length, body.sizes().minCoeff() / 2};
+}
+
 double YawOf(const Matrix3& rotation) {
   return std::atan2(rotation(1, 0) - rotation(0, 1), rotation(0, 0) + rotation(1, 1));
 }
@@ -55,13 +69,14 @@ std::vector<ObservedError> ObservedErrors(const domain::Problem& problem,
       set.in_hand
           ? InHand(snapshot.tool.believed.inverse() * part.truth * HoldOf(action).X_PartTool)
           : AtRest(part);
+  const Lever lever = set.in_hand ? Lever{} : LeverOf(*problem.part(set.part).model);
   std::vector<ObservedError> errors;
   const auto components = plan::ErrorComponents();
   for (std::size_t i = 0; i < components.size(); ++i) {
     const plan::ErrorComponent& component = components[i];
     if (component.only_in_hand && !set.in_hand) continue;
     errors.push_back({fmt::format("{} of {}", component.name, problem.part(set.part).name),
-                      component.dimension, set.*component.range, observed[i]});
+                      component.dimension, set.*component.range, observed[i], lever});
   }
   return errors;
 }

@@ -14,11 +14,12 @@ using geometry::Pose;
 using geometry::Vector3;
 
 constexpr double kPush = 5;  // m/s^2; the force is this times the part's mass
-// The damping divided by the part's mass, in 1/s. With it the part moves at 5 mm/s.
+// The damping divided by the part's mass, in 1/s.
 constexpr double kDamping = 1000;
-constexpr double kStill = 1e-7;  // m/s
+constexpr double kSpeed = kPush / kDamping;  // m/s, of a part that nothing stops
+constexpr double kStill = 1e-7;              // m/s
 constexpr int kStillSteps = 20;
-constexpr double kLongest = 5;  // seconds, enough for 25 mm
+constexpr double kSettling = 4;  // seconds to come to rest at a wall
 
 // The pose at which the fixed part is held, in the air beside the arm.
 const Pose kX_WorldFixed = geometry::Translation(0.6, 0.7, 0.9);
@@ -40,8 +41,9 @@ class PlayMeasurement {
     start_ = data_.Save();
   }
 
-  double PlayAlong(const Vector3& axis_Fixed) {
-    return Stop(axis_Fixed).dot(axis_Fixed) - Stop(-axis_Fixed).dot(axis_Fixed);
+  double PlayAlong(const domain::FitGap& gap) {
+    const Vector3& axis = gap.across;
+    return Stop(axis, gap.high).dot(axis) - Stop(-axis, gap.low).dot(axis);
   }
 
  private:
@@ -54,11 +56,12 @@ class PlayMeasurement {
   }
 
   // Returns where the middle comes to a stop when it is pushed in that direction, in the fixed
-  // part's frame.
-  Vector3 Stop(const Vector3& direction_Fixed) {
+  // part's frame. `way` is the distance in metres at which a wall is expected.
+  Vector3 Stop(const Vector3& direction_Fixed, double way) {
     data_.Restore(start_);
+    const double longest = kSettling + 2 * way / kSpeed;
     int still = 0;
-    while (still < kStillSteps && data_.time() < start_.time + kLongest) {
+    while (still < kStillSteps && data_.time() < start_.time + longest) {
       Push(scene_.TruePose(data_, mating_.fixed).linear() * direction_Fixed);
       data_.Step();
       const bool is_still = scene_.TrueTwist(data_, mating_.held).linear.norm() < kStill;
@@ -70,14 +73,15 @@ class PlayMeasurement {
 
   // Sets the generalized forces of the free joint: a force at the part's origin in the world frame,
   // and a torque about the origin in the part's frame. They cancel the weight, damp the motion and
-  // push.
+  // push. The damping of the centre's motion acts at the middle, like the push: the two are equal
+  // while the part moves, and would tilt it if they acted at different points.
   void Push(const Vector3& direction_World) {
     const geometry::MassProperties& mass = problem_.part(mating_.held).model->mass();
     const geometry::Matrix3 R = scene_.TruePose(data_, mating_.held).linear();
     const scene::Twist twist = scene_.TrueTwist(data_, mating_.held);
-    const Vector3 at_center =
-        mass.mass * (Vector3(0, 0, scene::kGravity) - kDamping * twist.linear);
-    const Vector3 at_middle = mass.mass * kPush * direction_World;
+    const Vector3 velocity = twist.linear + twist.angular.cross(R * mass.center);
+    const Vector3 at_center = mass.mass * Vector3(0, 0, scene::kGravity);
+    const Vector3 at_middle = mass.mass * (kPush * direction_World - kDamping * velocity);
     const Vector3 force = at_center + at_middle;
     const Vector3 torque = mass.center.cross(R.transpose() * at_center) +
                            middle_.cross(R.transpose() * at_middle) -
@@ -110,7 +114,7 @@ std::vector<Play> EffectiveClearance(const Problem& problem, domain::MatingId id
   for (const domain::FitGap& gap : domain::GapsOf(problem, mating)) {
     plays.push_back({.axis = gap.across,
                      .nominal = gap.low + gap.high,
-                     .measured = measurement.PlayAlong(gap.across)});
+                     .measured = measurement.PlayAlong(gap)});
   }
   return plays;
 }

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <string>
 #include <utility>
 
 #include "planner/base/random.h"
@@ -77,7 +79,13 @@ MatedTrial MatingTrials::Recorded(int number, const Drawn& drawn,
   }
   const geometry::Pose at = trial.result.X_FixedHeld * geometry_.X_HeldTip;
   const geometry::Vector3 left = geometry_.X_FixedSeat.translation() - at.translation();
-  trial.seated = std::abs(left.dot(geometry_.passage.mating)) < kSeated;
+  const double short_by = std::abs(left.dot(geometry_.passage.mating));
+  trial.seated = short_by < kSeated;
+  // A strategy may come to its end, believing that the part is seated, and give no reason.
+  std::string& reason = trial.result.end.reason;
+  if (!trial.seated && reason.empty()) {
+    reason = fmt::format("{:.2f} mm off the seat", 1e3 * short_by);
+  }
   return trial;
 }
 

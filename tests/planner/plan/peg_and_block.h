@@ -93,8 +93,8 @@ struct OnBack {
   double yaw = -M_PI / 2;
 };
 inline Place BlockOnBack(const OnBack& at) {
-  return {"on its back", geometry::Translation(at.x, at.y, 0) * geometry::RotationZ(at.yaw) *
-                             geometry::RotationY(-M_PI / 2)};
+  return {"BP2", geometry::Translation(at.x, at.y, 0) * geometry::RotationZ(at.yaw) *
+                     geometry::RotationY(-M_PI / 2)};
 }
 
 inline Plan WithNumbers(const domain::Problem& problem, std::vector<Action> in_order_of_execution) {

@@ -10,6 +10,7 @@
 #include "planner/assembly/certified_plan.h"
 #include "planner/assembly/plan_check.h"
 #include "planner/assembly/travel/travel_check.h"
+#include "planner/assembly/travel/way_conditions.h"
 #include "planner/motion/collision/motion_check.h"
 #include "planner/motion/paths/straight_line.h"
 #include "planner/plan/data/condition_table.h"
@@ -22,8 +23,10 @@ namespace {
 
 using domain::PartId;
 using kinematics::JointVector;
+using ::testing::AllOf;
 using ::testing::Contains;
 using ::testing::Each;
+using ::testing::ElementsAre;
 using ::testing::Field;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
@@ -166,6 +169,23 @@ TEST(TravelPlan, PathsJoinTheStraightLines) {
     const geometry::Pose end = motion::ToolAt(*Mast().workcell, step.travel->path.back());
     EXPECT_TRUE(end.isApprox(route.poised, 1e-6));
   }
+}
+
+// A plan that has ways of the arm has all of them. One that was written by hand may have none.
+TEST(TravelPlan, NoWayMayBeLeftOut) {
+  const domain::Problem problem = constraint_posting::LoadScenario("spar-fig15");
+  const plan::Plan plan = MakeCertifiedPlan(problem, {}, {}).plan;
+  plan::Plan tampered = plan;
+  tampered.homing.reset();
+  EXPECT_THAT(assembly::Check(problem, tampered, 10).flaws,
+              ElementsAre(AllOf(Field(&plan::Flaw::step, plan::StepId::None()),
+                                Field(&plan::Flaw::what, HasSubstr("none home")))));
+  for (plan::PlannedStep& step : tampered.steps) step.travel.reset();
+  EXPECT_THAT(FlawsOfTravels(problem, tampered),
+              Contains(Field(&plan::Flaw::what, HasSubstr("none to this step")))
+                  .Times(std::ssize(plan.steps)));
+  for (plan::PlannedStep& step : tampered.steps) RemoveWayConditions(step.certificate);
+  EXPECT_THAT(FlawsOfTravels(problem, tampered), IsEmpty());
 }
 
 TEST(TravelPlan, FlawsAreTold) {

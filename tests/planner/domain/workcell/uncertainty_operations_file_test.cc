@@ -114,6 +114,7 @@ TEST(UncertaintyOperationsFile, EachSlipIsNamedAtItsPlace) {
       {"z: 0.5", "w: 0.5", "unknown key 'w'"},
       {"z: 0.5", "z: -0.5", "3:28: the half-width -0.5 mm is negative; allowed: 0 mm or more"},
       {"x: [-1, 2]", "x: [2, -1]", "the lower end 2 mm is greater than the upper end -1 mm"},
+      {"x: [-1, 2]", "x: [1, 2]", "the interval from 1 mm to 2 mm does not contain 0; allowed: "},
       {"theta: 0.2", "theta: 200", "200 deg is out of range; allowed: -180 deg to 180 deg"},
       {"theta: 0.2", "theta: .nan", "number"},
       {"  overhead-camera:", "  side-camera:", "side-camera"},

@@ -6,6 +6,8 @@
 #include <algorithm>
 
 #include "planner/base/random.h"
+#include "planner/domain/parts/part_model.h"
+#include "planner/plan/data/not_covered.h"
 #include "tests/oracle/random_pose.h"
 #include "tests/planner/plan/actions.h"
 #include "tests/planner/plan/peg_and_block.h"
@@ -26,6 +28,7 @@ using testing::Contains;
 using testing::Field;
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::UnorderedElementsAre;
 
 constexpr int kAllOrders = 1000;
 constexpr std::uint64_t kSeed = 21;
@@ -293,6 +296,35 @@ TEST_F(CarefulPlan, FindsLabelsOfAnotherGraspOrPose) {
   }
   EXPECT_THAT(Flaws(), FlawAt(5, "the grasp has the label"));
   EXPECT_THAT(Flaws(), FlawAt(4, "the place of block has the label"));
+}
+
+// Labels that say nothing are refused where the part has a grasp or position with a true label.
+TEST_F(CarefulPlan, FindsLabelsWithoutMeaning) {
+  Look().place.position = "nonsense";
+  EXPECT_THAT(Flaws(), FlawAt(4, "the place of block has the label 'nonsense', but is initial"));
+  const domain::Grasp& grasp = problem_.part(kBlock).grasps->front();
+  Press().hold = {"", grasp.X_PartTool, grasp.width};
+  EXPECT_THAT(Flaws(), FlawAt(5, "the grasp has the label '', but is " + grasp.label));
+  Press().hold = BlockHold();
+  Press().hold.X_PartTool = Translation(0, 0, 1e-4) * Press().hold.X_PartTool;
+  Press().hold.grasp = "";
+  EXPECT_THAT(Flaws(), FlawAt(5, "the grasp has the label '', but is another grasp"));
+}
+
+TEST_F(FourStepPlan, FindsWhatItSaysWronglyOfWhatIsNotCovered) {
+  plan_.not_covered = NotCovered(plan_);
+  EXPECT_THAT(Flaws(), IsEmpty());
+  const std::string missing = plan_.not_covered->back();
+  plan_.not_covered->back() = "nothing at all";
+  EXPECT_THAT(Flaws(),
+              UnorderedElementsAre(
+                  Field(&Flaw::what, "not_covered does not name '" + missing + "'"),
+                  Field(&Flaw::what, "not_covered names without reason 'nothing at all'")));
+  plan_.not_covered->clear();
+  EXPECT_EQ(Flaws().size(), NotCovered(plan_).size());
+  plan_.not_covered = NotCovered(plan_);
+  plan_.not_covered->push_back(missing);
+  EXPECT_THAT(Flaws(), FlawAt(-1, "not_covered names without reason '" + missing + "'"));
 }
 
 // Tests of grasps.

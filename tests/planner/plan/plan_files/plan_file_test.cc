@@ -20,6 +20,7 @@ namespace assay::plan::plan_file_test {
 namespace {
 
 using Json = nlohmann::ordered_json;
+using testing::AllOf;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
@@ -405,6 +406,8 @@ TEST(PlanFile, WhatDoesNotFitTheProblemIsRefusedAtItsPlace) {
               HasSubstr("5 of 4 steps"));
   EXPECT_THAT(error_after([](Json& j) { j["actions"][1]["inserted"] = 1; }),
               HasSubstr("order of insertion"));
+  EXPECT_THAT(error_after([](Json& j) { j["actions"][3]["inserted"] = 5; }),
+              AllOf(HasSubstr("order of insertion"), HasSubstr("allowed: 4")));
   EXPECT_THAT(error_after([](Json& j) { j["actions"][1]["id"] = "action_1"; }),
               HasSubstr("an id is given twice"));
   EXPECT_THAT(error_after([](Json& j) {
