@@ -69,6 +69,17 @@ TEST(NoiseFloor, RoundingIsAlwaysForgiven) {
   EXPECT_EQ(Judged(NoiseFloor().Passed(claim)).verdict, ClaimVerdict::kViolated);
 }
 
+// Contacts that are not equally deep turn a part by 1e-6 / 0.02 radians, and the hand's lag by 5e-5
+// more. An origin half a metre away from the body moves by half a metre times that.
+TEST(NoiseFloor, ATiltMovesAnOriginThatIsFarFromItsBody) {
+  Claim z = Of("z of peg", Dimension::kLength, {-1e-3, 1e-3});
+  z.lever = {.length = 0.5, .arm = 0.02};
+  EXPECT_NEAR(Gate().Passed(z).predicted.high, 1e-3 + 3e-6 + 0.5 * 1e-4, 2 * kRounding);
+  EXPECT_NEAR(Gate().Passed(z).predicted.low, -1e-3 - 3e-6 - 0.5 * 1e-4, 2 * kRounding);
+  z.lever.length = 0;
+  EXPECT_NEAR(Gate().Passed(z).predicted.high, 1e-3 + 3e-6, 2 * kRounding);
+}
+
 // The floor of `x of peg` is 43 micrometres, and that of the tilt is 8.15 mrad.
 TEST(NoiseFloor, HidesWhatIsNarrowerThanItsFloor) {
   const NoiseFloor gate = Gate();

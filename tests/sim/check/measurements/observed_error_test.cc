@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "planner/domain/parts/part_file.h"
 #include "tests/sim/execution/figure15.h"
 
 namespace assay::check::observed_error_test {
@@ -72,6 +73,28 @@ TEST_F(ObservedErrorTest, InTheHandItIsOfTheGraspedPoint) {
   EXPECT_NEAR(Named(errors, "theta"), 0.02, 1e-12);
   EXPECT_NEAR(Named(errors, "tip"), -0.03, 1e-12);
   EXPECT_NEAR(Named(errors, "twist"), 0.05, 1e-12);
+}
+
+// The origin of the peg is on its body, whose least extent is 3 inches. The other part's origin is
+// 30 mm above a corner's edge and 40 mm beside it.
+TEST_F(ObservedErrorTest, TheLeverIsTheDistanceOfTheOriginFromTheBody) {
+  const Lever of_peg = LeverOf(*problem_.part(peg_).model);
+  EXPECT_EQ(of_peg.length, 0);
+  EXPECT_NEAR(of_peg.arm, 0.0381, 1e-9);
+  const auto far = domain::PartFile::Read(
+      Document::Parse("format: assay-part/1\n"
+                      "name: far\n"
+                      "initial: F\n"
+                      "units: {length: mm, angle: degree}\n"
+                      "density: 1000\n"
+                      "friction: 0.25\n"
+                      "solids: {body: {box: [[40, -10, -50], [100, 10, -30]]}}\n"
+                      "features: {1: {face: body, normal: [0, 0, 1], what: top}}\n"
+                      "stable_poses: {flat: [0, 0, -1]}\n",
+                      "part.yaml"),
+      0.0005);
+  EXPECT_NEAR(LeverOf(*far).length, 0.05, 1e-9);
+  EXPECT_NEAR(LeverOf(*far).arm, 0.01, 1e-9);
 }
 
 }  // namespace

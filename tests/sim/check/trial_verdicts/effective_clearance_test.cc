@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <sstream>
 
@@ -38,6 +39,22 @@ TEST(EffectiveClearance, LooksAcrossTheHole) {
     EXPECT_NEAR(play.axis.dot(problem.matings[0].mating_vector), 0, 1e-12);
   }
   EXPECT_NEAR(plays[0].axis.dot(plays[1].axis), 0, 1e-12);
+}
+
+// The hole is 61 mm wide and the shaft 38 mm thick. The part's centre of mass is above the middle
+// of the engaged length, so a push and a damping at different points would tilt it on its long way.
+TEST(EffectiveClearance, IsTheNominalOneInAWideHole) {
+  const std::filesystem::path folder = ASSAY_SOURCE_DIR "/tests/sim/check/trial_verdicts/wide-hole";
+  domain::ModelPath models = folder;
+  models.Append(ASSAY_SOURCE_DIR "/models");
+  const domain::Problem problem =
+      domain::ReadProblem(Document::Load(folder / "scenario.yaml"), models);
+  const std::vector<Play> plays = EffectiveClearance(problem, domain::MatingId(0));
+  ASSERT_EQ(plays.size(), 2u);
+  for (const Play& play : plays) {
+    EXPECT_NEAR(play.nominal, 0.023, 1e-8);
+    EXPECT_NEAR(play.measured, 0.023, 1e-4);
+  }
 }
 
 // The engine measures the clearance of the parts themselves, whatever the problem's figure is. Half

@@ -200,6 +200,15 @@ TEST(Mate, AFewTrialsComeToTheSeat) {
   EXPECT_EQ(again.Json()["trials"]["rows"][0], trials["rows"][1]);
 }
 
+// The strategy comes to its end without contact, and nothing told it that the part is not seated.
+TEST(Mate, ATrialThatIsNotSeatedHasAReason) {
+  const std::string folder = kTree / "tests/sim/check/trial_verdicts/wide-hole";
+  const std::vector<std::string> command = {
+      "mate",     folder + "/scenario.yaml", "--models", folder,
+      "--models", kTree / "models",          "--trial",  "2"};
+  EXPECT_THAT(Assay(command).out, HasSubstr("  trial 2: done: 1.03 mm off the seat\n"));
+}
+
 // If two edges are near each other on the same rim, the second one takes over the first one's load.
 // Errors that are covered, but greater than those planned for, bring the edges still nearer.
 TEST(Mate, WhatIsKeptIsNotLiftedByTheNextContact) {
