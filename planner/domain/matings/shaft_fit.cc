@@ -255,7 +255,7 @@ SeatPlay PlayInSeat(const Problem& problem, const Mating& mating, double widenin
     if (!least || play->shift < least->shift) least = play;
   }
   ASSAY_CHECK(least.has_value(), "nothing holds a seated part");
-  return {least->shift, turn + least->tilt};
+  return {.shift = least->shift, .turn = turn + least->tilt, .spin = turn};
 }
 
 }  // namespace assay::domain

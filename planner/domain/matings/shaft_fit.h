@@ -91,6 +91,7 @@ bool FitsInside(const std::vector<ShaftFit>& fits, const Pose& X_FixedHeld);
 struct SeatPlay {
   double shift = 0;  // shift of the held part's origin, in any direction, metres
   double turn = 0;   // about any axis, radians
+  double spin = 0;   // about the shaft's axis alone, radians
 };
 // `widening` is added to the clearance on each side, in metres.
 SeatPlay PlayInSeat(const Problem& problem, const Mating& mating, double widening);
