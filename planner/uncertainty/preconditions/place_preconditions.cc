@@ -65,6 +65,10 @@ class PlaceConditions {
   Vector3 PointOf(std::size_t pair) const {
     return FeatureOf(mating_.held, mating_.features[pair].first).translation();
   }
+  // Returns the axis of the held part's first feature, in its own frame.
+  Vector3 ShaftAxis() const {
+    return FeatureOf(mating_.held, mating_.features[0].first).linear().col(2);
+  }
   Vector3 Axis(int axis) const { return X_FixedFeature_.linear().col(axis); }
 
   // Holes that are to lie in line are displaced with the shaft, and turned with it about its axis.
@@ -78,7 +82,7 @@ class PlaceConditions {
           domain::PlayInSeat(problem_, mating_, problem_.tolerances.clearance);
       play =
           std::hypot(PlayAlong(problem_, mating_, Axis(0)), PlayAlong(problem_, mating_, Axis(1))) +
-          seat.turn * (point - shaft).norm();
+          seat.spin * (point - shaft).cross(ShaftAxis()).norm();
     }
     const double share = play < limit ? limit : limit / std::numbers::sqrt2;
     for (const int axis : {0, 1}) RequireNear("alignment", point, Axis(axis), play, share);
