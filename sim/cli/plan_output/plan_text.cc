@@ -63,7 +63,10 @@ std::string PlanTable(const Problem& problem, const plan::Plan& plan) {
 std::string Text(const Problem& problem, const plan::PlanResult& result) {
   switch (result.outcome) {
     case Outcome::kFound:
-      if (result.plan.steps.empty()) return "The goal holds already: nothing is to be done.\n";
+      if (result.plan.steps.empty()) {
+        return "The goal holds already at the believed poses: nothing is to be done.\n"
+               "Nothing is proved about errors of these poses.\n";
+      }
       return PlanTable(problem, result.plan) + TravelText(result.plan) +
              UncertaintyText(result.plan);
     case Outcome::kNone:

@@ -178,7 +178,9 @@ TEST(Plan, AGoalThatHoldsAlreadyNeedsNothing) {
       folder.Write("there.yaml", text + "goal:\n  - located: {part: peg, stable: [on-side]}\n");
   const Ended ended = Assay({"plan", scenario, "--models", kTree / "models"});
   EXPECT_EQ(ended.code, 0) << ended.err;
-  EXPECT_THAT(ended.out, HasSubstr("The goal holds already: nothing is to be done.\n"));
+  EXPECT_THAT(ended.out,
+              HasSubstr("The goal holds already at the believed poses: nothing is to be done.\n"
+                        "Nothing is proved about errors of these poses.\n"));
   EXPECT_EQ(Assay({"run", scenario, "--models", kTree / "models"}).code, 0);
 }
 
