@@ -12,7 +12,7 @@
 #include "planner/uncertainty/error_sets/axis_angle.h"
 #include "planner/uncertainty/error_sets/possible_masses.h"
 #include "planner/uncertainty/error_sets/turn_of_push.h"
-#include "planner/uncertainty/preconditions/touching_cells.h"
+#include "planner/uncertainty/pads/touching_cells.h"
 
 namespace assay::uncertainty {
 namespace {

@@ -9,9 +9,9 @@
 #include "planner/uncertainty/error_sets/axis_angle.h"
 #include "planner/uncertainty/error_sets/possible_masses.h"
 #include "planner/uncertainty/error_sets/squeezing.h"
+#include "planner/uncertainty/pads/touching_cells.h"
 #include "planner/uncertainty/preconditions/precondition.h"
 #include "planner/uncertainty/preconditions/support.h"
-#include "planner/uncertainty/preconditions/touching_cells.h"
 
 namespace assay::uncertainty {
 namespace {

@@ -9,9 +9,9 @@
 #include "planner/uncertainty/error_sets/axis_angle.h"
 #include "planner/uncertainty/error_sets/mating_end.h"
 #include "planner/uncertainty/error_sets/release.h"
+#include "planner/uncertainty/pads/touching_cells.h"
 #include "planner/uncertainty/preconditions/clearance.h"
 #include "planner/uncertainty/preconditions/precondition.h"
-#include "planner/uncertainty/preconditions/touching_cells.h"
 
 namespace assay::uncertainty {
 namespace {

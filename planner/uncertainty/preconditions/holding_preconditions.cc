@@ -6,7 +6,7 @@
 #include "planner/plan/data/carrying.h"
 #include "planner/uncertainty/error_sets/axis_angle.h"
 #include "planner/uncertainty/error_sets/possible_masses.h"
-#include "planner/uncertainty/preconditions/grip.h"
+#include "planner/uncertainty/pads/grip.h"
 #include "planner/uncertainty/preconditions/precondition.h"
 
 namespace assay::uncertainty {

@@ -7,9 +7,9 @@
 #include "planner/domain/parts/part_model.h"
 #include "planner/plan/data/tool_route.h"
 #include "planner/uncertainty/error_sets/mating_end.h"
+#include "planner/uncertainty/pads/touching_cells.h"
 #include "planner/uncertainty/preconditions/clearance.h"
 #include "planner/uncertainty/preconditions/precondition.h"
-#include "planner/uncertainty/preconditions/touching_cells.h"
 
 namespace assay::uncertainty {
 namespace {

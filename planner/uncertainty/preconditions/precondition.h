@@ -99,8 +99,8 @@ std::vector<Precondition> FixedPreconditions(const UncertainWorld& world, domain
                                              const RestingError& released,
                                              const plan::Strategy* strategy);
 
-// Returns kInPlace, for assemble. The held part ends with the error `released`, and the mating drags
-// the fixed part by at most `drag`.
+// Returns kInPlace, for assemble. The held part ends with the error `released`, and the mating
+// drags the fixed part by at most `drag`.
 std::vector<Precondition> PlacePreconditions(const UncertainWorld& world, domain::MatingId mating,
                                              const RestingError& released, const Drag& drag);
 

@@ -8,7 +8,7 @@
 #include "planner/uncertainty/error_sets/axis_angle.h"
 #include "planner/uncertainty/error_sets/possible_masses.h"
 #include "planner/uncertainty/error_sets/release.h"
-#include "planner/uncertainty/preconditions/grip.h"
+#include "planner/uncertainty/pads/grip.h"
 #include "planner/uncertainty/preconditions/precondition.h"
 #include "planner/uncertainty/preconditions/support.h"
 

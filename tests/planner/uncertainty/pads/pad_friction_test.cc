@@ -1,4 +1,4 @@
-#include "planner/uncertainty/preconditions/pad_friction.h"
+#include "planner/uncertainty/pads/pad_friction.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "planner/uncertainty/preconditions/grip.h"
+#include "planner/uncertainty/pads/grip.h"
 
 #include <algorithm>
 

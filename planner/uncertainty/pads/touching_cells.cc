@@ -1,4 +1,4 @@
-#include "planner/uncertainty/preconditions/touching_cells.h"
+#include "planner/uncertainty/pads/touching_cells.h"
 
 #include <algorithm>
 #include <cmath>

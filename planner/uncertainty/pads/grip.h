@@ -1,7 +1,7 @@
 #pragma once
 
-#include "planner/uncertainty/preconditions/pad_friction.h"
-#include "planner/uncertainty/preconditions/touching_cells.h"
+#include "planner/uncertainty/pads/pad_friction.h"
+#include "planner/uncertainty/pads/touching_cells.h"
 
 namespace assay::uncertainty {
 
