@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "planner/domain/matings/mating_success.h"
 #include "planner/domain/matings/shaft_fit.h"
 #include "planner/domain/parts/part_model.h"
 #include "planner/plan/data/condition_table.h"
@@ -160,7 +161,11 @@ std::vector<MeasuredMargin> TipTurn(const MeasuredStep& step) {
   return {{{}, (absorbed - (turn.angle() * turn.axis()).cwiseAbs()).minCoeff()}};
 }
 
-double RoomOf(const Finding& finding) { return finding.limit - finding.value; }
+// A part may lie anywhere within the play of its hole, and the engine leaves it at another place
+// for every timestep. Therefore only the room beyond the play is told.
+double RoomOf(const Finding& finding) {
+  return std::min(finding.limit - finding.value, domain::kLateralSlack);
+}
 
 // The part is as near its place as a successful assembly needs.
 std::vector<MeasuredMargin> InPlace(const MeasuredStep& step) {
