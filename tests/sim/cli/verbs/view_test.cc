@@ -24,10 +24,14 @@ TEST(ViewTest, RefusesWhatItCannotShow) {
   const Folder folder;
   const std::string page = folder / "page.html";
   const std::string trace = folder.Write("trace.jsonl", kHeader);
+  const std::string scenario = (kTree / "scenarios/spar-fig15.yaml").string();
+  const Ended without_plan = Assay({"view", trace, "-o", page});
+  EXPECT_EQ(without_plan.code, 2);
+  EXPECT_THAT(without_plan.err, HasSubstr("allowed: --plan FILE"));
+  ASSERT_EQ(Assay({"plan", scenario, "-o", folder / "plan.json"}).code, 0);
   const Ended cut_off = Assay({"view", trace, "-o", page});
   EXPECT_EQ(cut_off.code, 3);
   EXPECT_THAT(cut_off.err, HasSubstr("the trace has no end"));
-  const std::string scenario = (kTree / "scenarios/spar-fig15.yaml").string();
   const Ended numbered = Assay({"view", scenario, "1", "-o", page});
   EXPECT_EQ(numbered.code, 2);
   EXPECT_THAT(numbered.err, HasSubstr("numbers of trials are for databases"));
