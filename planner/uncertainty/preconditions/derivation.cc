@@ -4,6 +4,7 @@
 
 #include "planner/domain/matings/shaft_fit.h"
 #include "planner/uncertainty/error_sets/mating_end.h"
+#include "planner/uncertainty/error_sets/release.h"
 
 namespace assay::uncertainty {
 namespace {

@@ -4,10 +4,11 @@
 #include <vector>
 
 #include "planner/plan/data/condition_table.h"
-#include "planner/uncertainty/error_sets/release.h"
 #include "planner/uncertainty/error_sets/uncertain_world.h"
 
 namespace assay::uncertainty {
+
+struct Drag;  // planner/uncertainty/error_sets/release.h
 
 // An uncertainty-reduction precondition: expression < limit, or expression > limit, for all values
 // of its variables.
