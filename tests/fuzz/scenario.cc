@@ -24,7 +24,7 @@ plan::PlanResult SmallPlan(const domain::Problem& problem) {
   constraint_posting::UncertaintyOptions uncertainty;
   uncertainty.bound.evaluations = 1000;
   uncertainty.combinations = 3;
-  uncertainty.moments = 100;
+  uncertainty.snapshots = 100;
   uncertainty.instances = 1;
   return constraint_posting::MakeCertifiedPlan(problem, planner, uncertainty);
 }
