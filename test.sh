@@ -27,7 +27,7 @@ build_readers_with_sanitizers() {
 test_readers_with_sanitizers() {
   ASSAY_MUTATIONS=2000 with_progress "Testing with sanitizers" \
     ctest --preset asan-ubsan --tests-regex "^($(IFS='|' && echo "${readers[*]}"))\.|^fuzz\." \
-    --exclude-regex "^domain\.(HandClearance|StablePose|Grasp)Test\.|^contingent\.Quarters/(Random|Rich)Domains\..*/[123]$"
+    --exclude-regex "^domain\.((HandClearance|StablePose|Grasp)Test|ToolPath|PegAndBlock|ShaftFit|Scenarios)\.|^contingent\.Quarters/(Random|Rich)Domains\..*/[123]$"
 }
 
 # Prints the commands that call the program or the scripts here, from the ```sh blocks of README.md,
