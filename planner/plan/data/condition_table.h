@@ -11,7 +11,7 @@ namespace assay::plan {
 
 // The kinds of preconditions that the planner states. The functions that derive them are in
 // planner/uncertainty/preconditions/derivation.h; the kinds about the arm's way are derived in
-// planner/assembly/way_conditions.h. The simulator measures them by the functions in
+// planner/assembly/travel/way_conditions.h. The simulator measures them by the functions in
 // sim/check/measurements/measurement.h.
 namespace condition {
 

@@ -35,7 +35,7 @@ struct Derivation {
 
 // The preconditions of which certificates are made: their kinds, and the rules that derive them. A
 // certificate lists preconditions in the order of the rules. The kinds about the arm's way have no
-// rule here (planner/assembly/way_conditions.h).
+// rule here (planner/assembly/travel/way_conditions.h).
 struct Theory {
   plan::ConditionKinds kinds = plan::KnownConditions();
   std::span<const Derivation> derivations = KnownDerivations();

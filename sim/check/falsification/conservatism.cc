@@ -54,7 +54,7 @@ Interval Times(double factor, const Interval& range) {
   return {factor * range.low, factor * range.high};
 }
 
-// The same problem with the varied errors alone, by a multiple of their bounds.
+// A problem in which only the varied errors are left, with a multiple of their bounds.
 class ScaledProblem {
  public:
   ScaledProblem(const domain::Problem& problem, const VariedErrors& varied)

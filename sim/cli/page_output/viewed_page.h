@@ -36,8 +36,7 @@ ViewedPage PageOf(const view::Subject& subject);
 // A trace that `assay run -o` has written. `text` is its contents.
 ViewedPage TracePage(const ViewRequest& request, std::string_view text);
 // A plan file, or a scenario for which a plan is made; `document` is its contents. The plan is
-// executed once without noise. The
-// exit code is kFailed if the execution does not succeed.
+// executed once without noise. The exit code is kFailed if the execution does not succeed.
 ViewedPage PlanPage(const ViewRequest& request, const Document& document);
 // A trial of the plan tree that is made for a scenario. The exit code is kFailed if the trial
 // failed.

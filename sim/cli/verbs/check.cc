@@ -118,7 +118,7 @@ struct Summary {
 
 ExitCode Execute(const Options& options) {
   RequireWritable(options.output);
-  // Of a single file there is nothing to keep.
+  // If a signal ends the check of a single file, there is no result to keep.
   std::optional<Interruption> interruption;
   if (options.files.size() > 1) interruption.emplace();
   Summary summary;

@@ -63,7 +63,7 @@ TEST(Captions, NameTheStepsInTheOrderOfExecutionAndTheEnd) {
   EXPECT_EQ(captions[1].from, ends[0]->snapshot.time);
   EXPECT_EQ(captions[2].from, ends[1]->snapshot.time);
 
-  // The same, as if the arm had collided during the last step.
+  // The second trace is the first one, changed as if the arm had collided during the last step.
   execution::Trace trace = TwoActions().trace;
   auto& end = std::get<execution::ExecutionEnd>(trace.events.back());
   end.outcome = execution::TrialOutcome::kCollided;
