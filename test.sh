@@ -15,7 +15,8 @@ check_single_files() {
 }
 
 # What reads files is tested under the address and undefined-behaviour sanitizers, and fuzzed; what
-# only computes is left out, and of random domains three of four quarters. By
+# only computes is left out, and of random domains three of four quarters. The fuzz targets damage
+# files more cleverly than the random mistakes do, so a few hundred of these are enough here. By
 # hand, for all tests under the sanitizers: cmake --preset asan-ubsan &&
 # cmake --build --preset asan-ubsan && ctest --preset asan-ubsan; for all tests of the planner
 # without MuJoCo: likewise with planner-only.
@@ -25,9 +26,9 @@ build_readers_with_sanitizers() {
   build asan-ubsan "${readers[@]/%/_test}" tests/fuzz/all
 }
 test_readers_with_sanitizers() {
-  ASSAY_MUTATIONS=2000 with_progress "Testing with sanitizers" \
+  ASSAY_MUTATIONS=500 with_progress "Testing with sanitizers" \
     ctest --preset asan-ubsan --tests-regex "^($(IFS='|' && echo "${readers[*]}"))\.|^fuzz\." \
-    --exclude-regex "^domain\.((HandClearance|StablePose|Grasp)Test|ToolPath|PegAndBlock|ShaftFit|Scenarios)\.|^contingent\.Quarters/(Random|Rich)Domains\..*/[123]$"
+    --exclude-regex "^domain\.((HandClearance|StablePose|Grasp)Test|ToolPath|PegAndBlock|ShaftFit|Scenarios)\.|^plan\.FourStepPlan\.|^contingent\.Quarters/(Random|Rich)Domains\..*/[123]$"
 }
 
 # Prints the commands that call the program or the scripts here, from the ```sh blocks of README.md,
