@@ -6,9 +6,9 @@
 
 #include "planner/plan/data/not_covered.h"
 #include "sim/render/ghost.h"
+#include "sim/report/charts/palette.h"
 #include "sim/report/html/data_uri.h"
 #include "sim/report/html/element.h"
-#include "sim/report/html/palette.h"
 #include "sim/view/bundle.h"
 #include "sim/view/error_set_data.h"
 #include "sim/view/occurrence_data.h"

@@ -1,8 +1,8 @@
 // The target opens the database of a sweep, summarises it and writes the report.
 
+#include "sim/report/findings/findings.h"
+#include "sim/report/findings/read_findings.h"
 #include "sim/report/html/page.h"
-#include "sim/report/sections/findings.h"
-#include "sim/report/sections/read_findings.h"
 #include "sim/sweep/database/store.h"
 #include "sim/sweep/database/summary.h"
 #include "tests/fuzz/reader_input.h"

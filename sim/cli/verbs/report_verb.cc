@@ -17,9 +17,9 @@
 #include "sim/cli/tasks/output_file.h"
 #include "sim/cli/tasks/stored_trial.h"
 #include "sim/execution/walk/executor.h"
-#include "sim/report/html/csv.h"
+#include "sim/report/findings/csv.h"
+#include "sim/report/findings/read_findings.h"
 #include "sim/report/html/page.h"
-#include "sim/report/sections/read_findings.h"
 
 namespace assay::cli {
 namespace report_verb {

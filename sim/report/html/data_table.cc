@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include "planner/base/check.h"
-#include "sim/report/html/chart.h"
-#include "sim/report/sections/observations.h"
+#include "sim/report/charts/chart.h"
+#include "sim/report/findings/observations.h"
 
 namespace assay::report {
 

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "sim/report/findings/standing.h"
 #include "sim/report/html/element.h"
-#include "sim/report/sections/standing.h"
 
 namespace assay::report {
 

@@ -4,9 +4,9 @@
 
 #include "planner/base/input_files/document.h"
 #include "planner/base/input_files/input_error.h"
-#include "sim/report/html/chart.h"
-#include "sim/report/html/figures.h"
+#include "sim/report/charts/chart.h"
 #include "sim/report/html/head.h"
+#include "sim/report/numbers/figures.h"
 #include "sim/report/sections/section.h"
 
 namespace assay::report {

@@ -3,7 +3,7 @@
 #include <functional>
 #include <string>
 
-#include "sim/report/sections/findings.h"
+#include "sim/report/findings/findings.h"
 
 namespace assay::report {
 

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "sim/report/html/palette.h"
+#include "sim/report/charts/palette.h"
 
 namespace assay::report {
 namespace {

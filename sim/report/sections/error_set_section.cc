@@ -2,9 +2,9 @@
 
 #include <array>
 
-#include "sim/report/html/chart.h"
+#include "sim/report/charts/chart.h"
 #include "sim/report/html/data_table.h"
-#include "sim/report/html/figures.h"
+#include "sim/report/numbers/figures.h"
 #include "sim/report/sections/section.h"
 
 namespace assay::report {

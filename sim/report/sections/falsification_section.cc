@@ -6,11 +6,11 @@
 #include <sstream>
 
 #include "sim/noise/error_box.h"
-#include "sim/report/html/chart.h"
-#include "sim/report/html/command.h"
+#include "sim/report/charts/chart.h"
+#include "sim/report/findings/command.h"
+#include "sim/report/findings/observations.h"
 #include "sim/report/html/data_table.h"
-#include "sim/report/html/figures.h"
-#include "sim/report/sections/observations.h"
+#include "sim/report/numbers/figures.h"
 #include "sim/report/sections/section.h"
 
 namespace assay::report {

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "sim/report/html/cell_name.h"
+#include "sim/report/findings/findings.h"
 #include "sim/report/html/element.h"
-#include "sim/report/sections/findings.h"
+#include "sim/report/sections/cell_name.h"
 
 namespace assay::report {
 

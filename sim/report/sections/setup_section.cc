@@ -5,7 +5,7 @@
 #include <ranges>
 
 #include "sim/report/html/data_table.h"
-#include "sim/report/html/figures.h"
+#include "sim/report/numbers/figures.h"
 #include "sim/report/sections/section.h"
 
 namespace assay::report {

@@ -1,10 +1,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "sim/report/html/chart.h"
-#include "sim/report/html/command.h"
+#include "sim/report/charts/chart.h"
+#include "sim/report/findings/command.h"
 #include "sim/report/html/data_table.h"
-#include "sim/report/html/figures.h"
+#include "sim/report/numbers/figures.h"
 #include "sim/report/sections/section.h"
 
 namespace assay::report {

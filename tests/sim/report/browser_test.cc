@@ -6,8 +6,8 @@
 #include <fstream>
 #include <iterator>
 
+#include "sim/report/findings/read_findings.h"
 #include "sim/report/html/page.h"
-#include "sim/report/sections/read_findings.h"
 #include "tests/scratch_file.h"
 #include "tests/sim/report/sample_database.h"
 

@@ -3,8 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "sim/report/html/csv.h"
-#include "sim/report/sections/read_findings.h"
+#include "sim/report/findings/csv.h"
+#include "sim/report/findings/read_findings.h"
 #include "tests/scratch_file.h"
 #include "tests/sim/report/markup.h"
 #include "tests/sim/report/sample_database.h"

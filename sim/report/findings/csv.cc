@@ -1,4 +1,4 @@
-#include "sim/report/html/csv.h"
+#include "sim/report/findings/csv.h"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 #include <optional>
 #include <string_view>
 
-#include "sim/report/html/command.h"
+#include "sim/report/findings/command.h"
 #include "sim/sweep/database/wilson.h"
 
 namespace assay::report {

@@ -1,4 +1,4 @@
-#include "sim/report/html/palette.h"
+#include "sim/report/charts/palette.h"
 
 #include <gtest/gtest.h>
 

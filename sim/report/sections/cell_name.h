@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/report/sections/findings.h"
+#include "sim/report/findings/findings.h"
 
 namespace assay::report {
 

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "sim/report/sections/findings.h"
+#include "sim/report/findings/findings.h"
 
 namespace assay::report {
 

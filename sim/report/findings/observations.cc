@@ -1,4 +1,4 @@
-#include "sim/report/sections/observations.h"
+#include "sim/report/findings/observations.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "sim/report/sections/standing.h"
+#include "sim/report/findings/standing.h"
 
 #include <numeric>
 

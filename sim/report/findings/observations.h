@@ -5,12 +5,12 @@
 #include <utility>
 #include <vector>
 
-#include "sim/report/sections/findings.h"
+#include "sim/report/findings/findings.h"
 
 namespace assay::report {
 
-// Returns the steps of a cell in the order of execution. Their members `claims`, `counts` and
-// `worst` hold the findings of the cell's trials about claims and certificates.
+// Returns the findings about the steps of a cell, in the order of execution. Their members
+// `claims`, `counts` and `worst` say what the cell's trials show about claims and certificates.
 std::vector<StepFindings> ReadSteps(const sweep::Store& store, int cell);
 
 // Returns the verdict on one observation of a claim. The database has one verdict for each step and
@@ -23,10 +23,10 @@ std::vector<StepFindings> ReadSteps(const sweep::Store& store, int cell);
 // its observation is outside its prediction.
 ClaimVerdict VerdictOn(const sweep::ClaimRecord& claim, double observed, ClaimVerdict of_step);
 
-// Returns the best, the typical and the worst trial. Trials are ordered by success, then by their
-// worst verdict, then by the least margin of their certificates. A margin in radians counts as a
-// length at a distance of a tenth of a metre. If there are trials with noise, only these are
-// considered.
+// Finds the best, the typical and the worst trial for the report. Trials are ordered by success,
+// then by their worst verdict, then by the least margin of their certificates. A margin in radians
+// counts as a length at a distance of a tenth of a metre. If there are trials with noise, only
+// these are considered.
 NotableTrials FindNotable(const sweep::Store& store);
 
 }  // namespace assay::report

@@ -5,11 +5,11 @@
 
 namespace assay::report {
 
-// Returns the command that runs a trial of a database again.
+// Returns the command with which a reader of the report runs a trial of its database again.
 std::string ReplayCommand(const std::string& database, int trial);
 
-// Returns the command that makes a page in three dimensions of a trial, or of a counterexample of a
-// falsification (from 1).
+// Returns the command with which a reader of the report views a trial in three dimensions, or a
+// counterexample of a falsification (from 1).
 std::string ViewCommand(const std::string& database, int trial,
                         std::optional<int> counterexample = std::nullopt);
 

@@ -1,11 +1,11 @@
-#include "sim/report/html/figures.h"
+#include "sim/report/numbers/figures.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 
-#include "sim/report/html/command.h"
+#include "sim/report/findings/command.h"
 #include "sim/report/html/data_uri.h"
 #include "sim/report/html/element.h"
 

@@ -1,4 +1,4 @@
-#include "sim/report/sections/read_findings.h"
+#include "sim/report/findings/read_findings.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 
-#include "sim/report/sections/observations.h"
+#include "sim/report/findings/observations.h"
 
 namespace assay::report {
 namespace {

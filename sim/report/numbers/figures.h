@@ -9,20 +9,21 @@
 
 namespace assay::report {
 
-// These functions write numbers for people. The minus sign is U+2212, commas separate thousands,
-// and an en dash stands for a value that is not a number.
+// These functions write numbers on pages. The minus sign is U+2212, commas separate thousands, and
+// an en dash stands for a value that is not a number.
 
-std::string CountText(std::int64_t count);  // "20,000"
+// Writes a number of things, like "20,000".
+std::string CountText(std::int64_t count);
 // Writes a count with its noun: "1 trial" or "2 trials" if `what` is "trial".
 std::string CountText(std::int64_t count, std::string_view what);
 
 // Writes a number with `digits` significant digits: "0.136", "1,230", "2.1 × 10⁻⁷", "∞".
 std::string NumberText(double value, int digits = 3);
 
-// Converts a value in SI units to the unit in which it is shown.
+// Converts a number in SI units to the unit in which pages show it.
 double Shown(double value, domain::Dimension dimension);
 
-// Writes a value with its unit, like "0.136 mm" or "−0.31°".
+// Writes a number with its unit, like "0.136 mm" or "−0.31°".
 std::string QuantityText(double value, domain::Dimension dimension);
 // Writes an interval: "±0.136 mm", "−0.2 to 0.31 mm", "≥ 0 mm", or "0.1 mm" if both ends are the
 // same.

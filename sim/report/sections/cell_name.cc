@@ -1,4 +1,4 @@
-#include "sim/report/html/cell_name.h"
+#include "sim/report/sections/cell_name.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -8,7 +8,7 @@
 #include <filesystem>
 #include <set>
 
-#include "sim/report/html/figures.h"
+#include "sim/report/numbers/figures.h"
 
 namespace assay::report {
 namespace {

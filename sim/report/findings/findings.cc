@@ -1,4 +1,4 @@
-#include "sim/report/sections/findings.h"
+#include "sim/report/findings/findings.h"
 
 #include <cstdlib>
 

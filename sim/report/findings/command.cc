@@ -1,4 +1,4 @@
-#include "sim/report/html/command.h"
+#include "sim/report/findings/command.h"
 
 #include <fmt/format.h>
 

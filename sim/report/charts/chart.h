@@ -1,7 +1,7 @@
 #pragma once
 
+#include "sim/report/findings/findings.h"
 #include "sim/report/html/element.h"
-#include "sim/report/sections/findings.h"
 
 namespace assay::report {
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/report/sections/findings.h"
+#include "sim/report/findings/findings.h"
 
 namespace assay::report {
 
@@ -14,7 +14,7 @@ struct CsvFile {
   std::string text;
 };
 
-// Returns one file for each table of the report, with all cells.
+// Returns the findings as files for programs: one for each table of the report, with all cells.
 std::vector<CsvFile> CsvFiles(const Findings& findings);
 
 }  // namespace assay::report

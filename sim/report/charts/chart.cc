@@ -1,4 +1,4 @@
-#include "sim/report/html/chart.h"
+#include "sim/report/charts/chart.h"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-#include "sim/report/html/figures.h"
+#include "sim/report/numbers/figures.h"
 #include "sim/sweep/database/wilson.h"
 
 namespace assay::report {

@@ -1,4 +1,4 @@
-#include "sim/report/html/figures.h"
+#include "sim/report/numbers/figures.h"
 
 #include <fmt/format.h>
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "sim/check/certificate_claims/claim.h"
-#include "sim/report/sections/standing.h"
+#include "sim/report/findings/standing.h"
 #include "sim/sweep/database/store.h"
 #include "sim/sweep/database/summary.h"
 
@@ -68,8 +68,8 @@ struct CellFindings {
   // The falsification of the plan. Its worst claims are ordered by step, and its conservatism
   // begins with all errors together.
   std::optional<sweep::FalsificationRecord> falsification = {};
-  int falsification_trial =
-      0;  // the number of the falsification's trial in the sweep; 0: there is none
+  // The number of the falsification's trial in the sweep; 0 if there is none.
+  int falsification_trial = 0;
   // The trials of the same plan without noise. If control_done is 0, there are none.
   int control_done = 0;
   int control_succeeded = 0;
@@ -90,8 +90,7 @@ struct FailedTrial {
 
 // The trials of which pictures are taken, by their numbers in the sweep; 0 if there is none.
 struct NotableTrials {
-  int best = 0, typical = 0,
-      worst = 0;  // numbers in the sweep; 0: there is none
+  int best = 0, typical = 0, worst = 0;
 };
 
 // All facts of a report, in the database's units.
