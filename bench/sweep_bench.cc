@@ -40,7 +40,7 @@
 #include <vector>
 
 #include "planner/base/check.h"
-#include "sim/check/certificate_claims/measure_noise_floor.h"
+#include "sim/check/noise_floor/measure_noise_floor.h"
 #include "sim/execution/walk/executor.h"
 #include "sim/sweep/grid/machine.h"
 #include "sim/sweep/grid/runner.h"

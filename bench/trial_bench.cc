@@ -3,7 +3,7 @@
 #include <string>
 
 #include "planner/assembly/certified_plan.h"
-#include "sim/check/certificate_claims/measure_noise_floor.h"
+#include "sim/check/noise_floor/measure_noise_floor.h"
 #include "sim/check/trial_verdicts/trial.h"
 #include "sim/noise/error_box.h"
 #include "sim/noise/sampling.h"

@@ -10,7 +10,7 @@
 
 #include "planner/base/input_files/quotation.h"
 #include "planner/base/stop.h"
-#include "sim/check/certificate_claims/noiseless.h"
+#include "sim/check/noise_floor/noiseless.h"
 #include "sim/cli/command_line/usage_error.h"
 #include "sim/cli/plan_output/plan_text.h"
 #include "sim/cli/tasks/noise_floor_cache.h"

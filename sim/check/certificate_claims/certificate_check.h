@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "sim/check/certificate_claims/claim.h"
-#include "sim/check/certificate_claims/noise_floor.h"
 #include "sim/check/measurements/measurement.h"
+#include "sim/check/noise_floor/noise_floor.h"
 #include "sim/execution/trace/trace.h"
 
 namespace assay::check {

@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
-#include "sim/check/certificate_claims/noiseless.h"
 #include "sim/check/falsification/falsification_result.h"
+#include "sim/check/noise_floor/noiseless.h"
 
 namespace assay::check {
 

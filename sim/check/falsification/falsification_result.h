@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "sim/check/certificate_claims/claim.h"
-#include "sim/check/certificate_claims/noiseless.h"
+#include "sim/check/noise_floor/noiseless.h"
 
 namespace assay::check {
 

@@ -4,7 +4,7 @@
 
 #include "planner/base/check.h"
 #include "sim/check/certificate_claims/certificate_check.h"
-#include "sim/check/certificate_claims/confirmation.h"
+#include "sim/check/noise_floor/confirmation.h"
 #include "sim/execution/walk/executor.h"
 #include "sim/noise/sampling.h"
 

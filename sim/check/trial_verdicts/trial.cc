@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "sim/check/certificate_claims/certificate_check.h"
-#include "sim/check/certificate_claims/confirmation.h"
+#include "sim/check/noise_floor/confirmation.h"
 #include "sim/execution/walk/executor.h"
 #include "sim/sense/overhead_camera.h"
 

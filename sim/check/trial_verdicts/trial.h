@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "sim/check/certificate_claims/claim.h"
-#include "sim/check/certificate_claims/noise_floor.h"
+#include "sim/check/noise_floor/noise_floor.h"
 #include "sim/check/trial_verdicts/verdict.h"
 #include "sim/execution/walk/executor.h"
 #include "sim/noise/noise.h"

@@ -11,7 +11,7 @@
 
 #include "planner/base/input_files/input_error.h"
 #include "planner/plan/plan_files/json_layout.h"
-#include "sim/check/certificate_claims/noiseless.h"
+#include "sim/check/noise_floor/noiseless.h"
 #include "sim/check/trial_verdicts/ledger.h"
 #include "sim/check/trial_verdicts/trial.h"
 #include "sim/cli/command_line/console.h"

@@ -18,7 +18,7 @@
 #include "planner/base/module.h"
 #include "planner/plan/plan_files/json_layout.h"
 #include "planner/plan/plan_files/plan_file.h"
-#include "sim/check/certificate_claims/measure_noise_floor.h"
+#include "sim/check/noise_floor/measure_noise_floor.h"
 #include "sim/cli/tasks/output_file.h"
 #include "sim/scene/mjcf.h"
 

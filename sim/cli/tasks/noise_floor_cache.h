@@ -4,7 +4,7 @@
 
 #include "planner/domain/problem/problem.h"
 #include "planner/plan/data/plan.h"
-#include "sim/check/certificate_claims/noise_floor.h"
+#include "sim/check/noise_floor/noise_floor.h"
 #include "sim/scene/mjcf.h"
 
 namespace assay::cli {

@@ -8,8 +8,8 @@
 #include "planner/domain/problem/problem.h"
 #include "planner/plan/data/plan.h"
 #include "sim/check/certificate_claims/claim.h"
-#include "sim/check/certificate_claims/noise_floor.h"
-#include "sim/check/certificate_claims/noiseless.h"
+#include "sim/check/noise_floor/noise_floor.h"
+#include "sim/check/noise_floor/noiseless.h"
 
 namespace assay::cli {
 

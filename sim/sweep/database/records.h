@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "sim/check/certificate_claims/claim.h"
-#include "sim/check/certificate_claims/noise_floor.h"
+#include "sim/check/noise_floor/noise_floor.h"
 
 namespace assay::sweep {
 

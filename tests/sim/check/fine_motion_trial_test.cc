@@ -6,8 +6,8 @@
 #include <string>
 
 #include "planner/assembly/certified_plan.h"
-#include "sim/check/certificate_claims/measure_noise_floor.h"
 #include "sim/check/falsification/falsification.h"
+#include "sim/check/noise_floor/measure_noise_floor.h"
 #include "sim/noise/error_box.h"
 #include "sim/noise/sampling.h"
 #include "tests/sim/check/certified.h"

@@ -17,10 +17,10 @@
 #include <vector>
 
 #include "sim/check/certificate_claims/certificate_check.h"
-#include "sim/check/certificate_claims/confirmation.h"
-#include "sim/check/certificate_claims/measure_noise_floor.h"
 #include "sim/check/falsification/falsification.h"
 #include "sim/check/falsification/main_effects.h"
+#include "sim/check/noise_floor/confirmation.h"
+#include "sim/check/noise_floor/measure_noise_floor.h"
 #include "sim/execution/walk/executor.h"
 #include "sim/noise/sampling.h"
 

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 
-#include "sim/check/certificate_claims/measure_noise_floor.h"
 #include "sim/check/falsification/conservatism.h"
 #include "sim/check/falsification/shrink.h"
+#include "sim/check/noise_floor/measure_noise_floor.h"
 #include "sim/noise/sampling.h"
 #include "tests/sim/check/certified.h"
 

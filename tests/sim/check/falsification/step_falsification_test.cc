@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <set>
 
-#include "sim/check/certificate_claims/measure_noise_floor.h"
+#include "sim/check/noise_floor/measure_noise_floor.h"
 #include "sim/noise/error_box.h"
 #include "tests/sim/check/certified.h"
 

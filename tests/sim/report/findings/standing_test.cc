@@ -7,7 +7,7 @@
 #include <string>
 
 #include "planner/base/random.h"
-#include "sim/check/certificate_claims/confirmation.h"
+#include "sim/check/noise_floor/confirmation.h"
 
 namespace assay::report::standing_test {
 namespace {

@@ -1,11 +1,11 @@
-#include "sim/check/certificate_claims/noise_floor.h"
+#include "sim/check/noise_floor/noise_floor.h"
 
 #include <gtest/gtest.h>
 
 #include <limits>
 
-#include "sim/check/certificate_claims/measure_noise_floor.h"
 #include "sim/check/falsification/falsification.h"
+#include "sim/check/noise_floor/measure_noise_floor.h"
 #include "tests/sim/check/certified.h"
 
 namespace assay::check::noise_floor_test {

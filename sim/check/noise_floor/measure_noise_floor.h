@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sim/check/certificate_claims/noise_floor.h"
+#include "sim/check/noise_floor/noise_floor.h"
 
 namespace assay::check {
 

@@ -1,4 +1,4 @@
-#include "sim/check/certificate_claims/noiseless.h"
+#include "sim/check/noise_floor/noiseless.h"
 
 namespace assay::check {
 

@@ -1,4 +1,4 @@
-#include "sim/check/certificate_claims/confirmation.h"
+#include "sim/check/noise_floor/confirmation.h"
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,10 @@
-#include "sim/check/certificate_claims/measure_noise_floor.h"
+#include "sim/check/noise_floor/measure_noise_floor.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "sim/check/certificate_claims/certificate_check.h"
-#include "sim/check/certificate_claims/confirmation.h"
+#include "sim/check/noise_floor/confirmation.h"
 #include "sim/execution/walk/executor.h"
 #include "sim/execution/walk/step_execution.h"
 #include "sim/mujoco/contact.h"

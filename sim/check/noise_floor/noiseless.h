@@ -17,8 +17,8 @@ struct Noiseless {
   bool Holds() const { return violated.empty() && hidden.empty(); }
 };
 
-// Executes the plan without noise. Attempts and trials under noise prove something only about a
-// plan whose result Holds().
+// Executes the plan without noise, and compares it with its certificates and the noise floor.
+// Trials under noise prove something only about a plan whose result Holds().
 Noiseless ExecuteWithoutNoise(const Experiment& experiment);
 
 }  // namespace assay::check

@@ -12,7 +12,8 @@ namespace assay::check {
 // engine, not of the world.
 scene::SceneOptions Finer(scene::SceneOptions options);
 
-// Returns the claims after every violated one was compared with an execution at half the timestep.
+// Returns the claims after the engine's own error, found by an execution at half the timestep, was
+// subtracted from every violated one.
 // `finer` makes that execution, and is called only if a claim is violated.
 //
 // If the engine's error is of first order in the timestep, half the timestep halves it. The limit

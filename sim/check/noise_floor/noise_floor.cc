@@ -1,4 +1,4 @@
-#include "sim/check/certificate_claims/noise_floor.h"
+#include "sim/check/noise_floor/noise_floor.h"
 
 #include <algorithm>
 #include <cmath>
