@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "sim/cli/mating_output/fine_motion_report.h"
 #include "sim/cli/options/quantity.h"
 #include "sim/cli/picture_output/contact_graphs.h"
-#include "sim/cli/trial_output/fine_motion_report.h"
 
 namespace assay::cli {
 namespace {

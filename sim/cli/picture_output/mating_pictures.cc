@@ -5,10 +5,10 @@
 #include <fstream>
 #include <sstream>
 
+#include "sim/cli/mating_output/fine_motion_report.h"
 #include "sim/cli/picture_output/contact_graphs.h"
 #include "sim/cli/picture_output/contact_pictures.h"
 #include "sim/cli/tasks/output_file.h"
-#include "sim/cli/trial_output/fine_motion_report.h"
 #include "sim/report/fine_motion/contact_graph_picture.h"
 
 namespace assay::cli {

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "planner/finemotion/contact_graph/contact_chain.h"
+#include "sim/cli/mating_output/mating_report.h"
 #include "sim/cli/tasks/planned_problem.h"
-#include "sim/cli/trial_output/mating_report.h"
 
 namespace assay::cli {
 

@@ -22,7 +22,7 @@
 #include "sim/cli/tree_output/contingent_report.h"
 #include "sim/cli/tree_output/goal_conflict_text.h"
 #include "sim/cli/tree_output/plan_tree_report.h"
-#include "sim/cli/trial_output/tree_trial_report.h"
+#include "sim/cli/tree_output/tree_trial_report.h"
 #include "sim/execution/interpretation/knowledge_scenario.h"
 #include "sim/execution/interpretation/plan_interpretation.h"
 #include "sim/execution/trial/scheduler.h"

@@ -1,4 +1,4 @@
-#include "sim/cli/trial_output/tree_trial_report.h"
+#include "sim/cli/tree_output/tree_trial_report.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -1,4 +1,4 @@
-#include "sim/cli/trial_output/contact_chain_report.h"
+#include "sim/cli/mating_output/contact_chain_report.h"
 
 #include <fmt/format.h>
 

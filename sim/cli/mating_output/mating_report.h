@@ -21,7 +21,10 @@ struct MatingStudy {
   bool Covers(const MatedTrial& trial) const { return trial.scale <= covered; }
   int CoveredFailures() const;
 };
+
+// Returns a text for people about the trials of a mating.
 std::string TextOf(const MatingStudy& study);
+// Returns what the trials show, for the page about the mating.
 report::MatingSubject::Trials TrialsOf(const MatingStudy& study);
 nlohmann::ordered_json ToJson(const MatingStudy& study);
 

@@ -1,4 +1,4 @@
-#include "sim/cli/trial_output/mating_report.h"
+#include "sim/cli/mating_output/mating_report.h"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "sim/check/trial_verdicts/error_recognition.h"
-#include "sim/cli/trial_output/fine_motion_report.h"
+#include "sim/cli/mating_output/fine_motion_report.h"
 
 namespace assay::cli {
 namespace {

@@ -1,4 +1,4 @@
-#include "sim/cli/trial_output/fine_motion_report.h"
+#include "sim/cli/mating_output/fine_motion_report.h"
 
 #include <fmt/format.h>
 

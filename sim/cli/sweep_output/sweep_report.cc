@@ -1,4 +1,4 @@
-#include "sim/cli/trial_output/sweep_report.h"
+#include "sim/cli/sweep_output/sweep_report.h"
 
 #include <fmt/format.h>
 

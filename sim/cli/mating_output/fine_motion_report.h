@@ -26,7 +26,7 @@ std::string SummaryOf(const finemotion::MatingGeometry& geometry,
                       const finemotion::FineMotionPlan& plan);
 // Returns the rows of the table of motions.
 std::vector<report::MatingSubject::Motion> MotionsOf(const finemotion::FineMotionPlan& plan);
-// Returns the fields of mate.schema.json that are about the plan.
+// Returns the fields of mate.schema.json that are about the plan of fine motion.
 nlohmann::ordered_json ToJson(const finemotion::MatingGeometry& geometry,
                               const finemotion::FineMotionPlan& plan);
 
