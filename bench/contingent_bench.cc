@@ -14,8 +14,8 @@
 #include "planner/contingent/grounding/grounding.h"
 #include "planner/contingent/pks_and_pddl/pks_file.h"
 #include "planner/contingent/pks_and_pddl/task_file.h"
-#include "planner/contingent/plan_tree/tree_check.h"
 #include "planner/contingent/search/contingent_planner.h"
+#include "planner/contingent/tree_check/tree_check.h"
 
 namespace assay::contingent {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "planner/contingent/grounding/grounding.h"
 #include "planner/contingent/pks_and_pddl/task_file.h"
-#include "planner/contingent/plan_tree/tree_check.h"
+#include "planner/contingent/tree_check/tree_check.h"
 #include "sim/cli/tree_output/contingent_report.h"
 #include "sim/cli/tree_output/dot.h"
 #include "sim/python/engines.h"

@@ -3,8 +3,8 @@
 #include "planner/base/check.h"
 #include "planner/contingent/grounding/grounding.h"
 #include "planner/contingent/language/externs.h"
-#include "planner/contingent/plan_tree/tree_check.h"
 #include "planner/contingent/search/contingent_planner.h"
+#include "planner/contingent/tree_check/tree_check.h"
 
 namespace assay::fuzz {
 

@@ -3,8 +3,8 @@
 #include "planner/contingent/grounding/grounding.h"
 #include "planner/contingent/language/externs.h"
 #include "planner/contingent/pks_and_pddl/task_file.h"
-#include "planner/contingent/plan_tree/tree_check.h"
 #include "planner/contingent/plan_tree/tree_file.h"
+#include "planner/contingent/tree_check/tree_check.h"
 #include "tests/fuzz/reader_input.h"
 
 namespace {

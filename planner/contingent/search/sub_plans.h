@@ -4,8 +4,8 @@
 #include <unordered_map>
 #include <vector>
 
-#include "planner/contingent/knowledge/requirement.h"
 #include "planner/contingent/search/node_table.h"
+#include "planner/contingent/search/requirement.h"
 
 namespace assay::contingent {
 

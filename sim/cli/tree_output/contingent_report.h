@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "planner/contingent/grounding/ground_task.h"
-#include "planner/contingent/plan_tree/tree_check_result.h"
 #include "planner/contingent/search/contingent_planner.h"
 #include "planner/contingent/search/goal_conflict.h"
+#include "planner/contingent/tree_check/tree_check_result.h"
 
 namespace assay::cli {
 

@@ -1,8 +1,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "planner/contingent/plan_tree/tree_check.h"
 #include "planner/contingent/plan_tree/tree_text.h"
+#include "planner/contingent/tree_check/tree_check.h"
 #include "tests/planner/contingent/tasks.h"
 
 namespace assay::contingent::published_domains_test {

@@ -3,9 +3,9 @@
 #include <gtest/gtest.h>
 
 #include "planner/base/random.h"
-#include "planner/contingent/plan_tree/symbolic_check.h"
-#include "planner/contingent/plan_tree/tree_check.h"
 #include "planner/contingent/plan_tree/tree_text.h"
+#include "planner/contingent/tree_check/symbolic_check.h"
+#include "planner/contingent/tree_check/tree_check.h"
 #include "planner/contingent/world_sets/initial_worlds.h"
 #include "tests/oracle/world_set_search.h"
 #include "tests/planner/contingent/tasks.h"

@@ -5,8 +5,8 @@
 #include <cstdlib>
 
 #include "planner/base/random.h"
-#include "planner/contingent/plan_tree/tree_check.h"
 #include "planner/contingent/plan_tree/tree_text.h"
+#include "planner/contingent/tree_check/tree_check.h"
 #include "tests/planner/contingent/tasks.h"
 
 // Random domains with everything in the language: functions of objects and numbers, run-time

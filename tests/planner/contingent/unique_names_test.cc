@@ -4,7 +4,7 @@
 
 #include "planner/base/random.h"
 #include "planner/contingent/knowledge/knowledge_base.h"
-#include "planner/contingent/plan_tree/tree_check.h"
+#include "planner/contingent/tree_check/tree_check.h"
 #include "planner/contingent/world_sets/initial_worlds.h"
 #include "planner/contingent/world_sets/world_progression.h"
 #include "tests/planner/contingent/tasks.h"

@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "planner/base/random.h"
-#include "planner/contingent/plan_tree/tree_check.h"
+#include "planner/contingent/tree_check/tree_check.h"
 #include "tests/planner/contingent/tasks.h"
 
 namespace assay::contingent::number_marks_test {

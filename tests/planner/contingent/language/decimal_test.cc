@@ -10,7 +10,7 @@
 #include <string>
 
 #include "planner/base/random.h"
-#include "planner/contingent/plan_tree/tree_check.h"
+#include "planner/contingent/tree_check/tree_check.h"
 #include "tests/planner/contingent/tasks.h"
 
 namespace assay::contingent::decimal_test {

@@ -8,8 +8,8 @@
 
 #include "planner/contingent/pks_and_pddl/pddl_text.h"
 #include "planner/contingent/pks_and_pddl/pks_text.h"
-#include "planner/contingent/plan_tree/tree_check.h"
 #include "planner/contingent/plan_tree/tree_text.h"
+#include "planner/contingent/tree_check/tree_check.h"
 #include "tests/planner/contingent/mutation.h"
 #include "tests/planner/contingent/tasks.h"
 

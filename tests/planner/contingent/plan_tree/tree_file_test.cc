@@ -6,8 +6,8 @@
 #include <nlohmann/json.hpp>
 
 #include "planner/base/random.h"
-#include "planner/contingent/plan_tree/tree_check.h"
 #include "planner/contingent/plan_tree/tree_text.h"
+#include "planner/contingent/tree_check/tree_check.h"
 #include "tests/planner/contingent/tasks.h"
 
 namespace assay::contingent::tree_file_test {

@@ -10,8 +10,8 @@
 
 #include "planner/base/random.h"
 #include "planner/contingent/grounding/ground_query.h"
-#include "planner/contingent/plan_tree/tree_check.h"
 #include "planner/contingent/search/contingent_planner.h"
+#include "planner/contingent/tree_check/tree_check.h"
 #include "tests/planner/contingent/tasks.h"
 
 namespace assay::contingent::goal_conflict_test {

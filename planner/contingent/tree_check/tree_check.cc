@@ -1,4 +1,4 @@
-#include "planner/contingent/plan_tree/tree_check.h"
+#include "planner/contingent/tree_check/tree_check.h"
 
 #include <fmt/format.h>
 
@@ -9,11 +9,11 @@
 #include <utility>
 
 #include "planner/contingent/grounding/ground_query.h"
-#include "planner/contingent/plan_tree/branch_cases.h"
-#include "planner/contingent/plan_tree/symbolic_check.h"
-#include "planner/contingent/plan_tree/tree_failure.h"
 #include "planner/contingent/plan_tree/tree_text.h"
-#include "planner/contingent/plan_tree/world_cover.h"
+#include "planner/contingent/tree_check/branch_cases.h"
+#include "planner/contingent/tree_check/symbolic_check.h"
+#include "planner/contingent/tree_check/tree_failure.h"
+#include "planner/contingent/tree_check/world_cover.h"
 #include "planner/contingent/world_sets/initial_worlds.h"
 #include "planner/contingent/world_sets/world_progression.h"
 

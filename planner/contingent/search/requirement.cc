@@ -1,4 +1,4 @@
-#include "planner/contingent/knowledge/requirement.h"
+#include "planner/contingent/search/requirement.h"
 
 #include <algorithm>
 

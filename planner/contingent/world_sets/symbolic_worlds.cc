@@ -1,4 +1,4 @@
-#include "planner/contingent/plan_tree/symbolic_worlds.h"
+#include "planner/contingent/world_sets/symbolic_worlds.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

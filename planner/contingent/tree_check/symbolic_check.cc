@@ -1,4 +1,4 @@
-#include "planner/contingent/plan_tree/symbolic_check.h"
+#include "planner/contingent/tree_check/symbolic_check.h"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 #include <ranges>
 #include <set>
 
-#include "planner/contingent/plan_tree/symbolic_worlds.h"
+#include "planner/contingent/world_sets/symbolic_worlds.h"
 
 namespace assay::contingent {
 namespace {

@@ -1,4 +1,4 @@
-#include "planner/contingent/plan_tree/tree_failure.h"
+#include "planner/contingent/tree_check/tree_failure.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

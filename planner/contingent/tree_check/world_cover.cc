@@ -1,4 +1,4 @@
-#include "planner/contingent/plan_tree/world_cover.h"
+#include "planner/contingent/tree_check/world_cover.h"
 
 #include <algorithm>
 #include <cmath>

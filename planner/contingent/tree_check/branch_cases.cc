@@ -1,4 +1,4 @@
-#include "planner/contingent/plan_tree/branch_cases.h"
+#include "planner/contingent/tree_check/branch_cases.h"
 
 #include "planner/contingent/plan_tree/tree_text.h"
 

@@ -6,7 +6,7 @@
 
 #include "planner/contingent/grounding/ground_task.h"
 #include "planner/contingent/plan_tree/plan_tree.h"
-#include "planner/contingent/plan_tree/tree_check_result.h"
+#include "planner/contingent/tree_check/tree_check_result.h"
 
 namespace assay::contingent {
 

@@ -1,4 +1,4 @@
-#include "planner/contingent/plan_tree/tree_check.h"
+#include "planner/contingent/tree_check/tree_check.h"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <string>
 
-#include "planner/contingent/plan_tree/symbolic_check.h"
+#include "planner/contingent/tree_check/symbolic_check.h"
 #include "planner/contingent/world_sets/initial_worlds.h"
 #include "planner/contingent/world_sets/world_progression.h"
 #include "tests/planner/contingent/tasks.h"
