@@ -4,8 +4,8 @@
 
 #include "planner/algebra/bounding_methods/glance.h"
 #include "planner/algebra/bounds/probe.h"
+#include "planner/algebra/compiled_forms/compiler.h"
 #include "planner/algebra/expression/nodes.h"
-#include "planner/algebra/normal_forms/compiler.h"
 #include "planner/numeric/interval_arithmetic.h"
 
 namespace assay::algebra {

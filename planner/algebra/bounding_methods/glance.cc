@@ -5,9 +5,9 @@
 #include "planner/algebra/bounding_methods/centred.h"
 #include "planner/algebra/bounding_methods/monotone.h"
 #include "planner/algebra/bounds/ascent.h"
+#include "planner/algebra/compiled_forms/compiler.h"
 #include "planner/algebra/expression/evaluation.h"
 #include "planner/algebra/expression/nodes.h"
-#include "planner/algebra/normal_forms/compiler.h"
 #include "planner/numeric/interval_arithmetic.h"
 
 namespace assay::algebra {

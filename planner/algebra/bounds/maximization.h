@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "planner/algebra/normal_forms/compiled_form.h"
+#include "planner/algebra/compiled_forms/compiled_form.h"
 #include "planner/algebra/normal_forms/normal_form.h"
 #include "planner/algebra/sup_inf/constraint_set.h"
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "planner/algebra/bounds/maximization.h"
-#include "planner/algebra/normal_forms/derivatives.h"
+#include "planner/algebra/compiled_forms/derivatives.h"
 
 namespace assay::algebra {
 

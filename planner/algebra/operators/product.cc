@@ -3,9 +3,9 @@
 #include <numeric>
 
 #include "planner/algebra/bounding_methods/first_order_form.h"
+#include "planner/algebra/compiled_forms/step_writer.h"
 #include "planner/algebra/expression/text_writer.h"
 #include "planner/algebra/normal_forms/expansion.h"
-#include "planner/algebra/normal_forms/step_writer.h"
 #include "planner/algebra/operators/folding.h"
 #include "planner/algebra/operators/operator_rule.h"
 #include "planner/algebra/sup_inf/linear_reader.h"

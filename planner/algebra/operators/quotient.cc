@@ -1,8 +1,8 @@
 #include <array>
 
+#include "planner/algebra/compiled_forms/step_writer.h"
 #include "planner/algebra/expression/text_writer.h"
 #include "planner/algebra/normal_forms/expansion.h"
-#include "planner/algebra/normal_forms/step_writer.h"
 #include "planner/algebra/operators/function.h"
 #include "planner/algebra/operators/operator_rule.h"
 #include "planner/algebra/operators/point_or_box.h"

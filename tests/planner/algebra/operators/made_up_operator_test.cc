@@ -6,12 +6,12 @@
 #include <vector>
 
 #include "planner/algebra/bounds/bounds.h"
+#include "planner/algebra/compiled_forms/compiler.h"
+#include "planner/algebra/compiled_forms/derivatives.h"
 #include "planner/algebra/expression/evaluation.h"
 #include "planner/algebra/expression/nodes.h"
 #include "planner/algebra/expression/parse.h"
 #include "planner/algebra/expression/text.h"
-#include "planner/algebra/normal_forms/compiler.h"
-#include "planner/algebra/normal_forms/derivatives.h"
 #include "planner/algebra/normal_forms/normalization.h"
 #include "planner/algebra/operators/operator_rule.h"
 #include "planner/algebra/operators/point_or_box.h"

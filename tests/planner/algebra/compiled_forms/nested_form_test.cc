@@ -1,4 +1,4 @@
-#include "planner/algebra/normal_forms/nested_form.h"
+#include "planner/algebra/compiled_forms/nested_form.h"
 
 #include <gtest/gtest.h>
 

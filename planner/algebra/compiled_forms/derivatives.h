@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "planner/algebra/normal_forms/compiled_form.h"
+#include "planner/algebra/compiled_forms/compiled_form.h"
 #include "planner/algebra/operators/operator_rule.h"
 
 namespace assay::algebra {

@@ -1,4 +1,4 @@
-#include "planner/algebra/normal_forms/derivatives.h"
+#include "planner/algebra/compiled_forms/derivatives.h"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "planner/algebra/normal_forms/step_writer.h"
+#include "planner/algebra/compiled_forms/step_writer.h"
 
 #include <algorithm>
 #include <utility>

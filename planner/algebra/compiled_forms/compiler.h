@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include "planner/algebra/normal_forms/compiled_form.h"
+#include "planner/algebra/compiled_forms/compiled_form.h"
 #include "planner/algebra/normal_forms/normal_form.h"
 
 namespace assay::algebra {

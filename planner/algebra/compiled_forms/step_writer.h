@@ -3,9 +3,9 @@
 #include <span>
 #include <vector>
 
+#include "planner/algebra/compiled_forms/compiled_form.h"
 #include "planner/algebra/expression/expression.h"
 #include "planner/algebra/expression/index_map.h"
-#include "planner/algebra/normal_forms/compiled_form.h"
 #include "planner/base/intern_table.h"
 
 namespace assay::algebra {

@@ -1,5 +1,5 @@
-#include "planner/algebra/normal_forms/derivatives.h"
-#include "planner/algebra/normal_forms/compiler.h"
+#include "planner/algebra/compiled_forms/derivatives.h"
+#include "planner/algebra/compiled_forms/compiler.h"
 #include "planner/algebra/normal_forms/normalization.h"
 
 #include <gtest/gtest.h>

@@ -1,11 +1,11 @@
-#include "planner/algebra/normal_forms/compiler.h"
+#include "planner/algebra/compiled_forms/compiler.h"
 
 #include <algorithm>
 #include <utility>
 #include <vector>
 
+#include "planner/algebra/compiled_forms/step_writer.h"
 #include "planner/algebra/expression/nodes.h"
-#include "planner/algebra/normal_forms/step_writer.h"
 #include "planner/base/intern_table.h"
 
 namespace assay::algebra {
