@@ -41,4 +41,9 @@ enum class AtomArguments {
 // Returns true if the coefficient may be 0 and differs from 0 only because numbers were rounded.
 bool IsRoundingAlone(const Interval& coefficient);
 
+// Returns true if the coefficient of a term is a single finite number.
+bool IsNumber(const Interval& coefficient);
+// Returns true if the factors of a term are a single variable.
+bool IsVariable(const std::vector<NormalForm::Factor>& factors);
+
 }  // namespace assay::algebra

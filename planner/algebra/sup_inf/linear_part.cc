@@ -7,14 +7,6 @@
 #include "planner/algebra/sup_inf/linear_reader.h"
 
 namespace assay::algebra {
-bool IsNumber(const Interval& coefficient) {
-  return coefficient.low == coefficient.high && std::isfinite(coefficient.low);
-}
-
-bool IsVariable(const std::vector<NormalForm::Factor>& factors) {
-  return factors.size() == 1 && factors[0].exponent == 1 &&
-         factors[0].atom.op() == Operator::kVariable;
-}
 
 std::optional<LinearForm> ExactLinearForm(const Expression& e) { return LinearReader().Read(e); }
 

@@ -3,7 +3,6 @@
 #include <optional>
 #include <vector>
 
-#include "planner/algebra/normal_forms/normal_form.h"
 #include "planner/algebra/sup_inf/constraint_set.h"
 #include "planner/algebra/sup_inf/linear_sup_inf.h"
 
@@ -32,10 +31,5 @@ Interval Narrowed(const Interval& a, const Interval& b);
 
 // Returns the variable's interval, narrowed to its SUP and INF.
 Interval TightenedInterval(VariableId variable, const Interval& interval, const LinearSupInf& core);
-
-// IsNumber returns true for a coefficient that is a single finite number, and IsVariable for a
-// product that is a variable.
-bool IsNumber(const Interval& coefficient);
-bool IsVariable(const std::vector<NormalForm::Factor>& factors);
 
 }  // namespace assay::algebra
