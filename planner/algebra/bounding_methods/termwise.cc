@@ -1,8 +1,8 @@
 #include "planner/algebra/bounding_methods/termwise.h"
 
 #include "planner/algebra/expression/evaluation.h"
-#include "planner/algebra/expression/index_map.h"
 #include "planner/algebra/operators/operator_rule.h"
+#include "planner/base/index_map.h"
 #include "planner/numeric/interval_arithmetic.h"
 
 namespace assay::algebra {

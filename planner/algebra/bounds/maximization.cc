@@ -6,10 +6,10 @@
 
 #include "planner/algebra/compiled_forms/compiler.h"
 #include "planner/algebra/expression/evaluation.h"
-#include "planner/algebra/expression/index_map.h"
 #include "planner/algebra/expression/nodes.h"
 #include "planner/algebra/normal_forms/normalization.h"
 #include "planner/base/check.h"
+#include "planner/base/index_map.h"
 #include "planner/numeric/interval_arithmetic.h"
 
 namespace assay::algebra {

@@ -5,7 +5,7 @@
 
 #include "planner/algebra/compiled_forms/compiled_form.h"
 #include "planner/algebra/expression/expression.h"
-#include "planner/algebra/expression/index_map.h"
+#include "planner/base/index_map.h"
 #include "planner/base/intern_table.h"
 
 namespace assay::algebra {

@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "planner/algebra/expression/expression.h"
-#include "planner/algebra/expression/index_map.h"
 #include "planner/algebra/normal_forms/normal_form.h"
 #include "planner/algebra/normal_forms/polynomial.h"
 #include "planner/algebra/operators/operator_rule.h"
+#include "planner/base/index_map.h"
 
 namespace assay::algebra {
 

@@ -1,4 +1,4 @@
-#include "planner/algebra/expression/index_map.h"
+#include "planner/base/index_map.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 
 #include "planner/base/random.h"
 
-namespace assay::algebra::index_map_test {
+namespace assay::index_map_test {
 namespace {
 
 TEST(IndexMapTest, DoesWhatAMapDoes) {
@@ -24,4 +24,4 @@ TEST(IndexMapTest, DoesWhatAMapDoes) {
 }
 
 }  // namespace
-}  // namespace assay::algebra::index_map_test
+}  // namespace assay::index_map_test

@@ -6,10 +6,10 @@
 
 #include "planner/base/intern_table.h"
 
-namespace assay::algebra {
+namespace assay {
 
-// A map from indices of expressions to values. It replaces std::map and uses two blocks of memory.
-// Adding a value may move the others in memory.
+// A hash map from indices to values. It replaces std::map and uses two blocks of memory. Adding a
+// value may move the others in memory.
 template <class Value>
 class IndexMap {
  public:
@@ -40,4 +40,4 @@ class IndexMap {
   std::vector<Entry> entries_;
 };
 
-}  // namespace assay::algebra
+}  // namespace assay
