@@ -3,6 +3,7 @@
 #include <utility>
 #include <vector>
 
+#include "planner/domain/matings/mating_classes.h"
 #include "planner/domain/reachability/reachability.h"
 #include "planner/domain/reachability/tool_path.h"
 

@@ -1,5 +1,6 @@
 #include "planner/constraint_posting/step_geometry.h"
 
+#include "planner/domain/matings/mating_classes.h"
 #include "planner/domain/parts/resting.h"
 
 namespace assay::constraint_posting {

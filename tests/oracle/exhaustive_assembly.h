@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "planner/domain/matings/mating_classes.h"
 #include "planner/domain/parts/resting.h"
 #include "planner/domain/reachability/reachability.h"
 

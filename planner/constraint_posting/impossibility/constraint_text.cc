@@ -6,6 +6,7 @@
 #include <set>
 
 #include "planner/base/check.h"
+#include "planner/domain/matings/mating_classes.h"
 
 namespace assay::constraint_posting {
 

@@ -12,6 +12,7 @@
 #include "planner/base/check.h"
 #include "planner/constraint_posting/impossibility/constraint_text.h"
 #include "planner/domain/actions/condition.h"
+#include "planner/domain/matings/mating_classes.h"
 
 namespace assay::constraint_posting {
 

@@ -5,6 +5,7 @@
 
 #include "planner/constraint_posting/least_actions.h"
 #include "planner/domain/actions/condition.h"
+#include "planner/domain/matings/mating_classes.h"
 
 namespace assay::constraint_posting {
 

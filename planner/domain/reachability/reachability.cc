@@ -96,11 +96,6 @@ const std::vector<FeatureNumber>& HiddenAt(const Part& part, const Pose& X_World
   return resting.IsNone() ? part.hidden : part.model->stable_poses()[resting.index()].hidden;
 }
 
-// Returns the angle from straight down, in radians.
-double LeanOf(const Vector3& direction) {
-  return std::atan2(direction.head<2>().norm(), -direction.z());
-}
-
 bool LeansLittle(const Workcell& workcell, const Pose& X_WorldTool) {
   return LeanOf(X_WorldTool.linear().col(2)) <= workcell.rules().tool_lean + kRounding;
 }
@@ -322,26 +317,8 @@ PartId Obstacle(const Problem& problem, const PlacedPart& moving,
                   moving.part, others);
 }
 
-bool HidesMatingFeatures(const Problem& problem, const Mating& mating, StablePoseId pose_of_fixed) {
-  const auto& hidden =
-      problem.part(mating.fixed).model->stable_poses()[pose_of_fixed.index()].hidden;
-  return std::ranges::any_of(mating.features, [&](const auto& pair) {
-    return std::ranges::binary_search(hidden, pair.second);
-  });
-}
-
-double LeastMatingFriction(const Problem& problem) {
-  return problem.workcell->rules().friction - problem.tolerances.friction;
-}
-
-// -v_z >= |v| cos(atan(mu)): the vector points into the cone about the downward direction.
-bool InFrictionCone(const Problem& problem, const Mating& mating, const Pose& X_WorldFixed) {
-  return MatingLean(problem, mating, X_WorldFixed).excess() <= kRounding;
-}
-
-Limited MatingLean(const Problem& problem, const Mating& mating, const Pose& X_WorldFixed) {
-  return {.value = LeanOf(X_WorldFixed.linear() * mating.mating_vector),
-          .limit = std::atan(LeastMatingFriction(problem))};
+double LeanOf(const Vector3& direction) {
+  return std::atan2(direction.head<2>().norm(), -direction.z());
 }
 
 std::optional<Limited> Measure(const Problem& problem, GraspCondition condition, const Grasp& grasp,
@@ -362,13 +339,6 @@ std::optional<Limited> Measure(const Problem& problem, GraspCondition condition,
       break;
   }
   return std::nullopt;
-}
-
-bool LeavesMatingFeaturesFree(const Problem& problem, const Mating& mating, GraspId grasp) {
-  const std::vector<FeatureNumber>& hidden = GraspOf(problem, mating.held, grasp).hidden;
-  return std::ranges::none_of(mating.features, [&](const auto& pair) {
-    return std::ranges::binary_search(hidden, pair.first);
-  });
 }
 
 std::string Describe(const Problem& problem, GraspCondition condition) {

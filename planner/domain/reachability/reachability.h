@@ -74,15 +74,14 @@ struct Limited {
   double excess() const { return value - limit; }
 };
 
-// Returns the quantity that a condition limits, for a part that is held with `grasp` while the tool
-// is at X_WorldTool: the width between the pads, the room that the pads need on the faces, the
-// tool's lean, or how deep hand and fingers are in the table. Returns none for conditions without a
-// quantity.
+// Returns the quantity that a condition of reachability limits, for a part that is held with
+// `grasp` while the tool is at X_WorldTool: the width between the pads, the room that the pads need
+// on the faces, the tool's lean, or how deep hand and fingers are in the table. Returns none for
+// conditions without a quantity.
 std::optional<Limited> Measure(const Problem& problem, GraspCondition condition, const Grasp& grasp,
                                const Pose& X_WorldTool);
-// Returns the angle of the mating vector from straight down, with the friction cone's half angle as
-// its limit.
-Limited MatingLean(const Problem& problem, const Mating& mating, const Pose& X_WorldFixed);
+// Returns the angle of a direction of approach from straight down, in radians.
+double LeanOf(const Vector3& direction);
 
 // Returns the first of `others` that hand or fingers would go through when the tool is at
 // X_WorldTool with the given opening. Returns None if they are free.
@@ -93,20 +92,8 @@ PartId Obstacle(const Problem& problem, const Pose& X_WorldTool, double opening,
 PartId Obstacle(const Problem& problem, const PlacedPart& moving,
                 std::span<const PlacedPart> others);
 
-// Returns the least friction of mating surfaces within its tolerance, on which the friction cone
-// can rely. 0 allows only straight down.
-double LeastMatingFriction(const Problem& problem);
-
-// These functions decide PositionList of assemble (Spar, "A Task Planning Example"): the stable
-// poses of the fixed part that hide none of its mating features, with the mating vector inside the
-// friction cone.
-bool HidesMatingFeatures(const Problem& problem, const Mating& mating, StablePoseId pose_of_fixed);
-bool InFrictionCone(const Problem& problem, const Mating& mating, const Pose& X_WorldFixed);
-// Returns whether a grasp leaves the held part's mating features free: GraspList of assemble.
-bool LeavesMatingFeaturesFree(const Problem& problem, const Mating& mating, GraspId grasp);
-
-// Returns the condition in words that fit the problem: "the tool leans at most 60 deg from straight
-// down".
+// Returns the condition of reachability in words that fit the problem: "the tool leans at most 60
+// deg from straight down".
 std::string Describe(const Problem& problem, GraspCondition condition);
 
 }  // namespace assay::domain

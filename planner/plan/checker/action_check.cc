@@ -9,7 +9,7 @@
 #include <optional>
 #include <span>
 
-#include "planner/domain/reachability/reachability.h"
+#include "planner/domain/matings/mating_classes.h"
 #include "planner/geometry/box_overlap.h"
 #include "planner/plan/checker/pad_contact.h"
 #include "planner/plan/checker/resting_balance.h"

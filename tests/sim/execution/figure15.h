@@ -1,6 +1,7 @@
 #pragma once
 
 #include "planner/base/check.h"
+#include "planner/domain/matings/mating_classes.h"
 #include "planner/domain/problem/problem_file.h"
 #include "planner/domain/reachability/reachability.h"
 #include "planner/plan/data/plan.h"

@@ -1,4 +1,5 @@
 #include "planner/domain/reachability/reachability.h"
+#include "planner/domain/matings/mating_classes.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
