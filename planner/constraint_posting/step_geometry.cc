@@ -1,7 +1,7 @@
 #include "planner/constraint_posting/step_geometry.h"
 
 #include "planner/domain/matings/mating_classes.h"
-#include "planner/domain/parts/resting.h"
+#include "planner/domain/resting/resting.h"
 
 namespace assay::constraint_posting {
 

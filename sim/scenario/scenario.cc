@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "planner/base/input_files/document.h"
-#include "planner/domain/problem/units.h"
+#include "planner/domain/units/units.h"
 #include "sim/scenario/models_folder.h"
 
 namespace assay::scenario {

@@ -9,7 +9,7 @@
 #include <numbers>
 
 #include "planner/base/random.h"
-#include "planner/domain/parts/resting.h"
+#include "planner/domain/resting/resting.h"
 #include "sim/scene/scene.h"
 
 namespace assay::sense {

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
-#include "planner/domain/problem/units.h"
+#include "planner/domain/units/units.h"
 #include "planner/verify/proof.h"
 
 namespace assay::view {

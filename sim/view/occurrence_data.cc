@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "planner/domain/problem/units.h"
+#include "planner/domain/units/units.h"
 #include "sim/view/pose_data.h"
 
 namespace assay::view {

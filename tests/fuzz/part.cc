@@ -2,7 +2,7 @@
 
 #include "planner/domain/grasps/grasp.h"
 #include "planner/domain/parts/part_file.h"
-#include "planner/domain/parts/stable_pose.h"
+#include "planner/domain/resting/stable_pose.h"
 #include "planner/domain/workcell/workcell.h"
 #include "planner/domain/workcell/workcell_file.h"
 #include "tests/fuzz/reader_input.h"

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "planner/domain/matings/mating_classes.h"
-#include "planner/domain/parts/resting.h"
 #include "planner/domain/reachability/reachability.h"
+#include "planner/domain/resting/resting.h"
 
 namespace assay::oracle {
 

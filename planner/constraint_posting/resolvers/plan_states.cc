@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "planner/domain/parts/occlusion.h"
-#include "planner/domain/parts/resting.h"
+#include "planner/domain/resting/resting.h"
 
 namespace assay::constraint_posting {
 

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "planner/domain/problem/units.h"
+#include "planner/domain/units/units.h"
 
 namespace assay::constraint_posting {
 

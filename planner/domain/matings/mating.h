@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "planner/base/id.h"
-#include "planner/domain/parts/stable_pose.h"
+#include "planner/domain/resting/stable_pose.h"
 #include "planner/geometry/pose.h"
 
 namespace assay::domain {

@@ -9,9 +9,9 @@
 #include <span>
 
 #include "planner/base/check.h"
-#include "planner/domain/parts/compute_stable_poses.h"
 #include "planner/domain/parts/exposed_faces.h"
 #include "planner/domain/problem/name.h"
+#include "planner/domain/resting/compute_stable_poses.h"
 #include "planner/geometry/planar_region.h"
 
 namespace assay::domain {

@@ -6,7 +6,7 @@
 #include "planner/base/input_files/document.h"
 #include "planner/domain/parts/part_model.h"
 #include "planner/domain/parts/part_solids.h"
-#include "planner/domain/problem/units.h"
+#include "planner/domain/units/units.h"
 
 namespace assay::domain {
 

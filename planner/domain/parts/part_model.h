@@ -8,7 +8,7 @@
 #include "planner/base/id.h"
 #include "planner/base/input_files/document.h"
 #include "planner/domain/parts/feature.h"
-#include "planner/domain/parts/stable_pose.h"
+#include "planner/domain/resting/stable_pose.h"
 #include "planner/geometry/box.h"
 #include "planner/geometry/collision.h"
 #include "planner/geometry/hull.h"

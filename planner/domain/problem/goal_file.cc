@@ -5,9 +5,9 @@
 #include <algorithm>
 
 #include "planner/domain/matings/mating_file.h"
-#include "planner/domain/parts/stable_pose_names.h"
 #include "planner/domain/problem/name.h"
 #include "planner/domain/problem/part_name.h"
+#include "planner/domain/resting/stable_pose_names.h"
 
 namespace assay::domain {
 namespace {

@@ -10,12 +10,12 @@
 #include <utility>
 
 #include "planner/domain/matings/mating_file.h"
-#include "planner/domain/parts/face_contact.h"
 #include "planner/domain/parts/part_model.h"
-#include "planner/domain/parts/resting.h"
-#include "planner/domain/parts/stable_pose_names.h"
 #include "planner/domain/problem/name.h"
 #include "planner/domain/reachability/reachability.h"
+#include "planner/domain/resting/face_contact.h"
+#include "planner/domain/resting/resting.h"
+#include "planner/domain/resting/stable_pose_names.h"
 
 namespace assay::domain {
 namespace {

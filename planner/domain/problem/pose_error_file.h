@@ -2,7 +2,7 @@
 
 #include "planner/base/input_files/document.h"
 #include "planner/domain/problem/pose_error.h"
-#include "planner/domain/problem/units.h"
+#include "planner/domain/units/units.h"
 
 namespace assay::domain {
 

@@ -7,7 +7,7 @@
 
 #include "planner/base/input_files/document.h"
 #include "planner/domain/problem/problem.h"
-#include "planner/domain/problem/units.h"
+#include "planner/domain/units/units.h"
 #include "planner/domain/workcell/model_path.h"
 
 namespace assay::domain {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <numbers>
 
-#include "planner/domain/parts/resting.h"
+#include "planner/domain/resting/resting.h"
 
 namespace assay::domain {
 namespace {

@@ -9,8 +9,8 @@
 #include <numbers>
 
 #include "planner/base/check.h"
-#include "planner/domain/parts/resting.h"
 #include "planner/domain/reachability/action_ways.h"
+#include "planner/domain/resting/resting.h"
 
 namespace assay::domain {
 namespace {

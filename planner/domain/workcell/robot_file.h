@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "planner/base/input_files/document.h"
-#include "planner/domain/problem/units.h"
+#include "planner/domain/units/units.h"
 #include "planner/domain/workcell/robot.h"
 
 namespace assay::domain {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "planner/base/input_files/document.h"
-#include "planner/domain/problem/units.h"
+#include "planner/domain/units/units.h"
 #include "planner/domain/workcell/uncertainty_operations.h"
 
 namespace assay::domain {

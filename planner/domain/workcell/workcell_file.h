@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "planner/base/input_files/document.h"
-#include "planner/domain/problem/units.h"
+#include "planner/domain/units/units.h"
 #include "planner/domain/workcell/workcell.h"
 
 namespace assay::domain {

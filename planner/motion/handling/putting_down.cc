@@ -5,9 +5,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "planner/domain/parts/resting.h"
 #include "planner/domain/reachability/action_ways.h"
 #include "planner/domain/reachability/reachability.h"
+#include "planner/domain/resting/resting.h"
 #include "planner/plan/data/tool_route.h"
 
 namespace assay::motion {

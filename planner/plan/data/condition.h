@@ -2,7 +2,7 @@
 
 #include <string_view>
 
-#include "planner/domain/problem/units.h"
+#include "planner/domain/units/units.h"
 
 namespace assay::plan {
 

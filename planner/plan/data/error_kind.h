@@ -3,7 +3,7 @@
 #include <span>
 #include <string_view>
 
-#include "planner/domain/problem/units.h"
+#include "planner/domain/units/units.h"
 
 namespace assay::plan {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "planner/domain/problem/units.h"
+#include "planner/domain/units/units.h"
 #include "planner/plan/data/condition_table.h"
 #include "planner/plan/plan_files/pose_file.h"
 

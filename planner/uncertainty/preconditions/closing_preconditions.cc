@@ -4,7 +4,7 @@
 #include <map>
 
 #include "planner/domain/parts/part_model.h"
-#include "planner/domain/parts/resting.h"
+#include "planner/domain/resting/resting.h"
 #include "planner/kinematics/gripper.h"
 #include "planner/uncertainty/error_sets/axis_angle.h"
 #include "planner/uncertainty/error_sets/possible_masses.h"

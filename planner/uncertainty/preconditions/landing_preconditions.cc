@@ -6,7 +6,7 @@
 
 #include "planner/algebra/expression/simplify.h"
 #include "planner/domain/parts/part_model.h"
-#include "planner/domain/parts/resting.h"
+#include "planner/domain/resting/resting.h"
 #include "planner/uncertainty/error_sets/release.h"
 #include "planner/uncertainty/preconditions/precondition.h"
 

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "planner/domain/parts/face_contact.h"
 #include "planner/domain/parts/part_model.h"
+#include "planner/domain/resting/face_contact.h"
 #include "planner/uncertainty/error_sets/possible_masses.h"
 #include "planner/uncertainty/preconditions/precondition.h"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "planner/domain/parts/part_model.h"
-#include "planner/domain/parts/resting.h"
+#include "planner/domain/resting/resting.h"
 #include "planner/plan/data/condition_table.h"
 #include "sim/check/measurements/fit.h"
 #include "sim/check/measurements/measurement.h"

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "planner/base/interval.h"
-#include "planner/domain/problem/units.h"
+#include "planner/domain/units/units.h"
 
 namespace assay::cli {
 

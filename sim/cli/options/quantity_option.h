@@ -1,6 +1,6 @@
 #pragma once
 
-#include "planner/domain/problem/units.h"
+#include "planner/domain/units/units.h"
 
 namespace CLI {
 class Validator;

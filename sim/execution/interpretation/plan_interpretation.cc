@@ -6,7 +6,7 @@
 
 #include "planner/assembly/open_poses.h"
 #include "planner/base/check.h"
-#include "planner/domain/parts/resting.h"
+#include "planner/domain/resting/resting.h"
 #include "sim/sense/displacement.h"
 
 namespace assay::execution {

@@ -1,7 +1,7 @@
 #include <cmath>
 #include <limits>
 
-#include "planner/domain/problem/units.h"
+#include "planner/domain/units/units.h"
 #include "sim/execution/predicates/predicate.h"
 
 namespace assay::execution {

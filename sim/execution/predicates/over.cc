@@ -1,4 +1,4 @@
-#include "planner/domain/parts/resting.h"
+#include "planner/domain/resting/resting.h"
 #include "sim/execution/predicates/predicate.h"
 
 namespace assay::execution {

@@ -3,7 +3,7 @@
 #include <array>
 #include <vector>
 
-#include "planner/domain/parts/resting.h"
+#include "planner/domain/resting/resting.h"
 
 namespace assay::execution {
 

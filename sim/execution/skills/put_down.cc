@@ -1,4 +1,4 @@
-#include "planner/domain/parts/resting.h"
+#include "planner/domain/resting/resting.h"
 #include "planner/motion/handling/putting_down.h"
 #include "sim/execution/commands/action_commands.h"
 #include "sim/execution/skills/skill.h"

@@ -8,8 +8,8 @@
 
 #include "planner/base/input_files/document.h"
 #include "planner/base/random.h"
-#include "planner/domain/problem/units.h"
 #include "planner/domain/reachability/reachability.h"
+#include "planner/domain/units/units.h"
 #include "sim/execution/predicates/readings.h"
 #include "sim/execution/predicates/roles.h"
 #include "sim/execution/robots/execution.h"

@@ -5,7 +5,7 @@
 
 #include <numbers>
 
-#include "planner/domain/parts/resting.h"
+#include "planner/domain/resting/resting.h"
 #include "sim/execution/commands/action_commands.h"
 #include "sim/execution/interpretation/knowledge_scenario.h"
 #include "sim/execution/interpretation/plan_interpretation.h"

@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "planner/base/check.h"
-#include "planner/domain/parts/resting.h"
+#include "planner/domain/resting/resting.h"
 #include "planner/plan/data/tool_route.h"
 
 namespace assay::execution {

@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "planner/base/interval.h"
-#include "planner/domain/problem/units.h"
+#include "planner/domain/units/units.h"
 
 namespace assay::report {
 

@@ -8,7 +8,7 @@
 
 #include "planner/base/check.h"
 #include "planner/base/input_files/input_file.h"
-#include "planner/domain/problem/units.h"
+#include "planner/domain/units/units.h"
 
 namespace assay::sweep {
 namespace {

@@ -5,7 +5,7 @@
 #include <sstream>
 
 #include "planner/base/input_files/input_error.h"
-#include "planner/domain/parts/resting.h"
+#include "planner/domain/resting/resting.h"
 #include "planner/domain/workcell/workcell_file.h"
 #include "tests/planner/domain/scenario.h"
 #include "tests/scratch_file.h"

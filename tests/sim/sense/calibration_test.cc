@@ -4,7 +4,7 @@
 
 #include <set>
 
-#include "planner/domain/parts/resting.h"
+#include "planner/domain/resting/resting.h"
 #include "sim/scene/scene.h"
 #include "tests/sim/scene/peg_and_block.h"
 

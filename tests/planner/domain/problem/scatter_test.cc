@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "planner/domain/parts/resting.h"
 #include "planner/domain/problem/problem_file.h"
+#include "planner/domain/resting/resting.h"
 
 namespace assay::domain::scatter_test {
 namespace {

@@ -16,8 +16,8 @@
 #include <vector>
 
 #include "planner/base/random.h"
-#include "planner/domain/parts/resting.h"
 #include "planner/domain/reachability/action_ways.h"
+#include "planner/domain/resting/resting.h"
 #include "tests/planner/domain/scenario.h"
 
 namespace assay::domain::reachability_test {

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "planner/domain/parts/resting.h"
+#include "planner/domain/resting/resting.h"
 #include "planner/motion/collision/motion_check.h"
 #include "planner/motion/paths/straight_line.h"
 #include "tests/planner/motion/handling/cans.h"

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "planner/base/random.h"
-#include "planner/domain/parts/resting.h"
+#include "planner/domain/resting/resting.h"
 #include "tests/planner/motion/handling/cans.h"
 
 namespace assay::motion::putting_down_test {

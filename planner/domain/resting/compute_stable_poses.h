@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "planner/domain/parts/part_model.h"
-#include "planner/domain/parts/stable_pose.h"
+#include "planner/domain/resting/stable_pose.h"
 
 namespace assay::domain {
 

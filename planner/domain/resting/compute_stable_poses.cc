@@ -1,4 +1,4 @@
-#include "planner/domain/parts/compute_stable_poses.h"
+#include "planner/domain/resting/compute_stable_poses.h"
 
 #include <fmt/format.h>
 

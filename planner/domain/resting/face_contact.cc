@@ -1,4 +1,4 @@
-#include "planner/domain/parts/face_contact.h"
+#include "planner/domain/resting/face_contact.h"
 
 #include <algorithm>
 #include <cmath>

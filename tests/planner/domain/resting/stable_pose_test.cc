@@ -1,12 +1,12 @@
-#include "planner/domain/parts/stable_pose.h"
+#include "planner/domain/resting/stable_pose.h"
 
 #include <gtest/gtest.h>
 
 #include <map>
 #include <numeric>
 
-#include "planner/domain/parts/compute_stable_poses.h"
 #include "planner/domain/parts/part_model.h"
+#include "planner/domain/resting/compute_stable_poses.h"
 #include "tests/oracle/rolling.h"
 #include "tests/planner/domain/parts.h"
 #include "tests/planner/domain/turned_part.h"

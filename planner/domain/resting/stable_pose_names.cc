@@ -1,4 +1,4 @@
-#include "planner/domain/parts/stable_pose_names.h"
+#include "planner/domain/resting/stable_pose_names.h"
 
 namespace assay::domain {
 

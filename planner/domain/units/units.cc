@@ -1,4 +1,4 @@
-#include "planner/domain/problem/units.h"
+#include "planner/domain/units/units.h"
 
 #include <fmt/format.h>
 

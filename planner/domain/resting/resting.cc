@@ -1,4 +1,4 @@
-#include "planner/domain/parts/resting.h"
+#include "planner/domain/resting/resting.h"
 
 #include <algorithm>
 #include <cmath>
