@@ -10,7 +10,7 @@
 #include "planner/constraint_posting/resolvers/plan_states.h"
 #include "planner/constraint_posting/resolvers/sensing_resolver.h"
 #include "planner/finemotion/strategy_search/likely_errors.h"
-#include "planner/plan/data/condition_table.h"
+#include "planner/plan/certificates/condition_table.h"
 
 namespace assay::assembly {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "planner/constraint_posting/resolvers/resolver.h"
 #include "planner/finemotion/contacts/mating.h"
-#include "planner/plan/data/condition_table.h"
+#include "planner/plan/certificates/condition_table.h"
 #include "planner/uncertainty/error_sets/tip_error.h"
 
 namespace assay::assembly {

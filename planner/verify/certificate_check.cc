@@ -12,7 +12,7 @@
 #include "planner/algebra/bounds/bounds.h"
 #include "planner/algebra/expression/evaluation.h"
 #include "planner/algebra/expression/nodes.h"
-#include "planner/plan/data/condition_table.h"
+#include "planner/plan/certificates/condition_table.h"
 #include "planner/uncertainty/error_sets/tip_error.h"
 #include "planner/verify/certificate_algebra.h"
 

@@ -11,7 +11,7 @@
 #include "planner/base/random.h"
 #include "planner/constraint_posting/uncertainty_phase/verification.h"
 #include "planner/domain/matings/shaft_fit.h"
-#include "planner/plan/data/coverage.h"
+#include "planner/plan/certificates/coverage.h"
 #include "planner/plan/plan_files/certificate_file.h"
 #include "planner/plan/plan_files/recovery_file.h"
 #include "planner/uncertainty/preconditions/certify.h"

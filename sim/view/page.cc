@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "planner/plan/data/not_covered.h"
+#include "planner/plan/certificates/not_covered.h"
 #include "sim/render/ghost.h"
 #include "sim/report/charts/palette.h"
 #include "sim/report/html/data_uri.h"

@@ -5,7 +5,7 @@
 #include "planner/algebra/expression/expression.h"
 #include "planner/algebra/expression/parse.h"
 #include "planner/algebra/expression/text.h"
-#include "planner/plan/data/certificate.h"
+#include "planner/plan/certificates/certificate.h"
 
 namespace assay::oracle {
 

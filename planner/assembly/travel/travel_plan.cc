@@ -7,7 +7,7 @@
 
 #include "planner/assembly/travel/plan_walk.h"
 #include "planner/assembly/travel/way_conditions.h"
-#include "planner/plan/data/coverage.h"
+#include "planner/plan/certificates/coverage.h"
 
 namespace assay::assembly {
 namespace {

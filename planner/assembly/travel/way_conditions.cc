@@ -6,7 +6,7 @@
 
 #include "planner/algebra/bounds/bounds.h"
 #include "planner/algebra/expression/text.h"
-#include "planner/plan/data/condition_table.h"
+#include "planner/plan/certificates/condition_table.h"
 
 namespace assay::assembly {
 namespace {

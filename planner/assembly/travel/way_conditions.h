@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "planner/motion/collision/sway.h"
-#include "planner/plan/data/certificate.h"
+#include "planner/plan/certificates/certificate.h"
 
 namespace assay::assembly {
 

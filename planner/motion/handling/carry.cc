@@ -7,7 +7,7 @@
 #include "planner/motion/handling/putting_down.h"
 #include "planner/motion/paths/path_search.h"
 #include "planner/motion/paths/straight_line.h"
-#include "planner/plan/data/pushing.h"
+#include "planner/plan/certificates/pushing.h"
 #include "planner/plan/data/tool_route.h"
 
 namespace assay::motion {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "planner/motion/paths/straight_line.h"
-#include "planner/plan/data/carrying.h"
+#include "planner/plan/certificates/carrying.h"
 
 namespace assay::motion {
 namespace {

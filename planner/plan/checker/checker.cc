@@ -7,13 +7,13 @@
 #include <map>
 #include <set>
 
+#include "planner/plan/certificates/coverage.h"
+#include "planner/plan/certificates/not_covered.h"
 #include "planner/plan/checker/action_check.h"
 #include "planner/plan/checker/goal_check.h"
 #include "planner/plan/checker/label_check.h"
 #include "planner/plan/checker/linearization.h"
 #include "planner/plan/checker/world_state.h"
-#include "planner/plan/data/coverage.h"
-#include "planner/plan/data/not_covered.h"
 
 namespace assay::plan {
 namespace {

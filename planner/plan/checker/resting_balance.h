@@ -8,22 +8,27 @@
 
 namespace assay::plan {
 
-// Returns the centre of mass of a union of boxes of one density, with overlaps counted once. It
-// sums cells between all coordinates of corners. The result is exact if the boxes are aligned with
-// the axes of their frame, and otherwise to about a hundredth of their extent.
+// The checker's own geometry of balance. It shares no code with the geometry of the planner.
+
+// Returns, for the checker, the centre of mass of a union of boxes of one density, with overlaps
+// counted once. It sums cells between all coordinates of corners. The result is exact if the boxes
+// are aligned with the axes of their frame, and otherwise to about a hundredth of their extent.
 geometry::Vector3 CenterOfMass(std::span<const geometry::Box> boxes);
 
+// Returns the corners of the boxes.
 std::vector<geometry::Vector3> CornersOf(std::span<const geometry::Box> boxes);
 
-// Returns the points within 1 micrometre of the plane z = 0.
+// Returns the points on which the checker takes a part to stand: those within 1 micrometre of the
+// table, the plane z = 0.
 std::vector<geometry::Vector3> TouchingTable(std::span<const geometry::Vector3> points);
 
-// Returns whether p is strictly inside the convex hull of the points' projections onto x and y.
-// That is so if every half plane through p contains some point.
+// Returns whether the checker finds a centre of mass p supported: p is strictly inside the convex
+// hull of the points' projections onto x and y. That is so if every half plane through p contains
+// some point.
 bool IsSupported(const geometry::Vector3& p, std::span<const geometry::Vector3> points);
 
-// Returns the first point that does not project into the polygon (convex, counter-clockwise); null
-// if all do.
+// Returns the first point that the checker finds beside a table: a point that does not project into
+// the polygon (convex, counter-clockwise); null if all do.
 const geometry::Vector3* FirstOutside(std::span<const geometry::Vector3> points,
                                       const geometry::Polygon& polygon);
 

@@ -11,8 +11,8 @@
 #include "planner/base/outcome.h"
 #include "planner/domain/workcell/uncertainty_operations.h"
 #include "planner/kinematics/arm.h"
+#include "planner/plan/certificates/certificate.h"
 #include "planner/plan/data/action.h"
-#include "planner/plan/data/certificate.h"
 #include "planner/plan/data/strategy.h"
 
 namespace assay::plan {

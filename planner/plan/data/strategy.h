@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "planner/geometry/pose.h"
-#include "planner/plan/data/condition.h"
+#include "planner/plan/certificates/condition.h"
 
 namespace assay::plan {
 

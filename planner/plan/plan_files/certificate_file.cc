@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "planner/base/check.h"
-#include "planner/plan/data/condition_table.h"
+#include "planner/plan/certificates/condition_table.h"
 
 namespace assay::plan {
 namespace {

@@ -6,8 +6,8 @@
 
 #include "planner/base/input_files/document.h"
 #include "planner/domain/problem/problem.h"
-#include "planner/plan/data/certificate.h"
-#include "planner/plan/data/condition_table.h"
+#include "planner/plan/certificates/certificate.h"
+#include "planner/plan/certificates/condition_table.h"
 
 namespace assay::plan {
 

@@ -8,8 +8,8 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "planner/plan/certificates/not_covered.h"
 #include "planner/plan/checker/linearization.h"
-#include "planner/plan/data/not_covered.h"
 #include "planner/plan/plan_files/action_file.h"
 #include "planner/plan/plan_files/certificate_file.h"
 #include "planner/plan/plan_files/recovery_file.h"

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "planner/domain/units/units.h"
-#include "planner/plan/data/condition_table.h"
+#include "planner/plan/certificates/condition_table.h"
 #include "planner/plan/plan_files/pose_file.h"
 
 namespace assay::plan {

@@ -8,7 +8,7 @@
 #include "planner/algebra/expression/simplify.h"
 #include "planner/domain/matings/shaft_fit.h"
 #include "planner/domain/parts/part_model.h"
-#include "planner/plan/data/pushing.h"
+#include "planner/plan/certificates/pushing.h"
 #include "planner/uncertainty/error_sets/axis_angle.h"
 #include "planner/uncertainty/error_sets/possible_masses.h"
 #include "planner/uncertainty/error_sets/turn_of_push.h"

@@ -8,7 +8,7 @@
 #include "planner/algebra/bounding_methods/first_order.h"
 #include "planner/algebra/sup_inf/constraint_set.h"
 #include "planner/domain/problem/problem.h"
-#include "planner/plan/data/certificate.h"
+#include "planner/plan/certificates/certificate.h"
 #include "planner/plan/data/plan.h"
 #include "planner/uncertainty/error_sets/uncertain_pose.h"
 

@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "planner/plan/data/coverage.h"
+#include "planner/plan/certificates/coverage.h"
 #include "planner/uncertainty/preconditions/precondition.h"
 
 namespace assay::uncertainty {

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "planner/plan/data/condition_table.h"
+#include "planner/plan/certificates/condition_table.h"
 #include "planner/uncertainty/error_sets/uncertain_world.h"
 
 namespace assay::uncertainty {

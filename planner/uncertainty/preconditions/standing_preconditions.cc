@@ -4,7 +4,7 @@
 
 #include "planner/domain/parts/part_model.h"
 #include "planner/kinematics/gripper.h"
-#include "planner/plan/data/pushing.h"
+#include "planner/plan/certificates/pushing.h"
 #include "planner/uncertainty/error_sets/axis_angle.h"
 #include "planner/uncertainty/error_sets/possible_masses.h"
 #include "planner/uncertainty/error_sets/release.h"

@@ -4,7 +4,7 @@
 
 #include "planner/domain/parts/part_model.h"
 #include "planner/domain/resting/resting.h"
-#include "planner/plan/data/condition_table.h"
+#include "planner/plan/certificates/condition_table.h"
 #include "sim/check/measurements/fit.h"
 #include "sim/check/measurements/measurement.h"
 

@@ -6,7 +6,7 @@
 #include "planner/domain/matings/mating_success.h"
 #include "planner/domain/matings/shaft_fit.h"
 #include "planner/domain/parts/part_model.h"
-#include "planner/plan/data/condition_table.h"
+#include "planner/plan/certificates/condition_table.h"
 #include "sim/check/measurements/fit.h"
 #include "sim/check/measurements/measurement.h"
 #include "sim/check/trial_verdicts/predicate.h"

@@ -6,7 +6,7 @@
 #include "planner/base/check.h"
 #include "planner/domain/parts/part_model.h"
 #include "planner/kinematics/gripper.h"
-#include "planner/plan/data/pushing.h"
+#include "planner/plan/certificates/pushing.h"
 
 namespace assay::check {
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "planner/plan/data/condition.h"
+#include "planner/plan/certificates/condition.h"
 #include "sim/check/measurements/measured_step.h"
 
 namespace assay::check {

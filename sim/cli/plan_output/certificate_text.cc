@@ -6,8 +6,8 @@
 #include <algorithm>
 
 #include "planner/base/check.h"
-#include "planner/plan/data/coverage.h"
-#include "planner/plan/data/not_covered.h"
+#include "planner/plan/certificates/coverage.h"
+#include "planner/plan/certificates/not_covered.h"
 #include "sim/cli/options/quantity.h"
 
 namespace assay::cli {

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "planner/plan/data/pushing.h"
+#include "planner/plan/certificates/pushing.h"
 #include "planner/plan/data/tool_route.h"
 #include "sim/execution/commands/command.h"
 #include "sim/execution/robots/world_model.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "planner/plan/data/pushing.h"
+#include "planner/plan/certificates/pushing.h"
 
 namespace assay::execution {
 

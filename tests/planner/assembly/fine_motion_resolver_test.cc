@@ -9,7 +9,7 @@
 #include "planner/assembly/certified_plan.h"
 #include "planner/assembly/resolvers.h"
 #include "planner/base/random.h"
-#include "planner/plan/data/condition_table.h"
+#include "planner/plan/certificates/condition_table.h"
 #include "tests/oracle/executed_errors.h"
 #include "tests/planner/constraint_posting/scenarios.h"
 

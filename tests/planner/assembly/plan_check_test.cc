@@ -7,7 +7,7 @@
 #include <functional>
 
 #include "planner/assembly/certified_plan.h"
-#include "planner/plan/data/condition_table.h"
+#include "planner/plan/certificates/condition_table.h"
 #include "tests/planner/constraint_posting/scenarios.h"
 
 namespace assay::assembly::plan_check_test {

@@ -5,7 +5,7 @@
 #include <limits>
 #include <optional>
 
-#include "planner/plan/data/condition_table.h"
+#include "planner/plan/certificates/condition_table.h"
 #include "planner/uncertainty/preconditions/certify.h"
 #include "tests/planner/plan/actions.h"
 #include "tests/planner/uncertainty/action_lists.h"

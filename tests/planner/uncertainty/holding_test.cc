@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
-#include "planner/plan/data/carrying.h"
-#include "planner/plan/data/condition_table.h"
+#include "planner/plan/certificates/carrying.h"
+#include "planner/plan/certificates/condition_table.h"
 #include "planner/uncertainty/preconditions/precondition.h"
 #include "tests/planner/uncertainty/part_on_table.h"
 

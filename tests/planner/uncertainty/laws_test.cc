@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "planner/algebra/expression/evaluation.h"
-#include "planner/plan/data/condition_table.h"
+#include "planner/plan/certificates/condition_table.h"
 #include "planner/uncertainty/preconditions/certify.h"
 #include "tests/oracle/certified_expressions.h"
 #include "tests/planner/plan/actions.h"

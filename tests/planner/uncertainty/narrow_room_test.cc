@@ -6,7 +6,7 @@
 #include <fstream>
 #include <limits>
 
-#include "planner/plan/data/condition_table.h"
+#include "planner/plan/certificates/condition_table.h"
 #include "planner/uncertainty/preconditions/certify.h"
 #include "tests/planner/uncertainty/action_lists.h"
 #include "tests/scratch_file.h"

@@ -5,8 +5,8 @@
 #include <fstream>
 
 #include "planner/domain/parts/part_file.h"
-#include "planner/plan/data/condition_table.h"
-#include "planner/plan/data/pushing.h"
+#include "planner/plan/certificates/condition_table.h"
+#include "planner/plan/certificates/pushing.h"
 #include "planner/uncertainty/error_sets/possible_masses.h"
 #include "planner/uncertainty/error_sets/squeezing.h"
 #include "planner/uncertainty/preconditions/precondition.h"

@@ -4,7 +4,7 @@
 
 #include "planner/domain/matings/shaft_fit.h"
 #include "planner/domain/parts/part_file.h"
-#include "planner/plan/data/condition_table.h"
+#include "planner/plan/certificates/condition_table.h"
 #include "planner/uncertainty/error_sets/squeezing.h"
 #include "planner/uncertainty/preconditions/precondition.h"
 #include "tests/planner/uncertainty/part_on_table.h"

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "planner/plan/data/condition_table.h"
+#include "planner/plan/certificates/condition_table.h"
 #include "planner/uncertainty/preconditions/certify.h"
 #include "tests/oracle/certified_expressions.h"
 #include "tests/planner/plan/actions.h"

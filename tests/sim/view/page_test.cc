@@ -8,7 +8,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "planner/plan/data/not_covered.h"
+#include "planner/plan/certificates/not_covered.h"
 #include "tests/sim/view/series_decoder.h"
 #include "tests/sim/view/viewed_execution.h"
 

@@ -13,8 +13,8 @@
 #include "planner/assembly/travel/way_conditions.h"
 #include "planner/motion/collision/motion_check.h"
 #include "planner/motion/paths/straight_line.h"
-#include "planner/plan/data/condition_table.h"
-#include "planner/plan/data/not_covered.h"
+#include "planner/plan/certificates/condition_table.h"
+#include "planner/plan/certificates/not_covered.h"
 #include "planner/plan/data/tool_route.h"
 #include "tests/planner/constraint_posting/scenarios.h"
 

@@ -10,8 +10,8 @@
 #include "planner/constraint_posting/resolvers/sensing_resolver.h"
 #include "planner/constraint_posting/resolvers/squeezing_resolver.h"
 #include "planner/constraint_posting/uncertainty_phase/uncertainty_phase.h"
+#include "planner/plan/certificates/condition_table.h"
 #include "planner/plan/checker/checker.h"
-#include "planner/plan/data/condition_table.h"
 #include "tests/planner/constraint_posting/scenarios.h"
 #include "tests/planner/plan/actions.h"
 

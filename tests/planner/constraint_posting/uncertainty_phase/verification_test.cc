@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <numbers>
 
-#include "planner/plan/data/condition_table.h"
+#include "planner/plan/certificates/condition_table.h"
 #include "tests/planner/constraint_posting/scenarios.h"
 #include "tests/planner/plan/actions.h"
 

@@ -4,7 +4,7 @@
 
 #include "planner/base/random.h"
 #include "planner/motion/paths/straight_line.h"
-#include "planner/plan/data/carrying.h"
+#include "planner/plan/certificates/carrying.h"
 #include "tests/planner/motion/arm_scene.h"
 
 namespace assay::motion::carrying_test {

@@ -7,7 +7,7 @@
 
 #include "planner/base/random.h"
 #include "planner/domain/parts/part_model.h"
-#include "planner/plan/data/not_covered.h"
+#include "planner/plan/certificates/not_covered.h"
 #include "tests/oracle/random_pose.h"
 #include "tests/planner/plan/actions.h"
 #include "tests/planner/plan/peg_and_block.h"

@@ -9,8 +9,8 @@
 #include <tuple>
 
 #include "planner/base/random.h"
+#include "planner/plan/certificates/coverage.h"
 #include "planner/plan/checker/checker.h"
-#include "planner/plan/data/coverage.h"
 #include "tests/oracle/json_schema.h"
 #include "tests/oracle/random_pose.h"
 #include "tests/planner/plan/actions.h"

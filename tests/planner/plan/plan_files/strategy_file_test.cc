@@ -9,8 +9,8 @@
 #include <nlohmann/json.hpp>
 
 #include "planner/base/random.h"
+#include "planner/plan/certificates/condition_table.h"
 #include "planner/plan/checker/checker.h"
-#include "planner/plan/data/condition_table.h"
 #include "planner/plan/plan_files/plan_file.h"
 #include "tests/oracle/json_schema.h"
 #include "tests/oracle/random_pose.h"

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "planner/plan/data/condition_table.h"
+#include "planner/plan/certificates/condition_table.h"
 #include "tests/sim/execution/figure15.h"
 
 namespace assay::check::certificate_check_test {

@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "planner/base/random.h"
-#include "planner/plan/data/condition_table.h"
+#include "planner/plan/certificates/condition_table.h"
 #include "tests/sim/check/certified.h"
 
 namespace assay::check::measurement_test {

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "planner/plan/data/condition_table.h"
+#include "planner/plan/certificates/condition_table.h"
 #include "sim/execution/commands/action_commands.h"
 #include "tests/planner/plan/actions.h"
 #include "tests/sim/execution/figure15.h"

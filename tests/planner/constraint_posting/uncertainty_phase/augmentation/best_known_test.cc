@@ -6,7 +6,7 @@
 
 #include "planner/base/random.h"
 #include "planner/constraint_posting/uncertainty_phase/uncertainty_phase.h"
-#include "planner/plan/data/condition_table.h"
+#include "planner/plan/certificates/condition_table.h"
 #include "tests/planner/constraint_posting/scenarios.h"
 
 namespace assay::constraint_posting::best_known_test {

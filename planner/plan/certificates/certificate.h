@@ -8,8 +8,8 @@
 #include "planner/base/id.h"
 #include "planner/base/interval.h"
 #include "planner/domain/matings/mating.h"
-#include "planner/plan/data/condition.h"
-#include "planner/plan/data/error_kind.h"
+#include "planner/plan/certificates/condition.h"
+#include "planner/plan/certificates/error_kind.h"
 
 namespace assay::plan {
 
@@ -56,7 +56,7 @@ struct ErrorComponent {
   Interval ErrorSet::*range;
   bool only_in_hand = false;
 };
-// Returns the components of error sets, in the order of files and output.
+// Returns the components of a certificate's error sets, in the order of plan files and output.
 std::span<const ErrorComponent> ErrorComponents();
 
 enum class Relation { kLess, kGreater };
@@ -116,9 +116,10 @@ struct Certificate {
   bool operator==(const Certificate&) const = default;
 };
 
-// Returns the greatest distance, in metres, between the expected and the actual contact of a
-// guarded move. The preconditions kLandingHeight and kSeat say that it stays within the workcell's
-// guarded travel. If nothing is certified, the whole guarded travel is returned.
+// Returns what a certificate says of a guarded move: the greatest distance, in metres, between the
+// expected and the actual contact. The preconditions kLandingHeight and kSeat say that it stays
+// within the workcell's guarded travel. If nothing is certified, the whole guarded travel is
+// returned.
 double DoubtOfContact(const Certificate& certificate, double guarded_travel);
 
 }  // namespace assay::plan

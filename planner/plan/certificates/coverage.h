@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "planner/plan/data/condition_table.h"
+#include "planner/plan/certificates/condition_table.h"
 #include "planner/plan/data/plan.h"
 
 namespace assay::plan {

@@ -1,4 +1,4 @@
-#include "planner/plan/data/coverage.h"
+#include "planner/plan/certificates/coverage.h"
 
 #include <fmt/format.h>
 

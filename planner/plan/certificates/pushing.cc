@@ -1,4 +1,4 @@
-#include "planner/plan/data/pushing.h"
+#include "planner/plan/certificates/pushing.h"
 
 #include <algorithm>
 

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "planner/plan/data/condition.h"
+#include "planner/plan/certificates/condition.h"
 
 namespace assay::plan {
 

@@ -1,11 +1,11 @@
-#include "planner/plan/data/not_covered.h"
+#include "planner/plan/certificates/not_covered.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <utility>
 
-#include "planner/plan/data/condition_table.h"
+#include "planner/plan/certificates/condition_table.h"
 
 namespace assay::plan {
 namespace {

@@ -1,4 +1,4 @@
-#include "planner/plan/data/condition_table.h"
+#include "planner/plan/certificates/condition_table.h"
 
 #include <array>
 

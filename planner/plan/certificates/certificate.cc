@@ -1,10 +1,10 @@
-#include "planner/plan/data/certificate.h"
+#include "planner/plan/certificates/certificate.h"
 
 #include <algorithm>
 #include <array>
 #include <optional>
 
-#include "planner/plan/data/condition_table.h"
+#include "planner/plan/certificates/condition_table.h"
 
 namespace assay::plan {
 

@@ -1,4 +1,4 @@
-#include "planner/plan/data/error_kind.h"
+#include "planner/plan/certificates/error_kind.h"
 
 #include <array>
 
