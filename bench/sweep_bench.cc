@@ -42,8 +42,8 @@
 #include "planner/base/check.h"
 #include "sim/check/noise_floor/measure_noise_floor.h"
 #include "sim/execution/walk/executor.h"
-#include "sim/sweep/grid/machine.h"
-#include "sim/sweep/grid/runner.h"
+#include "sim/sweep/runner/machine.h"
+#include "sim/sweep/runner/runner.h"
 
 namespace assay {
 namespace {

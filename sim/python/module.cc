@@ -14,8 +14,8 @@
 #include "sim/python/refused.h"
 #include "sim/python/trials.h"
 #include "sim/python/unlocked.h"
-#include "sim/sweep/grid/machine.h"
-#include "sim/sweep/grid/runner.h"
+#include "sim/sweep/runner/machine.h"
+#include "sim/sweep/runner/runner.h"
 
 namespace assay::python {
 namespace {

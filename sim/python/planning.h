@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "sim/cli/tasks/planned_problem.h"
-#include "sim/sweep/grid/run_command.h"
+#include "sim/sweep/shell_commands/run_command.h"
 
 namespace assay::python {
 

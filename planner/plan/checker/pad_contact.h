@@ -18,22 +18,24 @@ struct PadContact {
   std::vector<geometry::Vector3> points;  // part frame, on the pad's face with its rim
 };
 
-// `pad_half_extents` are along x and z of the tool. The left pad is on the tool's +y side.
+// Returns the contacts that the checker examines. `pad_half_extents` are along x and z of the tool.
+// The left pad is on the tool's +y side.
 std::array<PadContact, 2> PadContactsOf(const Hold& hold,
                                         const geometry::Vector2& pad_half_extents);
 
-// Returns how many points of the contact are not on the surface of the boxes' union. At a point on
+// Checks whether pads lie on faces: returns how many points of the contact are not on the surface
+// of the boxes' union. At a point on
 // the surface, there is one of the part's boxes 10 micrometres further into the part, and none 10
 // micrometres out of it.
 int PointsOffSurface(const PadContact& contact, std::span<const geometry::Box> part);
 
-// Returns whether the contact touches or covers a feature (its faces, or the mouth of a hole). The
+// Checks whether the contact touches or covers a feature (its faces, or the mouth of a hole). The
 // test uses the points of the pad's grid and the corners of the feature. Points on the rims do not
 // count.
 bool Covers(const PadContact& contact, const domain::PartModel& part,
             const domain::Feature& feature);
 
-// Returns whether a face of the feature, or the face around its mouth, lies on the table.
+// Checks whether a face of the feature, or the face around its mouth, lies on the table.
 bool IsOnTable(const domain::PartModel& part, const domain::Feature& feature,
                const Pose& X_WorldPart);
 

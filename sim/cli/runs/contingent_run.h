@@ -5,7 +5,7 @@
 
 #include "sim/cli/command_line/exit_code.h"
 #include "sim/cli/picture_output/step_pictures.h"
-#include "sim/sweep/grid/run_command.h"
+#include "sim/sweep/shell_commands/run_command.h"
 
 namespace assay::cli {
 

@@ -19,7 +19,7 @@
 #include "sim/cli/tasks/output_file.h"
 #include "sim/cli/trial_output/json_number.h"
 #include "sim/cli/trial_output/verdict_tally.h"
-#include "sim/sweep/grid/shell.h"
+#include "sim/sweep/shell_commands/shell.h"
 
 namespace assay::cli {
 namespace {

@@ -7,7 +7,7 @@
 #include "sim/cli/command_line/exit_code.h"
 #include "sim/cli/tasks/planned_problem.h"
 #include "sim/noise/sampling.h"
-#include "sim/sweep/grid/run_command.h"
+#include "sim/sweep/shell_commands/run_command.h"
 
 namespace assay::cli {
 

@@ -4,7 +4,7 @@
 #include <string_view>
 
 #include "sim/sweep/grid/sweep_file.h"
-#include "sim/sweep/grid/work.h"
+#include "sim/sweep/runner/work.h"
 
 namespace assay::cli {
 

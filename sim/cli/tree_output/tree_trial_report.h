@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "sim/execution/trial/tree_trial.h"
-#include "sim/sweep/grid/run_command.h"
+#include "sim/sweep/shell_commands/run_command.h"
 
 namespace assay::cli {
 

@@ -12,7 +12,7 @@
 
 #include "sim/cli/options/quantity.h"
 #include "sim/cli/plan_output/table.h"
-#include "sim/sweep/grid/shell.h"
+#include "sim/sweep/shell_commands/shell.h"
 
 namespace assay::cli {
 namespace {

@@ -32,7 +32,7 @@
 #include "sim/cli/tasks/mating_trials.h"
 #include "sim/cli/tasks/output_file.h"
 #include "sim/execution/trial/scheduler.h"
-#include "sim/sweep/grid/shell.h"
+#include "sim/sweep/shell_commands/shell.h"
 
 namespace assay::cli {
 namespace mate_verb {

@@ -30,7 +30,7 @@
 #include "sim/sweep/database/difference.h"
 #include "sim/sweep/database/recording.h"
 #include "sim/sweep/database/store.h"
-#include "sim/sweep/grid/work.h"
+#include "sim/sweep/runner/work.h"
 
 namespace assay::cli {
 namespace replay_verb {

@@ -27,7 +27,7 @@
 #include "sim/cli/tasks/output_file.h"
 #include "sim/cli/tasks/planned_problem.h"
 #include "sim/execution/interpretation/knowledge_scenario.h"
-#include "sim/sweep/grid/run_command.h"
+#include "sim/sweep/shell_commands/run_command.h"
 
 namespace assay::cli {
 namespace run_verb {

@@ -24,9 +24,9 @@
 #include "sim/cli/tasks/noise_floor_cache.h"
 #include "sim/cli/tasks/output_file.h"
 #include "sim/sweep/database/merge.h"
-#include "sim/sweep/grid/machine.h"
-#include "sim/sweep/grid/runner.h"
-#include "sim/sweep/grid/slurm.h"
+#include "sim/sweep/runner/machine.h"
+#include "sim/sweep/runner/runner.h"
+#include "sim/sweep/shell_commands/slurm.h"
 
 namespace assay::cli {
 namespace sweep_verb {

@@ -4,7 +4,7 @@
 
 #include <string_view>
 
-#include "sim/sweep/grid/shell.h"
+#include "sim/sweep/shell_commands/shell.h"
 
 namespace assay::report {
 

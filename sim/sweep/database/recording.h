@@ -8,7 +8,7 @@
 #include "sim/check/falsification/falsification.h"
 #include "sim/check/trial_verdicts/trial.h"
 #include "sim/sweep/database/store.h"
-#include "sim/sweep/grid/run_command.h"
+#include "sim/sweep/shell_commands/run_command.h"
 
 namespace assay::sweep {
 

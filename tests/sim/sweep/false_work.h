@@ -6,7 +6,7 @@
 #include <string>
 
 #include "planner/base/random.h"
-#include "sim/sweep/grid/work.h"
+#include "sim/sweep/runner/work.h"
 
 namespace assay::sweep {
 

@@ -12,7 +12,7 @@
 
 #include "planner/base/input_files/input_error.h"
 #include "planner/base/random.h"
-#include "sim/sweep/grid/runner.h"
+#include "sim/sweep/runner/runner.h"
 #include "tests/sim/sweep/false_work.h"
 #include "tests/sim/sweep/sweep_folder.h"
 #include "tests/sim/sweep/tables.h"

@@ -6,7 +6,7 @@
 #include <fstream>
 
 #include "planner/base/input_files/input_error.h"
-#include "sim/sweep/grid/machine.h"
+#include "sim/sweep/runner/machine.h"
 #include "tests/sim/sweep/false_work.h"
 #include "tests/sim/sweep/sweep_folder.h"
 

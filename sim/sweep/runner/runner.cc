@@ -1,11 +1,11 @@
-#include "sim/sweep/grid/runner.h"
+#include "sim/sweep/runner/runner.h"
 
 #include <algorithm>
 #include <map>
 #include <mutex>
 
 #include "sim/execution/trial/scheduler.h"
-#include "sim/sweep/grid/clock.h"
+#include "sim/sweep/runner/clock.h"
 
 namespace assay::sweep {
 namespace {

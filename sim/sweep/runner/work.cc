@@ -1,4 +1,4 @@
-#include "sim/sweep/grid/work.h"
+#include "sim/sweep/runner/work.h"
 
 #include <fmt/format.h>
 
@@ -10,7 +10,7 @@
 #include "sim/check/falsification/conservatism.h"
 #include "sim/check/falsification/falsification.h"
 #include "sim/sweep/database/recording.h"
-#include "sim/sweep/grid/clock.h"
+#include "sim/sweep/runner/clock.h"
 
 namespace assay::sweep {
 namespace {

@@ -1,8 +1,8 @@
-#include "sim/sweep/grid/run_command.h"
+#include "sim/sweep/shell_commands/run_command.h"
 
 #include <fmt/ranges.h>
 
-#include "sim/sweep/grid/shell.h"
+#include "sim/sweep/shell_commands/shell.h"
 
 namespace assay::sweep {
 

@@ -1,4 +1,4 @@
-#include "sim/sweep/grid/slurm.h"
+#include "sim/sweep/shell_commands/slurm.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,8 +1,8 @@
-#include "sim/sweep/grid/slurm.h"
+#include "sim/sweep/shell_commands/slurm.h"
 
 #include <fmt/format.h>
 
-#include "sim/sweep/grid/shell.h"
+#include "sim/sweep/shell_commands/shell.h"
 
 namespace assay::sweep {
 namespace {

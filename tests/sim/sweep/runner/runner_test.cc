@@ -1,4 +1,4 @@
-#include "sim/sweep/grid/runner.h"
+#include "sim/sweep/runner/runner.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

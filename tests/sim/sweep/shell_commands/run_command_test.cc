@@ -1,4 +1,4 @@
-#include "sim/sweep/grid/run_command.h"
+#include "sim/sweep/shell_commands/run_command.h"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 
 namespace assay::sweep {
 
-// Returns the record of this start of the program: its machine, its time and its arguments.
+// Returns the record of this run of a sweep: its machine, its time and its arguments.
 RunRecord ThisRun(const std::string& version, const std::string& shard, int jobs);
 
 }  // namespace assay::sweep

@@ -14,7 +14,7 @@
 #include "sim/sweep/database/records.h"
 #include "sim/sweep/database/store.h"
 #include "sim/sweep/grid/grid.h"
-#include "sim/sweep/grid/run_command.h"
+#include "sim/sweep/shell_commands/run_command.h"
 
 namespace assay::sweep {
 
@@ -66,10 +66,10 @@ using NoiseFloorOf =
 // folders of models; empty: each scenario's own. Planning calls `noise_floor`, restoring does not.
 Work RealWork(const Sweep& sweep, const domain::ModelPath& models, const NoiseFloorOf& noise_floor);
 
-// Returns the noise of a trial that is not a falsification.
+// Returns the noise of a cell's trial that is not a falsification.
 noise::Noise NoiseOf(const PlannedCell& cell, int number);
 
-// Executes a trial with its noise. `observer` observes the execution and may be null. `sample_rate`
+// Executes a trial of a cell with its noise. `observer` observes the execution and may be null. `sample_rate`
 // is that of execution::ExecutorOptions.
 check::Trial Execute(const PlannedCell& cell, const noise::Noise& noise,
                      execution::Observer* observer, double sample_rate = 0);

@@ -5,7 +5,7 @@
 
 #include "sim/sweep/database/store.h"
 #include "sim/sweep/grid/grid.h"
-#include "sim/sweep/grid/work.h"
+#include "sim/sweep/runner/work.h"
 
 namespace assay::sweep {
 

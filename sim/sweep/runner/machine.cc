@@ -1,4 +1,4 @@
-#include "sim/sweep/grid/machine.h"
+#include "sim/sweep/runner/machine.h"
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-#include "sim/sweep/grid/shell.h"
+#include "sim/sweep/shell_commands/shell.h"
 
 namespace assay::sweep {
 
