@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "sim/cli/tree_output/contingent_report.h"
+#include "sim/execution/hidden_worlds/leaves.h"
 #include "sim/execution/interpretation/knowledge_scenario.h"
-#include "sim/execution/worlds/leaves.h"
 
 namespace assay::cli {
 

@@ -5,7 +5,7 @@
 #include "planner/plan/certificates/pushing.h"
 #include "planner/plan/data/tool_route.h"
 #include "sim/execution/commands/command.h"
-#include "sim/execution/robots/world_model.h"
+#include "sim/execution/world_model/world_model.h"
 
 namespace assay::execution {
 

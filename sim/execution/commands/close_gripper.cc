@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/execution/robots/execution.h"
+#include "sim/execution/commands/run.h"
 
 namespace assay::execution {
 namespace {

@@ -1,7 +1,7 @@
 #include <cmath>
 
 #include "planner/motion/paths/straight_line.h"
-#include "sim/execution/robots/execution.h"
+#include "sim/execution/commands/run.h"
 
 namespace assay::execution {
 namespace {

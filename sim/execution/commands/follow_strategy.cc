@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
+#include "sim/execution/commands/run.h"
 #include "sim/execution/control/hybrid_control.h"
-#include "sim/execution/robots/execution.h"
 
 namespace assay::execution {
 namespace {

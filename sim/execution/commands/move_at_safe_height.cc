@@ -1,4 +1,6 @@
-#include "sim/execution/robots/travel.h"
+#include "sim/execution/commands/travel.h"
+
+#include "sim/execution/commands/run.h"
 
 namespace assay::execution {
 namespace {

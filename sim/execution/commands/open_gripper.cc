@@ -1,6 +1,6 @@
 #include <cmath>
 
-#include "sim/execution/robots/execution.h"
+#include "sim/execution/commands/run.h"
 
 namespace assay::execution {
 namespace {

@@ -7,10 +7,10 @@
 #include <string>
 
 #include "planner/contingent/grounding/ground_task.h"
+#include "sim/execution/hidden_worlds/hidden_world.h"
 #include "sim/execution/predicates/predicate.h"
 #include "sim/execution/predicates/quantity.h"
 #include "sim/execution/skills/skill.h"
-#include "sim/execution/worlds/hidden_world.h"
 #include "sim/scenario/scenario.h"
 
 namespace assay::execution {

@@ -8,9 +8,9 @@
 
 #include "planner/base/input_files/document.h"
 #include "planner/domain/problem/problem.h"
+#include "sim/execution/hidden_worlds/hidden_world.h"
 #include "sim/execution/predicates/readings.h"
 #include "sim/execution/predicates/roles.h"
-#include "sim/execution/worlds/hidden_world.h"
 #include "sim/mujoco/data.h"
 #include "sim/scene/scene.h"
 

@@ -1,13 +1,12 @@
 #pragma once
 
 #include <optional>
-#include <span>
 
 #include "planner/motion/collision/collision_scene.h"
 #include "planner/motion/paths/joint_trajectory.h"
 #include "sim/execution/robots/collision_watch.h"
 #include "sim/execution/robots/executor_options.h"
-#include "sim/execution/robots/world_model.h"
+#include "sim/execution/world_model/world_model.h"
 #include "sim/scene/servo.h"
 
 namespace assay::execution {
@@ -140,15 +139,5 @@ class Execution {
   double greatest_force_ = 0;
   double force_limit_;
 };
-
-// Execute the commands (one file for each). `rest` holds the commands that follow in the same step.
-Progress Run(const MoveAtSafeHeight& move, std::span<const Command> rest, Execution& execution);
-Progress Run(const FollowPath& follow, std::span<const Command> rest, Execution& execution);
-Progress Run(const MoveStraight& move, std::span<const Command> rest, Execution& execution);
-Progress Run(const OpenGripper& open, std::span<const Command> rest, Execution& execution);
-Progress Run(const CloseGripper& close, std::span<const Command> rest, Execution& execution);
-Progress Run(const Look& look, std::span<const Command> rest, Execution& execution);
-Progress Run(const Clamp& clamp, std::span<const Command> rest, Execution& execution);
-Progress Run(const FollowStrategy& follow, std::span<const Command> rest, Execution& execution);
 
 }  // namespace assay::execution

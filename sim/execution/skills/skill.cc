@@ -2,7 +2,8 @@
 
 #include <array>
 
-#include "sim/execution/robots/travel.h"
+#include "sim/execution/commands/run.h"
+#include "sim/execution/commands/travel.h"
 
 namespace assay::execution {
 

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "planner/plan/data/plan.h"
-#include "sim/execution/robots/world_model.h"
 #include "sim/execution/trial/trial_outcome.h"
+#include "sim/execution/world_model/world_model.h"
 #include "sim/scene/scene.h"
 
 namespace assay::execution {

@@ -5,6 +5,7 @@
 #include "planner/base/check.h"
 #include "planner/domain/reachability/reachability.h"
 #include "sim/execution/commands/action_commands.h"
+#include "sim/execution/commands/run.h"
 #include "sim/execution/walk/executor.h"
 
 namespace assay::execution {

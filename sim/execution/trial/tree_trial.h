@@ -6,11 +6,11 @@
 #include <string_view>
 #include <vector>
 
+#include "sim/execution/hidden_worlds/leaves.h"
 #include "sim/execution/interpretation/interpretation.h"
 #include "sim/execution/interpretation/knowledge_scenario.h"
 #include "sim/execution/trace/trace.h"
 #include "sim/execution/walk/tree_walk.h"
-#include "sim/execution/worlds/leaves.h"
 
 namespace assay::execution {
 

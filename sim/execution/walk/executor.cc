@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "sim/execution/commands/action_commands.h"
+#include "sim/execution/commands/run.h"
 #include "sim/execution/walk/step_execution.h"
 
 namespace assay::execution {

@@ -5,6 +5,7 @@
 
 #include "planner/base/check.h"
 #include "sim/execution/commands/command_file.h"
+#include "sim/execution/commands/run.h"
 #include "sim/execution/walk/recovery.h"
 
 namespace assay::execution {

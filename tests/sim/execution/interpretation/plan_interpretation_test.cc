@@ -13,11 +13,11 @@
 
 #include "planner/contingent/grounding/ground_query.h"
 #include "planner/contingent/search/contingent_planner.h"
+#include "sim/execution/hidden_worlds/fault.h"
+#include "sim/execution/hidden_worlds/leaves.h"
 #include "sim/execution/interpretation/knowledge_scenario.h"
 #include "sim/execution/trial/tree_trial.h"
 #include "sim/execution/walk/executor.h"
-#include "sim/execution/worlds/fault.h"
-#include "sim/execution/worlds/leaves.h"
 #include "sim/render/renderer.h"
 #include "sim/sense/overhead_camera.h"
 #include "tests/scratch_file.h"

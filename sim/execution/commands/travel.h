@@ -12,7 +12,7 @@ namespace assay::execution {
 motion::TravelRequest RequestFor(const MoveAtSafeHeight& move, std::span<const Command> rest,
                                  const Execution& execution);
 
-// Moves the arm along the planned travel. If there is none, it returns the reason.
+// Commands the arm to follow the planned travel. If there is none, it returns the reason.
 Progress Go(const motion::TravelResult& travel, Execution& execution);
 
 }  // namespace assay::execution

@@ -1,4 +1,4 @@
-#include "sim/execution/worlds/leaves.h"
+#include "sim/execution/hidden_worlds/leaves.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

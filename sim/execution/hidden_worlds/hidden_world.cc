@@ -1,4 +1,4 @@
-#include "sim/execution/worlds/hidden_world.h"
+#include "sim/execution/hidden_worlds/hidden_world.h"
 
 #include <fmt/format.h>
 

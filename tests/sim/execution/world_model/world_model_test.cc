@@ -1,4 +1,4 @@
-#include "sim/execution/robots/world_model.h"
+#include "sim/execution/world_model/world_model.h"
 
 #include <gtest/gtest.h>
 

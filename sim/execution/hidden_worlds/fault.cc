@@ -1,4 +1,4 @@
-#include "sim/execution/worlds/fault.h"
+#include "sim/execution/hidden_worlds/fault.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "sim/execution/worlds/leaves.h"
+#include "sim/execution/hidden_worlds/leaves.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -9,7 +9,7 @@
 
 #include "planner/contingent/knowledge/knowledge_base.h"
 #include "planner/contingent/plan_tree/tree_text.h"
-#include "sim/execution/worlds/fault.h"
+#include "sim/execution/hidden_worlds/fault.h"
 
 namespace assay::execution {
 

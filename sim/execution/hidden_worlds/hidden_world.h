@@ -55,7 +55,8 @@ using HiddenParts = std::map<PartId, HiddenKinds>;
 HiddenParts ReadHiddenParts(const Value& map, const domain::Problem& problem,
                             const std::vector<sense::NamedColor>& colors);
 
-// Narrows the mass ranges of `kinds` to the interval `within`, kg. Ranges outside it are removed.
+// Narrows the hidden masses of a part's `kinds` to the interval `within`, kg. Ranges outside it are
+// removed.
 void KeepMasses(const Interval& within, HiddenKinds& kinds);
 
 // Reads the name of one of the colours. Throws InputError.
