@@ -7,10 +7,10 @@
 #include <utility>
 
 #include "planner/assembly/strategy_reach.h"
-#include "planner/constraint_posting/resolvers/plan_states.h"
 #include "planner/constraint_posting/resolvers/sensing_resolver.h"
 #include "planner/finemotion/strategy_search/likely_errors.h"
 #include "planner/plan/certificates/condition_table.h"
+#include "planner/plan/checker/world_state.h"
 
 namespace assay::assembly {
 namespace {
@@ -60,7 +60,7 @@ plan::Strategy StrategyFrom(const MatingGeometry& geometry, const FineMotionPlan
 
 bool CanBeReached(const UnmetGoals& unmet, const plan::Action& assemble,
                   const plan::Strategy& strategy) {
-  const auto states = constraint_posting::StatesOf(unmet.problem, unmet.actions);
+  const auto states = plan::StatesOf(unmet.problem, unmet.actions);
   const plan::WorldState& before = states[static_cast<std::size_t>(unmet.step)];
   return !std::holds_alternative<Unreached>(ReachOf(unmet.problem, assemble, strategy, before));
 }

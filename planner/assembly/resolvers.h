@@ -9,7 +9,8 @@
 
 namespace assay::assembly {
 
-// Returns the resolvers of these kinds, in the order sensing, squeezing, fine motion.
+// Makes the resolvers that a whole assembly uses, of several planners: those of these kinds, in the
+// order sensing, squeezing, fine motion.
 std::vector<std::shared_ptr<constraint_posting::Resolver>> Resolvers(
     const std::vector<domain::ResolverKind>& kinds, uncertainty::Propagation propagation);
 

@@ -6,21 +6,11 @@
 #include "planner/domain/resting/resting.h"
 
 namespace assay::constraint_posting {
+namespace {
 
 using domain::PartId;
 using plan::PartStatus;
 using plan::WorldState;
-
-std::vector<WorldState> StatesOf(const domain::Problem& problem,
-                                 std::span<const plan::Action> actions) {
-  std::vector<WorldState> states = {plan::InitialState(problem)};
-  for (const plan::Action& action : actions) {
-    states.push_back(StateAfter(problem, states.back(), action, plan::StepId::None()));
-  }
-  return states;
-}
-
-namespace {
 
 bool IsMated(const domain::Problem& problem, const WorldState& state, PartId part) {
   return std::ranges::any_of(state.assembled, [&](domain::MatingId id) {

@@ -9,9 +9,8 @@
 
 namespace assay::constraint_posting {
 
-// Returns the nominal world before each action of a plan instance, and after the last action.
-std::vector<plan::WorldState> StatesOf(const domain::Problem& problem,
-                                       std::span<const plan::Action> actions);
+// Functions for resolvers, about the nominal states of the world (plan::StatesOf) in a plan
+// instance that they add steps to.
 
 // Returns the index of the latest action, up to `step`, before which the part rests, neither held
 // nor mated into another part. Returns none if there is no such action.

@@ -21,7 +21,7 @@ std::vector<std::vector<std::string>> SetsOf(const std::vector<std::string>& sen
 }  // namespace
 
 std::vector<Remedy> SensingResolver::Propose(const UnmetGoals& unmet) {
-  const std::vector<plan::WorldState> states = StatesOf(unmet.problem, unmet.actions);
+  const std::vector<plan::WorldState> states = plan::StatesOf(unmet.problem, unmet.actions);
   std::vector<Remedy> remedies;
   for (const domain::PartId part : unmet.parts) {
     const auto index = LatestFree(states, unmet.step, part);

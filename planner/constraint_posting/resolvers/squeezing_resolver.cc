@@ -124,7 +124,7 @@ Remedy InsertBefore(int index, PartId part, const std::vector<plan::Action>& act
 }  // namespace
 
 std::vector<Remedy> SqueezingResolver::Propose(const UnmetGoals& unmet) {
-  const std::vector<plan::WorldState> states = StatesOf(unmet.problem, unmet.actions);
+  const std::vector<plan::WorldState> states = plan::StatesOf(unmet.problem, unmet.actions);
   std::vector<Remedy> remedies;
   std::vector<Remedy> with_sensing;
   for (const PartId part : unmet.parts) {
@@ -146,7 +146,7 @@ std::vector<Remedy> SqueezingResolver::Propose(const UnmetGoals& unmet) {
 }
 
 std::vector<PartId> SqueezingResolver::Obstacles(const UnmetGoals& unmet) const {
-  const std::vector<plan::WorldState> states = StatesOf(unmet.problem, unmet.actions);
+  const std::vector<plan::WorldState> states = plan::StatesOf(unmet.problem, unmet.actions);
   std::vector<PartId> obstacles;
   for (const PartId part : unmet.parts) {
     const auto index = LatestGraspable(unmet.problem, states, unmet.step, part);

@@ -73,7 +73,7 @@ class AtomTable {
   std::map<std::string, std::vector<const Change*>> closed_;
 };
 
-// Returns the atom's text: "p(a, b)", or "p" for a predicate without arguments.
+// Returns the text of a ground atom: "p(a, b)", or "p" for a predicate without arguments.
 std::string AtomText(const std::string& name, const std::vector<std::string>& arguments);
 
 }  // namespace assay::contingent

@@ -11,7 +11,8 @@ geometry::Polygon Footprint(const Part& part, const Pose& X_WorldPart);
 
 // Returns whether a part at X_WorldPart has its whole footprint over the table.
 bool IsOver(const Table& table, const Part& part, const Pose& X_WorldPart);
-// Returns the table that a part is over, or the first table if it is over none.
+// Returns the table under a resting part: the one that it is over, or the first one if it is over
+// none.
 const Table& TableUnder(const Workcell& workcell, const Part& part, const Pose& X_WorldPart);
 // Returns whether the part's whole footprint is on one of the workcell's tables.
 bool OnTable(const Problem& problem, PartId part, const Pose& X_WorldPart);

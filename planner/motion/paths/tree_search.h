@@ -30,8 +30,8 @@ class TreeSearch {
   virtual JointPath FindPath(const Problem& problem) const = 0;
 };
 
-// Returns the module's one instance, and opens the module at the first call. Throws
-// EnvironmentError if there is no module, or if a library that it needs is missing.
+// Returns the search for joint paths: the one instance in the module, which the first call opens.
+// Throws EnvironmentError if there is no module, or if a library that it needs is missing.
 const TreeSearch& TreeSearchOfOmpl();
 
 }  // namespace assay::motion

@@ -164,4 +164,12 @@ WorldState StateAfter(const domain::Problem& problem, WorldState state, const Ac
   return state;
 }
 
+std::vector<WorldState> StatesOf(const domain::Problem& problem, std::span<const Action> actions) {
+  std::vector<WorldState> states = {InitialState(problem)};
+  for (const Action& action : actions) {
+    states.push_back(StateAfter(problem, states.back(), action, StepId::None()));
+  }
+  return states;
+}
+
 }  // namespace assay::plan

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -51,5 +52,8 @@ std::vector<std::string> BrokenPreconditions(const domain::Problem& problem,
 // Returns the state after the action, assuming that its preconditions held.
 WorldState StateAfter(const domain::Problem& problem, WorldState state, const Action& action,
                       StepId step);
+
+// Returns the state before each action of a plan instance, and after the last action.
+std::vector<WorldState> StatesOf(const domain::Problem& problem, std::span<const Action> actions);
 
 }  // namespace assay::plan

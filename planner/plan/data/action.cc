@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "planner/base/check.h"
 #include "planner/domain/problem/problem.h"
 
 namespace assay::plan {
@@ -68,6 +69,12 @@ std::vector<PartId> PartsOf(const Problem& problem, const Action& action) {
 
 const Hold* HoldIn(const Action& action) {
   return action.kind->Has(Argument::kGrasp) ? &action.hold : nullptr;
+}
+
+const Hold& HoldOf(const Action& action) {
+  const Hold* hold = HoldIn(action);
+  ASSAY_CHECK(hold != nullptr, "a look leaves no part in the hand");
+  return *hold;
 }
 
 Pose HandledAt(const Problem& problem, const Action& action) {

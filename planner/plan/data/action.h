@@ -61,6 +61,8 @@ std::vector<PartId> PartsOf(const domain::Problem& problem, const Action& action
 
 // Returns how the hand holds the part that the action handles, or null if the hand does nothing.
 const Hold* HoldIn(const Action& action);
+// Returns how the hand holds the part that the action handles. It must hold one (checked).
+const Hold& HoldOf(const Action& action);
 // Returns the pose of the handled part when the pads close or open.
 Pose HandledAt(const domain::Problem& problem, const Action& action);
 

@@ -26,8 +26,8 @@ struct Leaning {
 // error.
 Leaning LeaningOf(const UncertainWorld& world, const Vector3& up, const ManipulatorError& draw);
 
-// Returns how many metres the pads slide down on a part that already stands: 0 if they bear the
-// force that stops them. `released` is the part's error once it is let go.
+// Returns how much of a standing part's error comes from pads that slide down on it, in metres: 0
+// if the pads bear the force that stops them. `released` is the part's error once it is let go.
 double SlideOfPads(const UncertainWorld& world, const ManipulatorError& draw,
                    const RestingError& released);
 

@@ -8,7 +8,6 @@
 #include <cmath>
 #include <limits>
 
-#include "planner/base/check.h"
 #include "planner/domain/parts/part_model.h"
 
 namespace assay::check {
@@ -33,6 +32,12 @@ Components InHand(const Pose& X_ToolGrasp) {
           std::atan2(-R(2, 0), R(2, 2))};
 }
 
+// Returns the angle, in radians, by which a nearly upright rotation turns about the world's
+// vertical.
+double YawOf(const Matrix3& rotation) {
+  return std::atan2(rotation(1, 0) - rotation(0, 1), rotation(0, 0) + rotation(1, 1));
+}
+
 Components AtRest(const execution::TrueAndBelieved& part) {
   const Vector3 d = part.truth.translation() - part.believed.translation();
   return {d.x(), d.y(), d.z(), YawOf(part.truth.linear() * part.believed.linear().transpose())};
@@ -49,16 +54,6 @@ Lever LeverOf(const domain::PartModel& model) {
     for (const Vector3& corner : box.Corners()) body.extend(corner);
   }
   return {length, body.sizes().minCoeff() / 2};
-}
-
-double YawOf(const Matrix3& rotation) {
-  return std::atan2(rotation(1, 0) - rotation(0, 1), rotation(0, 0) + rotation(1, 1));
-}
-
-const plan::Hold& HoldOf(const plan::Action& action) {
-  const plan::Hold* hold = HoldIn(action);
-  ASSAY_CHECK(hold != nullptr, "a look leaves no part in the hand");
-  return *hold;
 }
 
 std::vector<ObservedError> ObservedErrors(const domain::Problem& problem,

@@ -30,11 +30,4 @@ std::vector<ObservedError> ObservedErrors(const domain::Problem& problem,
                                           const plan::Action& action, const plan::ErrorSet& set,
                                           const execution::Snapshot& snapshot);
 
-// Returns how the action holds its part. The action must not be a look, which holds none.
-const plan::Hold& HoldOf(const plan::Action& action);
-
-// Returns the angle, in radians, by which a nearly upright rotation turns about the world's
-// vertical.
-double YawOf(const geometry::Matrix3& rotation);
-
 }  // namespace assay::check

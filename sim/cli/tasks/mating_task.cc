@@ -18,7 +18,7 @@ MatingTask LastMatingOf(PlannedProblem planned) {
   while (step >= 0 && actions[step].mating.IsNone()) --step;
   if (step < 0)
     throw UsageError(fmt::format("mate: {}: no plan with an assemble action", planned.scenario));
-  const auto states = constraint_posting::StatesOf(planned.problem, actions);
+  const auto states = plan::StatesOf(planned.problem, actions);
   const domain::PartId held = HandledPart(planned.problem, actions[step]);
   const auto latest = constraint_posting::LatestGraspable(planned.problem, states, step, held);
   ASSAY_CHECK(latest.has_value(), "a part that is mated was taken before");

@@ -28,8 +28,8 @@ struct PlannedProblem {
 // All functions here throw InputError for errors in a file. `models` are the given folders, or
 // empty.
 
-// Returns the problems of all worlds that a scenario allows (domain::ReadWorlds). The scenario must
-// have a goal.
+// Reads, for verbs that plan, the problems of all worlds that a scenario allows
+// (domain::ReadWorlds). The scenario must have a goal.
 std::vector<domain::Problem> ReadWorldsToPlan(const Document& document,
                                               const domain::ModelPath& models,
                                               const scenario::Overrides& overrides = {});
@@ -59,9 +59,9 @@ plan::PlanResult PlanWithProgress(const domain::Problem& problem,
 // strategies of fine motion hold up (planner/assembly/plan_check.h).
 inline constexpr int kMostLinearizations = 1000;
 plan::CheckReport CheckPlan(const domain::Problem& problem, const plan::Plan& plan);
-// Makes the same checks, and verifies the certificates' claims (planner/verify). If the plan comes
-// from a plan file, it also checks that the certificates are those that the scenario gives
-// (certificate_comparison.h).
+// Makes the checks of the function above, and verifies the certificates' claims (planner/verify).
+// If the plan comes from a plan file, it also checks that the certificates are those that the
+// scenario gives (certificate_comparison.h).
 plan::CheckReport CheckPlan(const PlannedProblem& planned);
 // Returns the flaws in the plan's claims about itself: its certificates and strategies.
 std::vector<plan::Flaw> CertificateFlaws(const PlannedProblem& planned);

@@ -22,8 +22,8 @@ struct KnowledgeScenario {
 KnowledgeScenario Read(const Document& document, const domain::ModelPath& models);
 KnowledgeScenario Load(const std::filesystem::path& file, const domain::ModelPath& models);
 
-// Returns whether the plan for a scenario is a tree: its goal is one of knowledge, or the pose of a
-// part is open until a sensor has looked.
+// Returns whether a scenario needs an interpretation, because its plan is a tree: its goal is one
+// of knowledge, or the pose of a part is open until a sensor has looked.
 bool NeedsATree(const Document& scenario);
 
 }  // namespace assay::execution

@@ -59,7 +59,7 @@ class PlanStates : public ::testing::TestWithParam<const char*> {
  protected:
   domain::Problem problem_ = LoadScenario(GetParam());
   std::vector<plan::Action> actions_ = ActionsOf(FirstInstance(problem_));
-  std::vector<plan::WorldState> states_ = StatesOf(problem_, actions_);
+  std::vector<plan::WorldState> states_ = plan::StatesOf(problem_, actions_);
 
   // Returns the last snapshot up to `step` whose story satisfies `wanted`; none if there is none.
   template <class Wanted>
@@ -147,7 +147,7 @@ TEST_P(PlanStates, WhatIsLeftToDoStartsInThatState) {
 TEST(PlanStatesOf, OfPartsThatAreMatedFromTheStartOnlyTheFixedOneIsFree) {
   domain::Problem problem = LoadScenario("uncertain-known");
   problem.assembled.emplace_back(0);
-  const std::vector<plan::WorldState> states = StatesOf(problem, {});
+  const std::vector<plan::WorldState> states = plan::StatesOf(problem, {});
   const domain::Mating& mating = problem.mating(domain::MatingId(0));
   EXPECT_EQ(LatestFree(states, 0, mating.fixed), 0);
   EXPECT_EQ(LatestFree(states, 0, mating.held), std::nullopt);
