@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "planner/algebra/compiled_forms/nested_form.h"
+#include "planner/algebra/multiaffine/nested_form.h"
 #include "planner/algebra/normal_forms/normal_form.h"
 
 namespace assay::algebra {

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "planner/algebra/compiled_forms/nested_form.h"
+#include "planner/algebra/multiaffine/nested_form.h"
 #include "planner/numeric/nearest_interval.h"
 #include "planner/numeric/positive_definite.h"
 

@@ -1,4 +1,4 @@
-#include "planner/algebra/compiled_forms/nested_form.h"
+#include "planner/algebra/multiaffine/nested_form.h"
 
 #include <algorithm>
 #include <bit>
