@@ -10,7 +10,7 @@
 
 #include "planner/contingent/grounding/grounding.h"
 #include "planner/contingent/pks_and_pddl/task_file.h"
-#include "planner/motion/collision/part_reach.h"
+#include "planner/motion/handling/part_reach.h"
 #include "sim/execution/interpretation/plan_interpretation.h"
 
 namespace assay::execution {

@@ -1,4 +1,4 @@
-#include "planner/motion/collision/part_reach.h"
+#include "planner/motion/handling/part_reach.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
