@@ -10,7 +10,7 @@
 #include "planner/finemotion/contact_graph/contact_chain.h"
 #include "planner/finemotion/contact_graph/contact_graph.h"
 #include "planner/finemotion/contacts/contact_finder.h"
-#include "planner/finemotion/contacts/mating.h"
+#include "planner/finemotion/strategy_search/mating.h"
 #include "planner/geometry/pose.h"
 
 namespace assay::finemotion {

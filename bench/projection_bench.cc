@@ -8,7 +8,7 @@
 
 #include "bench/harness/contest.h"
 #include "bench/workloads/projections.h"
-#include "planner/finemotion/contacts/meeting.h"
+#include "planner/finemotion/forward_projections/meeting.h"
 
 namespace assay::finemotion {
 namespace {

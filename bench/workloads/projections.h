@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "planner/base/random.h"
-#include "planner/finemotion/contact_graph/forward_projection.h"
 #include "planner/finemotion/contacts/primitive_contact.h"
+#include "planner/finemotion/forward_projections/forward_projection.h"
 
 namespace assay::workloads {
 

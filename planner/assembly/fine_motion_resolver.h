@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "planner/constraint_posting/resolvers/resolver.h"
-#include "planner/finemotion/contacts/mating.h"
+#include "planner/finemotion/strategy_search/mating.h"
 #include "planner/plan/certificates/condition_table.h"
 #include "planner/uncertainty/error_sets/tip_error.h"
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "planner/finemotion/contact_graph/contact_graph.h"
-#include "planner/finemotion/contacts/mating.h"
+#include "planner/finemotion/strategy_search/mating.h"
 
 namespace assay::finemotion {
 

@@ -5,7 +5,7 @@
 #include <limits>
 #include <optional>
 
-#include "planner/finemotion/contacts/meeting.h"
+#include "planner/finemotion/forward_projections/meeting.h"
 #include "planner/geometry/convex/nearest_point.h"
 
 namespace assay::finemotion {

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "planner/finemotion/contacts/mating.h"
+#include "planner/finemotion/strategy_search/mating.h"
 
 namespace assay::finemotion {
 

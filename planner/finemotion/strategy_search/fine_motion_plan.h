@@ -6,7 +6,7 @@
 
 #include "planner/base/outcome.h"
 #include "planner/domain/matings/mating_errors.h"
-#include "planner/finemotion/strategy_checks/friction_limit.h"
+#include "planner/finemotion/forces/friction_limit.h"
 #include "planner/finemotion/strategy_search/maneuver.h"
 
 namespace assay::finemotion {

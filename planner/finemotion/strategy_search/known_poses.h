@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "planner/finemotion/strategy_search/segment.h"
+#include "planner/finemotion/motions/segment.h"
 
 namespace assay::finemotion {
 

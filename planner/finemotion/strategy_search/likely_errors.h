@@ -1,6 +1,6 @@
 #pragma once
 
-#include "planner/finemotion/contacts/mating.h"
+#include "planner/finemotion/strategy_search/mating.h"
 
 namespace assay::finemotion {
 

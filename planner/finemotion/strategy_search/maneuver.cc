@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "planner/finemotion/strategy_search/row_range.h"
+#include "planner/finemotion/motions/row_range.h"
 #include "planner/numeric/orthogonal_decomposition.h"
 
 namespace assay::finemotion {

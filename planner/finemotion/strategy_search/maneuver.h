@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "planner/finemotion/strategy_search/motion_checker.h"
+#include "planner/finemotion/motions/motion_checker.h"
 
 namespace assay::finemotion {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "planner/finemotion/strategy_checks/force_signature.h"
+#include "planner/finemotion/forces/force_signature.h"
 #include "planner/numeric/orthogonal_decomposition.h"
 
 namespace assay::finemotion {

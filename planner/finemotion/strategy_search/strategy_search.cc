@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "planner/base/random.h"
+#include "planner/finemotion/forces/friction_limit.h"
 #include "planner/finemotion/strategy_checks/exact_replay.h"
-#include "planner/finemotion/strategy_checks/friction_limit.h"
 #include "planner/finemotion/strategy_checks/sequence_replay.h"
 
 namespace assay::finemotion {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "planner/finemotion/contacts/contact_finder.h"
-#include "planner/finemotion/contacts/mating.h"
+#include "planner/finemotion/strategy_search/mating.h"
 #include "sim/check/contact_sequences/contact_sequence.h"
 #include "sim/scene/scene.h"
 

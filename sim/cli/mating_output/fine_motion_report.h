@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "planner/assembly/strategy_reach.h"
-#include "planner/finemotion/contacts/mating.h"
+#include "planner/finemotion/strategy_search/mating.h"
 #include "sim/cli/tasks/mating_task.h"
 #include "sim/report/fine_motion/mating_page.h"
 

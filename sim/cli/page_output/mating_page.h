@@ -1,8 +1,8 @@
 #pragma once
 
 #include "planner/finemotion/contact_graph/contact_chain.h"
-#include "planner/finemotion/contacts/mating.h"
 #include "planner/finemotion/strategy_search/fine_motion_plan.h"
+#include "planner/finemotion/strategy_search/mating.h"
 #include "sim/cli/page_output/viewed_page.h"
 #include "sim/cli/tasks/mating_trials.h"
 

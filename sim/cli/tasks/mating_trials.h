@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "planner/finemotion/contacts/mating.h"
+#include "planner/finemotion/strategy_search/mating.h"
 #include "sim/check/contact_sequences/contact_observer.h"
 #include "sim/check/contact_sequences/sequence_comparison.h"
 #include "sim/cli/tasks/mating_task.h"

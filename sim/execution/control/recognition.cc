@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "planner/finemotion/strategy_checks/force_signature.h"
+#include "planner/finemotion/forces/force_signature.h"
 #include "sim/execution/control/pressed_contacts.h"
 
 namespace assay::execution {

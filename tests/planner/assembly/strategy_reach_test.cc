@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "planner/finemotion/contacts/mating.h"
+#include "planner/finemotion/strategy_search/mating.h"
 #include "tests/planner/constraint_posting/scenarios.h"
 
 namespace assay::assembly::strategy_reach_test {

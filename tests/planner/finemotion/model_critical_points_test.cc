@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "planner/domain/parts/part_file.h"
-#include "planner/finemotion/contacts/mating.h"
+#include "planner/finemotion/strategy_search/mating.h"
 #include "tests/planner/domain/scenario.h"
 
 // The critical points of the matings of the parts in the repository. The expected values follow

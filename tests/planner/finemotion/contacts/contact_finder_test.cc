@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "bench/workloads/pegs.h"
-#include "planner/finemotion/strategy_search/segment.h"
+#include "planner/finemotion/motions/segment.h"
 #include "tests/oracle/random_pose.h"
 
 namespace assay::finemotion::contact_finder_test {

@@ -8,7 +8,7 @@
 #include <string>
 
 #include "bench/workloads/pegs.h"
-#include "planner/finemotion/contacts/mating.h"
+#include "planner/finemotion/strategy_search/mating.h"
 #include "tests/planner/domain/scenario.h"
 
 namespace assay::finemotion::exact_replay_test {

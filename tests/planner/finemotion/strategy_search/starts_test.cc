@@ -8,7 +8,7 @@
 #include <numbers>
 
 #include "bench/workloads/pegs.h"
-#include "planner/finemotion/contacts/mating.h"
+#include "planner/finemotion/strategy_search/mating.h"
 
 namespace assay::finemotion::starts_test {
 namespace {

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "bench/workloads/pegs.h"
-#include "planner/finemotion/contacts/mating.h"
+#include "planner/finemotion/strategy_search/mating.h"
 #include "tests/oracle/random_pose.h"
 #include "tests/planner/domain/scenario.h"
 

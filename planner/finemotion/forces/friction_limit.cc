@@ -1,6 +1,6 @@
-#include "planner/finemotion/strategy_checks/friction_limit.h"
+#include "planner/finemotion/forces/friction_limit.h"
 
-#include "planner/finemotion/strategy_checks/force_signature.h"
+#include "planner/finemotion/forces/force_signature.h"
 #include "planner/numeric/nonnegative_least_squares.h"
 #include "planner/numeric/orthogonal_decomposition.h"
 #include "planner/plan/data/strategy.h"

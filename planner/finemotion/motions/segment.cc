@@ -1,12 +1,12 @@
-#include "planner/finemotion/strategy_search/segment.h"
+#include "planner/finemotion/motions/segment.h"
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
-#include "planner/finemotion/contact_graph/projection_image.h"
-#include "planner/finemotion/contacts/meeting.h"
-#include "planner/finemotion/strategy_search/uncertain_motion.h"
+#include "planner/finemotion/forward_projections/meeting.h"
+#include "planner/finemotion/forward_projections/projection_image.h"
+#include "planner/finemotion/motions/uncertain_motion.h"
 
 namespace assay::finemotion {
 

@@ -1,4 +1,4 @@
-#include "planner/finemotion/strategy_search/segment.h"
+#include "planner/finemotion/motions/segment.h"
 
 #include <gtest/gtest.h>
 

@@ -3,8 +3,8 @@
 #include <cstdint>
 
 #include "planner/base/check.h"
-#include "planner/finemotion/contact_graph/projection_image.h"
-#include "planner/finemotion/contacts/meeting.h"
+#include "planner/finemotion/forward_projections/meeting.h"
+#include "planner/finemotion/forward_projections/projection_image.h"
 
 namespace assay::finemotion {
 

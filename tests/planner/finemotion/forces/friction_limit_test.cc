@@ -1,4 +1,4 @@
-#include "planner/finemotion/strategy_checks/friction_limit.h"
+#include "planner/finemotion/forces/friction_limit.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "planner/finemotion/strategy_search/believed_pose.h"
+#include "planner/finemotion/motions/believed_pose.h"
 
 #include <Eigen/Geometry>
 

@@ -9,9 +9,9 @@
 
 #include "planner/finemotion/contacts/contact_range.h"
 #include "planner/finemotion/contacts/parallel_edges.h"
-#include "planner/finemotion/strategy_search/kept_directions.h"
-#include "planner/finemotion/strategy_search/row_range.h"
-#include "planner/finemotion/strategy_search/segment_model.h"
+#include "planner/finemotion/motions/kept_directions.h"
+#include "planner/finemotion/motions/row_range.h"
+#include "planner/finemotion/motions/segment_model.h"
 
 namespace assay::finemotion {
 

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "planner/finemotion/contact_graph/forward_projection.h"
 #include "planner/finemotion/contacts/primitive_contact.h"
+#include "planner/finemotion/forward_projections/forward_projection.h"
 
 namespace assay::finemotion {
 

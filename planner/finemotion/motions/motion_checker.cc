@@ -1,8 +1,8 @@
-#include "planner/finemotion/strategy_search/motion_checker.h"
+#include "planner/finemotion/motions/motion_checker.h"
 
 #include <algorithm>
 
-#include "planner/finemotion/strategy_checks/friction_limit.h"
+#include "planner/finemotion/forces/friction_limit.h"
 
 namespace assay::finemotion {
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "planner/finemotion/contact_graph/forward_projection.h"
 #include "planner/finemotion/contacts/primitive_contact.h"
+#include "planner/finemotion/forward_projections/forward_projection.h"
 
 namespace assay::finemotion {
 

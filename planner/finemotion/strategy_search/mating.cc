@@ -1,4 +1,4 @@
-#include "planner/finemotion/contacts/mating.h"
+#include "planner/finemotion/strategy_search/mating.h"
 
 #include <fmt/format.h>
 
@@ -9,7 +9,7 @@
 
 #include "planner/base/check.h"
 #include "planner/domain/parts/part_file.h"
-#include "planner/finemotion/strategy_checks/force_signature.h"
+#include "planner/finemotion/forces/force_signature.h"
 
 namespace assay::finemotion {
 

@@ -5,7 +5,7 @@
 
 #include "planner/finemotion/contacts/parallel_edges.h"
 #include "planner/finemotion/contacts/primitive_contact.h"
-#include "planner/finemotion/strategy_search/believed_pose.h"
+#include "planner/finemotion/motions/believed_pose.h"
 
 namespace assay::finemotion {
 

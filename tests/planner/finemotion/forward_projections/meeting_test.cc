@@ -1,4 +1,4 @@
-#include "planner/finemotion/contacts/meeting.h"
+#include "planner/finemotion/forward_projections/meeting.h"
 
 #include <fmt/format.h>
 #include <glpk.h>

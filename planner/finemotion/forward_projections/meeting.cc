@@ -1,11 +1,11 @@
-#include "planner/finemotion/contacts/meeting.h"
+#include "planner/finemotion/forward_projections/meeting.h"
 
 #include <algorithm>
 #include <span>
 #include <vector>
 
 #include "planner/base/check.h"
-#include "planner/finemotion/contact_graph/projection_image.h"
+#include "planner/finemotion/forward_projections/projection_image.h"
 #include "planner/geometry/convex/nearest_point.h"
 
 namespace assay::finemotion {

@@ -1,4 +1,4 @@
-#include "planner/finemotion/contact_graph/forward_projection.h"
+#include "planner/finemotion/forward_projections/forward_projection.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "bench/workloads/projections.h"
-#include "planner/finemotion/contacts/meeting.h"
+#include "planner/finemotion/forward_projections/meeting.h"
 #include "tests/planner/geometry/corners.h"
 
 namespace assay::finemotion::forward_projection_test {

@@ -1,4 +1,4 @@
-#include "planner/finemotion/strategy_search/motion_checker.h"
+#include "planner/finemotion/motions/motion_checker.h"
 
 #include <gtest/gtest.h>
 

@@ -4,8 +4,8 @@
 
 #include "planner/finemotion/contacts/contact_range.h"
 #include "planner/finemotion/contacts/primitive_contact.h"
-#include "planner/finemotion/strategy_search/believed_pose.h"
-#include "planner/finemotion/strategy_search/segment_model.h"
+#include "planner/finemotion/motions/believed_pose.h"
+#include "planner/finemotion/motions/segment_model.h"
 
 namespace assay::finemotion {
 

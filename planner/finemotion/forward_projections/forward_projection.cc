@@ -1,4 +1,4 @@
-#include "planner/finemotion/contact_graph/forward_projection.h"
+#include "planner/finemotion/forward_projections/forward_projection.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "planner/finemotion/strategy_checks/force_signature.h"
+#include "planner/finemotion/forces/force_signature.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "planner/finemotion/strategy_search/believed_pose.h"
+#include "planner/finemotion/motions/believed_pose.h"
 
 // The values that a linear function takes over all motions that errors allow. Checks of motions
 // spend much of their time here, so these functions stand in a header.
