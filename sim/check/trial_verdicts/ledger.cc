@@ -5,7 +5,7 @@
 
 #include "planner/base/check.h"
 #include "sim/check/measurements/step_events.h"
-#include "sim/check/trial_verdicts/tolerance_readings.h"
+#include "sim/check/measurements/tolerance_readings.h"
 #include "sim/execution/walk/executor.h"
 #include "sim/sense/displacement.h"
 

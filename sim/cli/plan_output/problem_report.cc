@@ -11,7 +11,7 @@
 
 #include "planner/domain/matings/mating_classes.h"
 #include "planner/domain/reachability/reachability.h"
-#include "sim/check/trial_verdicts/effective_clearance.h"
+#include "sim/check/measurements/effective_clearance.h"
 #include "sim/cli/plan_output/part_report.h"
 #include "sim/cli/plan_output/table.h"
 

@@ -203,7 +203,7 @@ TEST(Mate, AFewTrialsComeToTheSeat) {
 
 // The strategy comes to its end without contact, and nothing told it that the part is not seated.
 TEST(Mate, ATrialThatIsNotSeatedHasAReason) {
-  const std::string folder = kTree / "tests/sim/check/trial_verdicts/wide-hole";
+  const std::string folder = kTree / "tests/sim/check/measurements/wide-hole";
   const std::vector<std::string> command = {
       "mate",     folder + "/scenario.yaml", "--models", folder,
       "--models", kTree / "models",          "--trial",  "2"};

@@ -1,4 +1,4 @@
-#include "sim/check/trial_verdicts/effective_clearance.h"
+#include "sim/check/measurements/effective_clearance.h"
 
 #include <gtest/gtest.h>
 
@@ -44,7 +44,7 @@ TEST(EffectiveClearance, LooksAcrossTheHole) {
 // The hole is 61 mm wide and the shaft 38 mm thick. The part's centre of mass is above the middle
 // of the engaged length, so a push and a damping at different points would tilt it on its long way.
 TEST(EffectiveClearance, IsTheNominalOneInAWideHole) {
-  const std::filesystem::path folder = ASSAY_SOURCE_DIR "/tests/sim/check/trial_verdicts/wide-hole";
+  const std::filesystem::path folder = ASSAY_SOURCE_DIR "/tests/sim/check/measurements/wide-hole";
   domain::ModelPath models = folder;
   models.Append(ASSAY_SOURCE_DIR "/models");
   const domain::Problem problem =

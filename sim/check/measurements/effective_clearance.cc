@@ -1,4 +1,4 @@
-#include "sim/check/trial_verdicts/effective_clearance.h"
+#include "sim/check/measurements/effective_clearance.h"
 
 #include <cmath>
 

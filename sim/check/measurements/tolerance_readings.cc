@@ -1,4 +1,4 @@
-#include "sim/check/trial_verdicts/tolerance_readings.h"
+#include "sim/check/measurements/tolerance_readings.h"
 
 #include <mujoco/mujoco.h>
 
