@@ -14,7 +14,7 @@ struct Folding {
   bool is_absorbed_by_zero = false;
 };
 
-// Returns the sum or product of the operands. Numbers are folded where this is exact. Neutral
+// Makes the node of the operator sum or product. Numbers are folded where this is exact. Neutral
 // numbers are left out. Short sums in a sum, and short products in a product, are flattened.
 Expression Combined(const Folding& folding, std::span<const Expression> operands);
 

@@ -22,8 +22,9 @@ std::optional<int> LatestGraspable(const domain::Problem& problem,
                                    const std::vector<plan::WorldState>& states, int step,
                                    domain::PartId part);
 
-// Returns the rest of the problem in a state with an empty hand. Its parts and matings at the start
-// are the parts and matings of the state. The errors are unchanged.
+// Returns the problem that a resolver has in a state with an empty hand: the rest of the given
+// problem. Its parts and matings at the start are the parts and matings of the state. The errors
+// are unchanged.
 domain::Problem ProblemFrom(domain::Problem problem, const plan::WorldState& state);
 
 // Returns the place of the part before actions[moment], with the label of the action that brought

@@ -50,10 +50,10 @@ struct Bound {
 
 bool IsUpper(Relation relation);   // true for < and <=
 bool IsStrict(Relation relation);  // true for < and >
-// Returns true if the bound holds for every number in the range.
+// Returns true if a ground task's bound holds for every number in the range.
 bool SurelyHolds(const Bound& bound, const Range& range);
 Bound Negation(Bound bound);
-// Returns the part of the range where the bound holds.
+// Returns the part of the range where a ground task's bound holds.
 Range Narrowed(Range range, const Bound& bound);
 
 // A conjunction of literals, or one bound.

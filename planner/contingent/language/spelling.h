@@ -11,8 +11,8 @@ namespace assay::contingent {
 // at-cup-table, and "2nd try" becomes _2nd-try.
 std::string Spelled(std::string_view text);
 
-// Returns the name, with a number appended if it is in `taken` already, and adds the result to
-// `taken`.
+// Returns the name for a .pks file or PDDL, with a number appended if it is in `taken` already, and
+// adds the result to `taken`.
 std::string Unique(const std::string& name, std::set<std::string>& taken);
 
 }  // namespace assay::contingent

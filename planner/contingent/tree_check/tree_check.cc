@@ -307,9 +307,9 @@ void Runner::ReturnKnowing(NodeId head, const History& history) {
 // Returns true if a world that is back at the head of a repeat reaches the goal for some outcomes
 // of the open facts. The check follows this world round the loop until it leaves the loop or has
 // been everywhere. The world need not be followed further: it is a case of the worlds that began
-// the repeat, or the repeat begins again with it. In both cases these worlds are run to the end.
-// So each repeat in a sequence of repeats is followed separately. Other worlds are included where
-// it matters that the world is not known to be this one.
+// the repeat, or the repeat begins again with it. In both cases these worlds are run to the end. So
+// each repeat in a sequence of repeats is followed separately. Other worlds are included where it
+// matters that the world is not known to be this one.
 bool Runner::CanEnd(NodeId head, const World& world, const History& history) {
   Attempt attempt{.loop = loops_[head.index()]};
   attempt_ = &attempt;

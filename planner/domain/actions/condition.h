@@ -76,7 +76,8 @@ struct Condition {
   }
 };
 
-// Returns whether the two can be made equal by the choice of their variables alone.
+// Returns whether two conditions of actions can be made equal by the choice of their variables
+// alone.
 bool Unify(const Condition& a, const Condition& b);
 
 std::string Text(const Problem& problem, const PlanVariables& variables,

@@ -16,9 +16,9 @@ struct Meeting {
 inline constexpr double kMeetingTolerance = 1e-9;  // metres; anything nearer than this meets
 
 // Decides whether the projection meets the contact. The answer is exact to `tolerance` metres:
-// anything nearer counts as a meeting. The contact's rows, usually five at most, map the
-// projection into a space with one dimension for each row. The nearest point there is found through
-// support functions, so the cost is linear in the number of errors.
+// anything nearer counts as a meeting. The contact's rows, usually five at most, map the projection
+// into a space with one dimension for each row. The nearest point there is found through support
+// functions, so the cost is linear in the number of errors.
 Meeting Meet(const ForwardProjection& projection, const PrimitiveContact& contact,
              double tolerance = kMeetingTolerance);
 

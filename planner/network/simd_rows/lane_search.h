@@ -23,10 +23,11 @@ namespace assay::network {
 // Returns true if every label set is one word and all rows together fit in the caches.
 bool FitsLanes(std::span<const int> scope, const LabelStore& labels);
 
-// Searches for any labeling of the scope, which must satisfy FitsLanes. The label sets must be arc
-// consistent. A node that an arc joins to the scope must be in the scope or have one label.
-// `preferred` has, for each node of the network, the label to try first or TreeSearch::kNoLabel. At
-// kFound each node of the scope has one label; otherwise the label sets are unchanged.
+// Searches with SIMD instructions for any labeling of the scope, which must satisfy FitsLanes. The
+// label sets must be arc consistent. A node that an arc joins to the scope must be in the scope or
+// have one label. `preferred` has, for each node of the network, the label to try first or
+// TreeSearch::kNoLabel. At kFound each node of the scope has one label; otherwise the label sets
+// are unchanged.
 Outcome AnyInLanes(std::span<const int> scope, LabelStore& labels, const ArcConsistency& arcs,
                    std::span<const Label> preferred, Counters& counters, Budget& budget);
 

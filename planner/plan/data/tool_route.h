@@ -30,11 +30,13 @@ ToolRoute RouteOf(const domain::Problem& problem, const PlannedStep& step, const
 ToolRoute RouteOf(const domain::Problem& problem, const Action& action, const Strategy* strategy,
                   const Pose& X_WorldPart);
 
-// Returns the pose of the tool while the arm is at home.
+// Returns where a route begins and ends: the pose of the tool while the arm is at home.
 Pose HomeTool(const domain::Workcell& workcell);
-// Returns the pose drawn back along the tool's axis by the workcell's approach distance.
+// Returns the corner of a route that is a pose drawn back along the tool's axis by the workcell's
+// approach distance.
 Pose Retreated(const domain::Workcell& workcell, const Pose& X_WorldTool);
-// Returns the pose straight above, at safe height, or the pose itself if it is higher.
+// Returns the corner of a route straight above a pose, at safe height, or the pose itself if it is
+// higher.
 Pose AtSafeHeight(const domain::Workcell& workcell, const Pose& X_WorldTool);
 
 }  // namespace assay::plan

@@ -20,7 +20,7 @@ struct VariedErrors {
   }
   bool operator==(const VariedErrors&) const = default;
 };
-// Returns their name: "x of peg", "yaw of the hand" or "all".
+// Returns the name of the errors that falsification varies: "x of peg", "yaw of the hand" or "all".
 std::string NameOf(const domain::Problem& problem, const VariedErrors& errors);
 
 // Options of a comparison of proofs with trials.

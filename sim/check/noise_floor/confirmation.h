@@ -13,8 +13,8 @@ namespace assay::check {
 scene::SceneOptions Finer(scene::SceneOptions options);
 
 // Returns the claims after the engine's own error, found by an execution at half the timestep, was
-// subtracted from every violated one.
-// `finer` makes that execution, and is called only if a claim is violated.
+// subtracted from every violated one. `finer` makes that execution, and is called only if a claim
+// is violated.
 //
 // If the engine's error is of first order in the timestep, half the timestep halves it. The limit
 // for a timestep of 0 then differs from the finer value by as much as the finer value differs from

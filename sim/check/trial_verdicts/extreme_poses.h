@@ -13,10 +13,10 @@ struct Sight {
   double angle = 0.0035;   // radians, 0.2 degrees
 };
 
-// Returns extreme poses of the part of an error set, in the world frame, at a snapshot in which the
-// set is to hold (see ObservedErrors). Each component that is wider than `sight` gives two poses:
-// first its low end, then its high end, with all other components at their middle. A component
-// without bounds gives none.
+// Returns, for pictures of a trial, extreme poses of the part of an error set, in the world frame,
+// at a snapshot in which the set is to hold (see ObservedErrors). Each component that is wider than
+// `sight` gives two poses: first its low end, then its high end, with all other components at their
+// middle. A component without bounds gives none.
 std::vector<geometry::Pose> ExtremePoses(const plan::Action& action, const plan::ErrorSet& set,
                                          const execution::Snapshot& snapshot,
                                          const Sight& sight = {});

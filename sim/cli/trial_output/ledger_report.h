@@ -8,7 +8,8 @@
 
 namespace assay::cli {
 
-// Returns a row for each channel, in millimetres and degrees, with "-" for missing values.
+// Returns a text for people: a row for each channel of the noise, in millimetres and degrees, with
+// "-" for missing values.
 std::string Text(const std::vector<check::LedgerEntry>& ledger);
 
 // Returns the ledger for programs, in SI units, with null for missing values.

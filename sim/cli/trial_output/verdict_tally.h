@@ -18,13 +18,13 @@ class VerdictTally {
  public:
   explicit VerdictTally(const plan::Plan& plan);
 
-  // Adds the claims of one trial.
+  // Adds the claims of one trial to the report.
   void Add(const std::vector<check::Claim>& claims);
-  // Adds the attempts at one step, counted by the verdict on its certificate.
+  // Adds the attempts at one step to the report, counted by the verdict on its certificate.
   void Add(plan::StepId step, const check::VerdictCounts& certificates);
-  // Adds counts of single claims over all attempts.
+  // Adds counts of single claims over all attempts to the report.
   void AddClaims(const check::VerdictCounts& claims);
-  // Keeps the claim if it is the worst of its step.
+  // Keeps the claim for the report if it is the worst of its step.
   void AddWorst(const check::Claim& claim);
 
   check::VerdictCounts Total() const;
@@ -44,15 +44,17 @@ class VerdictTally {
 
 nlohmann::ordered_json ToJson(const check::VerdictCounts& counts);
 
-// Returns a text such as "y of peg +0.038 in [-0.025, +0.025] mm, gate 0.016".
+// Returns a text for people about a claim, such as "y of peg +0.038 in [-0.025, +0.025] mm, gate
+// 0.016".
 std::string Text(const check::Claim& claim);
 nlohmann::ordered_json ToJson(const plan::Plan& plan, const check::Claim& claim);
 
-// Returns the noise floor, with a row for each step.
+// Returns a text for people about the noise floor, with a row for each step.
 std::string Text(const plan::Plan& plan, const check::NoiseFloor& gate);
 nlohmann::ordered_json ToJson(const plan::Plan& plan, const check::NoiseFloor& gate);
 
-// Returns the plan's defects that show before any error is drawn; empty if there are none.
+// Returns a text for people about the plan's defects that show before any error is drawn; empty if
+// there are none.
 std::string Text(const plan::Plan& plan, const check::Noiseless& noiseless,
                  const check::NoiseFloor& gate);
 nlohmann::ordered_json ToJson(const plan::Plan& plan, const check::Noiseless& noiseless);

@@ -11,7 +11,8 @@ struct PlannedWorlds {
   std::vector<domain::Problem> worlds;
   assembly::ContingentAssembly assembly;
 
-  // Returns the plan of a world; null if the world has none.
+  // Returns the plan that the interpretation of an assembly has for a world; null if the world has
+  // none.
   const plan::Plan* PlanOf(int world) const;
 };
 

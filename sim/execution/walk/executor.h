@@ -10,7 +10,8 @@
 
 namespace assay::execution {
 
-// Returns the scene's options with the errors that the noise has for the scene.
+// Returns the scene in which a plan is walked through: the options with the errors that the noise
+// has for the scene.
 scene::SceneOptions TrueScene(scene::SceneOptions options, const noise::Noise& noise);
 
 // Returns the poses in which the parts rest without errors. Places and yaws come from the problem;

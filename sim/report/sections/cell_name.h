@@ -13,16 +13,19 @@ struct CellAxis {
   std::string (*value)(const sweep::CellRecord&);
 };
 
-// Returns the axes whose values differ between the cells, in the order of the grid.
+// Returns the axes that sections name, whose values differ between the cells, in the order of the
+// grid.
 std::vector<CellAxis> AxesThatDiffer(const std::vector<CellFindings>& cells);
 
-// Returns the values that all cells have in common: "scenario a.yaml, clearance 0.5 mm, ...".
+// Returns, for the head of a section, the values that all cells have in common: "scenario a.yaml,
+// clearance 0.5 mm, ...".
 std::string CommonText(const std::vector<CellFindings>& cells);
 
-// Returns the name of a cell with its values on these axes: "Cell 3: uniform, errors × 0.1".
+// Returns the name that sections give a cell, with its values on these axes: "Cell 3: uniform,
+// errors × 0.1".
 std::string CellName(const sweep::CellRecord& cell, const std::vector<CellAxis>& axes);
 
-// Returns a short description of the cell's plan: "2 actions, proved".
+// Returns, for a section, a short description of the cell's plan: "2 actions, proved".
 std::string PlanText(const sweep::CellRecord& cell);
 
 }  // namespace assay::report

@@ -40,7 +40,7 @@ struct TrialPlace {
   std::size_t cell = 0;  // index in the cells
   int number = 0;        // number in its cell, from 1
 };
-// Returns the place of a trial with a number from 1. The trial must exist (checked).
+// Returns the place in the grid of a trial with a number from 1. The trial must exist (checked).
 TrialPlace PlaceOf(const std::vector<Cell>& cells, int trial);
 
 // Returns whether both cells execute the same plan, with different noise, sensing or seed.

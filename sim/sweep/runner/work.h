@@ -69,8 +69,8 @@ Work RealWork(const Sweep& sweep, const domain::ModelPath& models, const NoiseFl
 // Returns the noise of a cell's trial that is not a falsification.
 noise::Noise NoiseOf(const PlannedCell& cell, int number);
 
-// Executes a trial of a cell with its noise. `observer` observes the execution and may be null. `sample_rate`
-// is that of execution::ExecutorOptions.
+// Executes a trial of a cell with its noise. `observer` observes the execution and may be null.
+// `sample_rate` is that of execution::ExecutorOptions.
 check::Trial Execute(const PlannedCell& cell, const noise::Noise& noise,
                      execution::Observer* observer, double sample_rate = 0);
 }  // namespace assay::sweep
