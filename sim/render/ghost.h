@@ -30,7 +30,7 @@ struct Ghost {
 // Returns the edges of the exposed faces of a part, in the frame of the part.
 std::vector<Edge> EdgesOf(const domain::PartModel& model);
 
-// Returns the ghost of a part at this pose.
+// Returns the ghost with which pictures show a part at this pose.
 Ghost GhostOf(const domain::PartModel& model, const Pose& X_WorldPart, Colour colour);
 
 }  // namespace assay::render

@@ -31,7 +31,7 @@ class OpenParts {
   void Clear();
   bool IsEmpty() const { return parts_.empty(); }
   const Part& Best() const { return parts_.front(); }
-  // Takes the best part. Its sectors stay until Forget.
+  // Takes the part of the box that the search should examine next. Its sectors stay until Forget.
   Part Take();
   // Adds a part and returns the place for its sectors. All parts have the same number of sectors.
   std::span<Sector> Add(Part part, std::size_t sectors);

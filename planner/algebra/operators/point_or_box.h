@@ -27,7 +27,7 @@ inline double High(const Interval& a) { return a.high; }
 inline bool IsZero(double a) { return a == 0; }
 inline bool IsZero(const Interval& a) { return a.low == 0 && a.high == 0; }
 
-// Returns a number that stands for an unknown or undefined value.
+// Returns what an operator gives for an unknown or undefined value: NaN, or the whole line.
 template <class Number>
 Number Unknown() {
   if constexpr (std::is_same_v<Number, double>) {

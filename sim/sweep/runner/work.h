@@ -37,8 +37,8 @@ struct PlannedCell {
 // The control of a falsification.
 struct FalsificationControl {
   int jobs = 1;  // threads; the result does not depend on their number
-  // Called with the number of attempts made so far, by one thread at a time. If it throws, the
-  // falsification is broken off.
+  // Called by the runner with the number of attempts made so far, by one thread at a time. If it
+  // throws, the falsification is broken off.
   std::function<void(std::int64_t)> progress = {};
 };
 
