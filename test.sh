@@ -20,7 +20,7 @@ check_single_files() {
 # hand, for all tests under the sanitizers: cmake --preset asan-ubsan &&
 # cmake --build --preset asan-ubsan && ctest --preset asan-ubsan; for all tests of the planner
 # without MuJoCo: likewise with planner-only.
-readers=(base algebra network domain plan contingent)
+readers=(base numeric algebra network domain plan contingent)
 build_readers_with_sanitizers() {
   configure asan-ubsan
   build asan-ubsan "${readers[@]/%/_test}" tests/fuzz/all

@@ -6,6 +6,7 @@
 
 #include "tests/architecture/include_rules.h"
 #include "tests/architecture/library_table.h"
+#include "tests/architecture/size_rules.h"
 #include "tests/scratch_file.h"
 
 namespace assay::architecture {
@@ -33,6 +34,11 @@ TEST(SourceTree, NoFileIncludesItselfByWayOfOthers) { EXPECT_THAT(Cycles(kTree),
 TEST(SourceTree, NoFolderHoldsMoreThan24Files) {
   EXPECT_THAT(CrowdedFolders(kTree, 24), IsEmpty());
 }
+TEST(SourceTree, FilesAreShort) { EXPECT_THAT(LongFiles(kTree, 400), IsEmpty()); }
+TEST(SourceTree, FunctionsAreShort) { EXPECT_THAT(LongFunctions(kTree, 50), IsEmpty()); }
+TEST(SourceTree, ClassesInSourceFilesAreShort) { EXPECT_THAT(LongClasses(kTree, 250), IsEmpty()); }
+TEST(SourceTree, ReadmesAreShort) { EXPECT_THAT(LongReadmes(kTree, 60), IsEmpty()); }
+TEST(SourceTree, TheFirstReadmeIsShort) { EXPECT_THAT(LongRootReadme(kTree, 150, 900), IsEmpty()); }
 
 TEST(SourceTree, TheTableIsRead) {
   EXPECT_THAT(LibraryTable::Read(kTree).folders(),
@@ -157,6 +163,45 @@ TEST_F(BrokenTree, CrowdedFolderIsSeen) {
     Write(std::string("planner/base/") + name, "");
   }
   EXPECT_THAT(CrowdedFolders(root_, 2), ElementsAre("planner/base: 3 source files"));
+}
+
+TEST_F(BrokenTree, LongFileIsSeen) {
+  Write("planner/base/a.h", "int a;\nint b;\n");
+  Write("planner/base/b.h", "int a;\nint b;\nint c;\n");
+  EXPECT_THAT(LongFiles(root_, 2), ElementsAre("planner/base/b.h:1: a file of 3 lines"));
+}
+
+// Braces in texts, characters, comments and lambdas are part of the function around them.
+TEST_F(BrokenTree, LongFunctionIsSeen) {
+  Write("planner/base/a.cc",
+        "namespace base {\n\nint F() const noexcept {\n  return 1;\n}\n"
+        "std::string G(\n    int a) {\n  // {\n  const char c = '{';\n"
+        "  const auto d = [&] {\n    return 1'000;\n  };\n  return \"{\" + R\"x({)\")x\";\n}\n\n"
+        "const Table kTable = {\n    {1},\n    {2},\n    F(),\n};\n\n}  // namespace base\n");
+  EXPECT_THAT(LongFunctions(root_, 1), ElementsAre("planner/base/a.cc:7: a function of 6 lines"));
+  EXPECT_THAT(LongFunctions(root_, 6), IsEmpty());
+}
+
+TEST_F(BrokenTree, LongClassIsSeen) {
+  const std::string text =
+      "template <class Number>\nclass C : public D<Number> {\n public:\n  int f() { return 1; }\n"
+      " private:\n  int a;\n};\n";
+  Write("planner/base/a.h", text);
+  Write("planner/base/b.cc", text);
+  EXPECT_THAT(LongClasses(root_, 3), ElementsAre("planner/base/b.cc:2: a class of 4 lines"));
+  EXPECT_THAT(LongClasses(root_, 4), IsEmpty());
+}
+
+TEST_F(BrokenTree, LongReadmeIsSeen) {
+  Write("README.md", "# House\n\nIt is full\nof rooms.\n");
+  Write("planner/README.md", "a\nb\nc\n");
+  Write("planner/base/README.md", "a\nb\n");
+  EXPECT_THAT(LongReadmes(root_, 2), ElementsAre("planner/README.md:1: a README of 3 lines"));
+  EXPECT_THAT(LongReadmes(root_, 1), ElementsAre("planner/README.md:1: a README of 3 lines",
+                                                 "planner/base/README.md:1: a README of 2 lines"));
+  EXPECT_THAT(LongRootReadme(root_, 4, 7), IsEmpty());
+  EXPECT_THAT(LongRootReadme(root_, 3, 7), ElementsAre("README.md:1: 4 lines, 7 words"));
+  EXPECT_THAT(LongRootReadme(root_, 4, 6), ElementsAre("README.md:1: 4 lines, 7 words"));
 }
 
 TEST_F(BrokenTree, StrayFileIsSeen) {

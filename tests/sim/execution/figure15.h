@@ -1,11 +1,14 @@
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include "planner/base/check.h"
 #include "planner/domain/matings/mating_classes.h"
 #include "planner/domain/problem/problem_file.h"
 #include "planner/domain/reachability/reachability.h"
 #include "planner/plan/data/plan.h"
 #include "sim/execution/commands/command.h"
+#include "sim/scene/scene.h"
 #include "tests/planner/plan/actions.h"
 
 namespace assay::execution {
@@ -54,5 +57,23 @@ inline plan::Plan TwoActions(const domain::Problem& problem) {
                     {"action_2", plan::Pickup(mating.held, hold, from), 2, 1}},
           .ordering = {{plan::StepId(1), plan::StepId(0)}}};
 }
+
+// The figure, its plan of two actions and its scene, made once for all tests.
+class Figure15Test : public ::testing::Test {
+ protected:
+  static const domain::Problem& problem() {
+    static const domain::Problem problem = Figure15();
+    return problem;
+  }
+  static const plan::Plan& plan() {
+    static const plan::Plan plan = TwoActions(problem());
+    return plan;
+  }
+  static const scene::Scene& scene() {
+    static const scene::Scene scene(problem(), {});
+    return scene;
+  }
+  static domain::PartId peg() { return PartNamed(problem(), "peg"); }
+};
 
 }  // namespace assay::execution

@@ -34,21 +34,12 @@ struct Landing {
   const GuardRecord& guard() const { return *trace.All<GuardRecord>().at(0); }
 };
 
-class GuardedMove : public testing::Test {
+class GuardedMove : public Figure15Test {
  protected:
-  static const domain::Problem& problem() {
-    static const domain::Problem problem = Figure15();
-    return problem;
-  }
   static const plan::Plan& plan() {
     static const plan::Plan plan = UpAndDown(problem());
     return plan;
   }
-  static const scene::Scene& scene() {
-    static const scene::Scene scene(problem(), {});
-    return scene;
-  }
-  static PartId peg() { return PartNamed(problem(), "peg"); }
 
   // Returns the checkpoint at the end of the pickup. It is made once for all tests.
   static const Checkpoint& PegInHand() {

@@ -21,7 +21,7 @@ std::string Text(const Trace& trace) {
 }
 
 // The plan of Spar's figure 15, under noise that is small enough for it to succeed.
-class Checkpoints : public testing::Test {
+class Checkpoints : public Figure15Test {
  protected:
   static const domain::Problem& problem() {
     static const domain::Problem problem = [] {
@@ -34,14 +34,6 @@ class Checkpoints : public testing::Test {
       return with_small_errors;
     }();
     return problem;
-  }
-  static const plan::Plan& plan() {
-    static const plan::Plan plan = TwoActions(problem());
-    return plan;
-  }
-  static const scene::Scene& scene() {
-    static const scene::Scene scene(problem(), {});
-    return scene;
   }
   static const noise::Noise& Drawn() {
     static const noise::Noise drawn =

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "planner/domain/problem/problem_file.h"
+#include "tests/sim/execution/figure15.h"
 
 namespace assay::execution::collision_watch_test {
 namespace {
@@ -28,8 +28,7 @@ class CollisionWatchTest : public testing::Test {
     scene_.SetPart(data_, kBlock, data_.BodyPose(scene_.model().Body(body)));
   }
 
-  const domain::Problem problem_ = domain::ReadProblem(
-      Document::Load(ASSAY_SOURCE_DIR "/scenarios/spar-fig15.yaml"), ASSAY_SOURCE_DIR "/models");
+  const domain::Problem problem_ = Figure15();
   const scene::Scene scene_{problem_, {}};
   mujoco::Data data_ = scene_.Start();
   CollisionWatch watch_{scene_};

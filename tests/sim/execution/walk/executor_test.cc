@@ -23,20 +23,8 @@ std::string Text(const Trace& trace) {
 }
 
 // The plan of Spar's figure 15, executed without noise, once for all tests.
-class Figure15Executed : public testing::Test {
+class Figure15Executed : public Figure15Test {
  protected:
-  static const domain::Problem& problem() {
-    static const domain::Problem problem = Figure15();
-    return problem;
-  }
-  static const plan::Plan& plan() {
-    static const plan::Plan plan = TwoActions(problem());
-    return plan;
-  }
-  static const scene::Scene& scene() {
-    static const scene::Scene scene(problem(), {});
-    return scene;
-  }
   static Trace Run(const ExecutorOptions& options = {}) {
     mujoco::Data data = scene().Start();
     return Execute(problem(), plan(), scene(), data, options);
@@ -45,7 +33,6 @@ class Figure15Executed : public testing::Test {
     static const Trace trace = Run();
     return trace;
   }
-  static PartId peg() { return PartNamed(problem(), "peg"); }
 
   // Returns the samples from the closing of the gripper until the end of the step that opens it.
   static std::vector<const Sample*> SamplesInHand() {

@@ -19,21 +19,8 @@ constexpr double kMillimetre = 0.001;
 constexpr double kFollows = 1e-4;   // metres, within which the arm follows its commands
 constexpr plan::StepId kPickup(1);  // in the plan of two actions
 
-class Channels : public testing::Test {
+class Channels : public Figure15Test {
  protected:
-  static const domain::Problem& problem() {
-    static const domain::Problem problem = Figure15();
-    return problem;
-  }
-  static const plan::Plan& plan() {
-    static const plan::Plan plan = TwoActions(problem());
-    return plan;
-  }
-  static const scene::Scene& scene() {
-    static const scene::Scene scene(problem(), {});
-    return scene;
-  }
-  static PartId peg() { return PartNamed(problem(), "peg"); }
   static PartId block() { return PartNamed(problem(), "block"); }
   static const mujoco::Data& StartWithout() {
     static const mujoco::Data data = StartOf(problem(), scene(), {});
