@@ -44,6 +44,9 @@ plan::Action WriteAction(const domain::Problem& problem, const ActionTemplate& a
   return written;
 }
 
+namespace {
+
+// Returns true if the instance's values also work in another order of its steps.
 bool WorksInOrder(const PartialPlan& plan, const PlanInstance& instance,
                   const std::vector<StepId>& order) {
   const StepGeometry geometry(plan.problem(), plan.relations().reachability());
@@ -57,8 +60,6 @@ bool WorksInOrder(const PartialPlan& plan, const PlanInstance& instance,
   }
   return true;
 }
-
-namespace {
 
 plan::StepId WrittenId(StepId step) { return plan::StepId(step.index() - 2); }
 

@@ -30,10 +30,6 @@ struct PlanInstance {
 inline constexpr std::size_t kMostOrders = 64;
 std::vector<std::vector<StepId>> OrdersOf(const PartialPlan& plan);
 
-// Returns true if the instance's values also work in another order of its steps.
-bool WorksInOrder(const PartialPlan& plan, const PlanInstance& instance,
-                  const std::vector<StepId>& order);
-
 // Returns the action of a step with the step's values.
 plan::Action WriteAction(const domain::Problem& problem, const domain::ActionTemplate& action,
                          const StepValues& values);

@@ -1,11 +1,8 @@
 #include "sim/render/picture.h"
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 
 #include "planner/base/check.h"
-#include "planner/base/input_files/input_error.h"
 #include "sim/render/picture_library.h"
 
 namespace assay::render {
@@ -21,22 +18,6 @@ std::string EncodedPng(const Image& image) {
   RequireEveryPixel(image);
   const std::vector<std::uint8_t> bytes = Pictures().EncodePng(image);
   return {bytes.begin(), bytes.end()};
-}
-
-void WritePng(const Image& image, const std::filesystem::path& file) {
-  const std::string bytes = EncodedPng(image);
-  std::ofstream stream(file, std::ios::binary);
-  stream.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  stream.close();
-  if (!stream) throw EnvironmentError(file.string() + ": cannot be written");
-}
-
-Image ReadImage(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  const std::vector<std::uint8_t> bytes{std::istreambuf_iterator<char>(stream), {}};
-  std::optional<Image> image = Pictures().Decode(bytes);
-  if (!image) throw InputError({file.string()}, "cannot be read as a picture", "PNG, JPEG");
-  return *std::move(image);
 }
 
 Image ContactSheet(const std::vector<CaptionedImage>& images, int columns,

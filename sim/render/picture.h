@@ -1,6 +1,5 @@
 #pragma once
 
-#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -8,11 +7,8 @@
 
 namespace assay::render {
 
+// Returns the contents of a PNG file with the image.
 std::string EncodedPng(const Image& image);
-// Writes a PNG file. Throws EnvironmentError if the file cannot be written completely.
-void WritePng(const Image& image, const std::filesystem::path& file);
-// Reads a picture. Throws InputError if the file is not a readable picture.
-Image ReadImage(const std::filesystem::path& file);
 
 // Returns the image with the labels. Each label is joined to its point, and no two overlap.
 Image WithLabels(const Image& image, const std::vector<Label>& labels);

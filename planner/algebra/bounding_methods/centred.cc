@@ -48,6 +48,14 @@ std::optional<std::vector<int>> VariablesThatBend(const CompiledForm& form,
   return free;
 }
 
+// Takes the tangent plane at c of a form that is concave over the box. Returns the greatest value
+// of this plane over the box. A tangent plane is nowhere below a concave function. The bound is
+// tight up to rounding if the form is largest at c.
+double TangentUpperBound(Probe& probe, std::span<const Interval> box, std::span<const double> c) {
+  const Interval value = probe.RangeAt(c);
+  return ValuePlusSlopes(value, box, c, probe.GradientOverBox());
+}
+
 }  // namespace
 
 double UpperBoundByDerivatives(Probe& probe, std::span<const Interval> box,
@@ -75,11 +83,6 @@ double CentredUpperBound(Probe& probe, std::span<const Interval> box,
   const Interval value = probe.RangeAt(c);
   if (!probe.over_box().DefinedEverywhere()) return kInfinity;
   return ValuePlusSlopes(value, box, c, gradient);
-}
-
-double TangentUpperBound(Probe& probe, std::span<const Interval> box, std::span<const double> c) {
-  const Interval value = probe.RangeAt(c);
-  return ValuePlusSlopes(value, box, c, probe.GradientOverBox());
 }
 
 bool IsConcave(Probe& probe, std::span<const int> variables) {

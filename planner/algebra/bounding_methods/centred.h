@@ -18,11 +18,6 @@ double UpperBoundByDerivatives(Probe& probe, std::span<const Interval> box,
 double CentredUpperBound(Probe& probe, std::span<const Interval> box,
                          std::span<const Interval> gradient);
 
-// Takes the tangent plane at c of a form that is concave over the box. Returns the greatest value
-// of this plane over the box. A tangent plane is nowhere below a concave function. The bound is
-// tight up to rounding if the form is largest at c.
-double TangentUpperBound(Probe& probe, std::span<const Interval> box, std::span<const double> c);
-
 // Returns true if the form is surely concave in the given variables over the last box of the probe,
 // with the other variables fixed: its matrix of second derivatives is negative definite everywhere
 // in the box. Call GradientOverBox first.

@@ -1,6 +1,5 @@
 #include "planner/algebra/expression/evaluation.h"
 
-#include <algorithm>
 #include <vector>
 
 #include "planner/algebra/expression/node_marks.h"
@@ -14,7 +13,7 @@ namespace assay::algebra {
 namespace {
 
 // Applies `apply(node, values of its operands)` once to each node, in the given order, and returns
-// the result for e. `apply` may add nodes, but must not start another walk.
+// the result for e. `apply` must not start another walk.
 template <class Result, class Apply>
 Result ForwardPass(const Expression& e, const std::vector<Expression>& nodes, const Apply& apply) {
   NodeMarks& marks = e.pool()->marks();
@@ -33,23 +32,10 @@ Result ForwardPass(const Expression& e, const std::vector<Expression>& nodes, co
 
 }  // namespace
 
-Expression Apply(Operator op, std::span<const Expression> operands, int exponent) {
+Expression Apply(Operator op, std::span<const Expression> operands) {
   ASSAY_CHECK(!operands.empty(), "has no operands");
   const auto make = op.rule().make;
-  return make != nullptr ? make(operands, exponent) : FunctionOf(op, operands);
-}
-
-Expression Substitute(const Expression& e, const std::map<VariableId, Expression>& replacements) {
-  const auto apply = [&](const Expression& node, std::span<const Expression> operands) {
-    if (node.op() == Operator::kVariable) {
-      const auto found = replacements.find(node.variable());
-      return found == replacements.end() ? node : InPool(found->second, node.pool());
-    }
-    if (std::ranges::equal(operands, node.operands())) return node;
-    return Apply(node.op(), operands, node.exponent());
-  };
-  if (e.pool() == nullptr) return e;
-  return ForwardPass<Expression>(e, NodesOf(e), apply);
+  return make != nullptr ? make(operands, 0) : FunctionOf(op, operands);
 }
 
 double Evaluate(const Expression& e, std::span<const double> point) {

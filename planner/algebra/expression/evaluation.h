@@ -1,18 +1,14 @@
 #pragma once
 
-#include <map>
 #include <span>
 
 #include "planner/algebra/expression/expression.h"
 
 namespace assay::algebra {
 
-// Applies the operator to its operands. There is at least one operand, and there are as many as the
-// operator takes. The exponent matters only for a power.
-Expression Apply(Operator op, std::span<const Expression> operands, int exponent = 0);
-
-// Returns e with all variables of the map replaced simultaneously.
-Expression Substitute(const Expression& e, const std::map<VariableId, Expression>& replacements);
+// Applies the operator, which is no power, to its operands. There is at least one operand, and there
+// are as many as the operator takes.
+Expression Apply(Operator op, std::span<const Expression> operands);
 
 // Returns the value of e at a point, which is indexed by VariableId. It is computed in doubles and
 // not rounded outward. The value is NaN where a square root or a quotient has no real value.

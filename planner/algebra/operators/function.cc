@@ -57,6 +57,10 @@ Expression NodeOf(ExpressionPool& pool, Operator op, std::span<const Expression>
                      .may_be_undefined = MayLackValue(op, exponent)});
 }
 
+namespace {
+
+// Returns the operator's value if all operands are numbers and the value is exact or there is no
+// pool. Returns nothing otherwise.
 std::optional<Expression> Folded(Operator op, std::span<const Expression> operands, int exponent) {
   if (!std::ranges::all_of(operands, [](const Expression& e) { return e.IsConstant(); })) {
     return std::nullopt;
@@ -75,6 +79,8 @@ std::optional<Expression> Folded(Operator op, std::span<const Expression> operan
   }
   return Number(value, pool);
 }
+
+}  // namespace
 
 Expression FunctionOf(Operator op, std::span<const Expression> operands, int exponent) {
   if (const auto number = Folded(op, operands, exponent)) return *number;

@@ -30,11 +30,6 @@ bool MayLackValue(Operator op, int exponent);
 Expression NodeOf(ExpressionPool& pool, Operator op, std::span<const Expression> operands,
                   int exponent = 0);
 
-// Returns the operator's value if all operands are numbers and the value is exact or there is no
-// pool. Returns nothing otherwise.
-std::optional<Expression> Folded(Operator op, std::span<const Expression> operands,
-                                 int exponent = 0);
-
 // Returns the node of an operator, folded if possible.
 Expression FunctionOf(Operator op, std::span<const Expression> operands, int exponent = 0);
 

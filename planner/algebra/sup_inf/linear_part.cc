@@ -10,6 +10,9 @@ namespace assay::algebra {
 
 std::optional<LinearForm> ExactLinearForm(const Expression& e) { return LinearReader().Read(e); }
 
+namespace {
+
+// Returns e as a linear form if its normal form is linear and the normal form needed no rounding.
 std::optional<LinearForm> LinearFormOf(const Expression& e) {
   if (std::optional<LinearForm> form = ExactLinearForm(e)) return form;
   LinearForm form;
@@ -25,6 +28,8 @@ std::optional<LinearForm> LinearFormOf(const Expression& e) {
   }
   return form;
 }
+
+}  // namespace
 
 Interval Narrowed(const Interval& a, const Interval& b) {
   const Interval both = {std::max(a.low, b.low), std::min(a.high, b.high)};

@@ -12,9 +12,6 @@ namespace assay::algebra {
 // variable's number.
 std::optional<LinearForm> ExactLinearForm(const Expression& e);
 
-// Returns e as a linear form if its normal form is linear and the normal form needed no rounding.
-std::optional<LinearForm> LinearFormOf(const Expression& e);
-
 // The constraints of a set, divided into linear ones and others.
 struct LinearPart {
   std::vector<LinearForm> at_most_zero;  // the box's ends and the linear inequalities

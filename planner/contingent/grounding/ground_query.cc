@@ -74,11 +74,11 @@ bool HasBound(const GroundQuery& query) {
          std::ranges::any_of(query.operands, HasBound);
 }
 
+namespace {
+
 bool HasNegation(const GroundQuery& query) {
   return query.kind == GroundQuery::Kind::kNot || std::ranges::any_of(query.operands, HasNegation);
 }
-
-namespace {
 
 bool AnyNegated(const std::vector<GroundEffect>& effects) {
   return std::ranges::any_of(

@@ -20,7 +20,6 @@ GroundQuery BoundKnown(const Bound& bound);
 // world.
 bool AsksOfTheWorld(const GroundQuery& query);
 bool HasBound(const GroundQuery& query);
-bool HasNegation(const GroundQuery& query);
 // Returns true if anything in the task asks that something is not known. Only then can more
 // knowledge do harm.
 bool AsksForIgnorance(const GroundTask& task);

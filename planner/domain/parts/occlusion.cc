@@ -57,6 +57,15 @@ class Occlusion {
   std::set<FeatureNumber> hidden_;
 };
 
+// Returns the stable pose that hides the same features as a part that rests on something other than
+// the table (Spar, "Stable Poses and Position Classes"). Returns the first of several, and None if
+// none does.
+StablePoseId PoseThatHides(const PartModel& model, const std::vector<FeatureNumber>& features) {
+  const auto found = std::ranges::find(model.stable_poses(), features, &StablePose::hidden);
+  if (found == model.stable_poses().end()) return StablePoseId::None();
+  return StablePoseId(static_cast<std::size_t>(found - model.stable_poses().begin()));
+}
+
 }  // namespace
 
 std::vector<FeatureNumber> OccludedFeatures(const Problem& problem, PartId part,
@@ -73,12 +82,6 @@ std::vector<FeatureNumber> OccludedFeatures(const Problem& problem, PartId part,
     }
   }
   return occlusion.Hidden();
-}
-
-StablePoseId PoseThatHides(const PartModel& model, const std::vector<FeatureNumber>& features) {
-  const auto found = std::ranges::find(model.stable_poses(), features, &StablePose::hidden);
-  if (found == model.stable_poses().end()) return StablePoseId::None();
-  return StablePoseId(static_cast<std::size_t>(found - model.stable_poses().begin()));
 }
 
 void NoteOcclusions(Problem& problem) {

@@ -15,6 +15,8 @@ namespace {
 using geometry::Polygon;
 using geometry::Vector2;
 
+constexpr double kSlideTolerance = 1e-6;  // metres
+
 // A stretch of the travel, in metres.
 struct TravelStretch {
   double from = 0;
@@ -46,8 +48,8 @@ Polygon Differences(const std::vector<Vector3>& a, const std::vector<Vector3>& b
   return geometry::Hull2(points);
 }
 
-// Returns the stretch of the x axis that is inside the polygon, deeper than `tolerance`.
-std::optional<TravelStretch> OnXAxis(const Polygon& polygon, double tolerance) {
+// Returns the stretch of the x axis that is inside the polygon, deeper than the tolerance.
+std::optional<TravelStretch> OnXAxis(const Polygon& polygon) {
   double low = -std::numeric_limits<double>::infinity();
   double high = -low;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -56,23 +58,23 @@ std::optional<TravelStretch> OnXAxis(const Polygon& polygon, double tolerance) {
     // (s, 0) is left of the edge: along.x (0 - a.y) - along.y (s - a.x) >= 0.
     const double depth = along.y() * a.x() - along.x() * a.y();
     if (std::abs(along.y()) < kSameDirection) {
-      if (depth < tolerance) return std::nullopt;
+      if (depth < kSlideTolerance) return std::nullopt;
     } else if (along.y() > 0) {
       high = std::min(high, depth / along.y());
     } else {
       low = std::max(low, depth / along.y());
     }
   }
-  if (polygon.size() < 3 || high - low < tolerance) return std::nullopt;
+  if (polygon.size() < 3 || high - low < kSlideTolerance) return std::nullopt;
   return TravelStretch{low, high};
 }
 
 // Unites stretches that meet. Between them is only a seam in a face, which a part does not touch.
-std::vector<TravelStretch> United(std::vector<TravelStretch> stretches, double tolerance) {
+std::vector<TravelStretch> United(std::vector<TravelStretch> stretches) {
   std::ranges::sort(stretches, {}, &TravelStretch::from);
   std::vector<TravelStretch> united;
   for (const TravelStretch& next : stretches) {
-    if (united.empty() || next.from > united.back().to + tolerance) {
+    if (united.empty() || next.from > united.back().to + kSlideTolerance) {
       united.push_back(next);
     } else {
       united.back().to = std::max(united.back().to, next.to);
@@ -84,14 +86,13 @@ std::vector<TravelStretch> United(std::vector<TravelStretch> stretches, double t
 class Slide {
  public:
   Slide(const Polyhedron& moving, const Polyhedron& stationary, const Pose& X_StationaryEnd,
-        const Vector3& mating_vector, double tolerance)
+        const Vector3& mating_vector)
       : moving_(moving),
         stationary_(stationary),
         X_StationaryEnd_(X_StationaryEnd),
         length_(mating_vector.norm()),
-        direction_(mating_vector / length_),
-        tolerance_(tolerance) {
-    ASSAY_CHECK(length_ > tolerance);
+        direction_(mating_vector / length_) {
+    ASSAY_CHECK(length_ > kSlideTolerance);
     for (std::size_t i = 0; i < moving.faces.size(); ++i) {
       for (std::size_t j = 0; j < stationary.faces.size(); ++j) {
         AddTouches({static_cast<int>(i), static_cast<int>(j)});
@@ -103,7 +104,7 @@ class Slide {
     std::vector<CriticalPoint> points;
     const std::vector<double> changes = Changes();
     std::vector<TouchingFaces> before;
-    if (!changes.empty() && changes[0] > tolerance_) before = TouchingAt(changes[0] / 2);
+    if (!changes.empty() && changes[0] > kSlideTolerance) before = TouchingAt(changes[0] / 2);
     for (std::size_t i = 0; i < changes.size(); ++i) {
       const double travel = changes[i];
       const bool is_last = i + 1 == changes.size();
@@ -136,7 +137,7 @@ class Slide {
     const double gap_at_end = height_at_end - other.height;
     const double fall = -other.normal.dot(direction_);
     if (std::abs(fall) <= kSameDirection) {
-      if (std::abs(gap_at_end) <= tolerance_) AddSliding(faces, Overlaps(face, other));
+      if (std::abs(gap_at_end) <= kSlideTolerance) AddSliding(faces, Overlaps(face, other));
     } else {
       AddLanding(faces, length_ + gap_at_end / fall, Overlaps(face, other));
     }
@@ -155,11 +156,11 @@ class Slide {
       std::vector<Vector3> start;
       for (const Vector3& corner : outline) start.push_back(PoseAt(0) * corner);
       for (const std::vector<Vector3>& region : other.region) {
-        const auto inside = OnXAxis(Differences(start, region, axes), tolerance_);
+        const auto inside = OnXAxis(Differences(start, region, axes));
         if (inside) stretches.push_back(OfTravel(*inside, pace));
       }
     }
-    return United(std::move(stretches), tolerance_);
+    return United(std::move(stretches));
   }
 
   // Converts a stretch in the plane to one of travel. A face that comes straight down on the other
@@ -177,7 +178,7 @@ class Slide {
   void AddLanding(const TouchingFaces& faces, double travel,
                   const std::vector<TravelStretch>& stretches) {
     for (const TravelStretch& stretch : stretches) {
-      if (stretch.from < travel + tolerance_ && travel < stretch.to + tolerance_) {
+      if (stretch.from < travel + kSlideTolerance && travel < stretch.to + kSlideTolerance) {
         touches_.push_back({faces, {travel, travel}});
       }
     }
@@ -188,11 +189,11 @@ class Slide {
     std::vector<double> changes;
     for (const Touch& touch : touches_) {
       for (const double travel : {touch.where.from, touch.where.to}) {
-        if (travel > -tolerance_ && travel < length_ + tolerance_) changes.push_back(travel);
+        if (travel > -kSlideTolerance && travel < length_ + kSlideTolerance) changes.push_back(travel);
       }
     }
     std::ranges::sort(changes);
-    const auto same = [&](double a, double b) { return b - a <= tolerance_; };
+    const auto same = [&](double a, double b) { return b - a <= kSlideTolerance; };
     changes.erase(std::unique(changes.begin(), changes.end(), same), changes.end());
     return changes;
   }
@@ -200,7 +201,7 @@ class Slide {
   std::vector<TouchingFaces> TouchingAt(double travel) const {
     std::vector<TouchingFaces> touching;
     for (const Touch& touch : touches_) {
-      if (touch.where.from <= travel + tolerance_ && travel <= touch.where.to + tolerance_) {
+      if (touch.where.from <= travel + kSlideTolerance && travel <= touch.where.to + kSlideTolerance) {
         touching.push_back(touch.faces);
       }
     }
@@ -214,16 +215,14 @@ class Slide {
   const Pose X_StationaryEnd_;
   const double length_;
   const Vector3 direction_;
-  const double tolerance_;
   std::vector<Touch> touches_;
 };
 
 }  // namespace
 
 std::vector<CriticalPoint> CriticalPoints(const Polyhedron& moving, const Polyhedron& stationary,
-                                          const Pose& X_StationaryEnd, const Vector3& mating_vector,
-                                          double tolerance) {
-  return Slide(moving, stationary, X_StationaryEnd, mating_vector, tolerance).CriticalPoints();
+                                          const Pose& X_StationaryEnd, const Vector3& mating_vector) {
+  return Slide(moving, stationary, X_StationaryEnd, mating_vector).CriticalPoints();
 }
 
 }  // namespace assay::finemotion

@@ -31,10 +31,9 @@ struct CriticalPoint {
 // Returns the critical points in the order of travel. The trajectory is the translation along
 // `mating_vector` (metres, in the stationary part's axes) that ends at X_StationaryEnd. The
 // polyhedra must be those without clearance, so that they touch while they slide. Faces within
-// `tolerance` (metres) of one plane count as in it, and places within `tolerance` of each other
-// count as one.
+// a micrometre of one plane count as in it, and places within a micrometre of each other count as
+// one.
 std::vector<CriticalPoint> CriticalPoints(const Polyhedron& moving, const Polyhedron& stationary,
-                                          const Pose& X_StationaryEnd, const Vector3& mating_vector,
-                                          double tolerance = 1e-6);
+                                          const Pose& X_StationaryEnd, const Vector3& mating_vector);
 
 }  // namespace assay::finemotion

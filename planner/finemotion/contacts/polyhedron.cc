@@ -23,6 +23,7 @@ using geometry::Segment;
 // Two directions that differ by less than this (radians) count as one, and a corner that turns by
 // less than this counts as flat.
 constexpr double kFlat = 1e-6;
+constexpr double kUnionTolerance = 1e-7;  // metres
 
 // A convex piece, with the plane of each of its facets.
 struct Solid {
@@ -40,7 +41,7 @@ Outline OutlineOf(const ConvexHull& hull, const geometry::Facet& facet) {
 // The point is on an outer feature if all of them lie on one side of a plane through it.
 class Union {
  public:
-  Union(const std::vector<ConvexPiece>& pieces, double tolerance) : tolerance_(tolerance) {
+  explicit Union(const std::vector<ConvexPiece>& pieces) {
     for (const ConvexPiece& piece : pieces) {
       Solid solid{geometry::HullOf(piece.corners), {}};
       for (const geometry::Facet& facet : solid.hull.facets) {
@@ -78,7 +79,6 @@ class Union {
   std::vector<Solid> solids_;
   std::vector<Plane> planes_;      // planes of all facets, each once
   std::vector<Outline> outlines_;  // for each plane, the outline of the first facet in it
-  double tolerance_;
 };
 
 constexpr std::pair<int, int> kNotConvex = {-1, -1};
@@ -88,7 +88,7 @@ constexpr std::pair<int, int> kNotConvex = {-1, -1};
 int Union::PlaneOf(const Outline& outline, const geometry::Facet& facet) {
   const Plane plane = {facet.normal, facet.offset};
   const auto on = [&](const Plane& other) {
-    return [&](const Vector3& p) { return std::abs(other.Above(p)) <= tolerance_; };
+    return [&](const Vector3& p) { return std::abs(other.Above(p)) <= kUnionTolerance; };
   };
   for (int i = 0; i < static_cast<int>(planes_.size()); ++i) {
     if (planes_[i].normal.dot(plane.normal) > 0 && std::ranges::all_of(outline, on(planes_[i])) &&
@@ -110,13 +110,13 @@ double Union::HighestAbove(const Plane& plane, const Solid& solid) const {
 // Returns whether all these solids lie below the plane.
 bool Union::Supports(const Plane& plane, const std::vector<int>& solids) const {
   return std::ranges::all_of(solids,
-                             [&](int s) { return HighestAbove(plane, solids_[s]) <= tolerance_; });
+                             [&](int s) { return HighestAbove(plane, solids_[s]) <= kUnionTolerance; });
 }
 
 std::vector<int> Union::Containing(const Vector3& p) const {
   std::vector<int> containing;
   for (int s = 0; s < static_cast<int>(solids_.size()); ++s) {
-    const auto has_below = [&](int plane) { return planes_[plane].Above(p) <= tolerance_; };
+    const auto has_below = [&](int plane) { return planes_[plane].Above(p) <= kUnionTolerance; };
     if (std::ranges::all_of(solids_[s].planes, has_below)) containing.push_back(s);
   }
   return containing;
@@ -126,7 +126,7 @@ std::vector<int> Union::Containing(const Vector3& p) const {
 // facets lie in one plane, the facet of the earlier solid hides the other.
 bool Union::Covers(int cover, int solid, int plane) const {
   if (cover == solid) return false;
-  if (HighestAbove(planes_[plane], solids_[cover]) > tolerance_) return true;
+  if (HighestAbove(planes_[plane], solids_[cover]) > kUnionTolerance) return true;
   const std::vector<int>& its_planes = solids_[cover].planes;
   return cover < solid && std::ranges::find(its_planes, plane) != its_planes.end();
 }
@@ -137,12 +137,12 @@ std::vector<Outline> Union::Without(const std::vector<Outline>& region, const So
     std::vector<Outline> cut_off;
     Outline rest = outline;
     for (int plane : cover.planes) {
-      Halves halves = Split(rest, planes_[plane], tolerance_);
-      if (geometry::IsBroad(halves.above, tolerance_)) cut_off.push_back(std::move(halves.above));
+      Halves halves = Split(rest, planes_[plane], kUnionTolerance);
+      if (geometry::IsBroad(halves.above, kUnionTolerance)) cut_off.push_back(std::move(halves.above));
       rest = std::move(halves.below);
     }
     // If nothing is covered, the polygon stays whole.
-    if (!geometry::IsBroad(rest, tolerance_)) cut_off = {outline};
+    if (!geometry::IsBroad(rest, kUnionTolerance)) cut_off = {outline};
     std::ranges::move(cut_off, std::back_inserter(left));
   }
   return left;
@@ -171,7 +171,7 @@ std::vector<Vector3> Union::CutPoints(const Segment& edge) const {
   for (const Plane& plane : planes_) {
     const double at_start = plane.Above(edge.start);
     const double at_end = plane.Above(edge.end);
-    if (std::min(at_start, at_end) < -tolerance_ && std::max(at_start, at_end) > tolerance_) {
+    if (std::min(at_start, at_end) < -kUnionTolerance && std::max(at_start, at_end) > kUnionTolerance) {
       fractions.push_back(at_start / (at_start - at_end));
     }
   }
@@ -180,7 +180,7 @@ std::vector<Vector3> Union::CutPoints(const Segment& edge) const {
   for (double fraction : fractions) {
     const Vector3 p = edge.start + fraction * (edge.end - edge.start);
     const bool is_apart =
-        (p - points.back()).norm() > tolerance_ && (p - edge.end).norm() > tolerance_;
+        (p - points.back()).norm() > kUnionTolerance && (p - edge.end).norm() > kUnionTolerance;
     if (is_apart) points.push_back(p);
   }
   points.push_back(edge.end);
@@ -195,7 +195,7 @@ Union::PlanePair Union::ConvexAt(const Vector3& p) const {
   std::vector<int> supporting;
   for (int s : here) {
     for (int plane : solids_[s].planes) {
-      if (std::abs(planes_[plane].Above(p)) > tolerance_) continue;
+      if (std::abs(planes_[plane].Above(p)) > kUnionTolerance) continue;
       if (Supports(planes_[plane], here)) supporting.push_back(plane);
     }
   }
@@ -250,7 +250,7 @@ std::vector<Segment> Union::Joined(std::vector<Segment> stretches, PlanePair pla
   std::ranges::stable_sort(stretches, {}, [&](const Segment& s) { return along.dot(s.start); });
   const auto continues = [&](const Segment& before, const Segment& after) {
     const double overlap = along.dot(before.end - after.start);
-    if (std::abs(overlap) > tolerance_) return overlap > 0;
+    if (std::abs(overlap) > kUnionTolerance) return overlap > 0;
     const std::vector<int> here = Containing(before.end);
     return Supports(first, here) && Supports(second, here);
   };
@@ -258,7 +258,7 @@ std::vector<Segment> Union::Joined(std::vector<Segment> stretches, PlanePair pla
   for (const Segment& stretch : stretches) {
     if (joined.empty() || !continues(joined.back(), stretch)) {
       joined.push_back(stretch);
-    } else if (along.dot(stretch.end - joined.back().end) > tolerance_) {
+    } else if (along.dot(stretch.end - joined.back().end) > kUnionTolerance) {
       joined.back().end = stretch.end;
     }
   }
@@ -282,7 +282,7 @@ bool Union::IsConvexCorner(const Vector3& p, const std::vector<Vector3>& leaving
   }
   const auto is_below = [&](const Vector3& corner) {
     const double distance = (corner - p).norm();
-    return distance <= tolerance_ || outward.dot(corner - p) < -kFlat * distance;
+    return distance <= kUnionTolerance || outward.dot(corner - p) < -kFlat * distance;
   };
   return std::ranges::all_of(
       here, [&](int s) { return std::ranges::all_of(solids_[s].hull.vertices, is_below); });
@@ -291,8 +291,8 @@ bool Union::IsConvexCorner(const Vector3& p, const std::vector<Vector3>& leaving
 void Union::AddFaces(Polyhedron& outside, std::vector<int>& plane_of_face) const {
   for (int plane = 0; plane < static_cast<int>(planes_.size()); ++plane) {
     const auto& [normal, height] = planes_[plane];
-    const std::vector<Outline> region = geometry::Merged(Exposed(plane), normal, tolerance_);
-    for (std::vector<Outline>& part : geometry::ConnectedParts(region, tolerance_)) {
+    const std::vector<Outline> region = geometry::Merged(Exposed(plane), normal, kUnionTolerance);
+    for (std::vector<Outline>& part : geometry::ConnectedParts(region, kUnionTolerance)) {
       outside.faces.push_back({normal, height, std::move(part)});
       plane_of_face.push_back(plane);
     }
@@ -316,7 +316,7 @@ void Union::AddEdges(Polyhedron& outside, const std::vector<int>& plane_of_face)
     for (const Segment& edge : Joined(stretches, planes)) {
       const int first = face_at(planes.first, edge.Middle());
       const int second = face_at(planes.second, edge.Middle());
-      const bool is_feature = edge.Length() > tolerance_ && first >= 0 && second >= 0;
+      const bool is_feature = edge.Length() > kUnionTolerance && first >= 0 && second >= 0;
       if (is_feature) outside.edges.push_back({edge.start, edge.end, {first, second}});
     }
   }
@@ -326,7 +326,7 @@ void Union::AddVertices(Polyhedron& outside) const {
   std::vector<OuterVertex> ends;
   const auto add_end = [&](const Vector3& p, int edge) {
     auto end = std::ranges::find_if(
-        ends, [&](const OuterVertex& other) { return (other.p - p).norm() <= tolerance_; });
+        ends, [&](const OuterVertex& other) { return (other.p - p).norm() <= kUnionTolerance; });
     if (end == ends.end()) end = ends.insert(end, {p, {}});
     end->edges.push_back(edge);
   };
@@ -338,7 +338,7 @@ void Union::AddVertices(Polyhedron& outside) const {
     std::vector<Vector3> leaving;
     for (int e : end.edges) {
       const OuterEdge& edge = outside.edges[e];
-      const bool starts_here = (edge.start - end.p).norm() <= tolerance_;
+      const bool starts_here = (edge.start - end.p).norm() <= kUnionTolerance;
       leaving.push_back(starts_here ? edge.direction() : Vector3(-edge.direction()));
     }
     if (IsConvexCorner(end.p, leaving)) outside.vertices.push_back(std::move(end));
@@ -356,8 +356,7 @@ Polyhedron Union::Outside() const {
 
 }  // namespace
 
-Polyhedron OutsideOf(const std::vector<ConvexPiece>& pieces, double tolerance) {
-  return Union(pieces, tolerance).Outside();
+Polyhedron OutsideOf(const std::vector<ConvexPiece>& pieces) { return Union(pieces).Outside();
 }
 
 Polyhedron Transformed(Polyhedron shape, const Pose& X_NewOld) {

@@ -55,9 +55,8 @@ struct Polyhedron {
 };
 
 // Returns the outside of the union of the pieces, which may touch and overlap. Features shorter
-// than `tolerance` (metres) are dropped, and points nearer to each other than `tolerance` count as
-// one.
-Polyhedron OutsideOf(const std::vector<ConvexPiece>& pieces, double tolerance = 1e-7);
+// than 1e-7 metres are dropped, and points nearer to each other than that count as one.
+Polyhedron OutsideOf(const std::vector<ConvexPiece>& pieces);
 
 // Returns the same shape in another frame.
 Polyhedron Transformed(Polyhedron shape, const Pose& X_NewOld);

@@ -145,20 +145,20 @@ class NetworkReader {
   NamedNetwork named_;
 };
 
-}  // namespace
-
-NamedNetwork ReadNetwork(const Document& document) { return NetworkReader().Read(document.root()); }
-
-NamedNetwork LoadNetwork(const std::filesystem::path& file) {
-  return ReadNetwork(Document::Load(file));
-}
-
 NamedLabeling NameLabels(const NamedNetwork& named, const Labeling& labeling) {
   NamedLabeling names;
   for (std::size_t node = 0; node < named.nodes.size(); ++node) {
     names.emplace_back(named.nodes[node], named.labels[node][labeling.labels[node]]);
   }
   return names;
+}
+
+}  // namespace
+
+NamedNetwork ReadNetwork(const Document& document) { return NetworkReader().Read(document.root()); }
+
+NamedNetwork LoadNetwork(const std::filesystem::path& file) {
+  return ReadNetwork(Document::Load(file));
 }
 
 LabelReport LabelNetwork(const NamedNetwork& named, LabelRequest request, Budget& budget) {

@@ -45,6 +45,5 @@ struct LabelReport {
 };
 
 LabelReport LabelNetwork(const NamedNetwork& named, LabelRequest request, Budget& budget);
-NamedLabeling NameLabels(const NamedNetwork& named, const Labeling& labeling);
 
 }  // namespace assay::network

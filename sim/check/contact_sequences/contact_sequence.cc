@@ -18,14 +18,14 @@ void Add(const ContactKey& key, ContactSet& set) {
 
 }  // namespace
 
-std::vector<ContactSpan> Bridged(const std::vector<ContactSpan>& spans, double dwell) {
+std::vector<ContactSpan> Bridged(const std::vector<ContactSpan>& spans) {
   std::vector<ContactSpan> bridged = spans;
   std::map<ContactKey, std::size_t> last;  // the last span with the contact
   for (std::size_t i = 0; i < spans.size(); ++i) {
     ASSAY_CHECK(i == 0 || spans[i].start >= spans[i - 1].start, "spans in their order");
     for (const ContactKey& key : spans[i].contacts) {
       const auto before = last.find(key);
-      if (before != last.end() && spans[i].start - spans[before->second].end < dwell) {
+      if (before != last.end() && spans[i].start - spans[before->second].end < kLeastDwell) {
         for (std::size_t k = before->second + 1; k < i; ++k) Add(key, bridged[k].contacts);
       }
       last[key] = i;
@@ -34,7 +34,7 @@ std::vector<ContactSpan> Bridged(const std::vector<ContactSpan>& spans, double d
   return bridged;
 }
 
-std::vector<ObservedState> StatesOf(const std::vector<ContactSpan>& bridged, double dwell) {
+std::vector<ObservedState> StatesOf(const std::vector<ContactSpan>& bridged) {
   std::vector<ObservedState> phases;  // contact sets of any duration
   for (const ContactSpan& span : bridged) {
     if (phases.empty() || phases.back().contacts != span.contacts)
@@ -43,7 +43,7 @@ std::vector<ObservedState> StatesOf(const std::vector<ContactSpan>& bridged, dou
   }
   std::vector<ObservedState> states;
   for (const ObservedState& phase : phases) {
-    if (phase.dwell < dwell) continue;
+    if (phase.dwell < kLeastDwell) continue;
     if (!states.empty() && states.back().contacts == phase.contacts) {
       states.back().dwell += phase.dwell;
     } else {

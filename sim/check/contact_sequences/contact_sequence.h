@@ -23,9 +23,9 @@ struct ContactSpan {
 // 100 to settle.
 inline constexpr double kLeastDwell = 0.03;  // seconds
 
-// Returns the spans with short losses removed: a contact that is lost for less than `dwell` and
+// Returns the spans with short losses removed: a contact that is lost for less than kLeastDwell and
 // made again counts as there in between. Each span must begin where the one before it ends.
-std::vector<ContactSpan> Bridged(const std::vector<ContactSpan>& spans, double dwell = kLeastDwell);
+std::vector<ContactSpan> Bridged(const std::vector<ContactSpan>& spans);
 
 // A contact state that a trial was in.
 struct ObservedState {
@@ -35,11 +35,10 @@ struct ObservedState {
   int motion = 0;    // the motion in which the state begins
 };
 
-// Returns the contact states of a trial in order. A contact set that lasts less than `dwell` is a
-// transition and belongs to no state. If the states before and after a transition are equal, they
+// Returns the contact states of a trial in order. A contact set that lasts less than kLeastDwell is
+// a transition and belongs to no state. If the states before and after a transition are equal, they
 // are one state.
-std::vector<ObservedState> StatesOf(const std::vector<ContactSpan>& bridged,
-                                    double dwell = kLeastDwell);
+std::vector<ObservedState> StatesOf(const std::vector<ContactSpan>& bridged);
 
 // The contacts that a plan expects.
 struct PlannedContacts {

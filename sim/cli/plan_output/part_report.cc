@@ -15,6 +15,13 @@ using Json = nlohmann::ordered_json;
 using domain::FeatureNumber;
 using domain::PartModel;
 
+// Returns the numbers as text: "7 8", or "-" if there are none.
+std::string FeatureText(const std::vector<FeatureNumber>& numbers) {
+  std::vector<int> plain;
+  for (const FeatureNumber number : numbers) plain.push_back(number.index());
+  return plain.empty() ? "-" : fmt::format("{}", fmt::join(plain, " "));
+}
+
 Json NumbersToJson(const std::vector<FeatureNumber>& numbers) {
   Json json = Json::array();
   for (const FeatureNumber number : numbers) json.push_back(number.index());
@@ -52,12 +59,6 @@ Json GraspsToJson(const std::vector<domain::Grasp>& grasps) {
 std::string DirectionText(const geometry::Vector3& v) {
   const auto rounded = [](double x) { return std::round(1000 * x) / 1000 + 0.0; };
   return fmt::format("{:.3f} {:.3f} {:.3f}", rounded(v.x()), rounded(v.y()), rounded(v.z()));
-}
-
-std::string FeatureText(const std::vector<FeatureNumber>& numbers) {
-  std::vector<int> plain;
-  for (const FeatureNumber number : numbers) plain.push_back(number.index());
-  return plain.empty() ? "-" : fmt::format("{}", fmt::join(plain, " "));
 }
 
 std::string StablePoseText(const PartModel& part, domain::StablePoseId id) {

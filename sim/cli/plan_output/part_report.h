@@ -11,8 +11,6 @@ namespace assay::cli {
 // Reports the computed stable poses and grasps of a part.
 Report ReportOn(const domain::PartModel& part, const std::vector<domain::Grasp>& grasps);
 
-// Returns the numbers as text: "7 8", or "-" if there are none.
-std::string FeatureText(const std::vector<domain::FeatureNumber>& numbers);
 // Returns the direction as text: "1.000 0.000 0.000".
 std::string DirectionText(const geometry::Vector3& v);
 // Returns a stable pose's label and name: "BP5 on-back".

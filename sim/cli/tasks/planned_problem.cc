@@ -52,6 +52,14 @@ void RequireGoal(const Document& document, const domain::Problem& problem) {
       "a scenario with a key `goal`; or assay plan and assay run, which know plan trees");
 }
 
+// Runs both phases of the planner, and shows progress to people on a terminal.
+plan::PlanResult PlanWithProgress(const domain::Problem& problem,
+                                  const constraint_posting::PlannerOptions& planner,
+                                  const constraint_posting::UncertaintyOptions& uncertainty) {
+  const Progress progress("planning " + problem.name);
+  return assembly::MakeCertifiedPlan(problem, planner, uncertainty);
+}
+
 }  // namespace
 
 std::vector<domain::Problem> ReadWorldsToPlan(const Document& document,
@@ -94,13 +102,6 @@ PlannedProblem ReadOrMakePlan(const Document& document, const domain::ModelPath&
 
 bool IsPlanFile(const Document& document) {
   return document.root().At("format").OneOf({"assay-scenario/1", "assay-plan/2"}) == 1;
-}
-
-plan::PlanResult PlanWithProgress(const domain::Problem& problem,
-                                  const constraint_posting::PlannerOptions& planner,
-                                  const constraint_posting::UncertaintyOptions& uncertainty) {
-  const Progress progress("planning " + problem.name);
-  return assembly::MakeCertifiedPlan(problem, planner, uncertainty);
 }
 
 plan::CheckReport CheckPlan(const domain::Problem& problem, const plan::Plan& plan) {

@@ -50,11 +50,6 @@ PlannedProblem MakePlan(const Document& document, scenario::Scenario scenario,
 // Reads the plan if `document` is a plan file, and makes one if it is a scenario.
 PlannedProblem ReadOrMakePlan(const Document& document, const domain::ModelPath& models);
 
-// Runs both phases of the planner, and shows progress to people on a terminal.
-plan::PlanResult PlanWithProgress(const domain::Problem& problem,
-                                  const constraint_posting::PlannerOptions& planner,
-                                  const constraint_posting::UncertaintyOptions& uncertainty);
-
 // Runs the independent checker over at most this many orders of the steps, and checks that
 // strategies of fine motion hold up (planner/assembly/plan_check.h).
 inline constexpr int kMostLinearizations = 1000;

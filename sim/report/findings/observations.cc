@@ -14,6 +14,24 @@ using sweep::ClaimRecord;
 using sweep::Statement;
 using sweep::VerdictRecord;
 
+// Returns the verdict on one observation of a claim. The database has one verdict for each step and
+// trial, that of the step's worst claim. The verdict on another claim of the step follows from it:
+// - If nothing was claimed of the step, the claim was not claimed.
+// - If the observation alone would give a worse verdict than the step's, the claim was not claimed.
+//   Otherwise the step's verdict would be as bad.
+// - All other observations are judged by the claim's prediction and noise floor.
+// If the step's certificate is violated, a claim that was not claimed counts as violated, too, if
+// its observation is outside its prediction.
+ClaimVerdict VerdictOn(const ClaimRecord& claim, double observed, ClaimVerdict of_step) {
+  if (of_step == ClaimVerdict::kNotClaimed || !claim.proved) return ClaimVerdict::kNotClaimed;
+  check::Claim observation;
+  observation.predicted = {claim.low, claim.high};
+  observation.observed = observed;
+  observation.gate = claim.gate;
+  const ClaimVerdict verdict = check::Judged(observation).verdict;
+  return Rank(verdict) < Rank(of_step) ? ClaimVerdict::kNotClaimed : verdict;
+}
+
 // Returns a quantile of sorted values by linear interpolation.
 double Quantile(const std::vector<double>& values, double share) {
   const double place = share * static_cast<double>(values.size() - 1);
@@ -168,16 +186,6 @@ std::vector<Merit> Merits(const sweep::Store& store, const std::string& conditio
 }
 
 }  // namespace
-
-ClaimVerdict VerdictOn(const ClaimRecord& claim, double observed, ClaimVerdict of_step) {
-  if (of_step == ClaimVerdict::kNotClaimed || !claim.proved) return ClaimVerdict::kNotClaimed;
-  check::Claim observation;
-  observation.predicted = {claim.low, claim.high};
-  observation.observed = observed;
-  observation.gate = claim.gate;
-  const ClaimVerdict verdict = check::Judged(observation).verdict;
-  return Rank(verdict) < Rank(of_step) ? ClaimVerdict::kNotClaimed : verdict;
-}
 
 std::vector<StepFindings> ReadSteps(const sweep::Store& store, int cell) {
   return StepReader(store, cell).Read();

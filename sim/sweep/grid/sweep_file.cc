@@ -15,6 +15,23 @@ namespace {
 
 namespace fs = std::filesystem;
 
+const std::vector<std::string>& SensingNames() {
+  static const std::vector<std::string> kNames = {"drawn", "camera"};
+  return kNames;
+}
+
+const std::vector<std::string>& PropagationNames() {
+  static const std::vector<std::string> kNames = {"paper", "sound"};
+  return kNames;
+}
+
+// Return the names of all values, in the order of the enumeration.
+const std::vector<std::string>& NoiseNames() {
+  static const std::vector<std::string> kNames = {"none", "uniform", "vertices", "low-discrepancy",
+                                                  "attack"};
+  return kNames;
+}
+
 constexpr int kMostTrials = 10'000'000;           // trials of a cell
 constexpr int kMostAttempts = 10'000'000;         // attempts of a falsification
 constexpr domain::Range kClearances = {0, 0.01};  // metres
@@ -167,22 +184,6 @@ noise::Mode ModeOf(NoiseKind kind) {
   }
   ASSAY_CHECK(false, "an attack chooses its errors itself");
   return noise::Mode::kNone;
-}
-
-const std::vector<std::string>& NoiseNames() {
-  static const std::vector<std::string> kNames = {"none", "uniform", "vertices", "low-discrepancy",
-                                                  "attack"};
-  return kNames;
-}
-
-const std::vector<std::string>& SensingNames() {
-  static const std::vector<std::string> kNames = {"drawn", "camera"};
-  return kNames;
-}
-
-const std::vector<std::string>& PropagationNames() {
-  static const std::vector<std::string> kNames = {"paper", "sound"};
-  return kNames;
 }
 
 const std::vector<std::string>& GraspNames() {

@@ -28,10 +28,6 @@ enum class NoiseKind {
 };
 noise::Mode ModeOf(NoiseKind kind);
 
-// Return the names of all values, in the order of the enumeration.
-const std::vector<std::string>& NoiseNames();
-const std::vector<std::string>& SensingNames();
-const std::vector<std::string>& PropagationNames();
 const std::vector<std::string>& GraspNames();
 std::string_view Name(NoiseKind kind);
 std::string_view Name(Sensing sensing);

@@ -4,12 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
+#include <optional>
+#include <string>
 
-#include "planner/base/input_files/input_error.h"
 #include "planner/base/random.h"
 #include "sim/render/picture.h"
-#include "tests/scratch_file.h"
+#include "sim/render/picture_library.h"
 
 namespace assay::render::image_test {
 namespace {
@@ -27,27 +27,20 @@ Image Plain(int width, int height, std::uint8_t value) {
   return {width, height, std::vector<std::uint8_t>(std::size_t{3} * width * height, value)};
 }
 
-TEST(WritePng, KeepsEveryPixel) {
+std::optional<Image> Decoded(const std::string& png) {
+  return Pictures().Decode(std::vector<std::uint8_t>(png.begin(), png.end()));
+}
+
+TEST(EncodedPng, KeepsEveryPixel) {
   for (const auto& [width, height] : {std::pair{1, 1}, {7, 5}, {64, 33}}) {
     const Image image = Noise(width, height);
-    WritePng(image, ScratchFile("noise.png"));
-    EXPECT_TRUE(ReadImage(ScratchFile("noise.png")) == image);
+    EXPECT_TRUE(Decoded(EncodedPng(image)) == image);
   }
 }
 
-TEST(WritePng, SaysThatAFileCannotBeWritten) {
-  EXPECT_THROW(WritePng(Noise(4, 4), "/nowhere/picture.png"), EnvironmentError);
-}
-
-TEST(WritePng, SaysThatTheDiskIsFull) {
-  if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "no /dev/full on this machine";
-  EXPECT_THROW(WritePng(Noise(400, 400), "/dev/full"), EnvironmentError);
-}
-
-TEST(ReadImage, RefusesWhatIsNoPicture) {
-  std::ofstream(ScratchFile("text.png")) << "no picture";
-  EXPECT_THROW(ReadImage(ScratchFile("text.png")), InputError);
-  EXPECT_THROW(ReadImage(ScratchFile("absent.png")), InputError);
+TEST(Decode, RefusesWhatIsNoPicture) {
+  EXPECT_EQ(Decoded("no picture"), std::nullopt);
+  EXPECT_EQ(Decoded(""), std::nullopt);
 }
 
 TEST(ContactSheet, IsNoWiderThanItMayBe) {

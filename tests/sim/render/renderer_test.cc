@@ -4,9 +4,13 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <fstream>
+#include <iterator>
+#include <vector>
 
 #include "planner/geometry/pose.h"
 #include "sim/render/picture.h"
+#include "sim/render/picture_library.h"
 #include "sim/scene/scene.h"
 #include "tests/sim/scene/peg_and_block.h"
 
@@ -82,11 +86,14 @@ TEST_F(RendererTest, AllCamerasShowSomethingLit) {
 }
 
 TEST_F(RendererTest, LooksLikeTheReference) {
-  const Image reference = ReadImage(ASSAY_SOURCE_DIR "/renders/reference/figure-13-overview.png");
+  std::ifstream file(ASSAY_SOURCE_DIR "/renders/reference/figure-13-overview.png",
+                     std::ios::binary);
+  const std::vector<std::uint8_t> bytes{std::istreambuf_iterator<char>(file), {}};
+  const Image reference = Pictures().Decode(bytes).value();
   const Image image = Picture("overview", 320, 240);
   const std::filesystem::path drawn =
       std::filesystem::path(testing::TempDir()) / "figure-13-overview.png";
-  WritePng(image, drawn);
+  std::ofstream(drawn, std::ios::binary) << EncodedPng(image);
   ASSERT_EQ(image.width, reference.width);
   ASSERT_EQ(image.height, reference.height);
   EXPECT_LT(MeanDifference(image, reference), kMeanDifference) << "see " << drawn;

@@ -132,14 +132,6 @@ TEST_F(ExpressionTest, BrokenInvariantsStopTheProgram) {
   EXPECT_DEATH(other.Declare("z", {0, 1}) + x_, "two pools");
 }
 
-TEST_F(ExpressionTest, SubstitutesAllAtOnce) {
-  const Expression e = Sin(x_) * y_ + x_;
-  EXPECT_EQ(Substitute(e, {{x_.variable(), y_}, {y_.variable(), x_}}), Sin(y_) * x_ + y_);
-  EXPECT_EQ(Substitute(e, {}), e);
-  EXPECT_EQ(Substitute(x_ + 0.1, {{x_.variable(), 0.2}}).op(), Operator::kSum);
-  EXPECT_EQ(Substitute(e, {{x_.variable(), 0}}), Expression(0));
-}
-
 TEST_F(ExpressionTest, NodesComeAfterTheirOperands) {
   const Expression shared = Sin(x_ + y_);
   const std::vector<Expression> nodes = NodesOf(shared * shared + x_);
@@ -154,7 +146,6 @@ TEST_F(ExpressionTest, DepthCostsNoStackAndSharingNoTime) {
   const std::vector<Interval> box = {{-1, 2}, {0, 3}};
   EXPECT_TRUE(Contains(Evaluate(deep, std::span<const Interval>(box)), At(deep, 0.5, 1)));
   EXPECT_EQ(VariablesOf(deep).size(), 2U);
-  EXPECT_EQ(Substitute(Substitute(deep, {{x_.variable(), y_}}), {}).op(), Operator::kSum);
 
   Expression doubled = x_;  // written as a tree it would have 2^100 leaves
   Expression squared = x_;

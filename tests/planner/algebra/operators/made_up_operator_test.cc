@@ -90,10 +90,6 @@ TEST_F(MadeUpOperator, IsEvaluated) {
   EXPECT_NEAR(range.high, std::exp(1.0) + std::sqrt(17.0), 1e-14);
 }
 
-TEST_F(MadeUpOperator, IsSubstitutedInto) {
-  EXPECT_EQ(Substitute(Exp(x_ * y_), {{x_.variable(), y_ + 1}}), Exp((y_ + 1) * y_));
-}
-
 TEST_F(MadeUpOperator, IsAnAtomOfNormalForms) {
   EXPECT_EQ(NormalFormOf(Exp(x_ + y_ - x_) * 2 - Exp(y_)), NormalFormOf(Exp(y_)));
 }
