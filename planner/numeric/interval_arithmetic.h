@@ -15,7 +15,7 @@ namespace assay {
 // cos, which the C library rounds to within one unit, move by at most four. Ends may be infinite.
 // Zero times infinity counts as zero, because an infinite end stands for arbitrarily large numbers
 // and not for one number. No end is ever NaN. An operation on two single numbers is exact where its
-// double result is exact, and so is each end of a sum.
+// double result is exact. Each end of a sum is exact where its double result is exact.
 inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
 inline constexpr Interval kWholeLine = {-kInfinity, kInfinity};
 inline constexpr Interval kOne = {1, 1};

@@ -56,8 +56,8 @@ XmlElement& AddGeomClass(const char* name, XmlElement& defaults) {
 // Collision bits: each geom has bits for what it is and a mask of the bits that it touches. A part
 // has two sets of boxes. Its exact boxes touch other parts and grippers. Its supporting boxes touch
 // the floor and a table of the part's own, whose height may differ from that under other parts. Arm
-// links have the gripper's bit. Nothing of a robot touches the same robot, but robots touch each
-// other.
+// links have the gripper's bit. Bodies of one robot do not touch each other, but bodies of two
+// robots do.
 constexpr int kPart = 1;
 constexpr int kGripper = 2;
 constexpr int kFloor = 4;

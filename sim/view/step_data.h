@@ -29,7 +29,7 @@ nlohmann::ordered_json TimesOf(const plan::Plan& plan, const execution::Trace& t
 // Returns the steps in the order of execution, each with its certificate, its times and its
 // verdicts (README.md, "Data").
 nlohmann::ordered_json StepsOf(const Executed& executed);
-// Returns the actions of a way. Those that are steps of the plan have what these have.
+// Returns the actions of a way. Actions that are steps of the plan have what such steps have.
 nlohmann::ordered_json StepsOf(const Executed& executed, const std::vector<WalkedAction>& walked);
 
 }  // namespace assay::view

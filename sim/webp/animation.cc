@@ -11,8 +11,8 @@ namespace {
 // From 0 (quick) to 6 (small). With 4 a picture takes an eighth of the time in which it was drawn.
 constexpr int kMethod = 4;
 constexpr float kQuality = 75;  // of 100
-// Pictures are stored as their difference from the one before. A whole picture is stored this often
-// at most and at least, so that traces of earlier pictures do not stay for long.
+// Pictures are stored as their difference from the one before. A whole picture is stored after at
+// least and at most so many pictures, so that traces of earlier pictures do not stay for long.
 constexpr int kLeastBetweenKeys = 20;
 constexpr int kMostBetweenKeys = 40;
 

@@ -13,7 +13,8 @@ struct Share {
 };
 
 // Return the variables and their costs, the greatest cost first. Variables without a cost are left
-// out, and so are costs below the request's gap that may come from the looseness of the bounds.
+// out. Costs below the request's gap are left out, too, if they may come from the looseness of the
+// bounds.
 std::vector<Share> SharesOfSup(const Expression& e, const ConstraintSet& constraints,
                                const BoundRequest& request);
 std::vector<Share> SharesOfInf(const Expression& e, const ConstraintSet& constraints,

@@ -16,8 +16,8 @@ namespace assay::algebra {
 
 // Applies the bounding methods from kMonotone on to a multi-affine form over a box. It uses special
 // properties of these forms. Coordinates that monotonicity settles over the whole box are
-// substituted, so that the remaining form is short. At the maximum, every displacement is at one of
-// its ends, and so is every angle in which the form is convex. A single remaining angle has its
+// substituted, so that the remaining form is short. At the maximum, every displacement and every
+// angle in which the form is convex is at one of its ends. A single remaining angle has its
 // extremum in closed form. The memory is reused from one question to the next.
 class MultiaffineSearch {
  public:

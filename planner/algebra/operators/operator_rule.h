@@ -141,7 +141,7 @@ struct OperatorRule {
   std::optional<LinearForm> (*read_linear)(LinearReader& reader, const Expression& e) = nullptr;
   // States linear relations between an atom and its operands. Null: there are none.
   void (*relate)(AtomRelations& relations, const Expression& atom) = nullptr;
-  // True if SUP of the operation is the operation applied to SUP of each operand, and INF likewise.
+  // True if SUP (INF) of the operation is the operation applied to SUP (INF) of each operand.
   bool passes_bounds_through = false;
 
   // ---- First order (first_order_form.h)

@@ -15,7 +15,7 @@ struct Constraint {
     kGraspCondition,    // a grasp condition; index in domain::kGraspConditions
     kGrasps,            // a part has no grasps at all
     kStart,             // a part starts where it does
-    kInTheWay,          // a part blocks others while it is where it starts
+    kInTheWay,          // a part blocks others as long as it is at its starting place
     kFeaturesOffPads,   // mating features keep off the pads; index of a mating
     kFeaturesOffTable,  // mating features keep off the table; index of a mating
     kFrictionCone,      // the mating vector is in the friction cone; index of a mating
@@ -79,7 +79,7 @@ class RelaxedProblem {
   };
   RelaxedProblem(const domain::Problem& problem, Grasps grasps);
 
-  // Returns all constraints. Those that a person is least likely to change come first.
+  // Returns all constraints. The assumptions that a person is least likely to change come first.
   std::vector<Constraint> Constraints() const;
 
   Attainable AttainableWith(const Relaxation& relaxation) const;

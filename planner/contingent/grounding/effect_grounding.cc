@@ -58,9 +58,9 @@ std::vector<GroundChange> EffectGrounding::FactChanges(const Change& change,
                       terms_.ValueOf(literal.arguments[is_left ? 1 : 0], bindings), literal);
 }
 
-// A function has one value. When one value becomes true, the others become false, and when one
-// value becomes unknown, so do the others. A function's value at run time can be forgotten but not
-// set.
+// A function has one value. When one value becomes true, the others become false. When one value
+// becomes unknown, the others become unknown, too. A function's value at run time can be forgotten
+// but not set.
 std::vector<GroundChange> EffectGrounding::ValueChanges(const Change& change, FunctionId id,
                                                         const GroundValue& value,
                                                         const Literal& literal) {

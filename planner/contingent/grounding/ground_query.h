@@ -20,8 +20,8 @@ GroundQuery BoundKnown(const Bound& bound);
 // world.
 bool AsksOfTheWorld(const GroundQuery& query);
 bool HasBound(const GroundQuery& query);
-// Returns true if anything in the task asks that something is not known. Only then can more
-// knowledge do harm.
+// Returns true if anything in the task asks that something is not known. More knowledge can do harm
+// only if this is true.
 bool AsksForIgnorance(const GroundTask& task);
 
 // Returns true if some effect depends on what is known or not known, so the change of one world

@@ -204,7 +204,7 @@ void ProblemFile::ReadSensing(const Value& root) {
   }
 }
 
-// Without this key, what one resolver does not prove is handed to the next.
+// Without this key, the goals that one resolver does not prove are handed to the next resolver.
 void ProblemFile::ReadResolvers(const Value& root) {
   problem_.resolvers = {ResolverKind::kSensing, ResolverKind::kSqueezing,
                         ResolverKind::kFineMotion};

@@ -17,7 +17,7 @@ std::string RoundedUp(double value) {
   if (value == 0) return "0";
   const int digits = 1 - static_cast<int>(std::floor(std::log10(value)));
   const double unit = std::pow(10, -digits);
-  // Numbers that have two digits already, but for rounding, stay as they are.
+  // Numbers that have two digits already, apart from rounding, stay as they are.
   return fmt::format("{:.{}f}", std::ceil(value / unit - 1e-9) * unit, std::max(digits, 0));
 }
 

@@ -69,7 +69,8 @@ std::optional<TravelStretch> OnXAxis(const Polygon& polygon) {
   return TravelStretch{low, high};
 }
 
-// Unites stretches that meet. Between them is only a seam in a face, which a part does not touch.
+// Unites stretches that meet. Such stretches are separated only by a seam in a face, which a part
+// does not touch.
 std::vector<TravelStretch> United(std::vector<TravelStretch> stretches) {
   std::ranges::sort(stretches, {}, &TravelStretch::from);
   std::vector<TravelStretch> united;

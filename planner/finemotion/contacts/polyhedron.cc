@@ -267,8 +267,8 @@ std::vector<Segment> Union::Joined(std::vector<Segment> stretches, PlanePair pla
 
 // Returns whether some plane touches the union near p in p alone. The pieces at p span a cone. Its
 // extreme rays are the convex edges that leave p, so each facet of the cone contains two of them.
-// If some plane touches the union in p alone, so does the plane whose normal is the sum of the
-// facets' normals.
+// If some plane touches the union in p alone, then the plane whose normal is the sum of the facets'
+// normals does it, too.
 bool Union::IsConvexCorner(const Vector3& p, const std::vector<Vector3>& leaving) const {
   const std::vector<int> here = Containing(p);
   Vector3 outward = Vector3::Zero();

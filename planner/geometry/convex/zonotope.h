@@ -4,10 +4,10 @@
 
 namespace assay::geometry {
 
-// A region of uncertainty: the points center + sum of g_i generators.col(i) with -1 <= g_i <= 1. A
-// box is a zonotope, and so are its linear images and their sums. The size of a zonotope grows
-// linearly with the number of errors, while the number of its corners grows exponentially (Dakin
-// and Popplestone, section 5).
+// A region of uncertainty: the points center + sum of g_i generators.col(i) with -1 <= g_i <= 1.
+// Boxes, linear images of boxes, and sums of these images are zonotopes. The size of a zonotope
+// grows linearly with the number of errors, while the number of its corners grows exponentially
+// (Dakin and Popplestone, section 5).
 struct Zonotope {
   Eigen::VectorXd center;
   Eigen::MatrixXd generators;  // one column for each error

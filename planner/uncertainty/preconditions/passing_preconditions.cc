@@ -100,9 +100,9 @@ class PassingConditions {
         held_model_(*world.problem().part(mating_.held).model),
         way_(way) {}
 
-  // Requires clearance from the fixed part. Left out are shafts and the walls of their holes, and
-  // pieces that lie ahead of the held part even at its seat: the first contact there is the seat
-  // itself.
+  // Requires clearance from the fixed part. Shafts and the walls of their holes are left out.
+  // Pieces that lie ahead of the held part even at its seat are left out, too, because the first
+  // contact with them is the seat itself.
   void RequireClearOfFixed(bool to_seat) {
     const std::vector<ShaftFit> fits = domain::FitsOf(world_.problem(), mating_);
     const std::vector<FitPieces> pieces(fits.begin(), fits.end());

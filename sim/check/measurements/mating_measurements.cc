@@ -162,7 +162,7 @@ std::vector<MeasuredMargin> TipTurn(const MeasuredStep& step) {
 }
 
 // A part may lie anywhere within the play of its hole, and the engine leaves it at another place
-// for every timestep. Therefore only the room beyond the play is told.
+// for every timestep. Therefore only the room beyond the play is measured.
 double RoomOf(const Finding& finding) {
   return std::min(finding.limit - finding.value, domain::kLateralSlack);
 }

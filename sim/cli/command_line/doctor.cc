@@ -51,7 +51,7 @@ Json Examine() {
 }
 
 // Returns remedies for the missing things. Missing models need no remedy, because a scenario has
-// its own models, nor does ffmpeg, because films can be made without it.
+// its own models. A missing ffmpeg needs none, because films can be made without it.
 std::vector<std::string> Remedies(const Json& facts) {
   if (facts["renderer"] != "") return {};
   return {"no OpenGL renderer, so no pictures: apt-get install libosmesa6 (or libegl1)"};

@@ -15,8 +15,8 @@ void RequireWritable(const std::filesystem::path& file);
 
 // Replaces the file as a whole. The text is written beside the file, brought to the disk, and then
 // renamed. No reader ever sees a part of it, and the old file stays if the disk is full or the
-// power fails. Links are followed. A file that is not regular (a device, a pipe) is written into,
-// and so is a file that is standard output or standard error.
+// power fails. Links are followed. A file that is not regular (a device, a pipe), or that is
+// standard output or standard error, is written into.
 void WriteFile(const std::filesystem::path& file, std::string_view text);
 
 // RequireAmendable and AmendFile do the same for a file that the command has read in order to
