@@ -69,7 +69,8 @@ Range ReadRange(const Value& value, const Units& units) {
   return {ends.x(), ends.y()};
 }
 
-// Returns low, low + step, ... up to high. A step that meets `high` but for rounding is counted.
+// Returns low, low + step, ... up to high. A step that meets `high`, apart from rounding, is
+// counted.
 std::vector<double> Steps(const Value& place, const Range& range, double step) {
   const double count = std::floor((range.high - range.low) / step + 1e-9) + 1;
   if (count > kMostPlacesAcross) {

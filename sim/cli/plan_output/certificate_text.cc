@@ -48,7 +48,7 @@ std::string VerificationText(const plan::Plan& plan, const plan::Verification& v
   return text + "\n";
 }
 
-constexpr char kButForWhatIsNotCovered[] = ", but for what is named as not covered";
+constexpr char kExceptWhatIsNotCovered[] = ", except what is named as not covered";
 
 bool AnyStrategy(const plan::Plan& plan) {
   return std::ranges::any_of(
@@ -126,7 +126,7 @@ std::string UncertaintyText(const plan::Plan& plan) {
           ? fmt::format("Every precondition{} is proved{}{}.{}",
                         plan::IsAsPublished(plan) ? " of the paper" : "",
                         AnyStrategy(plan) ? " or absorbed" : "",
-                        plan::NotCovered(plan).empty() ? "" : kButForWhatIsNotCovered,
+                        plan::NotCovered(plan).empty() ? "" : kExceptWhatIsNotCovered,
                         UnaskedText(plan))
           : fmt::format("Not all preconditions of {} are proved: the plan has {} and {} for them.",
                         Counted(plan.errors, "step", "steps"),

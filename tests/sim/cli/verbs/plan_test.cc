@@ -51,7 +51,7 @@ TEST(Plan, TableTellsWhatIsProved) {
   EXPECT_THAT(ended.out, ContainsRegex("pickup\\(peg, .*\\)  +[0-9]+ proved\n"));
   EXPECT_THAT(ended.out, ContainsRegex("assemble\\(peg, .*\\)  +[0-9]+ proved\n"));
   EXPECT_THAT(ended.out,
-              HasSubstr("Every precondition is proved, but for what is named as not covered. "
+              HasSubstr("Every precondition is proved, except what is named as not covered. "
                         "Nothing was inserted.\n"));
 }
 
@@ -65,7 +65,7 @@ TEST(Plan, TellsOfTheStrategyThatAbsorbsErrors) {
               ContainsRegex("assemble\\(peg, .*\\) +[0-9]+ of [0-9]+ proved, [0-9]+ abs"));
   EXPECT_THAT(ended.out, HasSubstr("for step 3: fine-motion, because\n"));
   EXPECT_THAT(ended.out, ContainsRegex("motions by contacts, in spite of errors of the tip of "));
-  EXPECT_THAT(ended.out, HasSubstr("Every precondition is proved or absorbed, but for"));
+  EXPECT_THAT(ended.out, HasSubstr("Every precondition is proved or absorbed, except"));
   EXPECT_THAT(SchemaErrors(kSchema, JsonOf(folder / "plan.json")), IsEmpty());
   const Ended explained = Assay({"plan", folder / "plan.json", "--explain", "3"});
   // The same step can be named by the id that is printed.
@@ -95,7 +95,7 @@ TEST(Plan, TellsWhatWasInsertedForWhichStep) {
   EXPECT_EQ(ended.code, 0) << ended.err;
   EXPECT_THAT(ended.out, HasSubstr("1         3  action_3  sense(sleeve, overhead-camera, "));
   EXPECT_THAT(ended.out, HasSubstr("for step 4: sensing (step 3), because\n"));
-  EXPECT_THAT(ended.out, HasSubstr("Every precondition is proved, but for what is named as not "
+  EXPECT_THAT(ended.out, HasSubstr("Every precondition is proved, except what is named as not "
                                    "covered.\n"));
 }
 
