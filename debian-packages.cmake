@@ -18,7 +18,7 @@ set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXE
 set(CPACK_DEBIAN_USER_PACKAGE_NAME assay)
 set(CPACK_DEBIAN_USER_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_USER_PACKAGE_SHLIBDEPS ON)
-# What is opened when it is needed is linked by nothing.
+# Nothing links the libraries that the program opens when it needs them.
 set(CPACK_DEBIAN_USER_PACKAGE_DEPENDS "libosmesa6 | libegl1")
 set(CPACK_DEBIAN_USER_PACKAGE_SUGGESTS ffmpeg)
 set(CPACK_COMPONENT_GROUP_USER_DESCRIPTION "The program with its models, scenarios and manual.")
@@ -26,7 +26,7 @@ set(CPACK_COMPONENT_GROUP_USER_DESCRIPTION "The program with its models, scenari
 set(CPACK_DEBIAN_DEV_PACKAGE_NAME assay-dev)
 set(CPACK_DEBIAN_DEV_PACKAGE_SECTION libdevel)
 set(CPACK_COMPONENT_DEV_DESCRIPTION "Libraries and headers, for find_package(assay) in CMake.")
-# What the installed configuration and headers ask for, from packages.txt.
+# The packages that the installed configuration and headers need, from packages.txt.
 file(STRINGS packages.txt dev_packages REGEX "^[a-z0-9+-]+-dev ")
 list(FILTER dev_packages EXCLUDE REGEX "# (tests|benchmarks)")
 list(TRANSFORM dev_packages REPLACE " .*" "")

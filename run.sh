@@ -13,7 +13,7 @@ first_build="the first build takes 3 to 7 minutes on two cores"
 usage() { sed -n '2,/^[^#]/s/^# \?//p' "$root/run.sh"; }
 verbs() { sed -n 's/^ *\.name = "\(.*\)",$/\1/p' "$root"/sim/cli/*/*.cc; }
 
-# What needs no program that is up to date is answered at once.
+# Answers requests at once that do not need an up-to-date program.
 answer_at_once() {
   case ${1-} in
     --help | -h | --version)
@@ -34,7 +34,7 @@ answer_at_once() {
 
 build_program() {
   install_missing_packages program
-  # Where tests and benchmarks are built as well, they go on to be.
+  # A build folder that is configured with tests and benchmarks stays so.
   [ -e "$root/build/release/CMakeCache.txt" ] ||
     configure release -DASSAY_TESTS=OFF -DASSAY_BENCH=OFF
   [ -x "$program" ] || echo "Building assay: $first_build" >&2

@@ -1,25 +1,24 @@
 #!/usr/bin/env bash
 # Installs what is missing, builds everything and runs the tests:
 #   ./test.sh [--ci | --all] [CTEST ARGUMENT...]
-# --ci: first also the readers of files under sanitizers, and the commands of the documents.
-# --all: before that every file by itself.
+# --ci: first tests the readers of files under sanitizers, and runs the commands of the documents.
+# --all: as --ci, but first compiles every file by itself.
 set -euo pipefail
 root=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")
 source "$root/.ci/setup"
 cd "$root"
 
-# Each file includes what it uses: compiled by itself, and not further than that is seen.
+# Compiles each file by itself, without writing code. This shows whether a file includes what it uses.
 check_single_files() {
   configure single-files
   build single-files
 }
 
-# What reads files is tested under the address and undefined-behaviour sanitizers, and fuzzed; what
-# only computes is left out, and of random domains three of four quarters. The fuzz targets damage
-# files more cleverly than the random mistakes do, so a few hundred of these are enough here. By
-# hand, for all tests under the sanitizers: cmake --preset asan-ubsan &&
-# cmake --build --preset asan-ubsan && ctest --preset asan-ubsan; for all tests of the planner
-# without MuJoCo: likewise with planner-only.
+# Libraries that read files, and the numbers that all of them use, are tested under the address and
+# undefined-behaviour sanitizers, and readers are fuzzed. Tests that only compute are left out, and so
+# are three of the four quarters of random domains. The fuzz targets damage files more cleverly than the
+# random mistakes of the tests do, so a few hundred of these mistakes are enough here. tests/README.md
+# has the commands that run all tests under sanitizers, and all tests of the planner without MuJoCo.
 readers=(base numeric algebra network domain plan contingent)
 build_readers_with_sanitizers() {
   configure asan-ubsan
@@ -31,15 +30,15 @@ test_readers_with_sanitizers() {
     --exclude-regex "^domain\.((HandClearance|StablePose|Grasp)Test|ToolPath|PegAndBlock|ShaftFit|Scenarios)\.|^plan\.FourStepPlan\.|^contingent\.Quarters/(Random|Rich)Domains\..*/[123]$"
 }
 
-# Prints the commands that call the program or the scripts here, from the ```sh blocks of README.md,
-# which installs the program, and then of the pages for users.
+# Prints the commands in the ```sh blocks of README.md and of the pages for users that call the program
+# or the scripts in this folder. README.md comes first, because its commands install the program.
 document_commands() {
   sed -n '/^```sh$/,/^```$/p' README.md planner/*.md sim/*.md scenarios/*.md |
     sed ':more; /\\$/ { N; s/\\\n//; b more }' |
     grep -E '^(\./|assay )' | grep -v '^\./test\.sh' | awk '!seen[$0]++'
 }
 
-# As somebody who follows the documents, with a home of their own.
+# Runs the commands as a user would who follows the documents, with a home folder of its own.
 test_document_commands() {
   local commands command home
   mapfile -t commands < <(document_commands)

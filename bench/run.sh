@@ -1,14 +1,14 @@
 #!/usr/bin/env bash
 # Times every engine beside its peers and writes bench/REPORT.md and bench/plots/.
 #   bench/run.sh [--passes N] [--seconds S] [--seed N] [--only PATTERN] [--tiny]
-# Passes over a program come one after another, and in a pass the contestants of an instance take
-# turns, so that what else the machine does falls on all of them. What was measured stays in
-# build/release/bench/results. --seed: random networks, chains, poses that nobody has seen; --only:
-# programs that match; --tiny: little work, once. All three write into build/release/bench/REPORT.md,
-# as do ASSAY_BENCH_SEED and ASSAY_BENCH_TINY in the environment, which mean the same. Where
-# ASSAY_CONTINGENT names a folder of public problems of contingent planning, bench/CONTINGENT.md is
-# written as well. Exit codes: 0 measured, 2 wrong command line, 12 measured, but somebody answered
-# wrong, as the report says first.
+# A program is measured in several passes, one after the other. In a pass the contestants of an instance
+# take turns, so that other work of the machine disturbs all of them alike. The measurements stay in
+# build/release/bench/results. --seed takes other random networks, chains and poses. --only takes the
+# programs that match. --tiny does little work, once. With any of these three options the report is
+# written into build/release/bench/REPORT.md. The variables ASSAY_BENCH_SEED and ASSAY_BENCH_TINY of the
+# environment mean the same as the options. If ASSAY_CONTINGENT names a folder of public problems of
+# contingent planning, bench/CONTINGENT.md is written, too. The exit code is 0 after a measurement, 2 for
+# a wrong command line, and 12 if a contestant answered wrong, which the report says first.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 passes= seconds= only= report=bench/REPORT.md plots=bench/plots contingent=bench/CONTINGENT.md
@@ -58,7 +58,7 @@ done
 root=$PWD
 source .ci/setup
 install_missing_packages program benchmarks
-# Where tests are built as well, they go on to be.
+# A build folder that is configured with tests stays so.
 if [[ -e build/release/CMakeCache.txt ]]; then
   configure release -DASSAY_BENCH=ON
 else
