@@ -17,12 +17,12 @@ class XmlOutline {
   XmlOutline(std::string_view text, const std::string& file);
 
   FilePlace root() const { return tags_.front().place; }
-  // Returns the place of the first such element whose attribute `name` has this value, or else of
-  // the root.
+  // Returns the place in a URDF file of the first such element whose attribute `name` has this
+  // value, or else of the root.
   FilePlace PlaceOf(std::string_view element, std::string_view name) const;
-  // Returns the place of an element with an attribute whose value occurs in the message in quotes
-  // or brackets. The value that occurs first decides. If no value occurs, it returns the place of
-  // the root.
+  // Returns the place in a URDF file of an element with an attribute whose value occurs in the
+  // message in quotes or brackets. The value that occurs first decides. If no value occurs, it
+  // returns the place of the root.
   FilePlace PlaceOfMention(std::string_view message) const;
 
  private:

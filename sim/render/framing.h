@@ -23,7 +23,8 @@ struct Ball {
 // points up in the picture. `aspect` is the width of the picture over its height.
 FreeCamera Framing(std::span<const Ball> balls, const Vector3& back, double aspect);
 
-// Returns the corners of the part's convex hull, world frame.
+// Returns the points that a picture of a part must show: the corners of the part's convex hull,
+// world frame.
 std::vector<Ball> CornersOf(const domain::PartModel& model, const Pose& X_WorldPart);
 
 }  // namespace assay::render

@@ -22,14 +22,15 @@ Transform RotationZ(const Expression& angle);
 
 Transform operator*(const Transform& a, const Transform& b);
 SymbolicVector operator*(const Transform& a, const SymbolicVector& point);
-// Returns the transform (R^t, -R^t t) for a = (R, t). It is the inverse only if R is a rotation.
+// Returns the symbolic transform (R^t, -R^t t) for a = (R, t). It is the inverse only if R is a
+// rotation.
 Transform Inverse(const Transform& a);
 
 SymbolicVector operator+(const SymbolicVector& a, const SymbolicVector& b);
 SymbolicVector operator-(const SymbolicVector& a, const SymbolicVector& b);
 Expression Dot(const SymbolicVector& a, const SymbolicVector& b);
 
-// Return the argument with each entry simplified.
+// Return the symbolic transform or vector with each entry simplified.
 Transform Simplify(const Transform& a);
 SymbolicVector Simplify(const SymbolicVector& a);
 

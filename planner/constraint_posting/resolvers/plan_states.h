@@ -32,7 +32,7 @@ domain::Problem ProblemFrom(domain::Problem problem, const plan::WorldState& sta
 plan::Place PlaceBefore(const UnmetGoals& unmet, const std::vector<plan::WorldState>& states,
                         int index, domain::PartId part);
 
-// Returns a look at the part, which lies at the place.
+// Returns the look at a part by which a resolver reduces its errors. The part lies at the place.
 plan::Action LookAt(domain::PartId part, const std::string& sensor, const plan::Place& at);
 
 }  // namespace assay::constraint_posting

@@ -8,8 +8,8 @@ namespace assay::domain {
 // and in one configuration (CanFollow). All vectors and poses are in the world frame, except where
 // another frame is named.
 
-// Returns the way of the tool when it retreats against its approach vector, in the tool pose's
-// frame.
+// Returns the straight way that an action must be able to go when the tool retreats against its
+// approach vector, in the tool pose's frame.
 geometry::Vector3 Retreat(const Workcell& workcell, const geometry::Pose& X_FrameTool);
 
 // Returns whether the arm can go the ways of a pickup: down from the safe height, in, and up again.

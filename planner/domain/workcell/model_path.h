@@ -14,7 +14,7 @@ namespace assay::domain {
 class ModelPath {
  public:
   ModelPath() = default;
-  // Creates a path of a single folder; of none if its name is empty.
+  // Creates a path with a single folder of models and workcells; with none if its name is empty.
   template <std::convertible_to<std::filesystem::path> Folder>
   ModelPath(const Folder& folder) {  // NOLINT(google-explicit-constructor)
     Append(folder);

@@ -4,14 +4,15 @@
 
 namespace assay::uncertainty {
 
-// Returns the world's vertical in the tool's axes. Its components say how a rotation about the
-// vertical is shared among those axes. Components below 1e-12 are rounding and count as 0.
+// Returns the world's vertical in the tool's axes. Its components say how an error that is a
+// rotation about the vertical is shared among those axes. Components below 1e-12 are rounding and
+// count as 0.
 Vector3 VerticalInTool(const Pose& X_WorldTool);
 
-// These functions split a rotation by at most `angle` into a twist about a second axis and a swing
-// (swing-twist decomposition). `cosine` is the cosine of the angle between the two axes. They
-// return the greatest possible twist and swing. Angles are in radians; angle >= 0, and the results
-// are at most pi.
+// These functions split an error of rotation by at most `angle` into a twist about a second axis
+// and a swing (swing-twist decomposition). `cosine` is the cosine of the angle between the two
+// axes. They return the greatest possible twist and swing. Angles are in radians; angle >= 0, and
+// the results are at most pi.
 double TwistOf(double angle, double cosine);
 double SwingOf(double angle, double cosine);
 

@@ -19,7 +19,7 @@ MatingEnd MatingEndOf(const UncertainWorld& world, domain::MatingId mating, cons
 // Returns how far before its end a straight mating motion may have begun, in metres.
 double LengthOfWay(const UncertainWorld& world, domain::MatingId mating, const Expression& farther);
 
-// Returns the transform displaced by `distance` metres along a direction.
+// Returns the uncertain transform displaced by `distance` metres along a direction.
 Transform Displaced(Transform transform, const Expression& distance, const Vector3& direction);
 
 }  // namespace assay::uncertainty

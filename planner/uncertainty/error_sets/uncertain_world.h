@@ -127,7 +127,7 @@ class UncertainWorld {
   std::shared_ptr<const ManipulatorError> only_draw_;  // only set in paper mode
 };
 
-// Returns the greatest absolute value in the interval.
+// Returns the greatest absolute value of an error in the interval.
 double Magnitude(const Interval& range);
 // Returns the greatest absolute value that the expression may have.
 double MostOf(const UncertainWorld& world, const Expression& expression);

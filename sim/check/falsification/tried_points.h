@@ -28,7 +28,7 @@ std::vector<std::pair<ClaimKey, const Sample*>> LeastMargins(TriedStep& step);
 
 // Returns a claim's margin as a length (AsLength).
 double Length(const Claim& claim);
-// Returns the claim with this key, or null if there is none.
+// Returns an attempt's claim with this key, or null if there is none.
 const Claim* Find(const std::vector<Claim>& claims, const ClaimKey& key);
 
 }  // namespace assay::check

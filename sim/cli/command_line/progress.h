@@ -46,7 +46,7 @@ class Progress {
   std::jthread thread_;       // last, since it uses the members above
 };
 
-// Returns "17 s", "4 min", "2 h 5 min".
+// Returns a duration for lines of progress: "17 s", "4 min", "2 h 5 min".
 std::string DurationText(double seconds);
 
 }  // namespace assay::cli

@@ -6,7 +6,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "sim/check/trial_verdicts/error_recognition.h"
+#include "sim/check/contact_sequences/error_recognition.h"
 #include "sim/cli/mating_output/fine_motion_report.h"
 
 namespace assay::cli {

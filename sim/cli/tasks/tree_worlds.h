@@ -23,12 +23,13 @@ class TreeWorlds {
              std::uint64_t seed, bool is_every_leaf);
 
   const std::vector<execution::Leaf>& leaves() const { return leaves_; }
-  // Returns by leaf why no world leads to it; empty if one does, or if worlds are drawn.
+  // Returns, for reports of verbs, by leaf why no world leads to it; empty if one does, or if
+  // worlds are drawn.
   const std::vector<std::string>& unreachable() const { return unreachable_; }
   // Returns the number of leaves that a world leads to; 0 if worlds are drawn.
   std::size_t reachable_count() const { return reachable_.size(); }
 
-  // Returns the world of the trial with this number, from 1.
+  // Returns the world for the trial of a verb with this number, from 1.
   execution::HiddenWorld WorldOf(int number) const;
 
  private:

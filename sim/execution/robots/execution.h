@@ -96,14 +96,14 @@ class Execution {
     Vector3 direction = Vector3::Zero();
   };
   Progress Follow(const JointTrajectory& trajectory, double fine_from, const Guarded& guarded);
-  // Keeps the arm at its last command, for at least one timestep.
+  // Keeps the robot at its last command, for at least one timestep.
   Progress Stay(double seconds, Stepping stepping);
   // Executes one small timestep with soft servos, so that what touches the hand can move it.
   // `share` is the fraction of the servos' usual stiffness. `qdd` is the planned acceleration, so
   // that the arm does not lag.
   Progress StepSoftly(const JointState& next, const JointVector& qdd, double share);
 
-  // Sets the last command to the arm's measured state.
+  // Sets the last command to the robot to the arm's measured state.
   void TakeStock();
 
   Checkpoint Save() const;

@@ -26,8 +26,9 @@ class Scheduler {
   Scheduler(const Scheduler&) = delete;
   Scheduler& operator=(const Scheduler&) = delete;
 
-  // Calls work(i) for each i below `count`, and keep(i, result) with the results in the order of
-  // the indices. What is kept does not depend on the number of threads.
+  // Runs `count` trials, or other pieces of work: calls work(i) for each i below `count`, and
+  // keep(i, result) with the results in the order of the indices. What is kept does not depend on
+  // the number of threads.
   template <class Work, class Keep>
   void InOrder(std::size_t count, const Work& work, const Keep& keep) {
     Run(count, Order::kOfIndices, Kept(work, keep));
@@ -38,7 +39,7 @@ class Scheduler {
     Run(count, Order::kOfEnds, Kept(work, keep));
   }
 
-  // Returns whether no more pieces are begun. Any thread may call it.
+  // Returns whether no more trials, or other pieces of work, are begun. Any thread may call it.
   bool Ends();
   // Returns whether `stop` has stopped the work that was run before.
   bool stopped() const { return stopped_; }

@@ -39,7 +39,7 @@ class DataTable {
   int rows_ = 0;
 };
 
-// The functions below make the contents of an entry.
+// The functions below make the contents of an entry of a table.
 Element Words(std::string_view text);
 Element Command(const std::string& command);  // a click selects the command
 // Returns the mark and the words of a standing.

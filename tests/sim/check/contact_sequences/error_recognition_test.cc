@@ -1,4 +1,4 @@
-#include "sim/check/trial_verdicts/error_recognition.h"
+#include "sim/check/contact_sequences/error_recognition.h"
 
 #include <gtest/gtest.h>
 
