@@ -35,10 +35,11 @@ struct WorldState {
   const PartState& part(PartId id) const { return parts[id.index()]; }
 };
 
-// Returns whether two poses agree to 1 micrometre, and to 1 microradian in the axes.
+// Returns whether the checker takes two poses as the same: they agree to 1 micrometre, and to 1
+// microradian in the axes.
 bool PosesAgree(const Pose& a, const Pose& b);
 
-// Returns "x y z mm", for messages.
+// Returns "x y z mm", for messages of the checker.
 std::string InMillimetres(const geometry::Vector3& p);
 
 WorldState InitialState(const domain::Problem& problem);
