@@ -73,12 +73,6 @@ bool Relation::Allows(Label row, Label column) const {
   return (by_row_.Of(row)[column / kWordBits] & BitOf(column)) != 0;
 }
 
-std::int64_t Relation::pair_count() const {
-  std::int64_t count = 0;
-  for (Word word : by_row_.supports) count += std::popcount(word);
-  return count;
-}
-
 bool Relation::operator==(const Relation& other) const {
   return rows() == other.rows() && columns() == other.columns() &&
          by_row_.supports == other.by_row_.supports;

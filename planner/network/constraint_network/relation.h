@@ -27,7 +27,6 @@ class Relation {
   int rows() const { return by_row_.count; }
   int columns() const { return by_column_.count; }
   bool Allows(Label row, Label column) const;
-  std::int64_t pair_count() const;
 
   // One direction of the relation: for each label of one end, its supports at the other end.
   struct Direction {
