@@ -7,7 +7,7 @@
 namespace assay::view {
 
 // Returns the values in few bytes, if they change smoothly or seldom. The code is exact; README.md,
-// "Series", defines it.
+// "Recording", defines it.
 std::string EncodedSeries(std::span<const std::int64_t> values);
 
 }  // namespace assay::view
