@@ -11,13 +11,13 @@ namespace assay::cli {
 namespace {
 
 // A trial or counterexample that a result lists.
-struct Listed {
+struct ListedTrial {
   std::string name;
   Value noise;
 };
 
 // A falsification lists counterexamples, any other run lists trials by their numbers.
-Listed FindListed(const Value& result, const ViewRequest& request) {
+ListedTrial FindListed(const Value& result, const ViewRequest& request) {
   const bool is_falsification = result.Find("counterexamples").has_value();
   const std::string kind = is_falsification ? "counterexample" : "trial";
   if (!request.number)
