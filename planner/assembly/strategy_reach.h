@@ -33,10 +33,11 @@ struct ReachingHold {
   kinematics::JointVector start;
 };
 
-// Chooses a hold for an assemble that is the problem's only action after the pickup of the held
-// part. It is the action's own hold if the arm can execute the strategy with it. Otherwise it is
-// the hold of another grasp with which the part can be picked up at the start and mated, and the
-// strategy executed. If there is none, returns the obstruction of the action's own hold.
+// Chooses a hold for an action `assemble`, which must be the only action of the problem after the
+// pickup of the held part. The result is the action's own hold if the arm can execute the strategy
+// with it. Otherwise it is the hold of another grasp with which the part can be picked up at the
+// start and mated, and the strategy executed. If there is none, returns the obstruction of the
+// action's own hold.
 std::variant<ReachingHold, Unreached> ChooseHold(const domain::Problem& problem,
                                                  const plan::Action& assemble,
                                                  const plan::Strategy& strategy);

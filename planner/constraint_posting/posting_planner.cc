@@ -284,11 +284,11 @@ class PostingPlanner {
   std::int64_t snapshots_ = 0;  // the number of snapshots that the judge has computed
   std::int64_t complete_plans_ = 0;
   std::int64_t instances_ = 0;
-  std::set<std::string> seen_;  // the signatures of instances
-  int limit_ = 0;
+  std::set<std::string> seen_;         // the signatures of instances
+  int limit_ = 0;                      // greatest number of actions in this round of the search
   bool cut_off_ = false;               // true if a refinement was left out because of the limit
-  bool met_objections_ = false;        // true if the judge objected with the present limit
-  bool are_parts_in_the_way_ = false;  // true if parts were in the way with the present limit
+  bool met_objections_ = false;        // true if the judge objected in this round
+  bool are_parts_in_the_way_ = false;  // true if parts were in the way in this round
   std::size_t depth_ = 0;
   std::optional<plan::Plan> plan_;
 };

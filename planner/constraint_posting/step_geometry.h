@@ -17,8 +17,8 @@ using Choices = std::bitset<kMostSteps>;
 
 // A part that is in the way of a step while it rests where it was at the start.
 using Blocker = std::pair<StepId, domain::PartId>;
-// The value says what cannot be proved as long as the part is there. It is empty if the step cannot
-// be executed.
+// The text says what cannot be proved as long as the blocking part is there. The text is empty if
+// the step cannot even be executed.
 using Blockers = std::map<Blocker, std::string>;
 // Adds `more` to `blockers`. A text about an unproved precondition replaces an empty text, because
 // it says more.

@@ -20,8 +20,8 @@ class XmlOutline {
   // Returns the place in a URDF file of the first such element whose attribute `name` has this
   // value, or else of the root.
   FilePlace PlaceOf(std::string_view element, std::string_view name) const;
-  // Returns the place in a URDF file of an element with an attribute whose value occurs in the
-  // message in quotes or brackets. The value that occurs first decides. If no value occurs, it
+  // Finds the first text in the message, in quotes or brackets, that is an attribute's value in the
+  // URDF file. Returns the place of the element with this attribute. If there is no such text,
   // returns the place of the root.
   FilePlace PlaceOfMention(std::string_view message) const;
 

@@ -150,8 +150,8 @@ Interval RoundedFromZeroEnds(const Interval& a, const Interval& b, const Interva
 Interval operator/(const Interval& a, const Interval& b) {
   if (b.low <= 0 && b.high >= 0) return kWholeLine;
   if (IsSingle(a) && IsSingle(b)) return QuotientOfSingles(a.low, b.low);
-  // NaN from infinity / infinity is replaced by 0, because that quotient stands for a set that
-  // comes near 0. The other end of this set is the value of another of the four quotients.
+  // A quotient infinity / infinity stands for a set of values that comes near 0. Its NaN is
+  // therefore replaced by 0. One of the other three quotients is the other end of this set.
   const double ll = ZeroIfNaN(a.low / b.low);
   const double lh = ZeroIfNaN(a.low / b.high);
   const double hl = ZeroIfNaN(a.high / b.low);

@@ -32,12 +32,12 @@ bool FactorPositiveDefinite(SymmetricMatrix& m);
 // Solves m * x = b, where `factor` is the factored matrix m. The solution replaces b.
 void SolveFactored(const SymmetricMatrix& factor, std::span<double> b);
 
-// Returns true only if every symmetric matrix is positive definite whose entries differ from those
-// of `centre` by at most the entries of `deviation`. The test is rigorous. It subtracts the sum of
-// each row's deviations from the diagonal entry. The resulting matrix is less than all of those
-// matrices, because 2*d*x*y >= -|d|*(x^2 + y^2) for a deviation d. It is positive definite if
-// Cholesky's factorization still succeeds after a bound of the rounding errors is subtracted (Rump
-// 2006, "Verification of positive definiteness").
+// Returns true only if each symmetric matrix within `deviation` of `centre`, entry by entry, is
+// positive definite. The test is rigorous. It subtracts the sum of each row's deviations from the
+// diagonal entry of `centre`. In the order of definiteness, the resulting matrix is below every
+// matrix in this range, because 2*d*x*y >= -|d|*(x^2 + y^2) for a deviation d. It is positive
+// definite if Cholesky's factorization still succeeds after a bound of the rounding errors is
+// subtracted (Rump 2006, "Verification of positive definiteness").
 bool IsSurelyPositiveDefinite(SymmetricMatrix centre, const SymmetricMatrix& deviation);
 
 }  // namespace assay::numeric

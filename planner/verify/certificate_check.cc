@@ -174,7 +174,8 @@ bool IsProvedWithin(const plan::PlannedStep& step, plan::Condition condition,
   });
 }
 
-// The tip errors that are proved must be within those that the strategy is certain for.
+// The proved bounds of the tip's errors must lie within the errors for which the strategy is
+// certain. Returns true if they do not.
 bool ExceedsTipErrors(const plan::PlannedStep& step) {
   if (!step.strategy) return false;
   const plan::StrategyCertificate& certificate = step.strategy->certificate;

@@ -8,8 +8,8 @@
 
 namespace assay::verify {
 
-// Returns whether verification finds a precondition of the step that is neither proved nor absorbed
-// by its strategy.
+// Returns whether verification finds a precondition of the step that is not proved, and that the
+// step's strategy does not make unnecessary.
 bool IsUnproved(const plan::PlannedStep& step);
 
 // Returns the contradictions within a plan's certificates, found from the plan alone. Each

@@ -16,7 +16,7 @@ using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
 
 constexpr double kOutside = 1e-4;    // m
 constexpr double kSamePlace = 1e-6;  // m
-constexpr double kFlush = 1e-6;      // m, between pieces that lie against each other
+constexpr double kFlush = 1e-6;      // greatest gap of pieces that count as touching, m
 // Metres. A face is inside the body if it is covered this far around a point.
 constexpr double kBeside = 2e-5;
 constexpr double kSameNormal = 1 - 1e-9;

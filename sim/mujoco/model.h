@@ -26,8 +26,8 @@ class MjcfError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-// A compiled model. It is immutable, so that threads may share it. A simulation that changes the
-// engine's model, such as the activity of equality constraints, changes the copy in its Data.
+// A compiled model. It is immutable, so that threads may share it. If a simulation changes settings
+// of the model, for example by switching equality constraints, it changes the copy in its Data.
 class Model {
  public:
   // Compiles a model. Throws MjcfError with the engine's message.

@@ -55,9 +55,9 @@ XmlElement& AddGeomClass(const char* name, XmlElement& defaults) {
 
 // Collision bits: each geom has bits for what it is and a mask of the bits that it touches. A part
 // has two sets of boxes. Its exact boxes touch other parts and grippers. Its supporting boxes touch
-// the floor and a table of the part's own, whose height may differ from that under other parts. Arm
-// links have the gripper's bit. Bodies of one robot do not touch each other, but bodies of two
-// robots do.
+// the floor and a table that exists for this part alone, because the error of the table's height
+// may differ from part to part. Arm links have the gripper's bit. Bodies of one robot do not touch
+// each other, but bodies of two robots do.
 constexpr int kPart = 1;
 constexpr int kGripper = 2;
 constexpr int kFloor = 4;

@@ -27,8 +27,8 @@ double LowestPoint(std::span<const Box> boxes) {
   return lowest;
 }
 
-// The distance between an edge and the contour, and the derivative of the contour by the
-// displacement.
+// The distance between an edge and the contour, and the derivative of the contour with respect to
+// the displacement of the part.
 struct Residual {
   double distance = 0;  // pixels
   Displacement rate;    // the contour's movement along its normal, pixels per metre and per radian

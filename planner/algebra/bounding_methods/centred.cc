@@ -35,8 +35,9 @@ double ValuePlusSlopes(const Interval& value, std::span<const Interval> box,
   return sum.high;
 }
 
-// Returns the variables that are free in the box. Returns nothing if the form cannot be strictly
-// concave in them, because it is affine in one of them, or if there are too many.
+// Returns the variables that are free in the box. Returns nothing if the form is affine in one of
+// these variables, since it is then not strictly concave. Returns nothing, too, if there are too
+// many free variables.
 std::optional<std::vector<int>> VariablesThatBend(const CompiledForm& form,
                                                   std::span<const Interval> box) {
   std::vector<int> free;

@@ -9,7 +9,7 @@ namespace assay::algebra {
 
 // Bounds quadratic functions over a box about 0, given an upper bound of their matrices of second
 // derivatives. If that upper bound is not negative definite, a multiple of the squared distances
-// makes up for it, as in the alpha BB method (Adjiman and Floudas 1996).
+// from the box's centre makes it so, as in the alpha BB method (Adjiman and Floudas 1996).
 class QuadraticBound {
  public:
   // Sets the box and the upper bound of the matrices. `widths` are the widths of the box. No matrix

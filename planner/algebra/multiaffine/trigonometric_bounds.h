@@ -22,13 +22,13 @@ class TrigonometricBounds {
   int Add(const NestedForm& form, const MultiaffineForm& whole, std::span<const int> angles,
           double error, double reach);
 
-  // A bound of the rounding errors of range, slopes and curvatures over any part.
+  // A bound of the rounding errors of range, slopes and curvatures over any part of the box.
   double Error(int number) const { return polynomials_[number].error; }
   double LeftOut(int number) const { return polynomials_[number].sum.left_out(); }
   const std::vector<int>& Angles(int number) const { return polynomials_[number].angles; }
 
-  // Evaluates a polynomial over a part, whose sectors are indexed by variable. The slopes and
-  // curvatures of the evaluation are indexed by place in Angles.
+  // Evaluates a polynomial over a part of the box. `part` has the part's sectors, indexed by
+  // variable. The slopes and curvatures of the evaluation are indexed by place in Angles.
   const TrigonometricEvaluation& Evaluate(int number, std::span<const Sector> part);
 
   // Returns an upper bound of how far the polynomial that was evaluated last rises in the part

@@ -99,7 +99,8 @@ struct OperatorRule {
   std::size_t operand_count = 0;
   // Makes the operation. Null: numbers are folded where that is exact, and nothing else is done.
   Expression (*make)(std::span<const Expression> operands, int exponent) = nullptr;
-  // Writes the operation. Null: as the name and the operands in parentheses.
+  // Writes the operation. If null, the operation is written as its name and the operands in
+  // parentheses.
   void (*write)(TextWriter& writer, const Expression& e, TextPlace place) = nullptr;
   // The operation stands in parentheses at this place and at those that bind more tightly.
   TextPlace parenthesized_from = TextPlace::kNone;

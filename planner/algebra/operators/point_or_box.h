@@ -37,8 +37,8 @@ Number Unknown() {
   }
 }
 
-// Returns the slope at a place where it may jump from `low` to `high`. It occurs in |a|, min and
-// max. The interval covers both sides.
+// Returns the slope at a place where it may jump from `low` to `high`. Such jumps occur in |a|, min
+// and max. As an interval, the result contains the slopes on both sides.
 template <class Number>
 Number Between(double low, double high) {
   if constexpr (std::is_same_v<Number, double>) {

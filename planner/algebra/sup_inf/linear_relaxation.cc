@@ -81,9 +81,9 @@ std::optional<LinearForm> LinearRelaxation::UpperForm(const Expression& e) {
   return form;
 }
 
-// Adds a form that is nowhere less than coefficient * column. It is one number of the coefficient
-// times the column, plus the greatest difference that the other numbers of the coefficient can
-// make. Returns false if that difference is infinite.
+// Adds a form that is nowhere less than coefficient * column. It is c * column + d. Here c is one
+// number of the interval `coefficient`, and d is the greatest excess that another number of this
+// interval can cause. Returns false if d is infinite.
 bool LinearRelaxation::AddUpper(const Interval& coefficient, ColumnId column, LinearForm& form) {
   const Interval& range = RangeOf(column);
   double chosen = IsNumber(coefficient) ? coefficient.low : Midpoint(coefficient);

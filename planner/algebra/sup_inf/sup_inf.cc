@@ -34,7 +34,8 @@ class Answer {
   }
 
  private:
-  // INF(J) is -SUP(-J), the greatest of the negated forms.
+  // INF(J) is computed as -SUP(-J): the upper bounds of -J are negated, and the greatest result is
+  // taken.
   Expression Symbolic(const Expression& j, Side side) {
     const double none = side == Side::kSup ? kInfinity : -kInfinity;
     const LeastOf sup = relaxation_.Sup(side == Side::kSup ? j : -j);
@@ -66,8 +67,8 @@ class Answer {
   }
 
   // Returns the form with numbers that are doubles or quotients of two doubles. The result is never
-  // below the form for SUP and never above it for INF. Returns nothing if a variable without bounds
-  // has a coefficient that is neither.
+  // below the form for SUP and never above it for INF. Returns nothing if the coefficient of a
+  // variable without bounds is neither a double nor such a quotient.
   std::optional<Expression> Rounded(const LinearForm& form, Side side) {
     Expression sum = 0;
     LinearForm slack{.constant = form.constant};

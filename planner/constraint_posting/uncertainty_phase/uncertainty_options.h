@@ -22,7 +22,8 @@ struct UncertaintyOptions {
   std::int64_t instances = 10;
   // snapshots of world trees, for each search for a plan with fewer errors
   std::int64_t snapshots = 12'000;
-  // the number of instances that may be augmented only because their violation may be smaller
+  // the number of instances that may be augmented in the hope of a smaller violation alone, without
+  // hope of fewer unproved steps
   std::int64_t instances_for_violation = 0;
   std::vector<std::shared_ptr<Resolver>> resolvers = {};  // empty: sensing, then squeezing
   // sensing actions with which every plan begins, whether it needs them or not

@@ -17,12 +17,13 @@ struct AugmentedPlanInstance {
 };
 
 // Augments an instance, action by action in the order of execution. It certifies the preconditions
-// of each action. If one is not proved, it searches for the fewest remedies, sensing first, that
-// prove all of them and keep the proved goals. If there are none, it inserts the remedies that
-// bring the step nearest without moving parts, counts an error, and adds the workcell's
-// verification and recovery templates. Beyond the paper, remedies are inserted wherever their
-// preconditions hold, not only right before the step. A remedy may prepare the goals of another
-// remedy: sensing before squeezing, for this part or for another.
+// of each action. If a precondition is not proved, it searches for the smallest set of remedies
+// that proves all preconditions of the action and keeps the goals that are proved already. It tries
+// sensing first. If there is no such set, it inserts the remedies that come nearest to a proof and
+// move no part, counts an error for the step, and adds the workcell's verification and recovery
+// templates. Beyond the paper, remedies are inserted wherever their preconditions hold, not only
+// right before the step. A remedy may serve to prove the goals of another remedy. For example, this
+// part or another one may be sensed before it is squeezed.
 AugmentedPlanInstance Augment(const domain::Problem& problem, const plan::Plan& instance,
                               const UncertaintyOptions& options);
 

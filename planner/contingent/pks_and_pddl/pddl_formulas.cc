@@ -9,7 +9,7 @@
 namespace assay::contingent {
 namespace {
 
-// Returns true for PDDL keywords that are outside the fragment or are not allowed in every place.
+// Returns true for PDDL keywords that this reader does not support at all, or only in some places.
 bool IsKeyword(const std::string& word) {
   static constexpr std::array kWords = {
       "and",   "or",     "oneof",    "unknown",  "when",     "forall",       "exists",

@@ -9,7 +9,7 @@ namespace assay::contingent {
 // Reads the effects of an action, or update rules:
 //   effects = effect { ";" effect }
 //   effect = [ "forall" "(" variables ")" ] [ query "=>" ] changes
-// After a comma another query may begin another effect.
+// A comma may separate effects, too, if the next effect begins with a query.
 std::vector<Effect> ReadEffects(PksTokens& tokens);
 // Reads changes with commas between them, such as add(Kf, p(a)).
 std::vector<Change> ReadChanges(PksTokens& tokens);

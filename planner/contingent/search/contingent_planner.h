@@ -40,11 +40,11 @@ enum class Wanted {
 // Plans at the knowledge level (Petrick and Bacchus 2002). Each visit of a knowledge state takes
 // one unit of the budget.
 //
-// The outcome kNone is a proof. It says that no tree without repeats surely reaches the goal,
-// whatever states it goes through. It says the same about trees with repeats of one kind: at each
-// repeat, the question of the repeated branch must be open again in every world
-// (exhaustive_tree.h). If the search left out a step that might have been possible, it proves
-// nothing, and the outcome is kBudget with a doubt.
+// The outcome kNone is a proof. It says that no tree without repeats reaches the goal in all
+// worlds. It says the same about every tree with repeats in which, at each repeat and in every
+// world, the question of the repeated branch is open again (exhaustive_tree.h). If the search left
+// out a step that might have been possible, nothing is proved. The outcome is then kBudget, and the
+// doubt gives the reason.
 //
 // Throws InputError if init contradicts itself, and if update rules do not come to rest
 // (knowledge_base.h).

@@ -6,8 +6,8 @@ namespace assay::contingent {
 namespace {
 
 constexpr int kNotReached = RelaxedPlan::kUnreached;
-// Exclusive alternatives settle each other. In longer lists, only the last remaining one is
-// settled.
+// Exclusive alternatives settle each other. In a list of more alternatives than this, only the last
+// remaining alternative is settled.
 constexpr std::size_t kShortList = 8;
 
 }  // namespace

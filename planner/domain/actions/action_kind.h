@@ -45,8 +45,8 @@ enum class Leaves {
 };
 
 // The description of one kind of action. The libraries above derive everything they do with an
-// action from this description, so a new kind of action needs no other file in them. The robot
-// of a problem can do the kinds in Problem::actions.
+// action from this description, so a new kind of action needs no change in those libraries. The
+// robot of a problem can do the kinds in Problem::actions.
 struct ActionKind {
   std::string_view name;  // the name in files and texts
   std::string_view summary = {};

@@ -19,10 +19,10 @@ inline constexpr double kAxisAngleLimit = 1.5 * std::numbers::pi / 180;
 // A shaft in its hole is off by no more than the clearance, along each side of the hole. This is
 // the allowance beyond that, for penetration and for the tilt of the fixed part.
 inline constexpr double kLateralSlack = 0.0002;
-// The greatest alignment error, as a multiple of the clearance. The clearance lets the shaft move
-// by up to 1.4 times its value, into a corner of the hole. The clearance lets the shaft turn,
-// too. A hole of the part may be 1.5 times as far from the axis as the shaft's side, and the turn
-// then moves this hole by 1.5 times the clearance.
+// The greatest alignment error, as a multiple of the clearance. The shaft can move into a corner of
+// its hole, which is up to 1.4 times the clearance. The shaft can turn in its hole, too. An
+// alignment hole may be 1.5 times as far from the axis as the shaft's side. The turn then moves the
+// alignment hole by 1.5 times the clearance.
 inline constexpr double kAlignmentClearances = 3;
 
 inline double GreatestClearance(const Problem& problem) {

@@ -15,14 +15,16 @@ namespace {
 using geometry::Box;
 using geometry::Polygon;
 
-constexpr double kSameNormal = 1e-6;  // distance of unit vectors, about radians
-constexpr double kSamePlane = 5e-8;   // metres
+// Unit normals whose difference is shorter than this count as equal. For small angles this is the
+// angle in radians.
+constexpr double kSameNormal = 1e-6;
+constexpr double kSamePlane = 5e-8;  // metres
 // At this height above a plane, in metres, boxes are tested for what they cover: more than
 // rounding, less than any intended gap.
 constexpr double kProbe = 1e-7;
-// A side of a box that leans on the plane recedes up to the height kProbe. The narrow strip in
-// between is no surface.
-constexpr double kNarrowest = 1e-5;  // least breadth of a patch, metres
+// The least breadth of a patch of a face, in metres. The section of a leaning box at the height
+// kProbe is a little smaller than at the plane. The narrow strip that is left belongs to no face.
+constexpr double kNarrowest = 1e-5;
 
 bool InPlane(const Face& face, const Vector3& normal, double offset) {
   return (face.normal - normal).norm() < kSameNormal && std::abs(face.offset - offset) < kSamePlane;

@@ -11,7 +11,7 @@
 namespace assay::domain {
 
 // Reads a part file ("assay-part/1") and computes the model from it. models/parts/README.md
-// describes the format. The object lives as long as the reading.
+// describes the format. The object exists only while the file is read.
 class PartFile {
  public:
   // Reads models/parts/NAME/part.yaml. `clearance` is in metres, on each side of the axes along

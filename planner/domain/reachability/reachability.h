@@ -49,8 +49,8 @@ GraspConditions BrokenMatingAt(const Problem& problem, MatingId mating, GraspId 
 GraspConditions BrokenMatingIn(const Problem& problem, MatingId mating, GraspId grasp,
                                StablePoseId pose_of_fixed);
 
-// Return whether no condition fails. This is faster than listing the broken ones, since the first
-// that fails ends the search.
+// Return true if all conditions hold. This is faster than listing the broken ones, since the first
+// broken condition ends the search.
 bool IsReachableAt(const Problem& problem, PartId part, GraspId grasp, const Pose& X_WorldPart);
 bool IsReachableIn(const Problem& problem, PartId part, GraspId grasp, StablePoseId pose);
 bool IsMateReachableAt(const Problem& problem, MatingId mating, GraspId grasp,

@@ -102,10 +102,10 @@ std::string InUnit(const Range& range, const Unit& unit);
 // gives in that unit.
 double ReadWithin(const Value& value, const Unit& unit, const Range& range);
 
-// Reads a length in metres, at most 100 m either way. A longer one is a slip, and would overflow
-// later.
+// Reads a length and returns it in metres. A length outside of -100 m to 100 m is refused: it is a
+// mistake, and later computations with it could overflow.
 double ReadLength(const Value& value, const Units& units);
-// Reads an angle in radians, at most two turns either way.
+// Reads an angle and returns it in radians. It is at most two turns in either direction.
 double ReadAngle(const Value& value, const Units& units);
 
 // Read a list of two or of three lengths, in metres.

@@ -23,8 +23,8 @@ struct TravelStretch {
   double to = 0;
 };
 
-// A pair of faces, and the stretch in which they touch: while one slides along the other, or when
-// it lands.
+// A pair of faces, and the stretch of the travel in which they touch: where one slides along the
+// other, or where it lands on the other.
 struct Touch {
   TouchingFaces faces;
   TravelStretch where;
@@ -190,7 +190,8 @@ class Slide {
     std::vector<double> changes;
     for (const Touch& touch : touches_) {
       for (const double travel : {touch.where.from, touch.where.to}) {
-        if (travel > -kSlideTolerance && travel < length_ + kSlideTolerance) changes.push_back(travel);
+        if (travel > -kSlideTolerance && travel < length_ + kSlideTolerance)
+          changes.push_back(travel);
       }
     }
     std::ranges::sort(changes);
@@ -202,7 +203,8 @@ class Slide {
   std::vector<TouchingFaces> TouchingAt(double travel) const {
     std::vector<TouchingFaces> touching;
     for (const Touch& touch : touches_) {
-      if (touch.where.from <= travel + kSlideTolerance && travel <= touch.where.to + kSlideTolerance) {
+      if (touch.where.from <= travel + kSlideTolerance &&
+          travel <= touch.where.to + kSlideTolerance) {
         touching.push_back(touch.faces);
       }
     }
@@ -222,7 +224,8 @@ class Slide {
 }  // namespace
 
 std::vector<CriticalPoint> CriticalPoints(const Polyhedron& moving, const Polyhedron& stationary,
-                                          const Pose& X_StationaryEnd, const Vector3& mating_vector) {
+                                          const Pose& X_StationaryEnd,
+                                          const Vector3& mating_vector) {
   return Slide(moving, stationary, X_StationaryEnd, mating_vector).CriticalPoints();
 }
 

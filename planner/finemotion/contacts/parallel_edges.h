@@ -38,8 +38,9 @@ struct ParallelEdges {
 };
 ContactKey KeyOf(const ParallelEdges& edges);
 
-// Values of linear functions along a motion under uncertainty: the values at the start, the change
-// in one displacement, and how the errors of the start and of the displacement change each of them.
+// The values of linear functions along a motion under uncertainty: the values at the start, the
+// change of these values over the whole displacement, and how much each error of the start and of
+// the displacement changes them.
 template <int Rows>
 struct SweptValues {
   Eigen::Matrix<double, Rows, 1> start;

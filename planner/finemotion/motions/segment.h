@@ -17,8 +17,8 @@ inline constexpr double kLost = 2e-5;
 struct Unwanted {
   ContactKey contact;
   bool is_loss = false;
-  // The least factor of all errors, among the enlargements that are tried, at which it happens
-  // (motion_checker.h).
+  // The least factor, among the tried ones, by which all errors must be enlarged so that the
+  // contact or loss happens (motion_checker.h).
   double scale = 1;
 };
 

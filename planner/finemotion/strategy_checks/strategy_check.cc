@@ -18,8 +18,9 @@ constexpr double kRounding = 0.999;  // factor by which the errors are reduced
 constexpr double kPlace = kLost;     // metres by which gaps and poses may differ
 constexpr double kDirection = 1e-3;  // radians by which directions may differ
 constexpr double kGreatestTurn = 1.5 * kLinearTurn;
-constexpr double kNoTurn = 1e-9;   // radians; less is rounding
-constexpr double kFarther = 1e-3;  // fraction of a motion's length by which lengths may differ
+constexpr double kNoTurn = 1e-9;  // radians; less is rounding
+// The length that a motion may need may differ by this fraction of the motion's length.
+constexpr double kFarther = 1e-3;
 
 bool AreSame(const Pose& a, const Pose& b) {
   const PoseChange z = Between(a, b);

@@ -69,7 +69,8 @@ bool IsGrazing(const PrimitiveContact& contact, const PoseChange& direction, dou
 }
 
 // Returns (d, w) changed so that kept contacts neither close nor open: w stays, and d changes as
-// little as possible. Returns none if there is no such motion, or too little of it is left.
+// little as possible. Returns none if there is no such motion, or if the changed d is too short and
+// w is zero.
 std::optional<PoseChange> Complied(const std::vector<const PrimitiveContact*>& kept, Vector3 d,
                                    const Vector3& w) {
   if (!kept.empty()) {

@@ -7,7 +7,7 @@
 
 namespace assay::finemotion {
 
-// Returns the outside of the union of the part's boxes.
+// Returns the outer surface of the union of the part's boxes.
 Polyhedron OutsideOf(const domain::PartModel& model);
 
 // A mating as fine motion sees it. The tip is a frame in the middle of the held feature that enters

@@ -37,8 +37,8 @@ struct SequenceSearch::Node {
   int number = 0;  // number of the node in the order in which nodes are made
 };
 
-// Orders nodes by the estimated cost of the whole sequence. If the costs are equal, the node that
-// came farther is first.
+// Orders nodes by the estimated cost of the whole sequence. If the costs are equal, the node with
+// more motions is first.
 bool SequenceSearch::IsLater::operator()(const NodePointer& a, const NodePointer& b) const {
   const double cost_a = a->cost + a->guidance;
   const double cost_b = b->cost + b->guidance;

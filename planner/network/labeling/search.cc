@@ -112,8 +112,9 @@ FirstLabeling First(const Network& network, const SearchOptions& options, Budget
   return first;
 }
 
-// The network is decided first. Otherwise an inconsistent part that is late in the order would be
-// found inconsistent again and again.
+// One labeling is searched for first, to see whether there is any. Otherwise an inconsistent
+// component that is late in the order would be refuted again for each labeling of the components
+// before it.
 AllLabelings All(const Network& network, const SearchOptions& options, Budget& budget) {
   AllLabelings all;
   const FirstLabeling first = First(network, {}, budget);

@@ -86,7 +86,7 @@ LaneSearch<Lane>::LaneSearch(std::span<const int> scope, const std::vector<int>&
       changed_(WordsFor(rows_.blocks() * kLanesOfBlock<Lane>), 0),
       single_(changed_) {
   decisions_.reserve(scope.size());
-  // Elements without a node are full, because every label supports them.
+  // All bits of an element without a node are set, so that it never restricts a label.
   std::fill_n(lanes(), rows_.blocks() * kLanesOfBlock<Lane>, static_cast<Lane>(~Lane{0}));
   for (std::size_t lane = 0; lane < scope.size(); ++lane) {
     lanes()[lane] = static_cast<Lane>(labels.OneWord(scope[lane]));

@@ -117,9 +117,9 @@ struct Certificate {
 };
 
 // Returns what a certificate says of a guarded move: the greatest distance, in metres, between the
-// expected and the actual contact. The preconditions kLandingHeight and kSeat say that it stays
-// within the workcell's guarded travel. If nothing is certified, the whole guarded travel is
-// returned.
+// expected and the actual contact. The preconditions kLandingHeight and kSeat say that this
+// distance is at most the workcell's guarded travel. If nothing is certified, the whole guarded
+// travel is returned.
 double DoubtOfContact(const Certificate& certificate, double guarded_travel);
 
 }  // namespace assay::plan

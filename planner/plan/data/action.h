@@ -36,8 +36,8 @@ struct Place {
   }
 };
 
-// An action of a plan: its kind, and a value for each argument of the kind. Other arguments have
-// no meaning. Every action has a place.
+// An action of a plan: its kind, and a value for each argument of the kind. A field for an argument
+// that the kind does not have has no meaning. `place` has a meaning for every kind.
 struct Action {
   const domain::ActionKind* kind = nullptr;
   PartId part = PartId::None();

@@ -12,7 +12,7 @@
 namespace assay::plan {
 
 // Returns a certificate as plan.json holds it (plan.schema.json). Numbers read back as exactly the
-// same doubles; infinite ones are the strings "inf" and "-inf". `step_names` is by StepId.
+// same doubles; infinite ones are the strings "inf" and "-inf". `step_names` is indexed by StepId.
 nlohmann::ordered_json ToJson(const Certificate& certificate, const domain::Problem& problem,
                               const std::vector<std::string>& step_names);
 

@@ -16,8 +16,8 @@ namespace assay::uncertainty {
 namespace {
 
 constexpr double kTurn = 0.55;
-constexpr double kMeanOfGyration =
-    0.85;  // mean distance over radius of gyration, of convex regions
+// Of convex regions: the mean distance from the centre, divided by the radius of gyration.
+constexpr double kMeanOfGyration = 0.85;
 
 geometry::Polygon SupportOf(const std::vector<Standing>& standings) {
   std::vector<Vector2> corners;

@@ -20,9 +20,9 @@ struct PossibleFrame {
 // against the origin of the other.
 Vector3 DisplacementBetween(const UncertainWorld& world, const PossibleFrame& a,
                             const PossibleFrame& b);
-// Return the frame of a part that rests, in the world. FrameOf has its errors about the planned
-// pose; BelievedFrameOf has them about the believed pose, as the hand that works on the part sees
-// them (UncertainWorld::resting).
+// Both return the frame of a resting part in the world, with its errors. FrameOf gives the errors
+// relative to the planned pose. BelievedFrameOf gives them relative to the pose that the hand
+// believes when it works on the part (UncertainWorld::resting).
 PossibleFrame FrameOf(const UncertainWorld& world, PartId part);
 PossibleFrame BelievedFrameOf(const UncertainWorld& world, PartId part);
 // Returns the frame of a body that follows a believed pose, after that pose has moved by `shift`.

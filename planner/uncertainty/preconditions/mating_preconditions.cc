@@ -20,9 +20,9 @@ using domain::SideWall;
 using geometry::Polygon;
 using geometry::Vector2;
 
-// The worst values in a mating, which may be worse than the values of the problem. Narrower holes
-// and greater friction are the worst case of every condition in this file: a larger hole contains
-// the smaller one's room, and no condition assumes that a wall stops the shaft.
+// The worst values in a mating, which may be worse than the values of the problem. For every
+// condition in this file, the narrowest hole and the greatest friction are the worst case. A larger
+// hole only adds room, and no condition relies on a wall that stops the shaft.
 struct Worst {
   double narrowing = 0;  // loss of width on each side of a hole, metres
   double friction = 0;   // friction of the mating surfaces

@@ -39,10 +39,11 @@ struct Push {
   double aside = 0;  // newtons, in any direction
 };
 
-// Returns the ratio of the moment by which the pushes tip a part to the moment by which its weight
-// keeps it. It is the greatest ratio over all edges of this part and of the parts that it stands
-// on. Below 1, none of these parts tips. The part's fixture (domain::Part::clamp) helps to press it
-// down. `off` is the greatest distance, in metres, of the pushes from their planned places.
+// Returns the moment with which the pushes tip a part, divided by the moment with which its weight
+// resists. The result is the greatest ratio over all edges of this part and of the parts that it
+// stands on. If it is below 1, none of these parts tips. The part's fixture (domain::Part::clamp)
+// helps to press it down. `off` is the greatest distance, in metres, of the pushes from their
+// planned places.
 double TippingRatio(const UncertainWorld& world, PartId part, const std::vector<Push>& pushes,
                     double off);
 // Returns the ratio of the force that pushes the part aside to the friction that keeps it. The

@@ -221,9 +221,9 @@ class CertificateCheck {
     return std::isfinite(of_subject) ? of_subject : of_all;
   }
 
-  // A step whose preconditions hold comes to its end. One of its preconditions is that the arm
-  // reaches everything, if the plan was made with assembly::WayConditions. No certificate covers an
-  // execution in which the engine's numbers become invalid.
+  // A step whose preconditions hold is completed. If the plan was made with
+  // assembly::WayConditions, one of the preconditions is that the arm reaches all poses of the
+  // step. No certificate covers an execution in which the engine's numbers become invalid.
   void CheckStopped() {
     const auto* end = std::get_if<execution::ExecutionEnd>(&trace_.events.back());
     if (end == nullptr) return;

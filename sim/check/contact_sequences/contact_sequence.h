@@ -53,7 +53,7 @@ struct PlannedContacts {
     bool Wants(const ContactKey& key) const;
   };
   std::vector<Motion> motions = {};
-  std::vector<ContactSet> states = {};  // from free space on; neighbours differ
+  std::vector<ContactSet> states = {};  // from free space on; no two in a row are equal
 };
 
 // Returns the contacts that a plan expects in each of its motions. The way on in the crevice, in

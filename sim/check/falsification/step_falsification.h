@@ -36,10 +36,10 @@ struct PoisedTrial {
 };
 
 // The result of bringing a trial to where the tool is poised for a step: the poised trial, or the
-// claims that failed on the way.
+// claims that failed before that.
 struct Approach {
   std::optional<PoisedTrial> poised;
-  std::vector<Claim> claims;  // claims of this step that failed on the way
+  std::vector<Claim> claims;  // claims of this step that failed before that
 };
 
 // The stage up to which a step is attempted, in the order of time.

@@ -50,7 +50,8 @@ const std::vector<Measurement>& KnownMeasurements();
 const Measurement& MeasurementOf(plan::Condition condition,
                                  const std::vector<Measurement>& measurements);
 
-// Adds a margin unless the observed value is infinite: an infinite distance has no subject.
+// Adds a margin unless the observed value is infinite. An infinite distance means that there is
+// nothing to which a distance could be measured.
 void AddFinite(std::string subject, double observed, std::vector<MeasuredMargin>& measured);
 // Adds a clearance between two bodies. If the shapes overlap, their distance is 0 and the depth of
 // the overlap is unknown. They then get a fixed negative value.

@@ -21,7 +21,7 @@ struct Flag {
   bool takes_value = false;
 };
 
-// A verb, or a verb of a verb, as the command line declares it.
+// A verb, or a subcommand of a verb such as `sweep show`, as the command line declares it.
 struct Word {
   std::string name;
   std::string summary;

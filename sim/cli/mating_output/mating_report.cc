@@ -225,8 +225,8 @@ Json RecognitionJson(const check::RecognitionTally& tally) {
   return json;
 }
 
-// Returns the contact that an error state was recognized as, and whether it existed in the engine.
-// Null if none was recognized.
+// Returns the contact by which an error state was recognized, and whether the engine had this
+// contact. Returns null if no contact was recognized.
 Json RecognizedJson(const std::optional<execution::RecognizedContact>& recognized,
                     const SequenceRecord& sequence) {
   if (!recognized) return {};

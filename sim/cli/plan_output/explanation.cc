@@ -29,8 +29,8 @@ using verify::VariableInProof;
 
 constexpr std::size_t kLineWidth = 100;
 constexpr std::string_view kIndent = "    ";
-constexpr std::size_t kShownLines = 3;      // of an expression shown in full
-constexpr double kShownShare = 0.001;       // of the largest cost
+constexpr std::size_t kShownLines = 3;      // lines of an expression that are printed
+constexpr double kShownShare = 0.001;       // smaller shares of the largest cost are left out
 constexpr std::size_t kShownVariables = 8;  // the variables that cost most
 
 // Preconditions that state the same condition for different points and planes. The tightest comes

@@ -12,8 +12,8 @@ namespace assay::cli {
 // the database. Throws InputError if it is not there, or has changed.
 sweep::Sweep SweepOf(const sweep::Store& store);
 
-// Returns a trial of a database by its number. `verb` begins the messages. Throws UsageError if
-// there is no such trial, or if it was not done.
+// Returns a trial of a database by its number. Error messages begin with `verb`. Throws UsageError
+// if there is no trial with this number, or if the trial was not executed.
 sweep::TrialRecord StoredTrial(const sweep::Store& store, int number, std::string_view verb);
 
 // Returns the cell of a trial, with the stored plan. `models` are the given folders; if it is

@@ -17,7 +17,7 @@ using plan::Retreated;
 struct StepCommands {
   plan::StepId step = {};
   std::vector<Command> approach = {};  // commands until the tool is poised before or above its work
-  std::vector<Command> advance = {};   // commands until the tool is at its work
+  std::vector<Command> advance = {};   // commands that bring the tool to where the step acts
   std::vector<Command> act = {};       // commands at the place of work
   std::vector<Command> depart = {};    // commands that move the tool away, if the work succeeded
   // Commands that move the tool back to where it was poised, if the work failed. If there are none,

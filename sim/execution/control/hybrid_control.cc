@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kStalled = 0.3;       // seconds without progress along a crevice
 constexpr double kCreviceEnd = 0.002;  // metres to which the end of a crevice is known
-constexpr double kNoWay = 1e-9;        // metres or radians; shorter ways are none
+constexpr double kNoWay = 1e-9;        // metres or radians; a shorter motion counts as none
 
 bool CanBeLeft(TrialOutcome error) {
   return error == TrialOutcome::kJammed || error == TrialOutcome::kWrongContact ||

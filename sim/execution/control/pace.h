@@ -3,7 +3,8 @@
 namespace assay::execution {
 
 // The pace of the tool along a straight line: `speed` (m/s), and `final_speed` over the last
-// `final_length` metres, where something may be touched. The joints may allow only less.
+// `final_length` metres, where something may be touched. The limits of the joints may make the tool
+// slower.
 struct Pace {
   double speed = 0;
   double final_speed = 0;

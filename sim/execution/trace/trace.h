@@ -97,9 +97,9 @@ struct MotionRecord {
 
 // The stages of a step.
 enum class Stage {
-  kPoised,   // the tool is before or above its work
-  kReached,  // the tool is where it acts: the pads beside the part, the held part down or seated
-  kActed,    // the pads are closed, or the sensor has looked
+  kPoised,   // the tool is before or above the place where the step acts
+  kReached,  // the open pads are beside the part, or the held part is on the table or in its seat
+  kActed,    // the pads are closed or open, or the sensor has looked
 };
 std::string_view Name(Stage stage);  // for example "poised"
 

@@ -52,8 +52,8 @@ std::vector<Finding> MatingFindings(const domain::Problem& problem, const domain
 
 // The facts by which Released judges whether a part is still in the hand.
 struct GripperState {
-  double opening = 0;     // metres
-  double held_width = 0;  // metres, when the gripper last held the part
+  double opening = 0;     // distance between the pads, metres
+  double held_width = 0;  // this distance when the gripper last held the part, metres
   bool touching = false;  // the hand or the fingers touch the part
 };
 // Judges whether the gripper has let go of the part.

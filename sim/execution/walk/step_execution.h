@@ -32,8 +32,8 @@ class StepExecution {
   Progress Attempt();
   // Returns the first error that a verification of this step signals; empty: none.
   std::string Verify();
-  // Tries the step at the next place of the error's recovery. If no place is left, it calls the
-  // operator.
+  // Tries the step again at the next place that the recovery from this error lists. If no place is
+  // left, it calls the operator.
   Progress TryAgain(const std::string& error);
   // Moves the tool away.
   Progress Finish();

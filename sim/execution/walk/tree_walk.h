@@ -57,7 +57,8 @@ class TreeWalk {
   Walk Go();
 
  private:
-  // These functions execute one node and return the next one; none ends the walk.
+  // Each of these functions executes one node and returns the next one, or std::nullopt at the end
+  // of the walk.
   std::optional<contingent::NodeId> Arrive();
   std::optional<contingent::NodeId> Act(const contingent::PlanNode& node);
   std::optional<contingent::NodeId> Whether(contingent::NodeId id);

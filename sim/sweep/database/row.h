@@ -26,8 +26,9 @@ namespace assay::sweep {
 template <class T, class Record>
 concept Is = std::same_as<std::remove_const_t<T>, Record>;
 
-// Columns(record) ties the columns of a record in the order of its table (schema.cc). The keys that
-// come before the record's own columns, such as the number of the trial, are left out.
+// Columns(record) returns a tuple of references to the record's fields, in the order of the columns
+// of its table (schema.cc). The keys that come before the record's own columns, such as the number
+// of the trial, are left out.
 auto Columns(Is<CellRecord> auto& r) {
   return std::tie(r.cell, r.scenario, r.clearance, r.error_scale, r.propagation, r.resolvers,
                   r.noise, r.sensing, r.seed, r.trials, r.grasp, r.outcome, r.actions, r.errors,

@@ -207,8 +207,8 @@ class Running {
 
   // ---- falsifications
 
-  // The falsifications share the threads: a thread that finds no new one to begin helps with
-  // another one.
+  // The falsifications share the threads. A thread without a falsification of its own helps with
+  // one that is running.
   void RunFalsifications(BatchWriter& writer) {
     falsifications_started_ = Clock::now();
     scheduler_.AsDone(

@@ -44,9 +44,9 @@ class Augmentation {
   // Adds a step with its remedies. Returns true if all goals of the step are proved.
   bool Add(plan::StepId id, const plan::Action& action, IfUnproved if_unproved);
 
-  // Returns the objection to the step that was added last, which must be unproved. If goals fail
-  // even with the best knowledge, the objection names these goals. If some of these do not depend
-  // on the places of parts, it names only those.
+  // Returns the objection to the step that was added last, which must be unproved. If some goals
+  // fail even with the best knowledge, the objection names them. If any of these goals do not
+  // depend on the places of parts, it names only the goals that do not.
   Objection ObjectionToLast() const;
   // Returns the subjects of the steps that are not proved wherever parts are.
   std::vector<Subject> FailingAnywhere() const;

@@ -41,7 +41,7 @@ class InstanceJudge {
     plan::Action last = {};
     std::optional<Augmentation> augmentation = {};  // none if there are too many objections
     std::vector<Objection> objections = {};         // objections to steps that fail
-    std::vector<std::size_t> longer = {};           // the beginnings that are longer by one action
+    std::vector<std::size_t> longer = {};           // the beginnings with one more action
   };
 
   std::size_t After(std::size_t before, std::span<const plan::Action> actions);
