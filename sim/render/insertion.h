@@ -29,7 +29,7 @@ class Insertion {
 
   // Returns the subject of close-ups. It frames both parts, for every depth of the held part from
   // gap() before the mouth to the seat. Points of mouths and shafts must be visible while the held
-  // part is before the mouth, as it enters, and half way in.
+  // part is before the mouth, as it enters, and when it is half inserted.
   Subject SubjectIn(const mujoco::Data& data) const;
   // Returns the bodies that move during the mating (for Sight).
   std::vector<mujoco::BodyId> Moving() const;

@@ -44,10 +44,10 @@ class PartModel;
 
 // Returns the grasps of a part by a gripper. They are at pairs of parallel faces not wider than
 // `widest`, with approach directions quantized from a part axis, and with pads wholly on the faces
-// and not on walls of holes. Hand and fingers are clear of the part when open, on the way in, and
-// when closed. For grasps wider than the gripper opens, only the hand must be clear. Each class
-// gives the grasp whose pads lie deepest in the faces (up to 4 mm), and among equals the nearest to
-// the centre of mass. The grasps are ordered by face pairs, then by directions.
+// and not on walls of holes. Hand and fingers are clear of the part when open, on the straight
+// approach, and when closed. For grasps wider than the gripper opens, only the hand must be clear.
+// Each class gives the grasp whose pads lie deepest in the faces (up to 4 mm), and among equals the
+// nearest to the centre of mass. The grasps are ordered by face pairs, then by directions.
 std::vector<Grasp> ComputeGrasps(const PartModel& part, const kinematics::Gripper& gripper,
                                  const GraspSearch& search);
 

@@ -53,7 +53,7 @@ std::vector<CObstacle> HandClearance::ObstaclesOf(const Approach& approach) cons
 }
 
 // The Minkowski sum of the shadow and the reflected rectangle has the edge normals of both
-// polygons. The way in stretches the rectangle backward.
+// polygons. The straight approach stretches the rectangle backward.
 CObstacle HandClearance::ObstacleOf(const Encounter& encounter, const Approach& approach) {
   Vector2 low = encounter.low;
   if (encounter.stage == Stage::kApproaching) low.y() -= approach.length;

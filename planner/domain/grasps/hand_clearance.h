@@ -24,7 +24,7 @@ struct CObstacle {
 struct Approach {
   geometry::Vector2 x;  // the tool's x and z axes in the plane
   geometry::Vector2 z;
-  double length = 0;  // length of the straight way in, metres
+  double length = 0;  // length of the straight approach, metres
 
   // Returns the approach whose tool z is at an angle from the plane's x, with y along the plane's
   // normal.

@@ -181,7 +181,7 @@ inline constexpr ConditionKind kHolding = {"holding", "the pads' friction bears 
 // the pads close or open, and on the way from there. The part between the pads is tested where it
 // rests before it is taken, and where it is in the hand. Its pieces behind the planes in which the
 // closing pads are to touch it are left out. The fixed part of a mating, and parts beside it, are
-// tested on the hand's way in, too.
+// tested on the hand's way in the insertion, too.
 inline constexpr ConditionKind kHandClear = {
     "hand clear",       "hand and fingers touch no part, except the faces on which the pads close",
     Dimension::kLength, NeededBy::kHandWork,

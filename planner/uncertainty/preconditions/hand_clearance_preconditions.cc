@@ -86,7 +86,7 @@ class HandConditions {
     }
   }
 
-  // Requires clearance from the fixed part, whose believed pose guides the hand on the way in.
+  // Requires clearance from the fixed part, whose believed pose guides the hand in the insertion.
   void RequireClearOfFixed(PartId fixed, const Vector3& way_in, const Vector3& slack) {
     RequireClear(tool_, Swept(tool_, WayOf(world_, way_in, 0)), BelievedFrameOf(world_, fixed),
                  fixed, PartId::None(), slack);
@@ -110,8 +110,8 @@ class HandConditions {
   std::vector<Precondition> Take() { return conditions_.Take(); }
 
  private:
-  // Returns hand and fingers on all their ways at the work. The closed hand on its way in is added,
-  // unless that is the way on which the hand leaves.
+  // Returns hand and fingers on all ways that they take where the step acts. The closed hand on the
+  // way in is added, unless the hand leaves on the same way.
   std::vector<Body> Swept(const PossibleFrame& tool, const StraightWay& way_in) const {
     std::vector<Body> bodies;
     for (const auto* boxes : {&hand_.palm, &hand_.swept}) {

@@ -17,7 +17,7 @@ namespace assay::check {
 // precondition that the planner could not prove may fail. If it fails, or if nothing measures
 // whether it does, nothing is claimed about its step or about later steps. Nothing is claimed after
 // a recovery. What a strategy absorbs is no claim. Three further claims are listed only when they
-// fail: that a step comes to its end, that arm and hand touch nothing that they must not touch, and
+// fail: that a step is completed, that arm and hand touch nothing that they must not touch, and
 // that the step moves no part that it does not handle.
 //
 // `first` is the step in which the trace begins; None means the plan's first step. `measurements`

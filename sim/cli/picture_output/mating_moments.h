@@ -16,8 +16,8 @@ struct Snapshot {
 };
 
 // Selects the events of a mating that are worth a picture: as far before the mouth as the mouth is
-// wide, as it enters, half way in, and where it comes to rest. All of them are seen by one camera.
-// It begins when the held part is before the hole.
+// wide, as it enters, when it is half inserted, and where it comes to rest. All of them are seen by
+// one camera. It begins when the held part is before the hole.
 class MatingMoments {
  public:
   // The arguments must outlive the object. In `data` the held part must be before the hole.

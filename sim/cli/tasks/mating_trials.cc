@@ -81,7 +81,7 @@ MatedTrial MatingTrials::Recorded(int number, const Drawn& drawn,
       problem_, problem_.mating(assemble_.mating), trial.result.X_FixedHeld);
   const auto failed = std::ranges::find(findings, false, &execution::Finding::holds);
   trial.seated = failed == findings.end();
-  // A strategy may come to its end, believing that the part is seated, and give no reason.
+  // A strategy may be completed in the belief that the part is seated, and give no reason.
   std::string& reason = trial.result.end.reason;
   if (!trial.seated && reason.empty()) reason = execution::Text(*failed);
   return trial;

@@ -8,14 +8,14 @@ namespace assay::execution {
 enum class TrialOutcome {
   kSucceeded,  // the execution came to its end; of a judged trial: and every goal holds
 
-  // The execution did not come to its end.
+  // The execution was not completed.
   kUnreachable,     // the arm cannot follow a way that the plan asks for
   kOverload,        // the wrist felt more force than allowed, and the arm stopped
   kEngineWarning,   // the engine's numbers cannot be trusted, so the trial proves nothing
   kNotFound,        // a sensor did not see the part that it was to find
   kOperatorCalled,  // a person takes over: the plan says so, or no recovery mended an error
 
-  // A mating did not come to its end, as far as the arm can detect it. A plan then calls a person.
+  // A mating was not completed, as far as the arm can detect it. A plan then calls a person.
   kJammed,        // the part stopped short of its end, and is free without the push
   kWedged,        // the part stopped short of its end, and cannot be drawn back either
   kWrongContact,  // something touched that should not touch
