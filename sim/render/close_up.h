@@ -28,7 +28,7 @@ struct Subject {
 // that are above the table. Among equally good ones it takes the one nearest to UsualDirection.
 FreeCamera CloseUp(const Subject& subject, const Sight& sight, double aspect);
 
-// Returns the unit vector towards the usual eye of pictures. The eye is in front of the table, a
+// Returns the unit vector towards the default eye of pictures. The eye is in front of the table, a
 // little to the side, with the lamp behind it.
 Vector3 UsualDirection();
 

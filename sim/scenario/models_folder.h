@@ -7,7 +7,7 @@
 namespace assay::scenario {
 
 // Returns the folders with the models of a scenario file. The given folders come first; each must
-// have parts or workcells in it. Then come the usual folders: each `models` with parts beside the
+// have parts or workcells in it. Then come the default folders: each `models` with parts beside the
 // file and above it, up to the nearest with workcells. If none has workcells, ModelsOfTheProgram
 // comes last. Throws InputError for a given folder that has neither parts nor workcells, or if no
 // folder has workcells.

@@ -40,7 +40,7 @@ struct RunCommand {
   // Returns the command that executes the same plan once with these errors.
   RunCommand WithErrors(const std::string& errors_of_trial) const;
 
-  // Returns the command for the shell. Options that have their usual values are left out.
+  // Returns the command for the shell. Options that have their default values are left out.
   std::string Text() const;
 };
 
