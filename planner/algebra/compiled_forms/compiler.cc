@@ -72,8 +72,9 @@ class Compiler {
 
   int AddConstant(const Interval& value) { return writer_.AddConstant(value); }
 
-  // Finds the most frequent factor, sums the terms that contain it without it, and multiplies that
-  // sum by it. Repeats this with the remaining terms until no two of them share a factor.
+  // Finds the most frequent factor, and takes it out of all terms that contain it: the sum of the
+  // remainders is multiplied by the factor. Repeats this with the remaining terms until no two of
+  // them share a factor.
   int AddSum(std::span<Term> terms) {
     int sum = -1;
     const auto add = [&](int step) {

@@ -22,8 +22,8 @@ LinearPart LinearPartOf(const ConstraintSet& constraints);
 // Returns the finite ends of the range as linear forms that are at most 0.
 std::vector<LinearForm> EndsOf(ColumnId column, const Interval& range);
 
-// Returns the intersection of a and b. If it is empty, it returns a, which is conservative; this
-// can happen where constraints contradict each other.
+// Returns the intersection of a and b. The intersection can be empty where constraints contradict
+// each other. The result is then a, which is conservative.
 Interval Narrowed(const Interval& a, const Interval& b);
 
 // Returns the variable's interval, narrowed to its SUP and INF.

@@ -118,8 +118,8 @@ class NearMiss {
          .waiver = Relaxation::Waiver{.condition = condition_, .excess = excess, .also = also}});
   }
 
-  // Returns a hold that fails by the least excess. If the waiver of one such hold alone is enough,
-  // it returns that hold.
+  // Returns a hold that fails by the least excess. If several holds fail by this excess, it prefers
+  // a hold whose waiver alone is enough.
   const HoldOption& NeededOf(std::span<const Miss> misses) const {
     const double excess = misses.front().first;
     for (const Miss& miss : misses) {

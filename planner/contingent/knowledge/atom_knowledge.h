@@ -80,8 +80,9 @@ class AtomKnowledge {
   void Unrelate(KnowledgeState& state, AtomId atom);
   // Adds a relation to the state. Returns false if all relations cannot hold together.
   bool RelateAsWell(KnowledgeState& state, Diagram relation);
-  // Removes the relations that contain one of the variables, or another value of a function that
-  // has a value among them. Returns the conjunction of these relations and of unique names.
+  // Removes the relations that contain one of the variables. If a variable stands for a value of a
+  // function, relations that contain another value of this function are removed, too. Returns the
+  // conjunction of these relations and of unique names.
   Diagram TakeRelations(KnowledgeState& state, std::vector<int> variables);
   // Adds a relation, and adds to Kf the literals that follow from it. Returns false if the relation
   // cannot hold.

@@ -51,8 +51,8 @@ class KnowledgeBase {
   // action may give a function two values; or it is undecided whether an effect or a rule happens.
   std::optional<KnowledgeState> After(const GroundAction& action, const KnowledgeState& state);
 
-  // Returns the first formula of Kw, or none if Kw is empty. A conjunction that turns out false may
-  // settle none of its literals, but relates them.
+  // Returns the first formula of Kw, or none if Kw is empty. If a conjunction turns out false, none
+  // of its literals may become known, but the literals become related.
   FormulaId FormulaToBranch(const KnowledgeState& state) const;
   // Returns the functions of Kv whose possible values are listed by Kx.
   std::vector<FunctionId> FunctionsToBranch(const KnowledgeState& state);

@@ -210,8 +210,8 @@ class PddlWriter {
     return text + fmt::format(" )\n (:goal {}))\n", QueryText(task_.goal));
   }
 
-  // In PDDL the open values of one function are separate atoms. A oneof of exactly these values is
-  // required, because it states that they exclude each other.
+  // In PDDL the open values of one function are separate atoms. The initial state must have a
+  // `oneof` of exactly these atoms, because only that states that the values exclude each other.
   void RequireExclusive(const std::vector<bool>& is_stated) const {
     for (const GroundFunction& function : task_.functions) {
       std::vector<GroundLiteral> open;

@@ -51,8 +51,8 @@ Requirement Regression::OfStep(StateId state, const Transition& transition,
   return {};
 }
 
-// Update rules depend on what is known. All aspects that their conditions ask about are kept, so
-// that their changes are the same ones.
+// Update rules depend on what is known. All aspects that the conditions of the rules ask about are
+// kept, so that the rules make the same changes.
 Requirement Regression::BeforeUpdates(const Requirement& after, StateId outcome) {
   Requirement before = after;
   for (const GroundEffect& update : task().updates) {

@@ -9,7 +9,7 @@ namespace assay::finemotion {
 
 namespace {
 
-// A unit normal depends on earlier ones if less than this remains of it across them.
+// A unit normal depends on earlier normals if its component across their span is shorter than this.
 constexpr double kDependentNormal = 1e-9;
 constexpr double kAgree = 1e-9;  // greatest relative difference of values of rows that agree
 

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kTurned = 2e-3;    // radians that a kept contact may be beyond a limit
 constexpr double kParallel = 1e-9;  // greatest difference of the coefficients of parallel rows
-// Metres; a feature that slides along another as it touches may close by this much.
+// The gap of a contact between features that slide along each other may shrink by this many metres.
 constexpr double kGrazed = 1e-12;
 // Number of errors for which the edge test takes a millisecond.
 constexpr Eigen::Index kFewErrors = 12;

@@ -52,8 +52,9 @@ class UncertainMotion {
   Eigen::Index errors() const { return swept_.cols(); }     // number of errors of positions
   Eigen::Index drifts() const { return drifts_.cols(); }    // number of errors of the velocity
 
-  // Returns whether the contacts of the command exist, and the kept ones can last. A contact that
-  // disappears where another one of its C-surface takes over is not handled here.
+  // Returns whether the contacts of the command exist, and whether the kept contacts can last. The
+  // function does not handle a contact that disappears where another contact of the same C-surface
+  // takes over.
   bool HasItsContacts() const {
     return kept_.size() == command_.kept.size() && !directions_.are_parted() &&
            (!command_.until || until_ != nullptr);

@@ -66,9 +66,10 @@ struct FineMotionPlan {
   // The least coefficient of friction with which its kept contacts could hold a motion.
   double friction_limit = kGreatestFriction;
   // The contact or loss that stands in the way if not all of the errors are absorbed. If a part of
-  // the errors is absorbed, it is the first one that happens with slightly greater errors; its
-  // scale is the multiple at which it happens. Otherwise it is the one that stopped the sequence
-  // that came nearest to the goal, at the least multiple that was tried.
+  // the errors is absorbed, the obstacle is the first contact or loss that happens with slightly
+  // greater errors; its scale is the multiple at which it happens. If nothing is absorbed, the
+  // obstacle is what stopped the sequence that came nearest to the goal, at the least multiple that
+  // was tried.
   std::optional<Unwanted> obstacle = {};
   int expanded = 0;  // number of expanded nodes
   int replayed = 0;  // number of sequences replayed from other starts

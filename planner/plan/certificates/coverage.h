@@ -27,9 +27,9 @@ std::vector<Condition> ConditionsNeeded(const Action& action, const Strategy* st
                                         ConditionKinds kinds = KnownConditions());
 
 // Returns the kinds that the step needs and of which there is no precondition, each with its
-// reason. Checks that every kind that may not lack a precondition has one, and that no unneeded
-// kind has one. The planner therefore never writes a certificate that silently leaves something
-// unproved.
+// reason. Checks two things: each kind that must have a precondition has one, and no kind that the
+// step does not need has one. The planner therefore never writes a certificate that silently leaves
+// something unproved.
 std::vector<NotNeeded> NotNeededIn(const std::vector<CertifiedPrecondition>& preconditions,
                                    const Action& action, const Strategy* strategy,
                                    bool as_published, ConditionKinds kinds = KnownConditions());

@@ -33,8 +33,9 @@ struct TipError {
   Vector3 w = Vector3::Zero();  // rotation vector, radians
 };
 
-// A contact that a motion must not make, or a kept or awaited contact that it must not lose. The
-// error state then has the kept contacts with this one, or the planned contacts without this one.
+// A contact that a motion must not make, or a kept or awaited contact that it must not lose. In the
+// error state, this contact exists beside the kept contacts, or it is missing among the planned
+// contacts.
 struct UnwantedContact {
   int contact = 0;  // index in Strategy::contacts
   bool is_loss = false;

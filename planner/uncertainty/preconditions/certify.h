@@ -51,7 +51,7 @@ std::vector<Unproved> DecideStep(UncertainWorld& world, const plan::Action& acti
                                  const plan::Strategy* strategy = nullptr);
 
 // Returns the unproved precondition with the bound that a certificate states. `world` must be the
-// one in which the precondition was decided, or one that goes on from it.
+// world in which the precondition was decided, or a world that continues it.
 Unproved AsCertified(Unproved unproved, const UncertainWorld& world,
                      const algebra::BoundRequest& request);
 

@@ -12,13 +12,13 @@ namespace assay::check {
 // Compares the certificates of a plan with what truly happened, and returns the claims of every
 // step in the trace. The trace may be of a whole execution or of one that was resumed in between.
 //
-// A proved precondition must hold by its certified margin, less a tenth. A certificate predicts the
-// end of a step on the assumption that the preconditions of this and of all earlier steps hold. A
-// precondition that the planner could not prove may fail. If it fails, or if nothing measures
-// whether it does, nothing is claimed about its step or about later steps. Nothing is claimed after
-// a recovery. What a strategy absorbs is no claim. Three further claims are listed only when they
-// fail: that a step is completed, that arm and hand touch nothing that they must not touch, and
-// that the step moves no part that it does not handle.
+// The measured margin of a proved precondition must be at least nine tenths of the certified
+// margin. A certificate predicts the end of a step on the assumption that the preconditions of this
+// and of all earlier steps hold. A precondition that the planner could not prove may fail. If it
+// fails, or if nothing measures whether it does, nothing is claimed about its step or about later
+// steps. Nothing is claimed after a recovery. What a strategy absorbs is no claim. Three further
+// claims are listed only when they fail: the step is completed, arm and hand touch only what they
+// may touch, and only parts that the step handles move.
 //
 // `first` is the step in which the trace begins; None means the plan's first step. `measurements`
 // must have one entry for each kind of precondition in the plan.

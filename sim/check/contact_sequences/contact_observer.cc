@@ -18,7 +18,8 @@ constexpr double kTouching = 2e-5;  // metres of gap
 constexpr double kNear = 1e-4;      // metres between the points
 constexpr double kAlike = 0.99;     // cosine of the angle between the normals
 constexpr double kReach = 2e-4;     // metres; contacts within this gap are considered
-// Radians by which a feature that lies on another may have turned as it sank into it.
+// The angle in radians by which a feature that lies on another one may have turned because it
+// penetrates the other one.
 constexpr double kSunkTurn = 2e-3;
 
 // A primitive contact that may bear a point's force.

@@ -11,7 +11,7 @@
 namespace assay::cli {
 namespace {
 
-// Returns why the trace is not one of this plan; empty if it is one.
+// Returns why the trace does not belong to this plan. The text is empty if the trace belongs to it.
 std::string Mismatch(const execution::Trace& trace, const PlannedProblem& planned) {
   const domain::Problem& problem = planned.problem;
   const plan::Plan& plan = planned.result.plan;

@@ -15,8 +15,8 @@ namespace {
 constexpr const char* kPictureId = "pictures";
 constexpr const char* kPictureTitle = "Best, typical and worst trial";
 
-// Returns the sweep file's title. Returns its path if it has no title or this version cannot read
-// it.
+// Returns the sweep file's title. If the file has no title, or if this version of the program
+// cannot read the file, returns its path.
 std::string TitleOf(const Findings& findings) {
   const auto text = findings.facts.find("text");
   const auto path = findings.facts.find("path");
