@@ -8,8 +8,8 @@
 
 namespace assay::algebra {
 
-// The result of SUP for a linear form J: J is at most the least of these forms. INF(J) is -SUP(-J),
-// the greatest of the negated forms.
+// The result of SUP for a linear form J: J is at most the least of these forms. INF(J) is computed
+// as -SUP(-J): the forms for -J are negated, and J is at least the greatest of the results.
 class LeastOf {
  public:
   LeastOf() = default;  // +infinity: there is no bound

@@ -50,7 +50,7 @@ class Resolver {
 
   virtual std::string_view name() const = 0;  // such as "sensing"
   // Returns true if the inserted actions may move parts. Actions that move no part are inserted
-  // even if they prove nothing but bring a step nearer to being proved.
+  // even if they prove nothing, as long as they bring a step nearer to a proof.
   virtual bool disturbs() const { return true; }
   // Returns the conditions that its remedies may absorb. If other conditions of a step fail even
   // with all knowledge that remedies could give, no remedy can prove the step.

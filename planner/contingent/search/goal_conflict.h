@@ -7,7 +7,7 @@
 
 namespace assay::contingent {
 
-// The reason why a task has no plan: parts of its goal that no plan reaches together.
+// The reason why a task has no plan: parts of its goal that no plan can achieve together.
 struct GoalConflict {
   std::vector<GroundQuery> parts = {};  // at least one part, in the order of the goal
   // True if a plan exists as soon as any one of the parts is left out, or if there is only one

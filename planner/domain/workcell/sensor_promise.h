@@ -6,8 +6,8 @@
 
 namespace assay::domain {
 
-// The promise of a sensor about the poses that it measures: no coordinate is off by more than this,
-// either way. Metres and radians.
+// The promise of a sensor about the poses that it measures: the error of each coordinate is at most
+// this, in both directions. Metres and radians.
 struct SensorPromise {
   double x = 0;
   double y = 0;

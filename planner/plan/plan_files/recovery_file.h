@@ -10,7 +10,7 @@
 namespace assay::plan {
 
 // Return verifications and recoveries as plan.json holds them (plan.schema.json). `step_names` is
-// by StepId.
+// indexed by StepId.
 nlohmann::ordered_json ToJson(const Verification& verification,
                               const std::vector<std::string>& step_names);
 nlohmann::ordered_json ToJson(const Recovery& recovery, const std::vector<std::string>& step_names);

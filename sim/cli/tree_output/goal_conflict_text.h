@@ -9,8 +9,8 @@
 
 namespace assay::cli {
 
-// Returns why a task of contingent planning has no plan: the parts of its goal that no plan reaches
-// together, one on each line.
+// Returns why a task of contingent planning has no plan: the parts of its goal that no plan can
+// achieve together, one on each line.
 std::string Text(const contingent::GroundTask& task, const contingent::GoalConflict& conflict);
 
 // Returns a message that no plan was found, which does not prove that there is none. It states why
