@@ -27,7 +27,7 @@ struct Ghost {
   Colour colour;
 };
 
-// Returns the edges of the exposed faces of a part, in the frame of the part.
+// Returns the edges of the exposed faces of a part, which pictures draw, in the frame of the part.
 std::vector<Edge> EdgesOf(const domain::PartModel& model);
 
 // Returns the ghost with which pictures show a part at this pose.

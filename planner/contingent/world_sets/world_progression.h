@@ -39,7 +39,7 @@ class WorldProgression {
       : task_(task), marks_(marks), are_sample_(are_sample), most_worlds_(most_worlds) {}
 
   bool HasMadeTooMany() const { return has_made_too_many_; }
-  // Returns true if a sample could not decide whether some effect happens.
+  // Returns true if a sample of worlds could not decide whether some effect happens.
   bool CouldNotTell() const { return could_not_tell_; }
   // Returns a function that was given two values at once, or none.
   FunctionId TwoValued() const { return two_valued_; }

@@ -40,10 +40,10 @@ struct MarginRanking {
 
 inline constexpr std::uint64_t kRankingSeed = 1;
 
-// Ranks all contacts that the planner looked at within `reach` metres of where a motion leads. The
-// ranking includes contacts that no checked enlargement of the errors makes, and the losses of all
-// contacts that the plan keeps or waits for. A trial counts up to the motion in which it first left
-// the plan, because margins predict nothing after that.
+// Compares margins with frequencies for all contacts that the planner looked at within `reach`
+// metres of where a motion leads. The comparison includes contacts that no checked enlargement of
+// the errors makes, and the losses of all contacts that the plan keeps or waits for. A trial counts
+// up to the motion in which it first left the plan, because margins predict nothing after that.
 MarginRanking RankMargins(const finemotion::Passage& passage,
                           const finemotion::FineMotionPlan& plan, double reach,
                           std::span<const SequenceComparison> trials);

@@ -15,15 +15,14 @@ namespace assay::execution {
 // - The angle by which the wrench is outside the state's cone of wrenches, friction included.
 //   Contacts may be moved to places where they explain more, at a cost, because nearly parallel
 //   edges touch centimetres from their planned places.
-// - For error states, the factor by which all errors must be enlarged to cause the state (section
-// 4:
-//   the likelihood falls with this factor).
+// - For error states, the factor by which all errors must be enlarged to cause the state. The
+//   likelihood falls with this factor (section 4).
 //
 // The believed pose of the part is not used to tell contacts apart, since in an error state it is
 // what is wrong. A contact that touches and bears nothing gives no information.
 
-// Returns whether the wrench after a motion can come from the planned contacts. A wrench of less
-// than a newton can come from any contacts.
+// Returns whether the wrench that is measured after a motion of a strategy can come from the
+// planned contacts. A wrench of less than a newton can come from any contacts.
 bool IsAsPlanned(const plan::Strategy& strategy, const plan::StrategyMotion& motion,
                  const Vector6& wrench);
 
