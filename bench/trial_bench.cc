@@ -31,8 +31,9 @@ void WholeTrial(benchmark::State& state, const std::string& name) {
   check::Trial trial;
   double simulated = 0;
   for (auto _ : state) {
-    trial = check::RunTrial(experiment, noise::Sample(box, noise::Mode::kUniform, kSeed, 1),
-                            {.sample_rate = 0});
+    const noise::Noise noise =
+        noise::Sample(scenario.problem, box, noise::Mode::kUniform, kSeed, 1);
+    trial = check::RunTrial(experiment, noise, {.sample_rate = 0});
     simulated += trial.trace.end().snapshot.time;
   }
   if (trial.verdict.outcome != check::TrialOutcome::kSucceeded) {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "planner/base/check.h"
+#include "planner/domain/problem/possible_starts.h"
 
 namespace assay::noise {
 namespace {
@@ -27,7 +28,9 @@ class BoxBuilder {
       const domain::PoseError& error = problem_.parts[p].error;
       AddPart(plan::error::kX, Effect::kPartX, p, error.x);
       AddPart(plan::error::kY, Effect::kPartY, p, error.y);
-      AddPart(plan::error::kZ, Effect::kTableHeight, p, error.z);
+      if (domain::CarrierAtStart(problem_, PartId(p)) == PartId(p)) {
+        AddPart(plan::error::kZ, Effect::kTableHeight, p, error.z);
+      }
       AddPart(plan::error::kTheta, Effect::kPartYaw, p, error.theta);
     }
     const domain::Tolerances& tolerances = problem_.tolerances;

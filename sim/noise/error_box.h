@@ -58,8 +58,9 @@ domain::Dimension DimensionOfChannel(std::string_view name);
 // - errors of a sensor within its promise, for each look
 // - the table's height where a part is put down
 //
-// Channels without width are left out. Channels that exist from the start come first, the others in
-// the order of execution.
+// A part that is assembled at the start has the height error of the part that carries it, and no
+// channel of its own. Channels without width are left out. Channels that exist from the start come
+// first, the others in the order of execution.
 std::vector<Channel> ErrorBox(const domain::Problem& problem, const plan::Plan& plan);
 
 }  // namespace assay::noise

@@ -4,9 +4,11 @@
 
 #include <bit>
 #include <cmath>
+#include <utility>
 
 #include "planner/base/check.h"
 #include "planner/base/random.h"
+#include "sim/noise/possible_start.h"
 
 namespace assay::noise {
 namespace {
@@ -22,11 +24,24 @@ double GoldenRatio(int dimensions) {
 // Interpolates in a form that gives the ends of a symmetric range exactly.
 double At(const Interval& range, double t) { return (1 - t) * range.low + t * range.high; }
 
-std::vector<double> UniformPoint(int dimensions, std::uint64_t seed, int number) {
+Noise At(const std::vector<Channel>& box, std::vector<double> point) {
+  for (std::size_t i = 0; i < box.size(); ++i) point[i] = At(box[i].range, point[i]);
+  return {box, std::move(point)};
+}
+
+// If nearly no errors are possible, the last draw is moved back as other points are.
+Noise UniformNoise(const std::vector<Channel>& box, const PossibleStart& start, std::uint64_t seed,
+                   int number) {
   RandomStream random(seed, fmt::format("uniform/{}", number));
-  std::vector<double> point(dimensions);
-  for (double& t : point) t = random.Uniform();
-  return point;
+  const Noise none(box, std::vector<double>(box.size(), 0));
+  Noise drawn = none;
+  const auto draw = [&] {
+    std::vector<double> point(box.size());
+    for (double& t : point) t = random.Uniform();
+    drawn = At(box, std::move(point));
+    return !start.FirstOverlap(drawn);
+  };
+  return DrawUntilPossible(draw) ? drawn : start.MovedBack(drawn, none);
 }
 
 }  // namespace
@@ -73,24 +88,23 @@ const std::vector<std::string>& ModeNames() {
 
 std::string_view Name(Mode mode) { return ModeNames()[static_cast<std::size_t>(mode)]; }
 
-Noise Sample(const std::vector<Channel>& box, Mode mode, std::uint64_t seed, int number) {
+Noise Sample(const domain::Problem& problem, const std::vector<Channel>& box, Mode mode,
+             std::uint64_t seed, int number) {
   const int dimensions = static_cast<int>(box.size());
-  std::vector<double> point;
+  const Noise none(box, std::vector<double>(box.size(), 0));
+  const PossibleStart start(problem);
   switch (mode) {
     case Mode::kNone:
-      return {box, std::vector<double>(box.size(), 0)};
+      return none;
     case Mode::kUniform:
-      point = UniformPoint(dimensions, seed, number);
-      break;
+      return UniformNoise(box, start, seed, number);
     case Mode::kVertices:
-      point = CornerPoint(dimensions, seed, number);
-      break;
+      return start.MovedBack(At(box, CornerPoint(dimensions, seed, number)), none);
     case Mode::kLowDiscrepancy:
-      point = EvenPoint(dimensions, seed, number);
-      break;
+      return start.MovedBack(At(box, EvenPoint(dimensions, seed, number)), none);
   }
-  for (std::size_t i = 0; i < box.size(); ++i) point[i] = At(box[i].range, point[i]);
-  return {box, std::move(point)};
+  ASSAY_CHECK(false, "a mode that the switch does not know");
+  return none;
 }
 
 }  // namespace assay::noise

@@ -20,8 +20,11 @@ std::string_view Name(Mode mode);             // "low-discrepancy"
 const std::vector<std::string>& ModeNames();  // in the order of the enumeration
 
 // Returns the point with this number, from 1, in the sequence with this seed. It depends on nothing
-// else, so that trials can be done in any order, anywhere.
-Noise Sample(const std::vector<Channel>& box, Mode mode, std::uint64_t seed, int number);
+// else, so that trials can be done in any order, anywhere. The start is always possible
+// (PossibleStart): uniform points with which parts would overlap at the start are drawn anew, and
+// other points are moved back toward the believed poses.
+Noise Sample(const domain::Problem& problem, const std::vector<Channel>& box, Mode mode,
+             std::uint64_t seed, int number);
 
 // CornerPoint and EvenPoint return the point with this number (from 1), with one value in [0, 1]
 // for each dimension.

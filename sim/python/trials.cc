@@ -15,6 +15,7 @@
 #include "sim/cli/plan_output/plan_text.h"
 #include "sim/cli/tasks/noise_floor_cache.h"
 #include "sim/execution/trial/scheduler.h"
+#include "sim/noise/possible_start.h"
 #include "sim/noise/sampling.h"
 #include "sim/python/refused.h"
 #include "sim/sweep/database/recording.h"
@@ -105,7 +106,8 @@ Trials::Trials(std::shared_ptr<const PlanHandle> plan, const TrialSettings& sett
                  ? std::nullopt
                  : std::optional<scene::Scene>(std::in_place, plan_->planned().problem,
                                                scene_options_)) {
-  if (settings.errors) noise::ParseNoise(*settings.errors, box_);  // wrong errors are refused early
+  if (!settings.errors) return;  // wrong errors are refused early
+  noise::PossibleStart(plan_->planned().problem).Require(noise::ParseNoise(*settings.errors, box_));
 }
 
 std::string Trials::WrongWithoutNoise() const {
@@ -130,7 +132,8 @@ check::Trial Trials::One(int number, bool with_samples) const {
 noise::Noise Trials::NoiseOf(int number) const {
   if (settings_.errors) return noise::ParseNoise(*settings_.errors, box_);
   const int mode = IndexAmong("noise", *settings_.noise, noise::ModeNames());
-  return noise::Sample(box_, static_cast<noise::Mode>(mode), seed_, number);
+  return noise::Sample(plan_->planned().problem, box_, static_cast<noise::Mode>(mode), seed_,
+                       number);
 }
 
 std::vector<sweep::TimedTrial> Trials::Run(int count, int jobs) const {

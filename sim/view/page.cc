@@ -126,7 +126,7 @@ Json DataOf(const Subject& subject) {
                {"title", subject.problem.name},
                {"source", subject.source},
                {"outcome", {{"name", subject.outcome}, {"reason", subject.reason}}},
-               {"notCovered", plan::NotCovered(subject.plan)},
+               {"notCovered", plan::NotCovered(subject.problem, subject.plan)},
                {"whyNot", WhyNotData(subject.why_not)},
                {"colors", ColorsData()},
                {"cameras", CamerasData(subject.scene)},

@@ -1,10 +1,20 @@
 #pragma once
 
+#include <numbers>
+
 #include "planner/domain/problem/problem.h"
 
 namespace assay::domain {
 
-// How near its place a mated part must end for an assembly to be a success. Lengths in metres.
+// How near its place a mated part must end for an assembly to be a success. Lengths in metres,
+// angles in radians.
+
+// The greatest distance that may remain along the mating vector. A millimetre is more than a feeler
+// gauge shows and less than the eye sees. A part that has caught on a rim is centimetres off.
+inline constexpr double kSeatedLimit = 0.001;
+// The greatest angle between the axes. A shaft of 70 mm with a clearance of 0.5 mm cannot tilt by
+// more than 0.8 degrees.
+inline constexpr double kAxisAngleLimit = 1.5 * std::numbers::pi / 180;
 
 // A shaft in its hole is off by no more than the clearance, along each side of the hole. This is
 // the allowance beyond that, for penetration and for the tilt of the fixed part.

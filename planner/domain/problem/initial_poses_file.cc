@@ -15,6 +15,7 @@
 #include "planner/domain/parts/resting.h"
 #include "planner/domain/parts/stable_pose_names.h"
 #include "planner/domain/problem/name.h"
+#include "planner/domain/problem/possible_starts.h"
 #include "planner/domain/reachability/reachability.h"
 
 namespace assay::domain {
@@ -44,6 +45,7 @@ class InitialPosesFile {
 
  private:
   void ReadInitialMating(const Value& value);
+  void RefuseHeightError(const Value& error, MatingId id) const;
   void PlaceAssembledParts();
   Value ChosenPose(const Value& pose, PartId part);
   void ReadPose(const Value& pose, Part& part) const;
@@ -52,6 +54,7 @@ class InitialPosesFile {
   void CheckOnTableWithErrors(const Value& pose, const Part& part) const;
   void CheckAboveTable(const Value& place, const Part& part) const;
   void CheckApart() const;
+  void RefuseHeightErrors(const Value& place, const Part& upper, const Part& lower) const;
   void CheckRests(const Value& place, PartId id) const;
 
   std::string InFileUnit(double metres) const { return InUnit(metres, units_.length); }
@@ -83,8 +86,20 @@ void InitialPosesFile::ReadInitialMating(const Value& value) {
     pose->Fail(fmt::format("part '{}' has a pose of its own, but is assembled at the start", name),
                "one of the two");
   }
+  if (const auto error = entries_[held.index()].Find("error")) RefuseHeightError(*error, id);
   mating_of_[held.index()] = id;
   problem_.assembled.push_back(id);
+}
+
+void InitialPosesFile::RefuseHeightError(const Value& error, MatingId id) const {
+  const std::optional<Value> height = error.Find("z");
+  if (!height) return;
+  const Mating& mating = problem_.mating(id);
+  height->Fail(
+      fmt::format("part '{}' is assembled at the start, so that its height has the error of "
+                  "part '{}'",
+                  problem_.part(mating.held).name, problem_.part(mating.fixed).name),
+      "x, y, theta");
 }
 
 void InitialPosesFile::PlaceParts() {
@@ -117,8 +132,10 @@ void InitialPosesFile::PlaceAssembledParts() {
       if (fixed_waits) {
         later.push_back(id);
       } else {
-        problem_.parts[mating.held.index()].X_WorldPart =
-            problem_.part(mating.fixed).X_WorldPart * mating.X_FixedHeld;
+        Part& held = problem_.parts[mating.held.index()];
+        const Part& fixed = problem_.part(mating.fixed);
+        held.X_WorldPart = fixed.X_WorldPart * mating.X_FixedHeld;
+        held.error.z = fixed.error.z;
       }
     }
     if (later.size() == waiting.size()) {
@@ -219,16 +236,24 @@ void InitialPosesFile::CheckAboveTable(const Value& place, const Part& part) con
 }
 
 void InitialPosesFile::CheckApart() const {
-  std::vector<PlacedPart> placed;
-  for (std::size_t i = 0; i < problem_.parts.size(); ++i) {
-    const PlacedPart part = {PartId(i), problem_.parts[i].X_WorldPart};
-    const PartId hit = Obstacle(problem_, part, placed);
-    if (!hit.IsNone()) {
-      entries_[i].Fail(fmt::format("part '{}' overlaps part '{}' at the start",
-                                   problem_.parts[i].name, problem_.part(hit).name),
-                       "parts that do not overlap");
-    }
-    placed.push_back(part);
+  std::vector<Pose> X_WorldPart;
+  for (const Part& part : problem_.parts) X_WorldPart.push_back(part.X_WorldPart);
+  const std::optional<PartPair> overlap = PossibleStarts(problem_).FirstOverlap(X_WorldPart);
+  if (!overlap) return;
+  const auto& [other, part] = *overlap;
+  entries_[part.index()].Fail(fmt::format("part '{}' overlaps part '{}' at the start",
+                                          problem_.part(part).name, problem_.part(other).name),
+                              "parts that do not overlap");
+}
+
+// Two tables whose heights differ would leave the upper part in the air, or in the lower part.
+void InitialPosesFile::RefuseHeightErrors(const Value& place, const Part& upper,
+                                          const Part& lower) const {
+  for (const Part* part : {&upper, &lower}) {
+    if (part->error.z == Interval{}) continue;
+    place.Fail(fmt::format("part '{}' stands on part '{}', and part '{}' has a height error",
+                           upper.name, lower.name, part->name),
+               "parts on each other without an error of z");
   }
 }
 
@@ -239,9 +264,10 @@ void InitialPosesFile::CheckRests(const Value& place, PartId id) const {
   std::vector<Vector3> corners = CornersOnTable(*part.model, part.X_WorldPart);
   for (const Part& other : problem_.parts) {
     if (&other == &part) continue;
-    std::ranges::copy(
-        CornersOfContact(*part.model, part.X_WorldPart, *other.model, other.X_WorldPart),
-        std::back_inserter(corners));
+    const std::vector<Vector3> on_other =
+        CornersOfContact(*part.model, part.X_WorldPart, *other.model, other.X_WorldPart);
+    if (!on_other.empty()) RefuseHeightErrors(place, part, other);
+    std::ranges::copy(on_other, std::back_inserter(corners));
   }
   std::vector<Vector2> stands_on;
   for (const Vector3& corner : corners) stands_on.push_back(corner.head<2>());

@@ -13,7 +13,9 @@ namespace assay::domain {
 // They come from the `pose` of each entry of `parts`, or from the matings of `initially`. For an
 // open pose (`one-of`), `chosen` gives the choice by the part's name; without an entry there, the
 // first is taken. `root` is the scenario's root. Throws InputError for malformed poses, and for
-// parts that are beside or in the table, or overlap.
+// parts that are beside or in the table, or overlap (PossibleStarts). A part that is assembled at
+// the start gets the height error of the part with which it is assembled, and may have none of its
+// own.
 void ReadInitialPoses(const Value& root, const Units& units,
                       const std::map<std::string, int>& chosen, Problem& problem);
 

@@ -31,7 +31,7 @@ struct Part {
   StablePoseId resting = StablePoseId::None();
   std::vector<FeatureNumber> hidden = {};
   StablePoseId position_class = StablePoseId::None();
-  PoseError error;
+  PoseError error;  // `z` is that of the fixed part if the part is assembled at the start
   // Force, in newtons, with which a fixture presses the part down while something is mated with it.
   // 0 means that there is no fixture.
   double clamp = 0;

@@ -28,8 +28,8 @@ struct Rule {
 };
 
 // A range is tight if a value beyond it is probably given in a wrong unit. Examples are approach
-// directions finer than 5 degrees, and contact allowances of more than a few millimetres. Other
-// lengths are bounded tightly for the same reason.
+// directions finer than 5 degrees. Other lengths are bounded tightly for the same reason. The
+// contact allowance is less than what a success tolerates beyond the clearance (mating_success.h).
 constexpr std::array<Rule, 12> kRules = {{
     {"tool_lean", &WorkcellRules::tool_lean, Dimension::kAngle, {0, kPi / 2}},
     {"approach_step", &WorkcellRules::approach_step, Dimension::kAngle, {kPi / 36, kPi / 2}},
@@ -39,7 +39,7 @@ constexpr std::array<Rule, 12> kRules = {{
     {"pad_friction", &WorkcellRules::pad_friction, Dimension::kRatio, {0, 10}},
     {"grip_force", &WorkcellRules::grip_force, Dimension::kForce, {0.1, 1000}},
     {"part_gap", &WorkcellRules::part_gap, Dimension::kLength, {0, 0.5}},
-    {"contact_allowance", &WorkcellRules::contact_allowance, Dimension::kLength, {0, 0.005}},
+    {"contact_allowance", &WorkcellRules::contact_allowance, Dimension::kLength, {0, 0.0002}},
     {"pad_margin", &WorkcellRules::pad_margin, Dimension::kLength, {0, 0.01}},
     {"guarded_travel", &WorkcellRules::guarded_travel, Dimension::kLength, {0, 0.05}},
     {"lateral_compliance", &WorkcellRules::lateral_compliance, Dimension::kLength, {0, 0.05}},

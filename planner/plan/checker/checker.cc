@@ -145,10 +145,10 @@ void AddSurplus(const std::vector<std::string>& more, const std::vector<std::str
 }
 
 // Returns the differences between what the plan says that no precondition covers, and what is so.
-std::vector<Flaw> FlawsOfNotCovered(const Plan& plan) {
+std::vector<Flaw> FlawsOfNotCovered(const domain::Problem& problem, const Plan& plan) {
   std::vector<Flaw> flaws;
   if (!plan.not_covered) return flaws;
-  const std::vector<std::string> anew = NotCovered(plan);
+  const std::vector<std::string> anew = NotCovered(problem, plan);
   AddSurplus(anew, *plan.not_covered, "does not name", flaws);
   AddSurplus(*plan.not_covered, anew, "names without reason", flaws);
   return flaws;
@@ -156,8 +156,8 @@ std::vector<Flaw> FlawsOfNotCovered(const Plan& plan) {
 
 }  // namespace
 
-std::vector<Flaw> FlawsOfCoverage(const Plan& plan) {
-  std::vector<Flaw> flaws = FlawsOfNotCovered(plan);
+std::vector<Flaw> FlawsOfCoverage(const domain::Problem& problem, const Plan& plan) {
+  std::vector<Flaw> flaws = FlawsOfNotCovered(problem, plan);
   if (!IsCertified(plan)) return flaws;
   for (std::size_t i = 0; i < plan.steps.size(); ++i) {
     for (std::string& what : FlawsOfCoverage(plan.steps[i])) {
@@ -186,7 +186,7 @@ CheckReport Check(const domain::Problem& problem, const Plan& plan, int most_lin
                                           });
   report.flaws = simulation.TakeFlaws();
   std::ranges::move(FlawsOfStrategies(plan), std::back_inserter(report.flaws));
-  std::ranges::move(FlawsOfCoverage(plan), std::back_inserter(report.flaws));
+  std::ranges::move(FlawsOfCoverage(problem, plan), std::back_inserter(report.flaws));
   for (std::size_t i = 0; i < plan.steps.size(); ++i) {
     for (std::string& label : MisleadingLabels(problem, plan.steps[i].action)) {
       report.flaws.push_back({StepId(i), std::move(label)});

@@ -32,6 +32,6 @@ CheckReport Check(const domain::Problem& problem, const Plan& plan, int most_lin
 
 // Returns the flaws of the certificates: each must cover what its step needs. If one step has a
 // certificate, all must have one. What the plan says that no precondition covers must be so.
-std::vector<Flaw> FlawsOfCoverage(const Plan& plan);
+std::vector<Flaw> FlawsOfCoverage(const domain::Problem& problem, const Plan& plan);
 
 }  // namespace assay::plan

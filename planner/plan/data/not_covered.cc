@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
+#include "planner/domain/problem/possible_starts.h"
 #include "planner/plan/data/condition_table.h"
 
 namespace assay::plan {
@@ -70,10 +72,22 @@ std::vector<std::string> WaysNotCovered(const Plan& plan) {
   return names;
 }
 
+std::vector<std::string> StartsNotCovered(const domain::Problem& problem) {
+  std::vector<std::string> names;
+  for (const auto& [a, b] : domain::PairsThatMayOverlap(problem)) {
+    names.push_back(fmt::format(
+        "errors with which {} and {} overlap at the start: no such start is possible, and no trial "
+        "has one",
+        problem.part(a).name, problem.part(b).name));
+  }
+  return names;
+}
+
 }  // namespace
 
-std::vector<std::string> NotCovered(const Plan& plan) {
-  std::vector<std::string> all = WaysNotCovered(plan);
+std::vector<std::string> NotCovered(const domain::Problem& problem, const Plan& plan) {
+  std::vector<std::string> all = StartsNotCovered(problem);
+  std::ranges::move(WaysNotCovered(plan), std::back_inserter(all));
   for (const StepId id : plan.ExecutionOrder()) {
     const PlannedStep& step = plan.step(id);
     for (std::string& name : NotCoveredOf(step)) {

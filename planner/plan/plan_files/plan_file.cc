@@ -204,7 +204,7 @@ Json ToJson(const PlanResult& result, const domain::Problem& problem, const std:
                {"verifications", verifications},
                {"recoveries", recoveries},
                {"errors", plan.errors},
-               {"not_covered", NotCovered(plan)}};
+               {"not_covered", NotCovered(problem, plan)}};
   if (plan.homing) json["homing"] = ToJson(*plan.homing);
   if (result.outcome == Outcome::kNone) {
     json["conflict"] = result.conflict;

@@ -6,6 +6,7 @@
 
 #include "planner/uncertainty/preconditions/certify.h"
 #include "sim/execution/trial/scheduler.h"
+#include "sim/noise/possible_start.h"
 #include "sim/noise/sampling.h"
 
 namespace assay::check {
@@ -143,7 +144,8 @@ class Comparison {
       : experiment_(experiment),
         options_(options),
         scheduler_(scheduler),
-        box_(noise::ErrorBox(experiment.problem, experiment.plan)) {}
+        box_(noise::ErrorBox(experiment.problem, experiment.plan)),
+        start_(experiment.problem) {}
 
   std::vector<VariedErrors> Variables() const {
     std::vector<VariedErrors> variables;
@@ -212,7 +214,8 @@ class Comparison {
     const int trials = std::min(options_.corners, dimensions == 1 ? 2 : options_.corners);
     for (int number = 1; number <= trials; ++number) {
       BreakOffIfStopped();
-      std::vector<double> values(box.size(), 0);
+      const noise::Noise none(box, std::vector<double>(box.size(), 0));
+      std::vector<double> values = none.values();
       const auto corner = noise::CornerPoint(dimensions, options_.seed, number);
       for (std::size_t i = 0; i < varied.size(); ++i) {
         const Interval& range = box[varied[i]].range;
@@ -221,7 +224,8 @@ class Comparison {
       execution::ExecutorOptions executor;
       executor.sample_rate = 0;
       executor.recovers = false;
-      const Verdict verdict = JudgeTrial(experiment_, {box, std::move(values)}, executor);
+      const Verdict verdict =
+          JudgeTrial(experiment_, start_.MovedBack({box, std::move(values)}, none), executor);
       if (verdict.outcome != TrialOutcome::kSucceeded) return true;
     }
     return false;
@@ -231,6 +235,7 @@ class Comparison {
   const ConservatismOptions& options_;
   execution::Scheduler& scheduler_;
   std::vector<Channel> box_;
+  noise::PossibleStart start_;
 };
 
 }  // namespace

@@ -92,6 +92,7 @@ class Falsifier {
         box_(noise::ErrorBox(experiment.problem, experiment.plan)),
         worlds_(WorldsOf(experiment, box_)) {
     result_.certificates.resize(experiment.plan.steps.size());
+    result_.attempts_at.resize(experiment.plan.steps.size());
   }
 
   FalsificationResult Run() {
@@ -111,17 +112,25 @@ class Falsifier {
     std::vector<Start> starts;
     for (const TriedWorld& world : worlds_) starts.push_back({&world, world.noise, nullptr});
     for (std::size_t i = 0; i < order.size() && !starts.empty() && !Stops(); ++i) {
-      const auto done = static_cast<std::int64_t>(i);
-      const auto steps = static_cast<std::int64_t>(order.size());
-      const std::int64_t budget =
-          options_.attempts * (done + 1) / steps - options_.attempts * done / steps;
+      const std::int64_t budget = Budget(i, order.size());
+      if (budget == 0) break;
       TriedStep step(experiment_, order[i], worlds_.front().noise);
       Poise(starts, step);
       if (step.poised().empty()) break;
       FalsifyStep(step, budget);
+      result_.attempts_at[order[i].index()] = std::ssize(step.samples());
       starts = Collect(step);
       if (IsEnough(step)) return;
     }
+  }
+
+  // Returns the number of attempts at the step with this index. Every step has an attempt before
+  // any has two, since the next step starts where an attempt at this one ends.
+  std::int64_t Budget(std::size_t index, std::size_t count) const {
+    const auto done = static_cast<std::int64_t>(index);
+    const auto steps = static_cast<std::int64_t>(count);
+    if (options_.attempts < steps) return done < options_.attempts ? 1 : 0;
+    return options_.attempts * (done + 1) / steps - options_.attempts * done / steps;
   }
 
   // Nothing is shrunk here, since there are no errors to leave out.

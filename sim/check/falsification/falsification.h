@@ -11,7 +11,8 @@
 namespace assay::check {
 
 struct FalsificationOptions {
-  std::int64_t attempts = 1000;  // attempts at single steps, in all
+  // Attempts at single steps, in all. If there are fewer than steps, the first steps have one each.
+  std::int64_t attempts = 1000;
   std::uint64_t seed = 0;
   int jobs = 1;                 // threads; the result does not depend on it
   bool until_violated = false;  // end soon after the first attempt that violates a claim

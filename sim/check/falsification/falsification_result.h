@@ -35,6 +35,7 @@ struct Counterexample {
 struct FalsificationResult {
   Noiseless noiseless;  // if it does not hold, no step is attempted
   std::int64_t attempts = 0;
+  std::vector<std::int64_t> attempts_at = {};        // each step, by StepId
   std::optional<std::int64_t> first_violation = {};  // number of the attempt; 0 without noise
   std::int64_t failed_approaches = 0;  // trials that did not come to where the next step begins
   std::vector<VerdictCounts> certificates;  // by StepId; counts the worst claim of each attempt

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "sim/noise/possible_start.h"
+
 namespace assay::check {
 namespace {
 
@@ -36,7 +38,9 @@ Counterexample Shrunk(const Experiment& experiment, const WorstClaim& violation)
   const auto replay = [&](const noise::Noise& noise) {
     return Replayed(experiment, violation.claim, noise);
   };
+  const noise::PossibleStart start(experiment.problem);
   const auto accept = [&](const noise::Noise& noise) {
+    if (start.FirstOverlap(noise)) return false;
     const std::optional<Claim> claim = replay(noise);
     if (!claim || !claim->IsViolated()) return false;
     example.claim = *claim;

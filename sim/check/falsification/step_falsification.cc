@@ -1,11 +1,13 @@
 #include "sim/check/falsification/step_falsification.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "planner/base/check.h"
 #include "sim/check/certificate_claims/certificate_check.h"
 #include "sim/check/certificate_claims/confirmation.h"
 #include "sim/execution/walk/executor.h"
+#include "sim/noise/possible_start.h"
 #include "sim/noise/sampling.h"
 
 namespace assay::check {
@@ -20,16 +22,20 @@ bool IsOfWorld(const Channel& channel) {
          channel.effect == Effect::kPadFriction;
 }
 
+// Parts that are assembled with each other at the start are touched together.
 std::vector<PartId> UntouchedBefore(const Experiment& experiment, plan::StepId step) {
-  std::vector<PartId> touched;
+  const domain::Problem& problem = experiment.problem;
+  std::vector<PartId> touched;  // parts that stand on tables
   for (const plan::StepId id : experiment.plan.ExecutionOrder()) {
     if (id == step) break;
-    const auto parts = PartsOf(experiment.problem, experiment.plan.step(id).action);
-    touched.insert(touched.end(), parts.begin(), parts.end());
+    for (const PartId part : PartsOf(problem, experiment.plan.step(id).action)) {
+      touched.push_back(domain::CarrierAtStart(problem, part));
+    }
   }
   std::vector<PartId> untouched;
-  for (std::size_t p = 0; p < experiment.problem.parts.size(); ++p) {
-    if (std::ranges::find(touched, PartId(p)) == touched.end()) untouched.push_back(PartId(p));
+  for (std::size_t p = 0; p < problem.parts.size(); ++p) {
+    const PartId carrier = domain::CarrierAtStart(problem, PartId(p));
+    if (std::ranges::find(touched, carrier) == touched.end()) untouched.emplace_back(p);
   }
   return untouched;
 }
@@ -98,7 +104,10 @@ bool SaysTheSame(const Claim& claim, const std::vector<Claim>& others) {
 
 StepFalsification::StepFalsification(const Experiment& experiment, plan::StepId step,
                                      const noise::Noise& noise)
-    : experiment_(experiment), step_(step), untouched_(UntouchedBefore(experiment, step)) {
+    : experiment_(experiment),
+      start_(experiment.problem),
+      step_(step),
+      untouched_(UntouchedBefore(experiment, step)) {
   for (std::size_t i = 0; i < noise.box().size(); ++i) {
     const Channel& channel = noise.box()[i];
     const bool untouched = channel.step.IsNone() && !IsOfWorld(channel) &&
@@ -157,6 +166,7 @@ StepAttempt StepFalsification::Attempt(const PoisedTrial& poised, const std::vec
                                        Until until) const {
   noise::Noise noise = poised.noise;
   for (std::size_t i = 0; i < free_.size(); ++i) noise.Set(free_[i], values[i]);
+  noise = start_.MovedBack(std::move(noise), poised.noise);
   const TriedWorld& world = *poised.world;
   StepAttempt attempt = AttemptIn(world.scene, world, poised.checkpoint, noise, until);
   const bool violates = std::ranges::any_of(attempt.claims, &Claim::IsViolated);
@@ -200,10 +210,7 @@ StepAttempt StepFalsification::AttemptIn(const scene::Scene& scene, const TriedW
   mujoco::Data data(scene.model());
   execution::Execution execution(experiment_.problem, scene, data, options);
   execution.Restore(from);
-  for (const PartId part : untouched_) {
-    scene.SetTableHeight(data, part, noise.TableHeight(part));
-    scene.SetPart(data, part, noise.TruePose(part, world.resting[part.index()]));
-  }
+  execution::PlaceAtStart(experiment_.problem, scene, world.resting, noise, untouched_, data);
   execution::StepExecution step(experiment_.plan, step_, execution);
   execution::Progress failure = step.TakeUpNoise();
   if (!failure) failure = Work(step, until);

@@ -8,6 +8,7 @@
 #include "sim/check/certificate_claims/claim.h"
 #include "sim/check/trial_verdicts/trial.h"
 #include "sim/execution/walk/step_execution.h"
+#include "sim/noise/possible_start.h"
 
 namespace assay::check {
 
@@ -76,7 +77,8 @@ class StepFalsification {
   // before, or at the start of the plan if `from` is null.
   Approach Poise(const TriedWorld& world, const noise::Noise& noise,
                  const execution::Checkpoint* from) const;
-  // Attempts the step up to the stage `until`. `values` are the values of the free channels. An
+  // Attempts the step up to the stage `until`. `values` are the values of the free channels. Values
+  // with which parts overlap at the start are moved back toward those of the poised trial. An
   // attempt that ends before the step does not make all claims, and some of its claims may still
   // fail later. If one of its claims is violated and the step is not fully proved, the attempt is
   // made again to the step's end, since an unproved assumption may fail there.
@@ -100,6 +102,7 @@ class StepFalsification {
                                     double start) const;
 
   const Experiment& experiment_;
+  noise::PossibleStart start_;
   plan::StepId step_;
   std::vector<domain::PartId> untouched_;
   std::vector<std::size_t> free_;

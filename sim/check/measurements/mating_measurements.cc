@@ -9,7 +9,7 @@
 #include "planner/plan/data/condition_table.h"
 #include "sim/check/measurements/fit.h"
 #include "sim/check/measurements/measurement.h"
-#include "sim/check/trial_verdicts/predicate.h"
+#include "sim/execution/trial/finding.h"
 
 namespace assay::check {
 namespace {
@@ -163,7 +163,7 @@ std::vector<MeasuredMargin> TipTurn(const MeasuredStep& step) {
 
 // A part may lie anywhere within the play of its hole, and the engine leaves it at another place
 // for every timestep. Therefore only the room beyond the play is told.
-double RoomOf(const Finding& finding) {
+double RoomOf(const execution::Finding& finding) {
   return std::min(finding.limit - finding.value, domain::kLateralSlack);
 }
 
@@ -174,9 +174,10 @@ std::vector<MeasuredMargin> InPlace(const MeasuredStep& step) {
   const domain::Mating& mating = step.mating();
   const Pose X_FixedHeld =
       end.parts[mating.fixed.index()].truth.inverse() * end.parts[mating.held.index()].truth;
-  double room = RoomOf(LateralError(step.problem(), mating, X_FixedHeld));
+  double room = RoomOf(execution::LateralError(step.problem(), mating, X_FixedHeld));
   for (std::size_t pair = 1; pair < mating.features.size(); ++pair) {
-    room = std::min(room, RoomOf(AlignmentError(step.problem(), mating, pair, X_FixedHeld)));
+    room = std::min(room,
+                    RoomOf(execution::AlignmentError(step.problem(), mating, pair, X_FixedHeld)));
   }
   // Walls prove the claim for rigid parts, so the margin is not exactly kept.
   return {{.subject = {}, .observed = room, .is_at_least_the_margin = false}};

@@ -106,13 +106,13 @@ std::string CertificateText(const plan::PlannedStep& step) {
   return absorbed == 0 ? text : fmt::format("{}, {} absorbed", text, absorbed);
 }
 
-std::string NotCoveredText(const plan::Plan& plan) {
-  const std::vector<std::string> names = plan::NotCovered(plan);
+std::string NotCoveredText(const domain::Problem& problem, const plan::Plan& plan) {
+  const std::vector<std::string> names = plan::NotCovered(problem, plan);
   if (names.empty()) return "";
   return fmt::format("not covered by any precondition:\n  - {}\n", fmt::join(names, "\n  - "));
 }
 
-std::string UncertaintyText(const plan::Plan& plan) {
+std::string UncertaintyText(const domain::Problem& problem, const plan::Plan& plan) {
   const bool is_certified = std::ranges::any_of(
       plan.steps, [](const plan::PlannedStep& step) { return !step.certificate.before.empty(); });
   if (!is_certified) return "";
@@ -126,7 +126,7 @@ std::string UncertaintyText(const plan::Plan& plan) {
           ? fmt::format("Every precondition{} is proved{}{}.{}",
                         plan::IsAsPublished(plan) ? " of the paper" : "",
                         AnyStrategy(plan) ? " or absorbed" : "",
-                        plan::NotCovered(plan).empty() ? "" : kButForWhatIsNotCovered,
+                        plan::NotCovered(problem, plan).empty() ? "" : kButForWhatIsNotCovered,
                         UnaskedText(plan))
           : fmt::format("Not all preconditions of {} are proved: the plan has {} and {} for them.",
                         Counted(plan.errors, "step", "steps"),
@@ -134,7 +134,7 @@ std::string UncertaintyText(const plan::Plan& plan) {
                         Counted(plan.recoveries.size(), "recovery", "recoveries"));
   const std::string text = done.empty() ? fmt::format("\n{} Nothing was inserted.\n", summary)
                                         : fmt::format("\nuncertainty\n{}{}\n", done, summary);
-  return text + NotCoveredText(plan);
+  return text + NotCoveredText(problem, plan);
 }
 
 std::string StepsText(const plan::Plan& plan, const std::vector<StepId>& steps) {

@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "planner/domain/problem/problem.h"
 #include "planner/plan/data/plan.h"
 
 namespace assay::cli {
@@ -14,10 +15,10 @@ std::string CertificateText(const plan::PlannedStep& step);
 
 // Returns which steps were inserted for which step and why, what could not be proved, and which
 // recoveries the plan has for it. Empty if the plan was made without regard to uncertainty.
-std::string UncertaintyText(const plan::Plan& plan);
+std::string UncertaintyText(const domain::Problem& problem, const plan::Plan& plan);
 // Returns what may fail although every precondition is proved (plan::NotCovered), with a line for
 // each.
-std::string NotCoveredText(const plan::Plan& plan);
+std::string NotCoveredText(const domain::Problem& problem, const plan::Plan& plan);
 
 // Returns the steps by their places in the order of execution: "steps 2, 4".
 std::string StepsText(const plan::Plan& plan, const std::vector<plan::StepId>& steps);

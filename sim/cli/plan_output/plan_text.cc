@@ -45,7 +45,7 @@ std::string Listed(const std::string& heading, const std::vector<std::string>& i
 }  // namespace
 
 std::string PlanTable(const Problem& problem, const plan::Plan& plan) {
-  const bool is_certified = !UncertaintyText(plan).empty();
+  const bool is_certified = !UncertaintyText(problem, plan).empty();
   std::vector<Table::Column> columns = {
       {"executed", Align::kRight}, {"inserted", Align::kRight}, {"id"}, {"action"}};
   if (is_certified) columns.push_back({"certificate"});
@@ -68,7 +68,7 @@ std::string Text(const Problem& problem, const plan::PlanResult& result) {
                "Nothing is proved about errors of these poses.\n";
       }
       return PlanTable(problem, result.plan) + TravelText(result.plan) +
-             UncertaintyText(result.plan);
+             UncertaintyText(problem, result.plan);
     case Outcome::kNone:
       return "No plan exists" + Listed(", with", result.hypotheses) +
              Listed(result.hypotheses.empty() ? ". These cannot hold together"

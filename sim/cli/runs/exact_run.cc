@@ -140,7 +140,7 @@ class ExactTrials {
                           ReplayCommand());
     }
     text += Interruption::Text(Trials(), run_.trials);
-    text += NotCoveredText(planned_.result.plan);
+    text += NotCoveredText(planned_.problem, planned_.result.plan);
     if (!run_.folder.empty()) text += fmt::format("files in {}\n", run_.folder.string());
     return text;
   }

@@ -62,7 +62,8 @@ class FalsificationReport {
     PrintAndWrite(run_.json ? plan::JsonText(printed) : Report(), [&] {
       if (!run_.folder.empty()) WriteFile(run_.folder / "result.json", plan::JsonText(result));
     });
-    const bool holds = result_.noiseless.Holds() && tally_.Total().violated == 0 &&
+    const bool holds = result_.noiseless.Holds() && result_.attempts > 0 &&
+                       tally_.Total().violated == 0 &&
                        std::ranges::none_of(ratios_, &check::ConservatismRatio::IsFalse);
     return Interruption::CodeOr(holds ? ExitCode::kDone : ExitCode::kFailed);
   }
@@ -83,6 +84,7 @@ class FalsificationReport {
                    {"verdicts", tally_.ToJson()},
                    {"claims", tally_.ClaimsToJson()},
                    {"failed_approaches", result_.failed_approaches},
+                   {"not_attempted", Json::array()},
                    {"without_noise", ToJson(plan_, result_.noiseless)},
                    {"worst", Json::array()},
                    {"counterexamples", Json::array()},
@@ -93,6 +95,9 @@ class FalsificationReport {
                    {"noise", "attack"},
                    {"gate", ToJson(plan_, experiment_.gate)}};
     if (Interruption::Requested()) result["interrupted"] = true;
+    for (const plan::StepId id : StepsNotAttempted()) {
+      result["not_attempted"].push_back(plan_.step(id).name);
+    }
     for (const check::WorstClaim& worst : result_.worst) {
       Json row = ToJson(plan_, worst.claim);
       row["phase"] = check::Name(worst.phase);
@@ -135,9 +140,26 @@ class FalsificationReport {
     return text;
   }
 
+  std::vector<plan::StepId> StepsNotAttempted() const {
+    std::vector<plan::StepId> steps = plan_.ExecutionOrder();
+    std::erase_if(steps, [&](plan::StepId id) { return result_.attempts_at[id.index()] > 0; });
+    return steps;
+  }
+
+  std::string NotAttempted() const {
+    const std::vector<plan::StepId> steps = StepsNotAttempted();
+    if (steps.empty()) return "";
+    return fmt::format("no attempt was made at {}, so that nothing is said of {}\n",
+                       StepsText(plan_, steps), steps.size() == 1 ? "it" : "them");
+  }
+
   std::string Outcome(std::int64_t violated) const {
     if (result_.attempts == 0) return "no attempt was made, so that nothing is said of the plan\n";
-    if (violated == 0) return fmt::format("not falsified in {} attempts\n", result_.attempts);
+    if (violated == 0) {
+      return fmt::format("not falsified in {} attempt{}\n", result_.attempts,
+                         result_.attempts == 1 ? "" : "s") +
+             NotAttempted();
+    }
     return fmt::format("violated in {} of {} attempts\n", violated, result_.attempts);
   }
 
@@ -199,7 +221,7 @@ class FalsificationReport {
       text += fmt::format("how much more noise it takes was measured of {} variables\n",
                           ratios_.size());
     }
-    text += NotCoveredText(plan_);
+    text += NotCoveredText(run_.planned.problem, plan_);
     if (!run_.folder.empty()) text += fmt::format("files in {}\n", run_.folder.string());
     return text;
   }

@@ -26,6 +26,8 @@
 #include "sim/cli/trial_output/trial_report.h"
 #include "sim/cli/trial_output/verdict_tally.h"
 #include "sim/execution/trial/scheduler.h"
+#include "sim/noise/possible_start.h"
+#include "sim/noise/sampling.h"
 #include "sim/sweep/database/wilson.h"
 
 namespace assay::cli {
@@ -91,8 +93,9 @@ class NoisyTrials {
   bool IsSingle() const { return Wanted() == 1; }
 
   noise::Noise NoiseOf(int number) const {
-    return run_.command.errors ? NoiseFrom(*run_.command.errors, run_.planned)
-                               : noise::Sample(box_, run_.mode, run_.seed, number);
+    return run_.command.errors
+               ? NoiseFrom(*run_.command.errors, run_.planned)
+               : noise::Sample(run_.planned.problem, box_, run_.mode, run_.seed, number);
   }
 
   Trial RunOne(int number) const {
@@ -232,7 +235,7 @@ class NoisyTrials {
           Count([](const NoisyRow& row) { return row.operator_called; }));
     }
     text += Interruption::Text(trials, Wanted());
-    text += NotCoveredText(plan_);
+    text += NotCoveredText(run_.planned.problem, plan_);
     if (!run_.folder.empty()) text += fmt::format("files in {}\n", run_.folder.string());
     return text;
   }
@@ -252,7 +255,10 @@ class NoisyTrials {
 
 noise::Noise NoiseFrom(const std::string& errors, const PlannedProblem& planned) {
   try {
-    return noise::ParseNoise(errors, noise::ErrorBox(planned.problem, planned.result.plan));
+    noise::Noise noise =
+        noise::ParseNoise(errors, noise::ErrorBox(planned.problem, planned.result.plan));
+    noise::PossibleStart(planned.problem).Require(noise);
+    return noise;
   } catch (const InputError& error) {
     throw UsageError(fmt::format("run: --errors: {}", error.what()));
   }

@@ -10,14 +10,10 @@
 #include "planner/base/random.h"
 #include "sim/cli/command_line/interruption.h"
 #include "sim/cli/command_line/usage_error.h"
+#include "sim/execution/trial/finding.h"
+#include "sim/noise/possible_start.h"
 
 namespace assay::cli {
-namespace {
-
-constexpr double kSeated = 1e-3;  // metres from the seat along the way in
-constexpr int kMostDraws = 1000;
-
-}  // namespace
 
 MatingTrials::MatingTrials(const MatingTask& task, const finemotion::MatingGeometry& geometry,
                            const plan::Strategy& strategy, const MatingTrialSettings& settings)
@@ -60,13 +56,17 @@ MatingTrials::Drawn MatingTrials::DrawnFor(int number) const {
                           .near = settings_.near}};
   execution::MatingSetting& setting = drawn.setting;
   const auto most = settings_.beyond * settings_.errors.pose;
-  for (; drawn.redrawn < kMostDraws; ++drawn.redrawn) {
+  const std::optional<int> redrawn = noise::DrawUntilPossible([&] {
     for (int i = 0; i < 3; ++i) setting.d[i] = random.Uniform(-most[i], most[i]);
     for (int i = 0; i < 3; ++i) setting.w[i] = random.Uniform(-most[3 + i], most[3 + i]);
-    if (CanStart(problem_, setting, strategy_)) return drawn;
+    return CanStart(problem_, setting, strategy_);
+  });
+  if (!redrawn) {
+    throw UsageError(fmt::format("mate: --beyond {:g}: with {} draws of errors no trial can begin",
+                                 settings_.beyond, noise::kMostDraws));
   }
-  throw UsageError(fmt::format("mate: --beyond {:g}: with {} draws of errors no trial can begin",
-                               settings_.beyond, kMostDraws));
+  drawn.redrawn = *redrawn;
+  return drawn;
 }
 
 MatedTrial MatingTrials::Recorded(int number, const Drawn& drawn,
@@ -77,15 +77,13 @@ MatedTrial MatingTrials::Recorded(int number, const Drawn& drawn,
     const double error = std::abs(i < 3 ? drawn.setting.d[i] : drawn.setting.w[i - 3]);
     if (half > 0) trial.scale = std::max(trial.scale, error / half);
   }
-  const geometry::Pose at = trial.result.X_FixedHeld * geometry_.X_HeldTip;
-  const geometry::Vector3 left = geometry_.X_FixedSeat.translation() - at.translation();
-  const double short_by = std::abs(left.dot(geometry_.passage.mating));
-  trial.seated = short_by < kSeated;
+  const std::vector<execution::Finding> findings = execution::MatingFindings(
+      problem_, problem_.mating(assemble_.mating), trial.result.X_FixedHeld);
+  const auto failed = std::ranges::find(findings, false, &execution::Finding::holds);
+  trial.seated = failed == findings.end();
   // A strategy may come to its end, believing that the part is seated, and give no reason.
   std::string& reason = trial.result.end.reason;
-  if (!trial.seated && reason.empty()) {
-    reason = fmt::format("{:.2f} mm off the seat", 1e3 * short_by);
-  }
+  if (!trial.seated && reason.empty()) reason = execution::Text(*failed);
   return trial;
 }
 

@@ -28,7 +28,7 @@ struct MatedTrial {
   // their errors.
   int redrawn = 0;
   execution::MatingResult result;
-  bool seated = false;                          // if not, result.end has a reason
+  bool seated = false;  // a success (execution::MatingFindings); if not, result.end has a reason
   std::optional<SequenceRecord> sequence = {};  // only with a strategy
 };
 

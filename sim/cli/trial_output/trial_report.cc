@@ -54,14 +54,14 @@ std::string StepTable(const std::vector<StepRow>& rows) {
 
 // Returns the side of its limit on which a value must be. Only the opening of a hand that let go
 // must be above it.
-std::string_view Direction(const check::Finding& finding) {
-  return finding.aspect == check::Aspect::kReleased ? ">=" : "<=";
+std::string_view Direction(const execution::Finding& finding) {
+  return finding.aspect == execution::Aspect::kReleased ? ">=" : "<=";
 }
 
-std::string FindingTable(const std::vector<check::Finding>& findings) {
+std::string FindingTable(const std::vector<execution::Finding>& findings) {
   Table table(
       {{"goal"}, {"value", Align::kRight}, {"must be", Align::kRight}, {"unit"}, {"verdict"}});
-  for (const check::Finding& finding : findings) {
+  for (const execution::Finding& finding : findings) {
     const Unit unit = ShownUnitOf(finding.dimension);
     table.Add({finding.name, fmt::format("{:.4f}", finding.value / unit.factor),
                fmt::format("{} {:.4f}", Direction(finding), finding.limit / unit.factor),
@@ -82,9 +82,9 @@ Json StepsToJson(const std::vector<StepRow>& rows) {
   return json;
 }
 
-Json FindingsToJson(const std::vector<check::Finding>& findings) {
+Json FindingsToJson(const std::vector<execution::Finding>& findings) {
   Json json = Json::array();
-  for (const check::Finding& finding : findings) {
+  for (const execution::Finding& finding : findings) {
     json.push_back({{"name", finding.name},
                     {"value", finding.value},
                     {"limit", finding.limit},

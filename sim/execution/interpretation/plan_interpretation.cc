@@ -6,7 +6,6 @@
 
 #include "planner/assembly/open_poses.h"
 #include "planner/base/check.h"
-#include "planner/domain/parts/resting.h"
 #include "sim/sense/displacement.h"
 
 namespace assay::execution {
@@ -17,16 +16,6 @@ using Planned = std::shared_ptr<const PlannedWorlds>;
 
 double AngleBetween(const Pose& a, const Pose& b) {
   return Eigen::AngleAxisd(geometry::Matrix3(a.linear().transpose() * b.linear())).angle();
-}
-
-bool IsNear(const Pose& a, const Pose& b) {
-  return (a.translation() - b.translation()).norm() < kNear && AngleBetween(a, b) < kNearlyTurned;
-}
-
-bool IsMated(const Truth& truth, domain::MatingId id) {
-  const domain::Mating& mating = truth.problem.mating(id);
-  return IsNear(truth.scene.TruePose(truth.data, mating.held),
-                truth.scene.TruePose(truth.data, mating.fixed) * mating.X_FixedHeld);
 }
 
 // Returns whether a sensor can measure this deviation. `error` bounds the true deviation and
@@ -295,16 +284,6 @@ Interpretation InterpretationOf(Planned planned) {
   interpretation.predicates["operatorCalled"] = nullptr;
   interpretation.planned = std::move(planned);
   return interpretation;
-}
-
-bool AreGoalsTrue(const Truth& truth) {
-  return std::ranges::all_of(truth.problem.goals, [&](const domain::Goal& goal) {
-    if (const auto* mating = std::get_if<domain::MatingId>(&goal)) return IsMated(truth, *mating);
-    const auto& located = std::get<domain::LocatedGoal>(goal);
-    const auto resting = domain::StablePoseAt(truth.problem.part(located.part),
-                                              truth.scene.TruePose(truth.data, located.part));
-    return std::ranges::count(located.stable_poses, resting) > 0;
-  });
 }
 
 }  // namespace assay::execution

@@ -19,11 +19,4 @@ namespace assay::execution {
 //   goal show these errors.
 Interpretation InterpretationOf(std::shared_ptr<const PlannedWorlds> planned);
 
-inline constexpr double kNear = 0.003;         // metres, the greatest distance from a mating
-inline constexpr double kNearlyTurned = 0.05;  // radians, the greatest rotation from a mating
-
-// Returns whether the goals of a world's scenario hold in the simulator. Mated parts must be within
-// kNear and kNearlyTurned of their mating, and other parts in one of the wanted stable poses.
-bool AreGoalsTrue(const Truth& truth);
-
 }  // namespace assay::execution

@@ -3,15 +3,15 @@
 #include <limits>
 
 #include "planner/base/check.h"
-#include "planner/domain/reachability/reachability.h"
+#include "planner/domain/problem/possible_starts.h"
 #include "sim/execution/commands/action_commands.h"
+#include "sim/execution/trial/finding.h"
 #include "sim/execution/walk/executor.h"
 
 namespace assay::execution {
 namespace {
 
-constexpr double kClosing = 0.2;   // seconds for the grip to build up
-constexpr double kSeated = 0.001;  // metres from the seat that count as seated
+constexpr double kClosing = 0.2;  // seconds for the grip to build up
 
 // Returns the tool's pose in the tip's frame, with the part in the hand as believed.
 Pose X_TipToolOf(const MatingSetting& setting) {
@@ -109,9 +109,8 @@ bool CanStart(const domain::Problem& problem, const MatingSetting& setting,
   const Pose truly =
       X_WorldFixed * strategy.X_FixedStart * X_TipToolOf(setting) * HandError(setting);
   const domain::PlacedPart held = {mating.held, truly * setting.hold.X_PartTool.inverse()};
-  const domain::PlacedPart fixed = {mating.fixed, X_WorldFixed};
   return JointsFor(*problem.workcell, truly, setting) &&
-         Obstacle(problem, held, {&fixed, 1}).IsNone();
+         !domain::PossibleStarts(problem).Overlap(held, {mating.fixed, X_WorldFixed});
 }
 
 MatingResult RunMatingTrial(const domain::Problem& problem, const scene::Scene& scene,
@@ -145,8 +144,7 @@ MatingResult RunStraightMating(const domain::Problem& problem, const scene::Scen
   if (failure) return trial.Result({failure->outcome, failure->reason});
   MatingResult result = trial.Result({});
   const domain::Mating& mating = problem.mating(setting.mating);
-  const Vector3 short_by = mating.X_FixedHeld.translation() - result.X_FixedHeld.translation();
-  if (std::abs(short_by.dot(mating.mating_vector.normalized())) > kSeated) {
+  if (!SeatedDepth(problem, mating, result.X_FixedHeld).holds) {
     const plan::Strategy usual;
     result.end = {.outcome = TrialOutcome::kWrongContact, .reason = "resistance before the seat"};
     result.end.holding = TrueHolding(execution, mating.fixed, setting.X_HeldTip,

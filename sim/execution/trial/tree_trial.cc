@@ -9,6 +9,7 @@
 #include "sim/execution/commands/action_commands.h"
 #include "sim/execution/interpretation/knowledge_scenario.h"
 #include "sim/execution/interpretation/plan_interpretation.h"
+#include "sim/execution/trial/goal_findings.h"
 #include "sim/execution/walk/executor.h"
 #include "sim/execution/walk/tilt_watch.h"
 #include "sim/noise/sampling.h"
@@ -18,7 +19,6 @@ namespace assay::execution {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
-constexpr double kRest = 0.5;  // seconds that the robots rest at the end of a trial
 
 // One trial: its simulation, the walk through the tree, and the measurements of both.
 class JudgedWalk {
@@ -29,8 +29,8 @@ class JudgedWalk {
         problem_(ProblemOf(scenario, trial.world)),
         settings_(settings),
         random_(settings.seed, fmt::format("enactment {}", trial.number)),
-        noise_(noise::Sample(noise::ErrorBox(problem_, PlanOf(trial.world)), noise::Mode::kUniform,
-                             settings.seed, trial.number)),
+        noise_(noise::Sample(problem_, noise::ErrorBox(problem_, PlanOf(trial.world)),
+                             noise::Mode::kUniform, settings.seed, trial.number)),
         scene_(problem_, TrueScene(scenario.scenario.simulation.scene, trial.world)),
         data_(StartOf(problem_, scene_, noise_)),
         tilts_(scene_, data_),
@@ -69,7 +69,7 @@ class JudgedWalk {
     if (IsAtRest(result_.walk.end)) ComeToRest(robots);
     result_.collisions = robots.Collisions();
     result_.duration = data_.time();
-    Measure();
+    Measure(robots);
     Judge();
     if (settings_.sample_rate > 0) KeepTrace(robots);
     return std::move(result_);
@@ -112,24 +112,31 @@ class JudgedWalk {
     Execution& execution = robots.acting();
     Progress failure;
     if (execution.world().held().IsNone()) failure = robots.GoHome();
-    if (!failure) failure = execution.Stay(kRest, Stepping::kContact);
-    if (!failure) return;
+    RestRecord rest;
+    if (!failure) failure = Rest(execution, rest);
+    if (!failure) {
+      rest_ = rest;
+      return;
+    }
     result_.walk.end = TrialOutcome::kStopped;
     result_.walk.reason = "at the end: " + failure->reason;
   }
 
   void KeepTrace(Robots& robots) {
     result_.trace = robots.WholeTrace();
+    if (rest_) result_.trace.events.emplace_back(*rest_);
     result_.trace.events.emplace_back(ExecutionEnd{
         .outcome = result_.outcome, .reason = result_.reason, .snapshot = robots.acting().Now()});
     result_.scene = scene_.options();
   }
 
-  void Measure() {
+  void Measure(Robots& robots) {
     const Truth truth{problem_, scene_, data_};
-    result_.is_goal_true = interpretation_.planned
-                               ? AreGoalsTrue(truth)
-                               : Audit(interpretation_, problem_).IsGoalTrue(truth);
+    if (interpretation_.planned) {
+      MeasureGoals(robots);
+    } else {
+      result_.is_goal_true = Audit(interpretation_, problem_).IsGoalTrue(truth);
+    }
     for (std::size_t i = 0; i < problem_.parts.size(); ++i) {
       const PartId part(i);
       MeasureTilt(truth, part);
@@ -139,6 +146,17 @@ class JudgedWalk {
       if (!is_held && StablePoseAt(problem_.part(part), X_WorldPart) != problem_.part(part).resting)
         result_.fallen.push_back(problem_.part(part).name);
     }
+  }
+
+  // Judges the goals of an assembly by the same rule as a plan without branches.
+  void MeasureGoals(Robots& robots) {
+    Trace trace = robots.WholeTrace();
+    if (rest_) trace.events.emplace_back(*rest_);
+    trace.events.emplace_back(ExecutionEnd{.snapshot = robots.acting().Now()});
+    const std::vector<Finding> findings = GoalFindings(problem_, trace, {});
+    const auto failed = std::ranges::find(findings, false, &Finding::holds);
+    result_.is_goal_true = failed == findings.end();
+    if (!result_.is_goal_true) why_missed_ = Text(*failed);
   }
 
   bool IsHeld(PartId part) const {
@@ -177,7 +195,7 @@ class JudgedWalk {
     if (!result_.fallen.empty()) {
       return end(TrialOutcome::kFallen, fmt::format("{} fell", fmt::join(result_.fallen, ", ")));
     }
-    if (!result_.is_goal_true) return end(TrialOutcome::kMissed, "the goal is not true");
+    if (!result_.is_goal_true) return end(TrialOutcome::kMissed, why_missed_);
   }
 
   static std::string ReasonOf(const FalseClaim& claim) {
@@ -203,6 +221,8 @@ class JudgedWalk {
   mujoco::Data data_;
   TiltWatch tilts_;
   ExecutorOptions options_;
+  std::optional<RestRecord> rest_;
+  std::string why_missed_ = "the goal is not true";
   TreeTrial result_;
 };
 

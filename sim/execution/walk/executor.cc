@@ -5,6 +5,7 @@
 
 #include "sim/execution/commands/action_commands.h"
 #include "sim/execution/walk/step_execution.h"
+#include "sim/noise/possible_start.h"
 
 namespace assay::execution {
 namespace {
@@ -12,25 +13,6 @@ namespace {
 constexpr double kRestDuration = 0.5;  // seconds during which speeds at rest are recorded
 constexpr double kSettling = 0.25;     // seconds for the parts to settle
 constexpr double kBeforeRest = 0.1;    // seconds for the change to small timesteps
-
-Progress Rest(Execution& execution) {
-  const scene::Scene& scene = execution.scene();
-  mujoco::Data& data = execution.data();
-  if (Progress failure = execution.Stay(kBeforeRest, Stepping::kContact)) return failure;
-  RestRecord rest{.duration = kRestDuration};
-  rest.parts.resize(static_cast<std::size_t>(scene.part_count()));
-  const double end = data.time() + kRestDuration;
-  while (data.time() < end) {
-    if (Progress failure = execution.Stay(0, Stepping::kContact)) return failure;
-    for (std::size_t i = 0; i < rest.parts.size(); ++i) {
-      const scene::Twist twist = scene.TrueTwist(data, PartId(i));
-      rest.parts[i].linear = std::max(rest.parts[i].linear, twist.linear.norm());
-      rest.parts[i].angular = std::max(rest.parts[i].angular, twist.angular.norm());
-    }
-  }
-  execution.trace().events.push_back(rest);
-  return std::nullopt;
-}
 
 Progress RunPlan(const plan::Plan& plan, Execution& execution) {
   for (const plan::StepId id : plan.ExecutionOrder()) {
@@ -41,7 +23,10 @@ Progress RunPlan(const plan::Plan& plan, Execution& execution) {
   }
   const auto run = [&](const auto& command) { return Run(command, {}, execution); };
   if (Progress failure = std::visit(run, HomingOf(execution.problem(), plan))) return failure;
-  return Rest(execution);
+  RestRecord rest;
+  if (Progress failure = Rest(execution, rest)) return failure;
+  execution.trace().events.emplace_back(rest);
+  return std::nullopt;
 }
 
 }  // namespace
@@ -70,15 +55,41 @@ std::vector<Pose> RestingPoses(const domain::Problem& problem, const scene::Scen
   return poses;
 }
 
+void PlaceAtStart(const domain::Problem& problem, const scene::Scene& scene,
+                  const std::vector<Pose>& resting, const noise::Noise& noise,
+                  const std::vector<PartId>& parts, mujoco::Data& data) {
+  const std::vector<Pose> truly = noise::TruePoses(problem, noise, resting);
+  for (const PartId part : parts) {
+    scene.SetTableHeight(data, part, noise::HeightAtStart(problem, noise, part));
+    scene.SetPart(data, part, truly[part.index()]);
+  }
+}
+
 mujoco::Data StartOf(const domain::Problem& problem, const scene::Scene& scene,
                      const noise::Noise& noise) {
-  const std::vector<Pose> resting = RestingPoses(problem, scene);
+  std::vector<PartId> parts;
+  for (std::size_t p = 0; p < problem.parts.size(); ++p) parts.emplace_back(p);
   mujoco::Data data = scene.Start();
-  for (std::size_t p = 0; p < resting.size(); ++p) {
-    scene.SetTableHeight(data, PartId(p), noise.TableHeight(PartId(p)));
-    scene.SetPart(data, PartId(p), noise.TruePose(PartId(p), resting[p]));
-  }
+  PlaceAtStart(problem, scene, RestingPoses(problem, scene), noise, parts, data);
   return data;
+}
+
+Progress Rest(Execution& execution, RestRecord& rest) {
+  const scene::Scene& scene = execution.scene();
+  mujoco::Data& data = execution.data();
+  if (Progress failure = execution.Stay(kBeforeRest, Stepping::kContact)) return failure;
+  rest.duration = kRestDuration;
+  rest.parts.resize(static_cast<std::size_t>(scene.part_count()));
+  const double end = data.time() + kRestDuration;
+  while (data.time() < end) {
+    if (Progress failure = execution.Stay(0, Stepping::kContact)) return failure;
+    for (std::size_t i = 0; i < rest.parts.size(); ++i) {
+      const scene::Twist twist = scene.TrueTwist(data, PartId(i));
+      rest.parts[i].linear = std::max(rest.parts[i].linear, twist.linear.norm());
+      rest.parts[i].angular = std::max(rest.parts[i].angular, twist.angular.norm());
+    }
+  }
+  return std::nullopt;
 }
 
 Trace Execute(const domain::Problem& problem, const plan::Plan& plan, const scene::Scene& scene,

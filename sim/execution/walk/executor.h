@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "planner/plan/data/plan.h"
-#include "sim/execution/robots/executor_options.h"
+#include "sim/execution/robots/execution.h"
 #include "sim/execution/trace/trace.h"
 #include "sim/noise/noise.h"
 #include "sim/scene/scene.h"
@@ -19,10 +19,20 @@ scene::SceneOptions TrueScene(scene::SceneOptions options, const noise::Noise& n
 // differ from the drawn error.
 std::vector<Pose> RestingPoses(const domain::Problem& problem, const scene::Scene& scene);
 
+// Puts the parts at their true poses at the start, and the tables under them at their true heights.
+// `resting` are the poses without errors, by part.
+void PlaceAtStart(const domain::Problem& problem, const scene::Scene& scene,
+                  const std::vector<Pose>& resting, const noise::Noise& noise,
+                  const std::vector<domain::PartId>& parts, mujoco::Data& data);
+
 // Returns a simulation at the start of a trial, with the parts at their true poses and the tables
 // at their true heights.
 mujoco::Data StartOf(const domain::Problem& problem, const scene::Scene& scene,
                      const noise::Noise& noise);
+
+// Keeps the arm at rest for more than half a second, and records how fast the parts move in the
+// meantime.
+Progress Rest(Execution& execution, RestRecord& rest);
 
 // Executes a plan without asking the planner. `data` must be a simulation of `scene` at the start
 // of the trial, with the parts at their true poses; afterwards it is at the end of the trial. The

@@ -182,14 +182,16 @@ class Falsification:
 
     @property
     def holds(self) -> bool:
-        """Whether the plan could be tested and no claim was violated."""
-        return not self.untestable and self.counts["violated"] == 0
+        """Whether attempts were made and no claim was violated."""
+        return not self.untestable and self.attempts > 0 and self.counts["violated"] == 0
 
     def require(self) -> Falsification:
         """Returns the result if nothing was violated. Raises Failed if something was."""
         if self.holds:
             return self
-        raise Failed(self.untestable or f"violated in {self.counts['violated']} of "
+        if self.attempts == 0:
+            raise Failed(self.untestable or "no attempt was made")
+        raise Failed(f"violated in {self.counts['violated']} of "
                      f"{self.attempts} attempts: {self.reason}")
 
     def replay(self, number: int) -> Run:
@@ -202,6 +204,8 @@ class Falsification:
             return self.untestable
         if self.holds:
             return f"<Falsification: not falsified in {self.attempts} attempts>"
+        if self.attempts == 0:
+            return "<Falsification: no attempt was made>"
         return (f"<Falsification: violated in {self.counts['violated']} of {self.attempts} "
                 "attempts>")
 

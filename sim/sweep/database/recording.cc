@@ -199,7 +199,10 @@ TimedTrial Recorded(const plan::Plan& plan, const MadeFalsification& made) {
   timed.falsification = RecordOf(plan, made);
   TrialRecord& record = timed.record;
   record.counts = timed.falsification->certificates;
-  record.outcome = record.counts.violated == 0 ? "succeeded" : "violated";
+  record.outcome = record.counts.violated > 0 ? "violated"
+                   : result.attempts > 0      ? "succeeded"
+                                              : "untried";
+  if (record.outcome == "untried") record.reason = "no attempt was made";
   if (const check::WorstClaim* const worst = WorstOf(result)) {
     record.noise = noise::Text(worst->noise);
     if (record.counts.violated > 0) record.reason = ClaimText(plan, worst->claim);

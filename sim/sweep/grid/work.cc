@@ -199,7 +199,9 @@ TimedTrial RunFalsification(const Sweep& sweep, const PlannedCell& cell,
 }  // namespace
 
 noise::Noise NoiseOf(const PlannedCell& cell, int number) {
-  return noise::Sample(cell.preparation->box, ModeOf(cell.cell.noise), cell.cell.seed, number);
+  const Preparation& preparation = *cell.preparation;
+  return noise::Sample(preparation.scenario.problem, preparation.box, ModeOf(cell.cell.noise),
+                       cell.cell.seed, number);
 }
 
 check::Trial Execute(const PlannedCell& cell, const noise::Noise& noise,

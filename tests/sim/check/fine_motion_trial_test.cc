@@ -47,7 +47,8 @@ class FeltAssembly : public testing::Test {
   static Trial Run(const plan::Plan& plan, noise::Mode mode, const NoiseFloor& gate) {
     const Experiment experiment{certified().problem, plan, {}, gate};
     const auto box = noise::ErrorBox(certified().problem, plan);
-    return RunTrial(experiment, noise::Sample(box, mode, kSeed, 1), {.sample_rate = 0});
+    return RunTrial(experiment, noise::Sample(certified().problem, box, mode, kSeed, 1),
+                    {.sample_rate = 0});
   }
 };
 

@@ -139,8 +139,9 @@ Verdict AtCorner(const Planned& planned, int corner) {
   const auto box = noise::ErrorBox(planned.problem, planned.plan);
   execution::ExecutorOptions options;
   options.sample_rate = 0;
-  return RunTrial(experiment, noise::Sample(box, noise::Mode::kVertices, kSeed, corner), options)
-      .verdict;
+  const noise::Noise noise =
+      noise::Sample(planned.problem, box, noise::Mode::kVertices, kSeed, corner);
+  return RunTrial(experiment, noise, options).verdict;
 }
 
 // Every corner of the error box succeeds if the whole plan is proved. Nothing falls, slips or

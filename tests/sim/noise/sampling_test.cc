@@ -136,7 +136,7 @@ constexpr Mode kModes[] = {Mode::kNone, Mode::kUniform, Mode::kVertices, Mode::k
 TEST_F(SampleTest, IsInTheBox) {
   for (const Mode mode : kModes) {
     for (int number = 1; number <= 300; ++number) {
-      const Noise noise = Sample(box_, mode, kSeed, number);
+      const Noise noise = Sample(problem_, box_, mode, kSeed, number);
       ASSERT_EQ(noise.box(), box_);
       for (std::size_t i = 0; i < box_.size(); ++i) {
         ASSERT_GE(noise.values()[i], box_[i].range.low);
@@ -147,12 +147,13 @@ TEST_F(SampleTest, IsInTheBox) {
 }
 
 TEST_F(SampleTest, WithoutNoiseIsZero) {
-  EXPECT_EQ(Sample(box_, Mode::kNone, kSeed, 3).values(), std::vector<double>(box_.size(), 0));
+  EXPECT_EQ(Sample(problem_, box_, Mode::kNone, kSeed, 3).values(),
+            std::vector<double>(box_.size(), 0));
 }
 
 TEST_F(SampleTest, VerticesAreEndsToTheBit) {
   for (int number = 1; number <= 300; ++number) {
-    const Noise noise = Sample(box_, Mode::kVertices, kSeed, number);
+    const Noise noise = Sample(problem_, box_, Mode::kVertices, kSeed, number);
     for (std::size_t i = 0; i < box_.size(); ++i) {
       const double value = noise.values()[i];
       ASSERT_TRUE(value == box_[i].range.low || value == box_[i].range.high);
@@ -169,7 +170,7 @@ TEST_F(SampleTest, UniformIsUniform) {
     const double middle = (range.low + range.high) / 2;
     double mean = 0, variance = 0;
     for (int number = 1; number <= kCount; ++number) {
-      const double off = Sample(box_, Mode::kUniform, kSeed, number).values()[i] - middle;
+      const double off = Sample(problem_, box_, Mode::kUniform, kSeed, number).values()[i] - middle;
       mean += off / kCount;
       variance += off * off / kCount;
     }
@@ -183,14 +184,14 @@ TEST_F(SampleTest, DependsOnNumberAndSeedAlone) {
   for (const Mode mode : kModes) {
     std::vector<std::vector<double>> forward;
     for (int number = 1; number <= 200; ++number) {
-      forward.push_back(Sample(box_, mode, kSeed, number).values());
+      forward.push_back(Sample(problem_, box_, mode, kSeed, number).values());
     }
     for (int number = 200; number >= 1; --number) {
-      ASSERT_EQ(Sample(box_, mode, kSeed, number).values(), forward[number - 1]);
+      ASSERT_EQ(Sample(problem_, box_, mode, kSeed, number).values(), forward[number - 1]);
     }
     if (mode == Mode::kNone) continue;
     EXPECT_NE(forward[0], forward[1]);
-    EXPECT_NE(Sample(box_, mode, kSeed + 1, 200).values(), forward[199]);
+    EXPECT_NE(Sample(problem_, box_, mode, kSeed + 1, 200).values(), forward[199]);
   }
 }
 

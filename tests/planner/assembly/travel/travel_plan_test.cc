@@ -113,16 +113,16 @@ TEST(TravelPlan, WhatIsClaimedOfWaysIsComputedAnew) {
 
 // The plan names what it does not claim about the ways of the arm, including the way home.
 TEST(TravelPlan, WhatIsNotClaimedOfWaysIsNamed) {
-  const plan::Plan plan =
-      MakeCertifiedPlan(constraint_posting::LoadScenario("uncertain-known"), {}, {}).plan;
-  EXPECT_THAT(plan::NotCovered(plan), Each(Not(HasSubstr(": step"))));
+  const domain::Problem problem = constraint_posting::LoadScenario("uncertain-known");
+  const plan::Plan plan = MakeCertifiedPlan(problem, {}, {}).plan;
+  EXPECT_THAT(plan::NotCovered(problem, plan), Each(Not(HasSubstr(": step"))));
   for (std::size_t i = 0; i < plan.steps.size(); ++i) {
     plan::Plan silent = plan;
     auto& claims = silent.steps[i].certificate.preconditions;
     claims.erase(std::ranges::find(claims, plan::Condition(plan::condition::kReach),
                                    &plan::CertifiedPrecondition::condition));
     EXPECT_THAT(
-        plan::NotCovered(silent),
+        plan::NotCovered(problem, silent),
         Contains(HasSubstr("configuration: step " + std::to_string(silent.steps[i].executed))));
   }
 }

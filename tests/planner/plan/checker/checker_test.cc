@@ -311,8 +311,18 @@ TEST_F(CarefulPlan, FindsLabelsWithoutMeaning) {
   EXPECT_THAT(Flaws(), FlawAt(5, "the grasp has the label '', but is another grasp"));
 }
 
+TEST_F(FourStepPlan, NamesPartsThatErrorsLetOverlapAtTheStart) {
+  plan_.not_covered = NotCovered(problem_, plan_);
+  EXPECT_THAT(*plan_.not_covered, testing::Each(testing::Not(HasSubstr("at the start"))));
+  problem_.parts[0].error.x = problem_.parts[0].error.y = {-0.4, 0.4};
+  const std::string start = "errors with which " + problem_.parts[0].name + " and " +
+                            problem_.parts[1].name + " overlap at the start";
+  EXPECT_THAT(NotCovered(problem_, plan_).front(), HasSubstr(start));
+  EXPECT_THAT(Flaws(), ElementsAre(Field(&Flaw::what, HasSubstr("does not name '" + start))));
+}
+
 TEST_F(FourStepPlan, FindsWhatItSaysWronglyOfWhatIsNotCovered) {
-  plan_.not_covered = NotCovered(plan_);
+  plan_.not_covered = NotCovered(problem_, plan_);
   EXPECT_THAT(Flaws(), IsEmpty());
   const std::string missing = plan_.not_covered->back();
   plan_.not_covered->back() = "nothing at all";
@@ -321,8 +331,8 @@ TEST_F(FourStepPlan, FindsWhatItSaysWronglyOfWhatIsNotCovered) {
                   Field(&Flaw::what, "not_covered does not name '" + missing + "'"),
                   Field(&Flaw::what, "not_covered names without reason 'nothing at all'")));
   plan_.not_covered->clear();
-  EXPECT_EQ(Flaws().size(), NotCovered(plan_).size());
-  plan_.not_covered = NotCovered(plan_);
+  EXPECT_EQ(Flaws().size(), NotCovered(problem_, plan_).size());
+  plan_.not_covered = NotCovered(problem_, plan_);
   plan_.not_covered->push_back(missing);
   EXPECT_THAT(Flaws(), FlawAt(-1, "not_covered names without reason '" + missing + "'"));
 }

@@ -43,6 +43,16 @@ class Proved : public testing::Test {
   static inline Experiment* experiment_ = nullptr;
 };
 
+// The next step starts where an attempt at this one ends, so no step may go without one before.
+TEST_F(Proved, HasAnAttemptAtEachOfTheFirstStepsIfAttemptsAreFew) {
+  const std::vector<plan::StepId> order = certified_->plan.ExecutionOrder();
+  ASSERT_EQ(order.size(), 2u);
+  const FalsificationResult result = Falsify(*experiment_, {.attempts = 1, .seed = kSeed});
+  EXPECT_EQ(result.attempts, 1);
+  EXPECT_EQ(result.attempts_at[order[0].index()], 1);
+  EXPECT_EQ(result.attempts_at[order[1].index()], 0);
+}
+
 TEST_F(Proved, IsNotFalsifiedAndSucceedsAtCorners) {
   ASSERT_EQ(certified_->plan.errors, 0);
   const FalsificationResult result = Falsify(*experiment_, {.attempts = 16, .seed = kSeed});
@@ -51,7 +61,8 @@ TEST_F(Proved, IsNotFalsifiedAndSucceedsAtCorners) {
   EXPECT_TRUE(result.counterexamples.empty());
   const auto box = noise::ErrorBox(certified_->problem, certified_->plan);
   for (int number = 1; number <= 2; ++number) {
-    const noise::Noise noise = noise::Sample(box, noise::Mode::kVertices, kSeed, number);
+    const noise::Noise noise =
+        noise::Sample(certified_->problem, box, noise::Mode::kVertices, kSeed, number);
     const Trial trial = RunTrial(*experiment_, noise, {.sample_rate = 0});
     EXPECT_EQ(trial.verdict.outcome, TrialOutcome::kSucceeded) << trial.verdict.reason;
     EXPECT_EQ(trial.errors_signalled, 0);

@@ -3,10 +3,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <fstream>
 #include <set>
+#include <sstream>
 
 #include "sim/check/certificate_claims/measure_noise_floor.h"
 #include "sim/noise/error_box.h"
+#include "sim/noise/possible_start.h"
+#include "sim/noise/sampling.h"
 #include "tests/sim/check/certified.h"
 
 namespace assay::check::step_falsification_test {
@@ -137,6 +141,48 @@ TEST_F(PickupAfterALook, WhatIsSoFromTheStartIsAViolation) {
   const PoisedTrial poised = *falsification.Poise(world(), world().noise, nullptr).poised;
   const StepAttempt attempt = falsification.Attempt(poised, Corner(), Until::kPoised);
   EXPECT_TRUE(std::ranges::any_of(attempt.claims, &Claim::IsViolated));
+}
+
+// A brick stands half a millimetre beside the block, and may be 3 mm off.
+domain::Problem WithANeighbour() {
+  std::ostringstream read;
+  read << std::ifstream(ASSAY_SOURCE_DIR "/scenarios/uncertain-known.yaml").rdbuf();
+  std::string text = read.str();
+  text.replace(text.find("yaw: 30"), 7, "yaw: 0");
+  text.insert(text.find("gripper:"),
+              "  brick: {model: brick, pose: {stable: upright, at: [664.0, 130]},"
+              " error: {x: 3, y: 3, theta: 1}}\n");
+  return domain::ReadProblem(Document::Parse(text, "s.yaml"), ASSAY_SOURCE_DIR "/models");
+}
+
+// The engine would throw parts apart that overlap.
+TEST(AttemptsBesideANeighbour, StartInPossibleWorldsOnly) {
+  const Certified certified = CertifiedPlan(WithANeighbour());
+  ASSERT_FALSE(certified.plan.steps.empty());
+  const Experiment experiment{certified.problem, certified.plan};
+  const auto worlds = WorldsOf(experiment, noise::ErrorBox(certified.problem, certified.plan));
+  const TriedWorld& world = worlds.front();
+  const StepFalsification falsification(experiment, certified.plan.ExecutionOrder().front(),
+                                        world.noise);
+  const Approach approach = falsification.Poise(world, world.noise, nullptr);
+  ASSERT_TRUE(approach.poised);
+  const std::vector<std::size_t>& free = falsification.free_channels();
+  const noise::PossibleStart start(certified.problem);
+  int impossible = 0;
+  for (int number = 1; number <= 8; ++number) {
+    noise::Noise corner = world.noise;
+    std::vector<double> values;
+    for (const double end : noise::CornerPoint(static_cast<int>(free.size()), 1, number)) {
+      const std::size_t channel = free[values.size()];
+      const Interval& range = corner.box()[channel].range;
+      values.push_back(end > 0 ? range.high : range.low);
+      corner.Set(channel, values.back());
+    }
+    if (start.FirstOverlap(corner)) ++impossible;
+    const StepAttempt attempt = falsification.Attempt(*approach.poised, values, Until::kPoised);
+    EXPECT_FALSE(start.FirstOverlap(attempt.noise)) << number;
+  }
+  EXPECT_GT(impossible, 0);
 }
 
 }  // namespace

@@ -39,8 +39,8 @@ struct Case {
   std::vector<noise::Channel> box;
 
   Experiment experiment() const { return {certified.problem, certified.plan}; }
-  Noise Drawn() const { return noise::Sample(box, noise::Mode::kUniform, 7, 1); }
-  Noise None() const { return noise::Sample(box, noise::Mode::kNone, 7, 1); }
+  Noise Drawn() const { return noise::Sample(certified.problem, box, noise::Mode::kUniform, 7, 1); }
+  Noise None() const { return noise::Sample(certified.problem, box, noise::Mode::kNone, 7, 1); }
 
   // The execution ends with the first error that is signalled. Groping takes long and changes no
   // entry of the ledger.

@@ -10,11 +10,13 @@
 namespace assay::check::verdict_test {
 namespace {
 
+using domain::PartId;
 using execution::ExecutionEnd;
 using execution::GraspFact;
 using execution::RestRecord;
 using execution::Trace;
 using execution::TrialOutcome;
+using geometry::Pose;
 using testing::HasSubstr;
 
 // Invented traces of executions, each with one fault.

@@ -83,7 +83,17 @@ TEST(Run, AFalsificationTellsWhatCameNearestToBeingViolated) {
   EXPECT_THAT(SchemaErrors("sim/cli/verbs/run.schema.json", result), IsEmpty());
   EXPECT_EQ(result["grasp"], "friction");
   EXPECT_FALSE(result["worst"].empty());
+  EXPECT_THAT(result["not_attempted"], IsEmpty());
   EXPECT_THAT(result["counterexamples"], IsEmpty());
+}
+
+TEST(Run, AFalsificationTellsWhichStepsItDidNotAttempt) {
+  const std::vector<std::string> attack = {"run",    kTwoActions,  "--noise",
+                                           "attack", "--attempts", "1"};
+  const Ended ended = Assay(attack);
+  EXPECT_EQ(ended.code, 0) << ended.err << ended.out;
+  EXPECT_THAT(ended.out, HasSubstr("not falsified in 1 attempt\nno attempt was made at step 2, so "
+                                   "that nothing is said of it\n"));
 }
 
 // The ledger holds the errors that were drawn for a trial, and their effects.

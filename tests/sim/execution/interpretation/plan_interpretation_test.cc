@@ -13,6 +13,7 @@
 
 #include "planner/contingent/grounding/ground_query.h"
 #include "planner/contingent/search/contingent_planner.h"
+#include "planner/domain/matings/mating_success.h"
 #include "sim/execution/interpretation/knowledge_scenario.h"
 #include "sim/execution/trial/tree_trial.h"
 #include "sim/execution/walk/executor.h"
@@ -64,6 +65,20 @@ TEST_F(FallenPeg, EachWorldReachesTheGoal) {
     EXPECT_THAT(trial.walk.false_claims, IsEmpty());
     EXPECT_EQ(trial.walk.branches.front().text, told);
   }
+}
+
+// A mated part is off by less than the clearance, and the rule of success allows not much more. If
+// it allows nothing, the same trial misses the goal.
+TEST_F(FallenPeg, TheGoalIsJudgedByTheRuleOfSuccess) {
+  auto strict = std::make_shared<PlannedWorlds>(*Scenario().interpretation.planned);
+  for (domain::Problem& world : strict->worlds) world.clearance = -domain::kLateralSlack;
+  KnowledgeScenario scenario{.scenario = Scenario().scenario,
+                             .interpretation = InterpretationOf(strict)};
+  const TreeTrial trial = RunTrial(scenario, strict->assembly.tree,
+                                   {1, {.masses = {}, .colors = {}, .world = 0}}, {.seed = 1});
+  EXPECT_EQ(trial.outcome, TrialOutcome::kMissed);
+  EXPECT_FALSE(trial.is_goal_true);
+  EXPECT_THAT(trial.reason, testing::HasSubstr("lateral error of peg in block"));
 }
 
 // For each error branch, a fault is injected that leads to it. A recovery corrects the fault or the

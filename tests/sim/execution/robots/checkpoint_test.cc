@@ -45,7 +45,7 @@ class Checkpoints : public testing::Test {
   }
   static const noise::Noise& Drawn() {
     static const noise::Noise drawn =
-        noise::Sample(noise::ErrorBox(problem(), plan()), noise::Mode::kUniform, 5, 1);
+        noise::Sample(problem(), noise::ErrorBox(problem(), plan()), noise::Mode::kUniform, 5, 1);
     return drawn;
   }
   static const ExecutorOptions& Options() {

@@ -1,4 +1,4 @@
-#include "sim/check/trial_verdicts/predicate.h"
+#include "sim/execution/trial/finding.h"
 
 #include <fmt/format.h>
 
@@ -8,7 +8,7 @@
 #include "planner/base/check.h"
 #include "planner/domain/matings/mating_success.h"
 
-namespace assay::check {
+namespace assay::execution {
 namespace {
 
 using domain::Feature;
@@ -40,22 +40,21 @@ Pair PairOf(const Problem& problem, const Mating& mating, std::size_t pair) {
           FeatureOf(problem.part(mating.fixed), of_fixed).X_PartFeature};
 }
 
-std::string Named(const char* what, const Problem& problem, const Mating& mating) {
+std::string NameOf(const char* what, const Problem& problem, const Mating& mating) {
   return fmt::format("{} of {} in {}", what, problem.part(mating.held).name,
                      problem.part(mating.fixed).name);
 }
 
-double AngleBetween(const Vector3& a, const Vector3& b) {
+double AngleBetweenAxes(const Vector3& a, const Vector3& b) {
   return std::atan2(a.cross(b).norm(), a.dot(b));
 }
 
 }  // namespace
 
-Finding SeatedDepth(const Problem& problem, const Mating& mating, const Pose& X_FixedHeld,
-                    const Limits& limits) {
+Finding SeatedDepth(const Problem& problem, const Mating& mating, const Pose& X_FixedHeld) {
   const Vector3 error = mating.X_FixedHeld.translation() - X_FixedHeld.translation();
-  return AtMost(Aspect::kSeated, Named("seated depth", problem, mating),
-                std::abs(error.dot(mating.mating_vector.normalized())), limits.seated,
+  return AtMost(Aspect::kSeated, NameOf("seated depth", problem, mating),
+                std::abs(error.dot(mating.mating_vector.normalized())), domain::kSeatedLimit,
                 domain::Dimension::kLength);
 }
 
@@ -64,17 +63,16 @@ Finding LateralError(const Problem& problem, const Mating& mating, const Pose& X
   const Vector3 point = pair.X_HeldFeature.translation();
   const Vector3 error =
       pair.X_FixedFeature.linear().transpose() * (X_FixedHeld * point - mating.X_FixedHeld * point);
-  return AtMost(Aspect::kAligned, Named("lateral error", problem, mating),
+  return AtMost(Aspect::kAligned, NameOf("lateral error", problem, mating),
                 error.head<2>().cwiseAbs().maxCoeff(), domain::LateralLimit(problem),
                 domain::Dimension::kLength);
 }
 
-Finding AxisAngle(const Problem& problem, const Mating& mating, const Pose& X_FixedHeld,
-                  const Limits& limits) {
+Finding AxisAngle(const Problem& problem, const Mating& mating, const Pose& X_FixedHeld) {
   const Vector3 axis = PairOf(problem, mating, 0).X_HeldFeature.linear().col(2);
-  return AtMost(Aspect::kAligned, Named("axis angle", problem, mating),
-                AngleBetween(X_FixedHeld.linear() * axis, mating.X_FixedHeld.linear() * axis),
-                limits.axis_angle, domain::Dimension::kAngle);
+  return AtMost(Aspect::kAligned, NameOf("axis angle", problem, mating),
+                AngleBetweenAxes(X_FixedHeld.linear() * axis, mating.X_FixedHeld.linear() * axis),
+                domain::kAxisAngleLimit, domain::Dimension::kAngle);
 }
 
 Finding AlignmentError(const Problem& problem, const Mating& mating, std::size_t pair,
@@ -85,10 +83,21 @@ Finding AlignmentError(const Problem& problem, const Mating& mating, std::size_t
   const Vector3 along = mating.mating_vector.normalized();
   const Vector3 across = apart - along * along.dot(apart);
   return AtMost(Aspect::kAligned,
-                Named("alignment", problem, mating) +
+                NameOf("alignment", problem, mating) +
                     fmt::format(", features {} and {}", mating.features[pair].first.index(),
                                 mating.features[pair].second.index()),
                 across.norm(), domain::AlignmentLimit(problem), domain::Dimension::kLength);
+}
+
+std::vector<Finding> MatingFindings(const Problem& problem, const Mating& mating,
+                                    const Pose& X_FixedHeld) {
+  std::vector<Finding> findings = {SeatedDepth(problem, mating, X_FixedHeld),
+                                   LateralError(problem, mating, X_FixedHeld),
+                                   AxisAngle(problem, mating, X_FixedHeld)};
+  for (std::size_t pair = 1; pair < mating.features.size(); ++pair) {
+    findings.push_back(AlignmentError(problem, mating, pair, X_FixedHeld));
+  }
+  return findings;
 }
 
 Finding Released(const Part& part, const GripperState& gripper, const Limits& limits) {
@@ -116,7 +125,7 @@ std::vector<Finding> Located(const Part& part,
   ASSAY_CHECK(!stable_poses.empty());
   const auto tilt_from = [&](domain::StablePoseId id) {
     const Pose& X_TablePart = part.model->stable_poses()[id.index()].X_TablePart;
-    return AngleBetween(X_WorldPart.linear().row(2), X_TablePart.linear().row(2));
+    return AngleBetweenAxes(X_WorldPart.linear().row(2), X_TablePart.linear().row(2));
   };
   const domain::StablePoseId nearest = std::ranges::min(stable_poses, {}, tilt_from);
   const domain::StablePose& pose = part.model->stable_poses()[nearest.index()];
@@ -127,4 +136,10 @@ std::vector<Finding> Located(const Part& part,
                  std::abs(height), limits.height, domain::Dimension::kLength)};
 }
 
-}  // namespace assay::check
+std::string Text(const Finding& finding) {
+  const std::string_view unit = domain::SiUnitOf(finding.dimension).name;
+  return fmt::format("{}: {:.4g} {}, limit {:.4g} {}", finding.name, finding.value, unit,
+                     finding.limit, unit);
+}
+
+}  // namespace assay::execution

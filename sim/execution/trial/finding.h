@@ -4,10 +4,10 @@
 #include <vector>
 
 #include "planner/domain/problem/problem.h"
-#include "sim/check/trial_verdicts/limits.h"
 #include "sim/execution/trace/trace.h"
+#include "sim/execution/trial/limits.h"
 
-namespace assay::check {
+namespace assay::execution {
 
 using domain::PartId;
 using geometry::Pose;
@@ -31,7 +31,7 @@ struct Finding {
 
 // Judges how far the held part is from its mated pose along the mating vector.
 Finding SeatedDepth(const domain::Problem& problem, const domain::Mating& mating,
-                    const Pose& X_FixedHeld, const Limits& limits);
+                    const Pose& X_FixedHeld);
 // Judges how far the axes of the first pair of features are from where they were to meet. The value
 // is the greater of the errors along the x and y axes of the fixed part's feature, because a hole
 // has sides.
@@ -39,12 +39,16 @@ Finding LateralError(const domain::Problem& problem, const domain::Mating& matin
                      const Pose& X_FixedHeld);
 // Judges the angle between the held feature's axis and its direction in the mated pose.
 Finding AxisAngle(const domain::Problem& problem, const domain::Mating& mating,
-                  const Pose& X_FixedHeld, const Limits& limits);
+                  const Pose& X_FixedHeld);
 // Judges how far apart the two features of a later pair are, measured across the mating vector.
 // `pair` is the index of the pair, from 1 on. An example is two holes that are to lie one
 // above the other.
 Finding AlignmentError(const domain::Problem& problem, const domain::Mating& mating,
                        std::size_t pair, const Pose& X_FixedHeld);
+
+// Returns all findings about a mating. It is a success if all hold.
+std::vector<Finding> MatingFindings(const domain::Problem& problem, const domain::Mating& mating,
+                                    const Pose& X_FixedHeld);
 
 // The facts by which Released judges whether a part is still in the hand.
 struct GripperState {
@@ -65,4 +69,7 @@ std::vector<Finding> Located(const domain::Part& part,
                              const std::vector<domain::StablePoseId>& stable_poses,
                              const Pose& X_WorldPart, const Limits& limits);
 
-}  // namespace assay::check
+// Returns the finding in words: "seated depth of peg in block: 0.02 m, limit 0.001 m".
+std::string Text(const Finding& finding);
+
+}  // namespace assay::execution

@@ -1,4 +1,4 @@
-#include "sim/check/trial_verdicts/predicate.h"
+#include "sim/execution/trial/finding.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include "planner/domain/matings/mating_success.h"
 #include "planner/domain/problem/problem_file.h"
 
-namespace assay::check::predicate_test {
+namespace assay::execution::finding_test {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
@@ -36,18 +36,18 @@ class MatingPredicates : public testing::Test {
 
 TEST_F(MatingPredicates, AllHoldAtTheMatedPose) {
   const Pose& X = mating_.X_FixedHeld;
-  EXPECT_NEAR(SeatedDepth(problem_, mating_, X, limits_).value, 0, 1e-12);
+  EXPECT_NEAR(SeatedDepth(problem_, mating_, X).value, 0, 1e-12);
   EXPECT_NEAR(LateralError(problem_, mating_, X).value, 0, 1e-12);
-  EXPECT_NEAR(AxisAngle(problem_, mating_, X, limits_).value, 0, 1e-9);
+  EXPECT_NEAR(AxisAngle(problem_, mating_, X).value, 0, 1e-9);
   EXPECT_NEAR(AlignmentError(problem_, mating_, 1, X).value, 0, 1e-9);
 }
 
 TEST_F(MatingPredicates, SeatedDepthIsAlongTheMatingVector) {
   for (const double sign : {-1.0, 1.0}) {
-    const Finding in = SeatedDepth(problem_, mating_, Displaced(sign * 0.00099, 0.1, 0.1), limits_);
+    const Finding in = SeatedDepth(problem_, mating_, Displaced(sign * 0.00099, 0.1, 0.1));
     EXPECT_NEAR(in.value, 0.00099, 1e-12);
     EXPECT_TRUE(in.holds);
-    EXPECT_FALSE(SeatedDepth(problem_, mating_, Displaced(sign * 0.00101, 0, 0), limits_).holds);
+    EXPECT_FALSE(SeatedDepth(problem_, mating_, Displaced(sign * 0.00101, 0, 0)).holds);
   }
 }
 
@@ -68,9 +68,7 @@ TEST_F(MatingPredicates, LateralErrorSeesTheTipOfATiltedShaft) {
 }
 
 TEST_F(MatingPredicates, AxisAngleCountsTiltAndNotTurning) {
-  const auto angle = [&](const Pose& turn) {
-    return AxisAngle(problem_, mating_, Turned(turn), limits_);
-  };
+  const auto angle = [&](const Pose& turn) { return AxisAngle(problem_, mating_, Turned(turn)); };
   for (const double sign : {-1.0, 1.0}) {
     EXPECT_TRUE(angle(geometry::RotationY(sign * 1.49 * kDegree)).holds);
     EXPECT_FALSE(angle(geometry::RotationY(sign * 1.51 * kDegree)).holds);
@@ -99,7 +97,7 @@ TEST_F(MatingPredicates, AlignmentErrorHasItsLimit) {
 
 TEST_F(MatingPredicates, NotANumberDoesNotHold) {
   const Pose nowhere = Displaced(std::nan(""), std::nan(""), std::nan(""));
-  EXPECT_FALSE(SeatedDepth(problem_, mating_, nowhere, limits_).holds);
+  EXPECT_FALSE(SeatedDepth(problem_, mating_, nowhere).holds);
   EXPECT_FALSE(AlignmentError(problem_, mating_, 1, nowhere).holds);
 }
 
@@ -160,4 +158,4 @@ TEST_F(LocatedPredicate, HasLimitsOfTiltAndHeight) {
 }
 
 }  // namespace
-}  // namespace assay::check::predicate_test
+}  // namespace assay::execution::finding_test

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "planner/domain/parts/placed_part.h"
+#include "planner/domain/problem/problem.h"
+
+namespace assay::domain {
+
+// Returns the part on whose table the part is at the start. For a part that is assembled at the
+// start, this is the part at the end of its chain of matings. For any other part it is the part
+// itself.
+PartId CarrierAtStart(const Problem& problem, PartId part);
+
+// Two parts, the one that the problem names first before the other.
+using PartPair = std::pair<PartId, PartId>;
+
+// Knows at which poses the parts of a problem can be at the same time: no two of them overlap
+// beyond contact. Believed poses may overlap by rounding, up to kGreatestOverlap; two parts that do
+// so may overlap by as much everywhere. Pockets are as narrow as the tolerance of the clearance
+// permits.
+class PossibleStarts {
+ public:
+  static constexpr double kGreatestOverlap = 1e-5;  // metres
+
+  explicit PossibleStarts(const Problem& problem);
+
+  bool Overlap(const PlacedPart& a, const PlacedPart& b) const;
+  // Returns the first two parts that overlap at these poses, which are given by part. Returns none
+  // if the parts can be there.
+  std::optional<PartPair> FirstOverlap(std::span<const Pose> X_WorldPart) const;
+  // Returns the distance of two parts, metres; 0 if they touch or overlap.
+  double Between(const PlacedPart& a, const PlacedPart& b) const;
+
+  const geometry::CollisionShape& shape(PartId part) const { return shapes_[part.index()]; }
+
+ private:
+  std::vector<geometry::CollisionShape> shapes_;
+  std::vector<PartPair> touching_;  // parts whose believed poses overlap by rounding
+};
+
+// Returns the pairs of parts that overlap at the start for some of the declared errors. Pairs are
+// found by branch and bound over the box of their errors. A pair for which the search does not
+// exclude an overlap within its budget, or to a hundredth of a millimetre, is returned, too. No
+// pair that may overlap is ever missing.
+std::vector<PartPair> PairsThatMayOverlap(const Problem& problem);
+
+}  // namespace assay::domain
