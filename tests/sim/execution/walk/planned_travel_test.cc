@@ -7,6 +7,7 @@
 #include "planner/motion/paths/straight_line.h"
 #include "sim/execution/commands/action_commands.h"
 #include "sim/execution/commands/command_file.h"
+#include "sim/execution/commands/run.h"
 #include "sim/execution/robots/execution.h"
 #include "sim/execution/walk/executor.h"
 #include "tests/sim/execution/figure15.h"
