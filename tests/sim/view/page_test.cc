@@ -101,7 +101,8 @@ TEST_F(PageOfFigure15, CountsEveryPrecondition) {
 }
 
 TEST_F(PageOfFigure15, NamesWhatIsNotCovered) {
-  EXPECT_EQ(data()["notCovered"], Json(plan::NotCovered(Figure15().problem, Figure15().plan)));
+  EXPECT_EQ(data()["notCovered"],
+            Json(plan::NotCovered(Figure15().scenario.problem, Figure15().plan)));
 }
 
 // The recorded hand is where the trace has the tool, and recorded parts are where it has them: the
