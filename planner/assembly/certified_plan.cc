@@ -15,7 +15,7 @@ plan::PlanResult MakeCertifiedPlan(const domain::Problem& problem,
   }
   plan::PlanResult result = constraint_posting::MakeCertifiedPlan(problem, planner, uncertainty);
   if (result.outcome != Outcome::kFound) return result;
-  const std::optional<std::string> obstruction =
+  const std::optional<plan::Reason> obstruction =
       AddTravels(problem, {}, result.plan, uncertainty.propagation);
   if (!obstruction) return result;
   // If a travel has no path before looks and squeezes are inserted, it has none afterwards either.
@@ -28,7 +28,7 @@ plan::PlanResult MakeCertifiedPlan(const domain::Problem& problem,
     return result;
   result.outcome = Outcome::kBudget;
   result.plan = {};
-  result.obstruction = *obstruction;
+  result.obstruction = obstruction;
   return result;
 }
 

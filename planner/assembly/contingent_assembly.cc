@@ -100,8 +100,12 @@ class WorldPlanner {
   // Adds the world to the reasons, because the constraints conflict only in this world.
   void TellWorld(const std::string& world) {
     plan::PlanResult& unplanned = assembly_.unplanned;
-    auto& reasons = unplanned.outcome == Outcome::kNone ? unplanned.conflict : unplanned.limits;
-    if (!reasons.empty()) reasons.push_back("the world is: " + world);
+    const std::string text = "the world is: " + world;
+    if (unplanned.outcome == Outcome::kNone) {
+      unplanned.conflict.push_back({text});
+    } else if (!unplanned.limits.empty()) {
+      unplanned.limits.push_back(text);
+    }
   }
 
   std::vector<int> WorldsOf(const plan::Plan& plan, int made_for) const {

@@ -17,7 +17,7 @@ struct Contact {
   geometry::Vector3 normal = geometry::Vector3::Zero();  // unit vector from a to b
   double distance = 0;                                   // negative: depth of penetration
   double friction = 0;                                   // coefficient of sliding friction
-  // Valid only after Data::Forward. The force on a is the opposite.
+  // Valid only after Data::Forward and in Data::Step(see_forces). The force on a is the opposite.
   geometry::Vector3 force_on_b = geometry::Vector3::Zero();
 };
 

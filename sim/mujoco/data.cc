@@ -93,11 +93,21 @@ std::span<const double> Data::sensordata() const {
 // is half a millimetre on a way across the table. Therefore half a step of acceleration is added to
 // every position. Contacts are then evaluated in the middle of the way to the next position, as in
 // the leapfrog scheme, and the first-order error vanishes.
-void Data::Step() {
+void Data::EndStep() {
   std::ranges::copy(qvel(), gain_.begin());
   mj_step2(own_model_.get(), data_.get());
   for (std::size_t i = 0; i < gain_.size(); ++i) gain_[i] = data_->qvel[i] - gain_[i];
   mj_integratePos(own_model_.get(), data_->qpos, gain_.data(), timestep() / 2);
+}
+
+void Data::Step() {
+  EndStep();
+  BeginStep();
+}
+
+void Data::Step(const std::function<void()>& see_forces) {
+  EndStep();
+  see_forces();
   BeginStep();
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
@@ -22,8 +23,8 @@ struct EngineWarning {
 // One simulation. Between calls of its methods, poses, contacts, inertia, velocities and qfrc_bias
 // belong to the present qpos and qvel. Readings of force and torque sensors need accelerations, and
 // belong to the start of the last step. After Forward and Restore they belong to the present, and
-// only then are the contacts' forces valid. Code that writes into qpos or qvel must call Forward
-// before the next step.
+// only then are the contacts' forces valid; Step(see_forces) shows them within a step. Code that
+// writes into qpos or qvel must call Forward before the next step.
 class Data {
  public:
   explicit Data(const Model& model);
@@ -48,7 +49,10 @@ class Data {
   std::span<const double> qfrc_bias() const;
   std::span<const double> sensordata() const;
 
-  void Step();     // one timestep
+  void Step();  // one timestep
+  // Executes one timestep like Step. Calls `see_forces` when this step has computed the forces of
+  // the contacts at its start, and the contacts are still these (Contacts).
+  void Step(const std::function<void()>& see_forces);
   void Forward();  // computes all that follows from qpos, qvel and controls, at the present time
 
   // Computes the poses of the bodies from qpos, and nothing else. Call Forward before a step.
@@ -85,6 +89,8 @@ class Data {
  private:
   // Computes all that the next step needs except the controls.
   void BeginStep();
+  // Ends the step that BeginStep began. The contacts are still those of its start.
+  void EndStep();
 
   Model model_;
   std::unique_ptr<mjModel_, void (*)(mjModel_*)> own_model_;

@@ -13,7 +13,7 @@
 #include "sim/view/error_set_data.h"
 #include "sim/view/occurrence_data.h"
 #include "sim/view/pose_data.h"
-#include "sim/view/recording.h"
+#include "sim/view/recording/recording.h"
 #include "sim/view/step_data.h"
 
 namespace assay::view {
@@ -70,6 +70,18 @@ Json RecordingData(const Recording& recording) {
           {"series", report::DataUri("application/octet-stream", recording.bytes)}};
 }
 
+Json ContactPointsData(const ContactSeries& contacts) {
+  Json pairs = Json::array();
+  for (const TouchingPair& pair : contacts.pairs) {
+    pairs.push_back({{"bodies", {pair.bodies.first, pair.bodies.second}}, {"most", pair.most}});
+  }
+  return {{"pairs", pairs},
+          {"position", kContactQuantum},
+          {"normal", kNormalQuantum},
+          {"force", kForceQuantum},
+          {"series", report::DataUri("application/octet-stream", contacts.bytes)}};
+}
+
 Json ColorsData() {
   Json colors = Json::object();
   for (const report::Colour& color : report::kPalette)
@@ -77,21 +89,18 @@ Json ColorsData() {
   return colors;
 }
 
-Json WhyNotData(const std::vector<Reasons>& why_not) {
-  Json all = Json::array();
-  for (const Reasons& reasons : why_not) {
-    all.push_back({{"title", reasons.title}, {"sentences", reasons.sentences}});
-  }
-  return all;
-}
-
 // What is drawn of an execution.
 Json PictureData(const plan::Plan& plan, const scene::Scene& scene, const execution::Trace& trace) {
   const std::vector<Body> bodies = BodiesOf(scene);
-  return {{"bodies", BodiesData(bodies)},
-          {"errorSets", ErrorSetsOf(plan, trace)},
-          {"collisions", CollisionsOf(trace)},
-          {"recording", RecordingData(Record(scene, bodies, trace))}};
+  const Recording recording = Record(scene, bodies, trace);
+  Json data = {{"bodies", BodiesData(bodies)},
+               {"errorSets", ErrorSetsOf(plan, trace)},
+               {"collisions", CollisionsOf(trace)},
+               {"recording", RecordingData(recording)}};
+  if (!recording.contacts.pairs.empty()) {
+    data["contactPoints"] = ContactPointsData(recording.contacts);
+  }
+  return data;
 }
 
 Json BesideData(const plan::Plan& plan, const Beside& beside) {
@@ -127,7 +136,7 @@ Json DataOf(const Subject& subject) {
                {"source", subject.source},
                {"outcome", {{"name", subject.outcome}, {"reason", subject.reason}}},
                {"notCovered", plan::NotCovered(subject.problem, subject.plan)},
-               {"whyNot", WhyNotData(subject.why_not)},
+               {"whyNot", WhyNotOf(subject.why_not, subject.problem, subject.scene)},
                {"colors", ColorsData()},
                {"cameras", CamerasData(subject.scene)},
                {"parts", PartsData(subject.problem)},

@@ -10,6 +10,7 @@
 #include "sim/execution/trace/trace.h"
 #include "sim/scene/scene.h"
 #include "sim/view/way.h"
+#include "sim/view/why_not_data.h"
 
 namespace assay::view {
 
@@ -18,12 +19,6 @@ struct Beside {
   std::string name;  // for people: "the plan without noise"
   const scene::Scene& scene;
   const execution::Trace& trace;
-};
-
-// Why there is no plan: sentences of one kind.
-struct Reasons {
-  std::string title;  // "These cannot hold together"
-  std::vector<std::string> sentences;
 };
 
 // What a page shows: an execution of a plan in a scene. Without a plan, `plan` has no steps, and

@@ -82,7 +82,7 @@ std::vector<std::string> FlawsOfTravel(const plan::Travel& travel, const PlanWal
   TravelSearch search(walk, id, *std::exchange(posture, std::nullopt));
   const std::optional<Way> way = search.WayBy(travel);
   if (!IsAtEnds(travel, walk, search.route(), flaws)) return flaws;
-  if (!way) return {search.in_the_way()};
+  if (!way) return {search.in_the_way().text};
   if (!(travel.path.front() - way->rise.back()).isZero(kSamePosture)) {
     flaws.push_back("the path does not start in the posture in which the arm then is");
   }
@@ -92,7 +92,7 @@ std::vector<std::string> FlawsOfTravel(const plan::Travel& travel, const PlanWal
   }
   const auto certainty = search.CertaintyOf(*way, travel.clearance);
   if (!certainty) {
-    flaws.push_back(search.in_the_way());
+    flaws.push_back(search.in_the_way().text);
     return flaws;
   }
   const StepId owner = id.IsNone() ? walk.plan().ExecutionOrder().back() : id;

@@ -54,8 +54,8 @@ void AddExcuses(plan::Plan& plan, uncertainty::Propagation propagation) {
 
 }  // namespace
 
-std::optional<std::string> AddTravels(const domain::Problem& problem, const TravelEffort& effort,
-                                      plan::Plan& plan, uncertainty::Propagation propagation) {
+std::optional<plan::Reason> AddTravels(const domain::Problem& problem, const TravelEffort& effort,
+                                       plan::Plan& plan, uncertainty::Propagation propagation) {
   for (plan::PlannedStep& step : plan.steps) RemoveWayConditions(step.certificate);
   PlanWalk walk(problem, plan, propagation);
   kinematics::JointVector posture = problem.workcell->home();
@@ -66,8 +66,10 @@ std::optional<std::string> AddTravels(const domain::Problem& problem, const Trav
     std::optional<TravelSearch::Found> found = search.GoUsually();
     if (!found) {
       auto result = search.Search(effort);
-      if (const auto* why = std::get_if<std::string>(&result)) {
-        return fmt::format("no way to {} was found: {}", NameOfStep(id, plan), *why);
+      if (const auto* why = std::get_if<plan::Reason>(&result)) {
+        return plan::Reason{
+            fmt::format("no way to {} was found: {}", NameOfStep(id, plan), why->text),
+            why->situation};
       }
       found = std::get<TravelSearch::Found>(std::move(result));
     }

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <optional>
-#include <string>
 
 #include "planner/assembly/travel/travel_search.h"
 #include "planner/domain/problem/problem.h"
@@ -21,9 +20,9 @@ namespace assay::assembly {
 // follow the executor's choice (FollowPath). In paper mode no preconditions about the arm are
 // added.
 //
-// Returns, in words, the obstruction of a travel for which no path is found. Returns none if all
-// steps can be reached.
-std::optional<std::string> AddTravels(
+// Returns the obstruction of a travel for which no path is found. Returns none if all steps can be
+// reached.
+std::optional<plan::Reason> AddTravels(
     const domain::Problem& problem, const TravelEffort& effort, plan::Plan& plan,
     uncertainty::Propagation propagation = uncertainty::Propagation::kSound);
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "planner/base/check.h"
+#include "planner/motion/paths/obstruction_situation.h"
 #include "planner/motion/paths/path_search.h"
 #include "planner/motion/paths/straight_line.h"
 #include "planner/motion/paths/travel.h"
@@ -77,9 +78,9 @@ std::optional<TravelSearch::Found> TravelSearch::GoUsually() {
   return Found{travel, way->after(), *certainty};
 }
 
-std::variant<TravelSearch::Found, std::string> TravelSearch::Search(const TravelEffort& effort) {
-  in_the_way_ =
-      "no configuration of the arm reaches this pose and can follow the next straight line";
+std::variant<TravelSearch::Found, plan::Reason> TravelSearch::Search(const TravelEffort& effort) {
+  in_the_way_ = NotReached(
+      "no configuration of the arm reaches this pose and can follow the next straight line");
   int tried = 0;
   for (const JointVector& end : motion::PosturesAt(workcell_, route_.poised, from_)) {
     std::optional<Way> way = WayBy({{from_, end}, clearance_, false});
@@ -94,7 +95,8 @@ std::variant<TravelSearch::Found, std::string> TravelSearch::Search(const Travel
       ASSAY_CHECK(certainty, "a path that was found keeps to its rules");
       return Found{{*path, ClearanceOf(*way), false}, way->after(), *certainty};
     }
-    in_the_way_ = std::get<motion::PathFailure>(result).what;
+    const auto& failure = std::get<motion::PathFailure>(result);
+    in_the_way_ = Obstructed(failure.what, failure.obstruction);
   }
   return in_the_way_;
 }
@@ -102,7 +104,7 @@ std::variant<TravelSearch::Found, std::string> TravelSearch::Search(const Travel
 std::optional<Way> TravelSearch::WayBy(const plan::Travel& travel) {
   Way way = {.rise = {from_}, .over = travel.path, .down = {travel.path.back()}};
   const bool comes_down = travel.is_usual && !route_.to_work.empty();
-  in_the_way_ = kNotStraight;
+  in_the_way_ = NotReached(kNotStraight);
   if (travel.is_usual && !Rise(way.rise)) return std::nullopt;
   if (comes_down && !AppendLine(workcell_, route_.poised, way.down)) return std::nullopt;
   way.work = {{way.down.back()}};
@@ -203,9 +205,26 @@ bool TravelSearch::IsFree(const JointPath& path, const MotionRules& rules) {
   const auto obstruction = FindObstruction(check, path);
   if (!obstruction) return true;
   const bool is_work = rules.bodies == MotionRules::Bodies::kArm;
-  in_the_way_ = fmt::format("on the {}, {}", is_work ? "straight lines of its work" : "path",
-                            motion::Describe(scene_, {}, *obstruction));
+  in_the_way_ =
+      Obstructed(fmt::format("on the {}, {}", is_work ? "straight lines of its work" : "path",
+                             motion::Describe(scene_, {}, *obstruction)),
+                 *obstruction);
   return false;
+}
+
+// The hand is shown where the work begins.
+plan::Reason TravelSearch::NotReached(const char* text) const {
+  plan::Situation situation = motion::SituationAt(from_, workcell_, surroundings_);
+  situation.hand->X_WorldTool = route_.poised;
+  situation.hand->posture.reset();
+  if (surroundings_.held) {
+    situation.parts.back().X_WorldPart = route_.poised * surroundings_.held->X_PartTool.inverse();
+  }
+  return {text, std::move(situation)};
+}
+
+plan::Reason TravelSearch::Obstructed(std::string text, const Obstruction& obstruction) const {
+  return {std::move(text), motion::SituationOf(obstruction, scene_, surroundings_)};
 }
 
 bool TravelSearch::AreLinesFree(const Way& way, const ArmErrors& errors) {

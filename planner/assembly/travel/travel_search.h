@@ -61,8 +61,8 @@ class TravelSearch {
   // Tries the usual travel: up, across at safe height, and down. Returns none if it is not free.
   std::optional<Found> GoUsually();
 
-  // Searches for a path around the obstacles. Returns the reason in words if there is none.
-  std::variant<Found, std::string> Search(const TravelEffort& effort);
+  // Searches for a path around the obstacles. Returns the reason if there is none.
+  std::variant<Found, plan::Reason> Search(const TravelEffort& effort);
 
   // Returns the travel with its straight lines. Returns none if the arm cannot follow them;
   // in_the_way() then gives the reason.
@@ -72,7 +72,7 @@ class TravelSearch {
   // errors of the arm, or if the travel does not keep the claimed clearance.
   std::optional<WayCertainty> CertaintyOf(const Way& way, double clearance);
 
-  const std::string& in_the_way() const { return in_the_way_; }  // what stopped the last search
+  const plan::Reason& in_the_way() const { return in_the_way_; }  // what stopped the last search
 
  private:
   // The bounds on the tool's pose error and on the resulting errors of the arm's joints.
@@ -95,6 +95,8 @@ class TravelSearch {
   bool IsFree(const motion::JointPath& path, const motion::MotionRules& rules);
   bool AreLinesFree(const Way& way, const ArmErrors& errors);
   double ClearanceOf(const Way& way);
+  plan::Reason NotReached(const char* text) const;
+  plan::Reason Obstructed(std::string text, const motion::Obstruction& obstruction) const;
 
   const PlanWalk& walk_;
   const domain::Workcell& workcell_;
@@ -105,7 +107,7 @@ class TravelSearch {
   bool is_guarded_;
   double clearance_;
   kinematics::JointVector from_;
-  std::string in_the_way_;
+  plan::Reason in_the_way_;
 };
 
 }  // namespace assay::assembly

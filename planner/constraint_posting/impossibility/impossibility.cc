@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <numbers>
 
+#include "planner/constraint_posting/impossibility/constraint_situation.h"
 #include "planner/constraint_posting/impossibility/constraint_text.h"
 #include "planner/constraint_posting/impossibility/impossibility_check.h"
 #include "planner/constraint_posting/impossibility/near_miss.h"
@@ -87,9 +88,11 @@ ImpossibilityAnswer ProveImpossible(const Problem& problem) {
     return {{}, {"a proof that no plan exists could not be confirmed"}};
   }
   for (const Constraint& constraint : conflict) {
-    proof.conflict.push_back(Describe(relaxed, constraint));
+    const std::optional<plan::Reason> miss = NearMissOf(relaxed, conflict, constraint);
+    proof.conflict.push_back(
+        {Describe(relaxed, constraint), miss ? miss->situation : SituationOf(relaxed, constraint)});
+    if (miss) proof.near_misses.push_back(*miss);
   }
-  proof.near_misses = NearMisses(relaxed, conflict);
   return {std::move(proof), {}};
 }
 

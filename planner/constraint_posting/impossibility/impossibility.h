@@ -6,6 +6,7 @@
 
 #include "planner/constraint_posting/impossibility/relaxed_problem.h"
 #include "planner/domain/problem/problem.h"
+#include "planner/plan/data/reason.h"
 
 namespace assay::constraint_posting {
 
@@ -19,9 +20,9 @@ struct Impossibility {
   Attainable attainable = {};
   // The constraints that cannot hold together under the hypotheses. The list is never empty.
   // Without any one of them, the relaxed problem is possible.
-  std::vector<std::string> conflict = {};
-  // Texts that say by how little single constraints of the conflict fail, and where (near_miss.h).
-  std::vector<std::string> near_misses = {};
+  std::vector<plan::Reason> conflict = {};
+  // By how little single constraints of the conflict fail, and where (near_miss.h).
+  std::vector<plan::Reason> near_misses = {};
 };
 
 // The answer for a problem in which no plan was found.

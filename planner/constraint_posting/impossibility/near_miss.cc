@@ -10,12 +10,15 @@
 #include <utility>
 
 #include "planner/base/check.h"
+#include "planner/constraint_posting/impossibility/constraint_situation.h"
 #include "planner/constraint_posting/impossibility/constraint_text.h"
+#include "planner/constraint_posting/impossibility/reach_excess.h"
 #include "planner/domain/actions/condition.h"
 #include "planner/domain/matings/mating_classes.h"
 
 namespace assay::constraint_posting {
 
+using domain::Dimension;
 using domain::GraspCondition;
 using domain::Limited;
 using domain::Mating;
@@ -84,10 +87,41 @@ std::string ExcessText(GraspCondition condition, const Limited& measured) {
   return {};
 }
 
-class NearMiss {
+std::string ReachText(const plan::Situation& situation) {
+  const geometry::Vector3 p = 1e3 * situation.hand->X_WorldTool.translation();
+  const std::string where = fmt::format("({:.0f}, {:.0f}, {:.0f}) mm", p.x(), p.y(), p.z());
+  if (!situation.excess) {
+    return fmt::format("the arm cannot lead the tool to {} on straight ways and back", where);
+  }
+  return fmt::format(
+      "the arm does not reach {} with the tool, {} from its first axis; with this orientation it "
+      "reaches {}",
+      where, Millimetres(situation.excess->value), Millimetres(situation.excess->limit));
+}
+
+// Returns a text about a condition without a measure (domain::Measure).
+std::string FailureText(GraspCondition condition, const plan::Situation& situation) {
+  switch (condition) {
+    case GraspCondition::kReach:
+      return ReachText(situation);
+    case GraspCondition::kFacesFree:
+      return "the part would lie on a face that the pads need";
+    case GraspCondition::kMateClear:
+      return "hand or fingers would go through the fixed part";
+    case GraspCondition::kOpening:
+    case GraspCondition::kPadsFit:
+    case GraspCondition::kToolLean:
+    case GraspCondition::kTableClear:
+      break;
+  }
+  ASSAY_CHECK(false, "a condition that limits a quantity");
+  return {};
+}
+
+class MissSearch {
  public:
-  NearMiss(const RelaxedProblem& relaxed, const std::vector<Constraint>& conflict,
-           GraspCondition condition, const Constraint& constraint)
+  MissSearch(const RelaxedProblem& relaxed, const std::vector<Constraint>& conflict,
+             GraspCondition condition, const Constraint& constraint)
       : relaxed_(relaxed), condition_(condition) {
     std::vector<Constraint> others = relaxed.Constraints();
     std::erase(others, constraint);
@@ -95,22 +129,71 @@ class NearMiss {
     for (const HoldOption& hold : relaxed.Holds()) {
       if ((relaxed.Broken(hold) & static_cast<int>(condition)) == 0) continue;
       const auto measured = relaxed.Measure(condition, hold);
-      if (measured) misses_.emplace_back(measured->excess(), hold);
+      is_measured_ |= measured.has_value();
+      misses_.emplace_back(measured ? measured->excess() : MissingReach(hold), hold);
     }
     std::ranges::stable_sort(misses_, {}, [](const Miss& miss) { return miss.first; });
   }
 
-  std::string Text() const {
-    const auto first = std::ranges::partition_point(
-        misses_, [&](const Miss& miss) { return !IsEnough(miss.first + domain::kRounding, {}); });
-    if (first == misses_.end()) return "";
-    const HoldOption& hold = NeededOf({first, misses_.end()});
-    return fmt::format("{}: {}", ExcessText(condition_, *relaxed_.Measure(condition_, hold)),
-                       HoldText(relaxed_, hold));
-  }
+  std::optional<plan::Reason> Find() const { return is_measured_ ? Measured() : Unmeasured(); }
 
  private:
   using Miss = std::pair<double, HoldOption>;
+
+  // The greatest number of holds that are waived by themselves to find the one that is needed.
+  static constexpr int kMostWaived = 100;
+
+  std::optional<plan::Reason> Measured() const {
+    const auto first = std::ranges::partition_point(
+        misses_, [&](const Miss& miss) { return !IsEnough(miss.first + domain::kRounding, {}); });
+    if (first == misses_.end()) return std::nullopt;
+    const HoldOption& hold = NeededOf({first, misses_.end()});
+    const Limited limited = *relaxed_.Measure(condition_, hold);
+    plan::Situation situation = SituationOf(relaxed_, hold);
+    const bool is_angle = condition_ == GraspCondition::kToolLean;
+    situation.excess = plan::Excess{is_angle ? Dimension::kAngle : Dimension::kLength,
+                                    limited.value, limited.limit};
+    return ReasonFor(ExcessText(condition_, limited), hold, std::move(situation));
+  }
+
+  std::optional<plan::Excess> ReachExcessOf(const HoldOption& hold) const {
+    return ReachExcess(*relaxed_.hands()[hold.robot]->problem().workcell,
+                       SituationOf(relaxed_, hold).hand->X_WorldTool);
+  }
+
+  // Returns by how much the tool is too far from the arm; 0 for other conditions than kReach.
+  double MissingReach(const HoldOption& hold) const {
+    if (condition_ != GraspCondition::kReach) return 0;
+    const std::optional<plan::Excess> excess = ReachExcessOf(hold);
+    return excess ? excess->value - excess->limit : 0;
+  }
+
+  std::optional<plan::Reason> Unmeasured() const {
+    const std::optional<HoldOption> hold = NearestUnmeasured();
+    if (!hold) return std::nullopt;
+    plan::Situation situation = SituationOf(relaxed_, *hold);
+    if (condition_ == GraspCondition::kReach) situation.excess = ReachExcessOf(*hold);
+    return ReasonFor(FailureText(condition_, situation), *hold, situation);
+  }
+
+  // Returns a hold that fails by this condition alone: one whose waiver is enough, or else the
+  // first.
+  std::optional<HoldOption> NearestUnmeasured() const {
+    std::optional<HoldOption> first;
+    int waived = 0;
+    for (const auto& [excess, hold] : misses_) {
+      if (relaxed_.Broken(hold) != static_cast<int>(condition_)) continue;
+      if (!first) first = hold;
+      if (waived++ == kMostWaived) break;
+      if (IsEnough(0, hold)) return hold;
+    }
+    return first;
+  }
+
+  plan::Reason ReasonFor(const std::string& failure, const HoldOption& hold,
+                         plan::Situation situation) const {
+    return {fmt::format("{}: {}", failure, HoldText(relaxed_, hold)), std::move(situation)};
+  }
 
   bool IsEnough(double excess, const std::optional<HoldOption>& also) const {
     return relaxed_.IsPossibleWith(
@@ -133,43 +216,45 @@ class NearMiss {
   GraspCondition condition_;
   std::vector<Constraint> constraints_;
   std::vector<Miss> misses_;  // sorted by increasing excess
+  bool is_measured_ = false;  // whether the condition limits a quantity
 };
 
-// Returns a text about the stable poses of the fixed part in which the mating vector is outside the
-// friction cone. For each of them, the text says how far the mating vector leans.
-std::string FrictionConeText(const Problem& problem, MatingId id) {
-  const Mating& mating = problem.mating(id);
+// Returns a reason about the stable poses of the fixed part in which the mating vector is outside
+// the friction cone. For each of them, the text says how far the mating vector leans. The situation
+// is the one in which it leans least.
+std::optional<plan::Reason> FrictionConeMiss(const RelaxedProblem& relaxed,
+                                             const Constraint& constraint) {
+  const Problem& problem = relaxed.problem();
+  const Mating& mating = problem.mating(MatingId(constraint.index));
   const Part& fixed = problem.part(mating.fixed);
   const std::vector<domain::StablePose>& poses = fixed.model->stable_poses();
   std::vector<std::string> texts;
+  std::optional<std::pair<Limited, int>> least;
   for (std::size_t i = 0; i < poses.size(); ++i) {
     const Limited lean = MatingLean(problem, mating, poses[i].X_TablePart);
     if (lean.excess() <= domain::kRounding) continue;
     texts.push_back(fmt::format("{} {}", PoseName(fixed, StablePoseId(i)), Degrees(lean.value)));
+    if (!least || lean.value < least->first.value) least = {lean, static_cast<int>(i)};
   }
-  if (texts.empty()) return "";
-  const Limited any = MatingLean(problem, mating, poses.front().X_TablePart);
-  return fmt::format(
-      "the mating vector into {} may lean at most {} from straight down, and leans: {}", fixed.name,
-      Degrees(any.limit), fmt::join(texts, ", "));
+  if (!least) return std::nullopt;
+  const auto& [lean, position] = *least;
+  plan::Situation situation = MatedAt(relaxed, MatingId(constraint.index), position);
+  situation.excess = plan::Excess{Dimension::kAngle, lean.value, lean.limit};
+  return plan::Reason{
+      fmt::format("the mating vector into {} may lean at most {} from straight down, and leans: {}",
+                  fixed.name, Degrees(lean.limit), fmt::join(texts, ", ")),
+      std::move(situation)};
 }
 
 }  // namespace
 
-std::vector<std::string> NearMisses(const RelaxedProblem& relaxed,
-                                    const std::vector<Constraint>& conflict) {
-  std::vector<std::string> texts;
-  for (const Constraint& constraint : conflict) {
-    std::string text;
-    if (constraint.kind == Kind::kGraspCondition) {
-      text = NearMiss(relaxed, conflict, domain::kGraspConditions[constraint.index], constraint)
-                 .Text();
-    } else if (constraint.kind == Kind::kFrictionCone) {
-      text = FrictionConeText(relaxed.problem(), MatingId(constraint.index));
-    }
-    if (!text.empty()) texts.push_back(std::move(text));
-  }
-  return texts;
+std::optional<plan::Reason> NearMissOf(const RelaxedProblem& relaxed,
+                                       const std::vector<Constraint>& conflict,
+                                       const Constraint& constraint) {
+  if (constraint.kind == Kind::kFrictionCone) return FrictionConeMiss(relaxed, constraint);
+  if (constraint.kind != Kind::kGraspCondition) return std::nullopt;
+  const GraspCondition condition = domain::kGraspConditions[constraint.index];
+  return MissSearch(relaxed, conflict, condition, constraint).Find();
 }
 
 }  // namespace assay::constraint_posting

@@ -110,33 +110,43 @@ CollisionScene::CollisionScene(const domain::Problem& problem, const Surrounding
   const auto doubt = [&](PartId part) {
     return surroundings.doubts.empty() ? 0 : surroundings.doubts[part.index()];
   };
+  for (Body& link : bodies_) link.identity = {.robot = workcell_->acting(), .piece = link.name};
   AddGripper(surroundings.opening);
   if (surroundings.held) {
     const domain::Part& part = problem.part(surroundings.held->part);
     const Pose X_FlangePart =
         workcell_->gripper().X_FlangeTool() * surroundings.held->X_PartTool.inverse();
-    Add(part.name, kFlange, HullsOf(part.model->boxes(), X_FlangePart)).doubt =
-        doubt(surroundings.held->part);
+    Add(part.name, kFlange, HullsOf(part.model->boxes(), X_FlangePart),
+        {.part = surroundings.held->part})
+        .doubt = doubt(surroundings.held->part);
   }
   AddStage();
   AddOtherRobots(surroundings.robots);
   const Pose X_BaseWorld = workcell_->X_WorldBase().inverse();
   for (const auto& [id, X_WorldPart] : surroundings.parts) {
     const domain::Part& part = problem.part(id);
-    Add(part.name, 0, HullsOf(part.model->boxes(), X_BaseWorld * X_WorldPart)).doubt = doubt(id);
+    Add(part.name, 0, HullsOf(part.model->boxes(), X_BaseWorld * X_WorldPart), {.part = id}).doubt =
+        doubt(id);
   }
   ListPairs();
 }
 
-Body& CollisionScene::Add(std::string name, int link, std::vector<RoundedHull> hulls) {
-  return bodies_.emplace_back(BodyOf(std::move(name), link, std::move(hulls), arm().model()));
+Body& CollisionScene::Add(std::string name, int link, std::vector<RoundedHull> hulls,
+                          const plan::NamedBody& identity) {
+  Body& added =
+      bodies_.emplace_back(BodyOf(std::move(name), link, std::move(hulls), arm().model()));
+  added.identity = identity;
+  return added;
 }
 
 void CollisionScene::AddGripper(double opening) {
   const kinematics::Gripper& gripper = workcell_->gripper();
   const double width = std::clamp(opening, 0.0, gripper.max_opening());
-  Add("hand", kFlange, HullsOf(gripper.HandBoxes(), gripper.X_FlangeTool()));
-  Add("fingers", kFlange, HullsOf(gripper.FingerBoxes(width), gripper.X_FlangeTool()));
+  const domain::RobotId robot = workcell_->acting();
+  Add("hand", kFlange, HullsOf(gripper.HandBoxes(), gripper.X_FlangeTool()),
+      {.robot = robot, .piece = "hand"});
+  Add("fingers", kFlange, HullsOf(gripper.FingerBoxes(width), gripper.X_FlangeTool()),
+      {.robot = robot, .piece = "fingers"});
 }
 
 void CollisionScene::AddStage() {
@@ -160,21 +170,23 @@ void CollisionScene::AddOtherRobots(const std::vector<StandingRobot>& said) {
     if (id == workcell_->acting()) continue;
     const auto stands = std::ranges::find(said, id, &StandingRobot::robot);
     if (stands == said.end()) {
-      AddOtherRobot(robots[i], robots[i].home, robots[i].gripper->max_opening());
+      AddOtherRobot(id, robots[i].home, robots[i].gripper->max_opening());
     } else {
-      AddOtherRobot(robots[i], stands->q, stands->opening);
+      AddOtherRobot(id, stands->q, stands->opening);
     }
   }
   others_end_ = static_cast<int>(bodies_.size());
 }
 
-void CollisionScene::AddOtherRobot(const domain::Robot& robot, const JointVector& q,
-                                   double opening) {
+void CollisionScene::AddOtherRobot(domain::RobotId id, const JointVector& q, double opening) {
+  const domain::Robot& robot = workcell_->robots()[id.index()];
   const Pose X_BaseOther = workcell_->X_WorldBase().inverse() * robot.X_WorldBase;
   const std::vector<kinematics::Link>& links = robot.arm->model().links;
   const LinkPoses X_OtherLink = robot.arm->LinkPoses(q);
   const auto add = [&](const std::string& name, std::vector<RoundedHull> hulls) {
-    if (!hulls.empty()) Add(fmt::format("{} of {}", name, robot.name), 0, std::move(hulls));
+    if (hulls.empty()) return;
+    Add(fmt::format("{} of {}", name, robot.name), 0, std::move(hulls),
+        {.robot = id, .piece = name});
   };
   for (std::size_t i = 0; i < links.size(); ++i) {
     add(links[i].name, HullsOfLink(links[i], X_BaseOther * X_OtherLink[i]));

@@ -10,6 +10,7 @@
 #include "planner/domain/reachability/reachability.h"
 #include "planner/geometry/rounded_hull.h"
 #include "planner/kinematics/arm.h"
+#include "planner/plan/data/reason.h"
 
 namespace assay::motion {
 
@@ -26,6 +27,7 @@ using LinkPoses = std::array<Pose, 7>;
 // A union of convex polyhedra that moves with one link of the arm, or stands still.
 struct Body {
   std::string name;                // "upper_arm", "hand", "table", or a part's
+  plan::NamedBody identity = {};   // the piece of a robot, or the part, that it is
   int link = 0;                    // 0: the arm's base, and everything that stands still
   std::vector<RoundedHull> hulls;  // in the link's frame
   // reach[k] is an upper bound on the distance, in metres, of any point of the body from the axis
@@ -122,11 +124,12 @@ class CollisionScene {
   std::string Describe(const BodyPair& pair) const;
 
  private:
-  Body& Add(std::string name, int link, std::vector<RoundedHull> hulls);
+  Body& Add(std::string name, int link, std::vector<RoundedHull> hulls,
+            const plan::NamedBody& identity = {});
   void AddGripper(double opening);
   void AddStage();
   void AddOtherRobots(const std::vector<StandingRobot>& said);
-  void AddOtherRobot(const domain::Robot& robot, const JointVector& q, double opening);
+  void AddOtherRobot(domain::RobotId id, const JointVector& q, double opening);
   void ListPairs();
   bool AreNeighbours(int link, int later_link) const;
 

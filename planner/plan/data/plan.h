@@ -13,6 +13,7 @@
 #include "planner/kinematics/arm.h"
 #include "planner/plan/certificates/certificate.h"
 #include "planner/plan/data/action.h"
+#include "planner/plan/data/reason.h"
 #include "planner/plan/data/strategy.h"
 
 namespace assay::plan {
@@ -93,17 +94,17 @@ bool IsCertified(const Plan& plan);
 struct PlanResult {
   Outcome outcome = Outcome::kBudget;
   Plan plan;
-  std::vector<std::string> conflict;
+  std::vector<Reason> conflict;
   // Independent of the machine: nodes, instances, ...
   std::map<std::string, std::int64_t> counters;
-  // If the arm could execute no plan instance: a sentence about the obstruction of the first one.
-  // If the outcome is kBudget, no path was found, which does not prove that there is none.
-  std::string obstruction = {};
+  // If the arm could execute no plan instance: the obstruction of the first one. If the outcome is
+  // kBudget, no path was found, which does not prove that there is none.
+  std::optional<Reason> obstruction = {};
   // If the outcome is kNone: the robots, actions, grasps and places for which it was proved that no
   // plan exists, one sentence each.
   std::vector<std::string> hypotheses = {};
   // If the outcome is kNone: the least amounts by which constraints of the conflict fail.
-  std::vector<std::string> near_misses = {};
+  std::vector<Reason> near_misses = {};
   // If the outcome is kBudget: abilities that a plan may need and the planner does not have.
   std::vector<std::string> limits = {};
 };

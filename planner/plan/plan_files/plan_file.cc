@@ -133,6 +133,12 @@ std::vector<std::string> ReadTexts(const std::optional<Value>& texts) {
   return read;
 }
 
+std::vector<Reason> ReadSentences(const std::optional<Value>& texts) {
+  std::vector<Reason> read;
+  for (std::string& text : ReadTexts(texts)) read.push_back({std::move(text)});
+  return read;
+}
+
 // Reads the reasons why there is no plan, or the planner's limits.
 void ReadReasons(const Value& root, PlanResult& result) {
   const bool is_none = result.outcome == Outcome::kNone;
@@ -140,16 +146,16 @@ void ReadReasons(const Value& root, PlanResult& result) {
   if (conflict.has_value() != is_none) {
     root.Fail("a conflict is given if and only if the outcome is 'none'");
   }
-  result.conflict = ReadTexts(conflict);
+  result.conflict = ReadSentences(conflict);
   if (is_none && result.conflict.empty()) conflict->Fail("an empty conflict", "at least one");
-  const auto read = [&](const std::string& key, bool may_be_given, std::vector<std::string>& into) {
+  const auto find = [&](const std::string& key, bool may_be_given) {
     const std::optional<Value> texts = root.Find(key);
     if (texts && !may_be_given) texts->Fail("not with this outcome");
-    into = ReadTexts(texts);
+    return texts;
   };
-  read("hypotheses", is_none, result.hypotheses);
-  read("near_misses", is_none, result.near_misses);
-  read("limits", result.outcome == Outcome::kBudget, result.limits);
+  result.hypotheses = ReadTexts(find("hypotheses", is_none));
+  result.near_misses = ReadSentences(find("near_misses", is_none));
+  result.limits = ReadTexts(find("limits", result.outcome == Outcome::kBudget));
 }
 
 std::map<std::string, std::int64_t> ReadCounters(const Value& counters) {
@@ -207,12 +213,12 @@ Json ToJson(const PlanResult& result, const domain::Problem& problem, const std:
                {"not_covered", NotCovered(problem, plan)}};
   if (plan.homing) json["homing"] = ToJson(*plan.homing);
   if (result.outcome == Outcome::kNone) {
-    json["conflict"] = result.conflict;
+    json["conflict"] = TextsOf(result.conflict);
     json["hypotheses"] = result.hypotheses;
-    json["near_misses"] = result.near_misses;
+    json["near_misses"] = TextsOf(result.near_misses);
   }
   if (!result.limits.empty()) json["limits"] = result.limits;
-  if (!result.obstruction.empty()) json["obstruction"] = result.obstruction;
+  if (result.obstruction) json["obstruction"] = result.obstruction->text;
   json["counters"] = Json::object();
   for (const auto& [name, count] : result.counters) json["counters"][name] = count;
   return json;
@@ -242,7 +248,9 @@ PlanResult ReadPlan(const Document& plan_file, const domain::Problem& problem) {
   ReadAugmentation(root, problem, result.plan);
   if (const auto homing = root.Find("homing")) result.plan.homing = ReadTravel(*homing);
   ReadReasons(root, result);
-  if (const auto obstruction = root.Find("obstruction")) result.obstruction = obstruction->Text();
+  if (const auto obstruction = root.Find("obstruction")) {
+    result.obstruction = Reason{obstruction->Text()};
+  }
   result.counters = ReadCounters(root.At("counters"));
   return result;
 }

@@ -15,19 +15,26 @@ execution::Trace StillOf(const domain::Problem& problem, const scene::Scene& sce
           .events = {execution::Sample{start}, execution::ExecutionEnd{.snapshot = start}}};
 }
 
+std::vector<plan::Reason> WithoutSituations(const std::vector<std::string>& sentences) {
+  std::vector<plan::Reason> reasons;
+  for (const std::string& sentence : sentences) reasons.push_back({.text = sentence});
+  return reasons;
+}
+
 // The sentences are those of `assay plan`.
 std::vector<view::Reasons> ReasonsOf(const plan::PlanResult& result) {
   std::vector<view::Reasons> reasons;
-  const auto add = [&](const char* title, const std::vector<std::string>& sentences) {
-    if (!sentences.empty()) reasons.push_back({title, sentences});
+  const auto add = [&](const char* title, const std::vector<plan::Reason>& of_kind) {
+    if (!of_kind.empty()) reasons.push_back({title, of_kind});
   };
   add("These cannot hold together", result.conflict);
   add("The nearest misses", result.near_misses);
-  if (!result.obstruction.empty()) add("No plan can be executed by the arm", {result.obstruction});
-  add("Limits of the planner", result.limits);
-  add("This was proved for", result.hypotheses);
-  if (reasons.empty())
-    add("The budget was spent before an answer", {"--budget gives a greater one"});
+  if (result.obstruction) add("No plan can be executed by the arm", {*result.obstruction});
+  add("Limits of the planner", WithoutSituations(result.limits));
+  add("This was proved for", WithoutSituations(result.hypotheses));
+  if (reasons.empty()) {
+    add("The budget was spent before an answer", {{.text = "--budget gives a greater one"}});
+  }
   return reasons;
 }
 

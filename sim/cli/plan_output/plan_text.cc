@@ -73,11 +73,12 @@ std::string Text(const Problem& problem, const plan::PlanResult& result) {
       return "No plan exists" + Listed(", with", result.hypotheses) +
              Listed(result.hypotheses.empty() ? ". These cannot hold together"
                                               : "These cannot hold together",
-                    result.conflict) +
-             Listed("The nearest misses", result.near_misses);
+                    TextsOf(result.conflict)) +
+             Listed("The nearest misses", TextsOf(result.near_misses));
     case Outcome::kBudget:
-      if (!result.obstruction.empty()) {
-        return fmt::format("The arm can execute no plan that was found: {}.\n", result.obstruction);
+      if (result.obstruction) {
+        return fmt::format("The arm can execute no plan that was found: {}.\n",
+                           result.obstruction->text);
       }
       if (!result.limits.empty()) {
         return Listed("No plan was found, and none is proved not to exist. This planner's limits",

@@ -85,15 +85,12 @@ class Scattering {
   }
 
   static ScatteredRow WithoutPlan(int number, const plan::PlanResult& result) {
-    std::string conflict;
-    for (const std::string& constraint : result.conflict) {
-      conflict += (conflict.empty() ? "" : "; ") + constraint;
-    }
     if (!result.limits.empty()) {
       return {number, "budget", fmt::format("{}", fmt::join(result.limits, "; "))};
     }
     return result.outcome == Outcome::kNone
-               ? ScatteredRow{number, "no-plan", conflict}
+               ? ScatteredRow{number, "no-plan",
+                              fmt::format("{}", fmt::join(TextsOf(result.conflict), "; "))}
                : ScatteredRow{number, "budget", "the planner's budget was spent before an answer"};
   }
 

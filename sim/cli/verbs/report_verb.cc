@@ -13,6 +13,7 @@
 #include "sim/cli/command_line/progress.h"
 #include "sim/cli/command_line/verb.h"
 #include "sim/cli/options/models_folder.h"
+#include "sim/cli/page_output/viewed_page.h"
 #include "sim/cli/picture_output/step_pictures.h"
 #include "sim/cli/tasks/output_file.h"
 #include "sim/cli/tasks/stored_trial.h"
@@ -30,6 +31,7 @@ struct Options {
   fs::path database;
   fs::path page;
   fs::path tables;  // folder; empty: no tables
+  fs::path views;   // folder; empty: no pages in three dimensions
   domain::ModelPath models;
   int cells_in_full = report::PageOptions().cells_in_full;
   bool pictures = false;
@@ -80,10 +82,34 @@ void WriteTables(const report::Findings& findings, const fs::path& folder) {
   }
 }
 
+// Returns the address of a file as seen from a page. Browsers read some characters as more than
+// letters of a name.
+std::string AddressOf(const fs::path& file, const fs::path& page) {
+  std::string address;
+  for (const char c :
+       fs::absolute(file).lexically_relative(fs::absolute(page).parent_path()).generic_string()) {
+    const bool is_special = c == '%' || c == '#' || c == '?' || c == ' ' || c == ':';
+    address += is_special ? fmt::format("%{:02X}", static_cast<int>(c)) : std::string(1, c);
+  }
+  return address;
+}
+
+std::string WriteView(const report::ViewedTrial& viewed, const Options& options) {
+  const fs::path file = options.views / viewed.FileName();
+  WriteFile(file, StoredTrialPage({.input = options.database,
+                                   .number = viewed.trial,
+                                   .counterexample = viewed.counterexample,
+                                   .models = options.models})
+                      .html);
+  return AddressOf(file, options.page);
+}
+
 ExitCode Execute(const Options& options) {
   const sweep::Store store = sweep::Store::Open(options.database);
   RequireWritable(options.page);
-  if (!options.tables.empty()) MakeFolder(options.tables);
+  for (const fs::path& folder : {options.tables, options.views}) {
+    if (!folder.empty()) MakeFolder(folder);
+  }
   const report::Findings findings = [&] {
     const Progress progress("reading " + options.database.string());
     return report::ReadFindings(store, options.database.string());
@@ -91,6 +117,9 @@ ExitCode Execute(const Options& options) {
   report::PageOptions page{.cells_in_full = options.cells_in_full};
   if (options.pictures) {
     page.picture = [&](int trial) { return ContactSheetOf(store, trial, options); };
+  }
+  if (!options.views.empty()) {
+    page.view = [&](const report::ViewedTrial& viewed) { return WriteView(viewed, options); };
   }
   WriteFile(options.page, report::Page(findings, page));
   if (!options.tables.empty()) WriteTables(findings, options.tables);
@@ -104,6 +133,9 @@ Execution Declare(CLI::App& command) {
   command.add_option("database", options->database, "of a sweep")->required();
   command.add_option("-o,--output", options->page, "the page, one HTML file")->required();
   command.add_option("--csv", options->tables, "folder for the tables, one CSV file each");
+  command.add_option("--views", options->views,
+                     "folder for pages in three dimensions of each failed trial and counterexample "
+                     "that the page lists");
   command
       .add_option("--cells", options->cells_in_full,
                   "largest number of cells whose certificates are shown step by step")

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ranges>
 #include <set>
 
 #include "planner/domain/parts/part_model.h"
@@ -20,14 +21,41 @@ constexpr double kPeakFilter = 0.002;  // time constant of the greatest force, s
 constexpr double kTouchFilter = 0.001;
 constexpr double kBrakeTime = 0.002;  // seconds from slow motion to rest
 
-std::vector<std::pair<std::string, std::string>> ContactPairs(const mujoco::Data& data) {
-  std::set<std::pair<std::string, std::string>> pairs;
+using BodyNames = std::pair<std::string, std::string>;
+
+std::vector<BodyNames> ContactPairs(const mujoco::Data& data) {
+  std::set<BodyNames> pairs;
   for (const mujoco::Contact& contact : mujoco::Contacts(data)) {
     const std::string a = data.model().Name(contact.body_a);
     const std::string b = data.model().Name(contact.body_b);
     pairs.insert(std::minmax(a, b));
   }
   return {pairs.begin(), pairs.end()};
+}
+
+// The forces of the contacts must be valid. Points of other pairs are left out.
+std::vector<ContactPoint> ContactPoints(const mujoco::Data& data,
+                                        const std::vector<BodyNames>& pairs) {
+  std::vector<ContactPoint> points;
+  for (const mujoco::Contact& contact : mujoco::Contacts(data)) {
+    const std::string a = data.model().Name(contact.body_a);
+    const std::string b = data.model().Name(contact.body_b);
+    const auto pair = std::ranges::find(pairs, BodyNames(std::minmax(a, b)));
+    if (pair == pairs.end()) continue;
+    const double sign = a < b ? 1 : -1;
+    points.push_back({static_cast<std::size_t>(pair - pairs.begin()), contact.position,
+                      sign * contact.normal, sign * contact.force_on_b});
+  }
+  std::ranges::stable_sort(points, {}, &ContactPoint::pair);
+  return points;
+}
+
+// Returns null if there is no sample. Few other events follow a sample.
+Sample* LastSample(Trace& trace) {
+  for (TraceEvent& event : std::views::reverse(trace.events)) {
+    if (auto* const sample = std::get_if<Sample>(&event)) return sample;
+  }
+  return nullptr;
 }
 
 Trace EmptyTrace(const domain::Problem& problem) {
@@ -225,7 +253,7 @@ Progress Execution::StepTo(const JointState& next) {
 }
 
 Progress Execution::Advance(const JointState& next) {
-  data_.Step();
+  StepEngine();
   commanded_ = next;
   ++steps_;
   if (options_.on_timestep) options_.on_timestep(data_);
@@ -243,6 +271,17 @@ scene::Load Execution::Carried() const {
   const double weight = mass.mass * scene::kGravity;
   return {.force = {0, 0, std::clamp(felt_.z(), -weight, 0.0)},
           .at = world_.PartPose(world_.held(), scene_.ToolPose(data_)) * mass.center};
+}
+
+// The engine computes the forces of contacts in the timestep that begins with these contacts. The
+// sample that was taken at its start then gets them.
+void Execution::StepEngine() {
+  Sample* const sample = options_.sample_rate > 0 ? LastSample(trace_) : nullptr;
+  if (sample == nullptr || sample->snapshot.time != data_.time()) {
+    data_.Step();
+  } else {
+    data_.Step([&] { sample->contact_points = ContactPoints(data_, sample->snapshot.contacts); });
+  }
 }
 
 void Execution::SampleIfDue() {

@@ -117,6 +117,7 @@ class Execution {
   // Executes the timestep after the servos have their commands.
   Progress Advance(const JointState& next);
   scene::Load Carried() const;
+  void StepEngine();
   void SampleIfDue();
   void RecordCollisions();
   Progress Watch();

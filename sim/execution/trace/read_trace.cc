@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "planner/base/input_files/input_error.h"
+#include "sim/execution/trace/contact_point_lines.h"
 #include "sim/execution/trace/trace.h"
 
 namespace assay::execution {
@@ -68,9 +69,9 @@ class TraceParser {
   Trace Take() { return std::move(trace_); }
 
  private:
-  TraceEvent EventOf(const TraceLine& line) const {
+  TraceEvent EventOf(const TraceLine& line) {
     const std::string kind = line.at("kind");
-    if (kind == "sample") return Sample{SnapshotOf(line)};
+    if (kind == "sample") return SampleOf(line);
     if (kind == "grasp") return GraspOf(line);
     if (kind == "look") return LookOf(line);
     if (kind == "guard") return GuardOf(line);
@@ -112,6 +113,14 @@ class TraceParser {
       snapshot.arms.push_back({scene::JointVector(joints.data()), arm.at("opening").get<double>()});
     }
     return snapshot;
+  }
+
+  Sample SampleOf(const TraceLine& line) {
+    Sample sample{SnapshotOf(line)};
+    if (const auto field = line.find("contact_points"); field != line.end()) {
+      sample.contact_points = contact_points_.PointsOf(sample.snapshot, *field);
+    }
+    return sample;
   }
 
   GraspFact GraspOf(const TraceLine& line) const {
@@ -198,6 +207,7 @@ class TraceParser {
   }
 
   Trace trace_;
+  ContactPointReader contact_points_;
 };
 
 }  // namespace

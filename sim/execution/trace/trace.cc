@@ -5,6 +5,7 @@
 #include <ostream>
 
 #include "planner/base/check.h"
+#include "sim/execution/trace/contact_point_lines.h"
 
 namespace assay::execution {
 namespace {
@@ -33,7 +34,11 @@ class TraceWriter {
   Json Header() const {
     return {{"format", "assay-trace/1"}, {"problem", trace_.problem}, {"parts", trace_.parts}};
   }
-  Json operator()(const Sample& sample) const { return Of("sample", sample.snapshot); }
+  Json operator()(const Sample& sample) {
+    Json json = Of("sample", sample.snapshot);
+    if (sample.contact_points) json["contact_points"] = contact_points_.FieldOf(sample);
+    return json;
+  }
   Json operator()(const GraspFact& fact) const {
     return {{"kind", "grasp"},         {"time", fact.time},
             {"part", Name(fact.part)}, {"expected_width", fact.expected_width},
@@ -145,6 +150,7 @@ class TraceWriter {
   const std::string& Name(PartId part) const { return trace_.parts[part.index()]; }
 
   const Trace& trace_;
+  ContactPointWriter contact_points_;
 };
 
 }  // namespace
@@ -167,7 +173,7 @@ std::string_view Name(Stage stage) {
 }
 
 void WriteTrace(const Trace& trace, std::ostream& out) {
-  const TraceWriter writer(trace);
+  TraceWriter writer(trace);
   out << writer.Header().dump() << '\n';
   for (const TraceEvent& event : trace.events) out << std::visit(writer, event).dump() << '\n';
 }

@@ -35,9 +35,20 @@ struct Snapshot {
   std::vector<scene::ArmPosture> arms = {};  // by RobotId
 };
 
+// A point at which two bodies touch, world frame.
+struct ContactPoint {
+  std::size_t pair = 0;                // index of the bodies in Snapshot::contacts
+  Vector3 position = Vector3::Zero();  // metres
+  Vector3 normal = Vector3::Zero();    // unit vector from the pair's first body to its second
+  Vector3 force = Vector3::Zero();     // newtons, on the second body
+};
+
 // One of a series of snapshots at equal intervals.
 struct Sample {
   Snapshot snapshot;
+  // The points of all contacts, in the order of their pairs. None if they are unknown: no timestep
+  // of the same robot followed, or the trace was written before traces had contact points.
+  std::optional<std::vector<ContactPoint>> contact_points = {};
 };
 
 // The result of closing the gripper. A failed grasp is recorded like any other, and the execution

@@ -87,7 +87,9 @@ std::string Page(const Findings& findings, const PageOptions& options) {
   body.Add("a", "Skip to the contents").Set("class", "skip").Set("href", "#main");
   body.Add(MarkDefinitions());
   body.Add(PageHeader(findings, title, static_cast<bool>(options.picture)));
-  body.Add(Main(SubjectOf(findings, options.cells_in_full), options));
+  Subject subject = SubjectOf(findings, options.cells_in_full);
+  subject.view = options.view;
+  body.Add(Main(subject, options));
   body.Add("footer",
            "Intervals of rates are Wilson's, for 95 %. Lengths are in millimetres, angles in "
            "degrees. “Not violated” means not falsified in so many evaluations.");

@@ -7,8 +7,8 @@
 
 namespace assay::report {
 
-// A page of each trial would take an execution and about a megabyte, so that the command that makes
-// it is given instead.
+// A page of each trial takes an execution and about a megabyte. The command that makes it is given
+// unless pages were asked for.
 Element Failures(const Subject& subject) {
   const Findings& findings = subject.findings;
   Element section("div");
@@ -16,9 +16,9 @@ Element Failures(const Subject& subject) {
     section.Add("p", "No trial failed.");
     return section;
   }
-  section.Add("p",
-              "The command makes a page that shows the trial in three dimensions, beside the plan "
-              "without noise.");
+  section.Add("p", fmt::format("The {} a page that shows the trial in three dimensions, beside the "
+                               "plan without noise.",
+                               subject.view ? "link leads to" : "command makes"));
   DataTable table("Trials that failed, or in which a certificate was violated",
                   {{"trial", "number"}, {"cell"}, {"outcome"}, {"page of the trial"}});
   for (const FailedTrial& failure : findings.failures) {
@@ -26,7 +26,7 @@ Element Failures(const Subject& subject) {
         {Words(std::to_string(failure.trial)), Words(std::to_string(failure.cell)),
          Words(failure.reason.empty() ? failure.outcome
                                       : fmt::format("{}: {}", failure.outcome, failure.reason)),
-         Command(ViewCommand(findings.database, failure.trial))});
+         ViewLink({failure.trial}, findings.database, subject.view)});
   }
   section.Add(table.Take());
   if (findings.failures_in_all > std::ssize(findings.failures)) {

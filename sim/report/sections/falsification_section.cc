@@ -125,8 +125,8 @@ Element Example(const Subject& subject, const CellFindings& cell,
   }
   box.Add(Command(WithDatabase(example.replay, subject.findings.database)));
   if (cell.falsification_trial > 0) {
-    box.Add(
-        Command(ViewCommand(subject.findings.database, cell.falsification_trial, example.number)));
+    box.Add("p").Add(ViewLink({cell.falsification_trial, example.number}, subject.findings.database,
+                              subject.view));
   }
   return box;
 }
@@ -142,9 +142,10 @@ void AddExamples(Element& section, const Subject& subject) {
   }
   if (examples.empty()) return;
   section.Add("h3", "Counterexamples");
-  section.Add("p",
-              "Each is shrunk: leave out one more error and nothing is violated. The first command "
-              "runs it again, the second one makes a page that shows it in three dimensions.");
+  section.Add(
+      "p", fmt::format("Each is shrunk: leave out one more error and nothing is violated. The "
+                       "first command runs it again, {} a page that shows it in three dimensions.",
+                       subject.view ? "and the link leads to" : "the second one makes"));
   for (Element& example : examples) section.Add(std::move(example));
   if (all > kMostExamples) {
     section.Add("p", fmt::format("Not told here, but in counterexamples.csv: {} more.",

@@ -7,6 +7,7 @@
 #include "sim/report/findings/findings.h"
 #include "sim/report/html/element.h"
 #include "sim/report/sections/cell_name.h"
+#include "sim/report/sections/view_link.h"
 
 namespace assay::report {
 
@@ -15,6 +16,7 @@ struct Subject {
   const Findings& findings;
   std::vector<CellAxis> axes;                // the axes on which the cells differ
   std::vector<const CellFindings*> in_full;  // cells whose certificates are shown step by step
+  ViewMaker view = {};                       // may be empty
 
   std::string NameOf(const CellFindings& cell) const { return CellName(cell.cell(), axes); }
   // Returns the number of cells that have certificates and are not shown step by step.

@@ -49,6 +49,8 @@ std::optional<RunCommand> CommandOf(const Sweep& sweep, const domain::ModelPath&
 CellRecord RecordOf(const Cell& cell, const domain::Problem& problem,
                     const plan::PlanResult& result) {
   const bool found = result.outcome == Outcome::kFound;
+  const std::vector<std::string> reasons =
+      result.limits.empty() ? TextsOf(result.conflict) : result.limits;
   return {.cell = cell.number,
           .scenario = cell.scenario,
           .clearance = problem.clearance,
@@ -64,8 +66,7 @@ CellRecord RecordOf(const Cell& cell, const domain::Problem& problem,
           .actions = static_cast<int>(result.plan.steps.size()),
           .errors = result.plan.errors,
           .proved = found && result.plan.errors == 0,
-          .conflict = fmt::format(
-              "{}", fmt::join(result.limits.empty() ? result.conflict : result.limits, "\n")),
+          .conflict = fmt::format("{}", fmt::join(reasons, "\n")),
           .plan = plan::ToJson(result, problem, cell.scenario).dump()};
 }
 

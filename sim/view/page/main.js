@@ -46,7 +46,7 @@ function showExecution(data) {
   const options = new ViewOptions(viewport, data, help);
   const keys = [...timeKeys({player, steps}), ...cameraKeys({viewport, options, help})];
   const dialog = helpOf(keys);
-  const readings = new Readings(data, recording, player);
+  const readings = new Readings(data, recording, player, viewport.picture.contacts);
   document.body.append(
       element(
           'main', {},

@@ -231,7 +231,7 @@ TEST(PostingPlanner, MatedPartsStayMated) {
 TEST(PostingPlanner, TheImpossibleScenarioSaysWhy) {
   const plan::PlanResult result = MakePlan(LoadScenario("impossible"), {});
   EXPECT_EQ(result.outcome, Outcome::kNone);
-  EXPECT_THAT(result.conflict,
+  EXPECT_THAT(TextsOf(result.conflict),
               UnorderedElementsAre(HasSubstr("leans at most 10 deg"), HasSubstr("friction cone"),
                                    HasSubstr("block starts face-down")));
 }
@@ -249,7 +249,7 @@ TEST(PostingPlanner, LeavingOutAnyConstraintOfTheConflictGivesAPlan) {
   };
   const plan::PlanResult impossible = result("upright", "on-front", 20);
   EXPECT_EQ(impossible.outcome, Outcome::kNone);
-  EXPECT_THAT(impossible.conflict,
+  EXPECT_THAT(TextsOf(impossible.conflict),
               UnorderedElementsAre("the tool leans at most 20 deg from straight down",
                                    "brick starts upright", "brick is to end on-front"));
   EXPECT_EQ(result("upright", "on-front", 60).outcome, Outcome::kFound);

@@ -61,5 +61,27 @@ TEST(Contacts, SwappingTheBodiesTurnsForcesAndNormals) {
   EXPECT_EQ(Contacts(data).size(), on_box.size());
 }
 
+// A step shows the forces that Forward computes at its start, and gives the same bits as a step
+// that shows nothing.
+TEST(Contacts, AStepShowsTheForcesAtItsStart) {
+  const Model model = Model::FromMjcf(Sloped());
+  Data data(model);
+  Data unseen(model);
+  Data still(model);
+  for (int i = 0; i < 200; ++i) {
+    still.Restore(data.Save());
+    const std::vector<Contact> expected = Contacts(still);
+    std::vector<Contact> seen;
+    data.Step([&] { seen = Contacts(data); });
+    unseen.Step();
+    ASSERT_TRUE(data.Save() == unseen.Save()) << i;
+    ASSERT_EQ(seen.size(), expected.size()) << i;
+    for (std::size_t k = 0; k < seen.size(); ++k) {
+      EXPECT_EQ(seen[k].position, expected[k].position);
+      EXPECT_LT((seen[k].force_on_b - expected[k].force_on_b).norm(), 1e-6) << i;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace assay::mujoco::contact_test

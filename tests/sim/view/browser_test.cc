@@ -1,12 +1,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <cstdlib>
-#include <filesystem>
 #include <fstream>
-#include <iterator>
 
 #include "sim/view/page.h"
+#include "tests/browser.h"
 #include "tests/scratch_file.h"
 #include "tests/sim/view/viewed_execution.h"
 
@@ -14,32 +12,12 @@ namespace assay::view::browser_test {
 namespace {
 
 using ::testing::HasSubstr;
-using ::testing::Not;
+using ::testing::IsEmpty;
 
-std::string TextOf(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
-// Opens the page in a frame of 1280 by 800 pixels, uses it as people do, and lists what it shows.
 // The first step of figure 15 is a look without a movement, so the page begins in the second one.
-constexpr const char* kFrame = R"(<!DOCTYPE html><meta charset="utf-8">
-<iframe id="f" src="page.html" style="width: 1280px; height: 800px"></iframe><pre id="seen"></pre>
-<script>
-const wait = (ms) => new Promise((done) => setTimeout(done, ms));
-const seen = [];
-const say = (name, value) => seen.push(name + "=" + value);
-const use = async (w, d) => {
+constexpr const char* kUse = R"(
   const clock = () => Number(d.querySelector(".clock").textContent.split(" ")[0]);
-  const press = (key) =>
-    d.body.dispatchEvent(new w.KeyboardEvent("keydown", { key, bubbles: true }));
   const step = () => d.querySelector('[aria-current="step"] .number').textContent;
-  const picture = () => {
-    const { viewport } = w.assayView;
-    viewport.stale = true;
-    viewport.draw();
-    return viewport.surface.toDataURL();
-  };
   press(" "); await wait(2000); press(" ");
   const paused = clock();
   await wait(300);
@@ -56,17 +34,15 @@ const use = async (w, d) => {
   press("4"); say("camera", d.querySelector('.group [aria-pressed="true"]').textContent);
   const above = picture();
   press("b"); say("pictures", whole.length > 5000 && above !== whole && picture() !== above);
+  const halves = () => [...d.querySelectorAll(".half")].map((half) => half.clientWidth);
+  const [first, second] = halves();
+  say("halves", first > 400 && Math.abs(first - second) <= 2);
   press("p"); say("beside", d.querySelector(".half[hidden]") !== null);
+  say("alone", halves()[0] > 1.9 * first && halves()[1] === 0);
+  press("p"); say("again beside", halves()[1] === second); press("p");
   press("?"); say("help", d.querySelector("dialog").open);
   say("overflow", d.documentElement.scrollWidth - d.documentElement.clientWidth);
-  say("requests", w.performance.getEntriesByType("resource").length);
-};
-window.onload = async () => {
-  const w = document.getElementById("f").contentWindow;
-  try { await use(w, w.document); } catch (error) { say("error", error.stack); }
-  document.getElementById("seen").textContent = seen.join("\n");
-};
-</script>)";
+)";
 
 Subject TwoExecutions() {
   Subject subject = Figure15().subject();
@@ -74,27 +50,86 @@ Subject TwoExecutions() {
   return subject;
 }
 
+SeenPage Seen(const Subject& subject, const char* use) {
+  const auto file = ScratchFile("subject.html");
+  std::ofstream(file, std::ios::binary) << Page(subject);
+  SeenPage seen = UsePage(file, use);
+  EXPECT_EQ(seen.code, 0);
+  EXPECT_THAT(seen.console, IsEmpty());
+  EXPECT_THAT(seen.said, HasSubstr("requests=0\n"));
+  return seen;
+}
+
 TEST(InBrowser, IsUsedAsPeopleDo) {
-  if (std::system("command -v chromium >/dev/null 2>&1") != 0) {
-    GTEST_SKIP() << "chromium is not installed";
-  }
-  std::ofstream(ScratchFile("page.html"), std::ios::binary) << Page(TwoExecutions());
-  std::ofstream(ScratchFile("frame.html")) << kFrame;
-  const std::string command =
-      "timeout 120 chromium --headless --no-sandbox --no-first-run --use-angle=swiftshader "
-      "--enable-unsafe-swiftshader --disable-background-networking --disable-component-update "
-      "--disable-sync --host-resolver-rules='MAP * ~NOTFOUND' --enable-logging=stderr "
-      "--allow-file-access-from-files --virtual-time-budget=8000 --dump-dom --user-data-dir='" +
-      ScratchFile("profile").string() + "' 'file://" + ScratchFile("frame.html").string() + "' >'" +
-      ScratchFile("out").string() + "' 2>'" + ScratchFile("log").string() + "'";
-  EXPECT_EQ(std::system(command.c_str()), 0) << TextOf(ScratchFile("log"));
-  EXPECT_THAT(TextOf(ScratchFile("log")), Not(HasSubstr(":CONSOLE")));
-  const std::string seen = TextOf(ScratchFile("out"));
+  if (!HasChromium()) GTEST_SKIP() << "chromium is not installed";
+  const SeenPage seen = Seen(TwoExecutions(), kUse);
   for (const char* expected :
        {"played=true\n", "paused=true\n", "clicked=2\n", "to spare.\n", "claims=true\n", "home=0",
         "next=3\n", "again=3\n", "end=true\n", "speed=2\n", "camera=top\n", "pictures=true\n",
-        "beside=true\n", "help=true\n", "overflow=0\n", "requests=0</pre>"}) {
-    EXPECT_THAT(seen, HasSubstr(expected));
+        "halves=true\n", "beside=true\n", "alone=true\n", "again beside=true\n", "help=true\n",
+        "overflow=0\n"}) {
+    EXPECT_THAT(seen.said, HasSubstr(expected));
+  }
+}
+
+// While the peg is held, the page shows where the fingers press it, with which force, and says so
+// beside the point under the pointer. The forces of both fingers are opposite, so that the sum of
+// the arrows on the peg is small.
+TEST(InBrowser, ShowsContactsWithTheirForces) {
+  if (!HasChromium()) GTEST_SKIP() << "chromium is not installed";
+  const SeenPage seen = Seen(Figure15().subject(), R"(
+  const { player, viewport } = w.assayView;
+  const pickup = [...d.querySelectorAll(".steps button")].findIndex(
+      (button) => button.textContent.includes("assemble"));
+  d.querySelectorAll(".steps button")[pickup].click();
+  player.seek(player.time + 0.5);
+  const { contacts, surface } = viewport.picture;
+  const fingers = contacts.marks.filter(
+      ({ pair }) => pair.names[0].includes("finger") && pair.names[1] === "part/peg");
+  say("points", fingers.length >= 4);
+  const norm = (vector) => Math.hypot(vector.x, vector.y, vector.z);
+  const forces = fingers.map(({ force }) => norm(force));
+  const sum = fingers.reduce((all, { force }) => all.clone().add(force), fingers[0].force.clone().multiplyScalar(0));
+  const whole = forces.reduce((a, b) => a + b);
+  say("grips", whole > 100); say("opposite", norm(sum) < 0.05 * whole);
+  say("reading", /finger_left – peg \(\d+\.\d\sN\)/.test(d.querySelector(".readings").textContent));
+  press("1"); picture();
+  const seenAt = fingers[0].at.clone().project(viewport.camera);
+  const { left, top } = surface.getBoundingClientRect();
+  surface.dispatchEvent(new w.PointerEvent("pointermove", {
+    bubbles: true, clientX: left + ((seenAt.x + 1) / 2) * surface.clientWidth,
+    clientY: top + ((1 - seenAt.y) / 2) * surface.clientHeight }));
+  say("note", d.querySelector(".contact-note").textContent);
+  const shown = picture();
+  press("c"); say("hidden", picture() !== shown);
+)");
+  for (const char* expected : {"points=true\n", "grips=true\n", "opposite=true\n", "reading=true\n",
+                               "note=force on peg from ", "hidden=true\n"}) {
+    EXPECT_THAT(seen.said, HasSubstr(expected));
+  }
+}
+
+// A trace of an earlier version has no contact points. Its page shows all else.
+TEST(InBrowser, ShowsATraceWithoutContactPoints) {
+  if (!HasChromium()) GTEST_SKIP() << "chromium is not installed";
+  execution::Trace trace = Figure15().trace;
+  for (execution::TraceEvent& event : trace.events) {
+    if (auto* sample = std::get_if<execution::Sample>(&event)) sample->contact_points.reset();
+  }
+  const SeenPage seen = Seen({.problem = Figure15().scenario.problem,
+                              .plan = Figure15().plan,
+                              .scene = Figure15().scene,
+                              .trace = trace,
+                              .outcome = "succeeded",
+                              .plan_file = "test"},
+                             R"(
+  say("toggles", [...d.querySelectorAll(".toggle")].map((one) => one.textContent).join());
+  press("End"); press("c"); say("drawn", picture().length > 5000);
+  say("touching", d.querySelector(".readings").textContent.includes("touching: block – peg"));
+)");
+  for (const char* expected :
+       {"toggles=believed poses,predicted errors\n", "drawn=true\n", "touching=true\n"}) {
+    EXPECT_THAT(seen.said, HasSubstr(expected));
   }
 }
 

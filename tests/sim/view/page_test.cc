@@ -5,11 +5,14 @@
 
 #include <algorithm>
 #include <array>
+#include <fstream>
+#include <iterator>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "planner/plan/certificates/not_covered.h"
-#include "tests/sim/view/series_decoder.h"
+#include "tests/sim/view/recording/series_decoder.h"
 #include "tests/sim/view/viewed_execution.h"
 
 namespace assay::view::page_test {
@@ -140,6 +143,93 @@ TEST_F(PageOfFigure15, RecordsWhatTheTraceHas) {
   }
   for (std::size_t i = 0; i < 7 * data()["parts"].size() + 6; ++i) next();
   EXPECT_TRUE(decoder.IsAtEnd());
+}
+
+// The points of two touching bodies as the page has them: whole numbers, at each sample.
+struct PairInPage {
+  std::string first;
+  std::string second;
+  std::vector<std::int64_t> counts;
+  std::vector<std::array<std::vector<std::int64_t>, 9>> points;
+};
+
+std::vector<PairInPage> ContactPointsIn(const Json& data) {
+  const std::string series = data["contactPoints"]["series"];
+  SeriesDecoder decoder(FromBase64(series.substr(series.find(',') + 1)));
+  std::vector<PairInPage> pairs;
+  for (const Json& pair : data["contactPoints"]["pairs"]) {
+    PairInPage& added =
+        pairs.emplace_back(PairInPage{pair["bodies"][0],
+                                      pair["bodies"][1],
+                                      decoder.Next(data["recording"]["samples"].get<std::size_t>()),
+                                      {}});
+    for (int point = 0; point < pair["most"]; ++point) {
+      const auto has_it = [&](std::int64_t count) { return count > point; };
+      const auto length = static_cast<std::size_t>(std::ranges::count_if(added.counts, has_it));
+      for (auto& numbers : added.points.emplace_back()) numbers = decoder.Next(length);
+    }
+  }
+  EXPECT_TRUE(decoder.IsAtEnd());
+  return pairs;
+}
+
+// The points of parts on the table are where the trace has them, in the frame of the part.
+TEST_F(PageOfFigure15, HasTheContactPointsOfTheTrace) {
+  const auto samples = Figure15().trace.All<execution::Sample>();
+  int compared = 0;
+  for (const PairInPage& pair : ContactPointsIn(data())) {
+    if (pair.first != "part/peg" || pair.second != "world") continue;
+    std::vector<std::size_t> next(pair.points.size(), 0);
+    for (std::size_t i = 0; i + 1 < samples.size(); ++i) {
+      const execution::Snapshot& snapshot = samples[i]->snapshot;
+      const geometry::Pose X_PegWorld = snapshot.parts[PegIndex()].truth.inverse();
+      std::size_t at = 0;
+      for (const execution::ContactPoint& point : *samples[i]->contact_points) {
+        if (snapshot.contacts[point.pair] != std::pair(pair.first, pair.second)) continue;
+        const geometry::Vector3 position = X_PegWorld * point.position;
+        const geometry::Vector3 force = X_PegWorld.linear() * point.force;
+        for (int k = 0; k < 3; ++k) {
+          const auto number = [&](int column) {
+            return static_cast<double>(pair.points[at][column][next[at]]);
+          };
+          EXPECT_NEAR(1e-4 * number(k), position[k], 0.6e-4);
+          EXPECT_NEAR(1e-2 * number(6 + k), force[k], 0.6e-2);
+          ++compared;
+        }
+        ++next[at++];
+      }
+      EXPECT_EQ(static_cast<std::size_t>(pair.counts[i]), at) << i;
+    }
+  }
+  EXPECT_GT(compared, 1000);
+}
+
+// Each key of an object, with the keys inside of it. Of a list, its first item counts.
+std::set<std::string> KeysOf(const Json& data, const std::string& path = "") {
+  if (data.is_array() && !data.empty()) return KeysOf(data[0], path + "[]");
+  std::set<std::string> keys;
+  if (!data.is_object()) return keys;
+  for (const auto& [key, value] : data.items()) {
+    keys.insert(path + "/" + key);
+    keys.merge(KeysOf(value, path + "/" + key));
+  }
+  return keys;
+}
+
+// The page that stands under renders has the format of today's pages. If not, make it again as
+// renders/README.md says.
+TEST_F(PageOfFigure15, TheKeptPageOfFigure13HasTheSameFormat) {
+  std::ifstream file(ASSAY_SOURCE_DIR "/renders/spar-fig13/page.html", std::ios::binary);
+  const std::string kept(std::istreambuf_iterator<char>(file), {});
+  EXPECT_LT(kept.size(), 2'000'000u);
+  const Json data = DataIn(kept);
+  EXPECT_EQ(data["title"], "spar-fig13");
+  for (const char* key : {"bodies", "cameras", "colors", "contactPoints", "errorSets", "format",
+                          "guards", "parts", "recording"}) {
+    EXPECT_EQ(KeysOf(data[key]), KeysOf(this->data()[key])) << key;
+  }
+  EXPECT_EQ(data["format"], this->data()["format"]);
+  EXPECT_EQ(data.size(), this->data().size()) << "keys of the whole";
 }
 
 TEST_F(PageOfFigure15, ErrorSetsFollowEachOther) {

@@ -41,6 +41,13 @@ export class Orbit {
     this.moved();
   }
 
+  // Looks at a box of this size from the present direction.
+  frame(middle, size) {
+    this.target.copy(middle);
+    this.distance = size.length() / Math.tan((this.camera.fov * Math.PI) / 360);
+    this.moved();
+  }
+
   moved() {
     const {azimuth, polar, distance, target, camera} = this;
     const flat = Math.sin(polar) * distance;

@@ -1,6 +1,6 @@
 import {Group} from 'three';
 
-import {edgesOf, setPose} from './stage.js';
+import {edgesOf} from './stage.js';
 
 export const BELIEVED = '#7b3fa8';
 
@@ -10,6 +10,7 @@ export class Outlines {
   constructor(data, recording) {
     this.recording = recording;
     this.sets = data.errorSets;
+    this.lines = new Map();  // of the sets that have been shown
     this.root = new Group();
     this.parts = data.parts.map((part) => {
       const frame = new Group();
@@ -42,10 +43,11 @@ export class Outlines {
     outline.shown = set;
     outline.extremes.remove(...outline.extremes.children);
     (set && set.fixed ? this.root : outline.frame).add(outline.extremes);
-    for (const pose of set ? set.extremes : []) {
-      const extreme = edgesOf(outline.part, this.color, 0.85);
-      setPose(extreme, pose);
-      outline.extremes.add(extreme);
-    }
+    if (set) outline.extremes.add(this.linesOf(set, outline.part));
+  }
+
+  linesOf(set, part) {
+    if (!this.lines.has(set)) this.lines.set(set, edgesOf(part, this.color, 0.85, set.extremes));
+    return this.lines.get(set);
   }
 }

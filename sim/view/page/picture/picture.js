@@ -2,6 +2,8 @@ import * as three from 'three';
 
 import {element} from '../dom.js';
 
+import {ContactMarks} from './contact_marks.js';
+import {Ghosts} from './ghosts.js';
 import {Outlines} from './outlines.js';
 import {Stage} from './stage.js';
 
@@ -15,12 +17,24 @@ function lights() {
   return [new three.AmbientLight('#ffffff', 0.56), sun, fill];
 }
 
-// Without a graphics card, smooth edges would take a third of the time of each frame.
-function hasGraphicsCard() {
-  const context = document.createElement('canvas').getContext('webgl');
-  const names = context && context.getExtension('WEBGL_debug_renderer_info');
-  return !names ||
-      !/swiftshader|llvmpipe|software/i.test(context.getParameter(names.UNMASKED_RENDERER_WEBGL));
+const newSurface = () =>
+    element('canvas', {'aria-label': 'Scene in three dimensions', role: 'img'});
+
+function drawsInSoftware(context) {
+  const names = context.getExtension('WEBGL_debug_renderer_info');
+  return names !== null &&
+      /swiftshader|llvmpipe|software/i.test(context.getParameter(names.UNMASKED_RENDERER_WEBGL));
+}
+
+// Without a graphics card, smooth edges and fine pixels would take most of the time of each frame.
+// The context that tells whether there is a card is then used itself, since contexts take time.
+function newRenderer() {
+  const canvas = newSurface();
+  const context = canvas.getContext('webgl', {antialias: false, alpha: false, stencil: false});
+  if (context && drawsInSoftware(context)) return new three.WebGLRenderer({canvas, context});
+  const renderer = new three.WebGLRenderer({canvas: newSurface(), antialias: true});
+  renderer.setPixelRatio(Math.min(2, window.devicePixelRatio));
+  return renderer;
 }
 
 // The bodies and outlines of one execution at one time.
@@ -29,18 +43,28 @@ export class Picture {
     this.recording = recording;
     this.stage = new Stage(data, recording);
     this.outlines = new Outlines(data, recording);
+    this.contacts = new ContactMarks(data, this.stage);
+    this.ghosts = new Ghosts(data);
     this.scene = new three.Scene();
     this.scene.background = new three.Color(GROUND);
-    this.scene.add(this.stage.root, this.outlines.root, ...lights());
-    this.surface = element('canvas', {'aria-label': 'Scene in three dimensions', role: 'img'});
-    this.renderer = new three.WebGLRenderer({canvas: this.surface, antialias: hasGraphicsCard()});
-    this.renderer.setPixelRatio(Math.min(2, window.devicePixelRatio));
+    this.scene.add(
+        this.stage.root, this.outlines.root, this.contacts.root, this.ghosts.root, ...lights());
+    this.renderer = newRenderer();
+    this.surface = this.renderer.domElement;
   }
 
   show(time) {
     const moment = this.recording.momentAt(time);
     this.stage.show(moment, time);
     this.outlines.show(moment, time);
+    this.contacts.show(moment);
+  }
+
+  // Shows or hides the ghosts of believed poses ("showsBelieved"), the error sets ("showsSets"), or
+  // the contacts ("showsContacts"). Returns whether they are shown now.
+  toggle(kind) {
+    if (kind !== 'showsContacts') return (this.outlines[kind] = !this.outlines[kind]);
+    return (this.contacts.root.visible = !this.contacts.root.visible);
   }
 
   // Returns the width over the height; 0 if the picture is not shown.

@@ -1,17 +1,13 @@
 import * as three from 'three';
 
-const materials = new Map();
-
-function materialOf(color) {
-  if (!materials.has(color)) materials.set(color, new three.MeshLambertMaterial({color}));
-  return materials.get(color);
-}
+// The colours are at the vertices.
+const PAINTED = new three.MeshLambertMaterial({vertexColors: three.VertexColors});
 
 function geometryOf({type, size}) {
   if (type === 'box') return new three.BoxBufferGeometry(2 * size[0], 2 * size[1], 2 * size[2]);
-  if (type === 'sphere') return new three.SphereBufferGeometry(size[0], 24, 16);
+  if (type === 'sphere') return new three.SphereBufferGeometry(size[0], 16, 12);
   // three.js has cylinders along y, the data along z.
-  return new three.CylinderBufferGeometry(size[0], size[0], 2 * size[1], 40).rotateX(Math.PI / 2);
+  return new three.CylinderBufferGeometry(size[0], size[0], 2 * size[1], 24).rotateX(Math.PI / 2);
 }
 
 export function setPose(object, [x, y, z, w, i, j, k]) {
@@ -19,8 +15,15 @@ export function setPose(object, [x, y, z, w, i, j, k]) {
   object.quaternion.set(i, j, k, w);
 }
 
+function matrixOf(pose) {
+  const frame = new three.Object3D();
+  setPose(frame, pose);
+  frame.updateMatrix();
+  return frame.matrix;
+}
+
 // The floor is a square of a few metres with a grid; beyond it there is nothing.
-function floorOf() {
+function floorOf(shape) {
   const floor = new three.Group();
   const ground = new three.Mesh(
       new three.PlaneBufferGeometry(6, 6), new three.MeshBasicMaterial({color: '#e6e9ec'}));
@@ -28,21 +31,46 @@ function floorOf() {
   grid.rotation.x = Math.PI / 2;
   grid.position.z = 1e-3;
   floor.add(ground, grid);
+  setPose(floor, shape.pose);
   return floor;
 }
 
-function objectOf(shape) {
-  const object = shape.type === 'plane' ?
-      floorOf() :
-      new three.Mesh(geometryOf(shape), materialOf(shape.color));
-  setPose(object, shape.pose);
-  return object;
+// Returns a shape in the frame of its body, with a colour at each vertex.
+function paintedOf(shape) {
+  const geometry = geometryOf(shape).applyMatrix(matrixOf(shape.pose));
+  const color = new three.Color(shape.color).toArray();
+  const colors = geometry.attributes.position.array.map((_, i) => color[i % 3]);
+  return geometry.setAttribute('color', new three.BufferAttribute(colors, 3));
 }
 
-// Returns the edges of a part as lines.
-export function edgesOf(part, color, opacity) {
+// Returns shapes as one mesh, which is drawn by one call. Planes are left out.
+export function meshOf(shapes, material) {
+  const merged = new three.BufferGeometry();
+  const corners = [];
+  const numbers = {position: [], normal: [], color: []};
+  for (const {index, attributes} of shapes.filter(({type}) => type !== 'plane').map(paintedOf)) {
+    const first = numbers.position.length / 3;
+    for (const corner of index.array) corners.push(first + corner);
+    for (const name of Object.keys(numbers)) numbers[name].push(...attributes[name].array);
+  }
+  for (const [name, values] of Object.entries(numbers)) {
+    merged.setAttribute(name, new three.Float32BufferAttribute(values, 3));
+  }
+  merged.setIndex(corners);
+  return new three.Mesh(merged, material);
+}
+
+const AT_ORIGIN = [0, 0, 0, 1, 0, 0, 0];
+
+// Returns the edges of a part at several poses as lines, which are drawn by one call.
+export function edgesOf(part, color, opacity, poses = [AT_ORIGIN]) {
+  const ends = poses.flatMap((pose) => {
+    const matrix = matrixOf(pose);
+    return part.edges.flat().flatMap(
+        (end) => new three.Vector3(...end).applyMatrix4(matrix).toArray());
+  });
   const geometry = new three.BufferGeometry();
-  geometry.setAttribute('position', new three.Float32BufferAttribute(part.edges.flat(2), 3));
+  geometry.setAttribute('position', new three.Float32BufferAttribute(ends, 3));
   const material = new three.LineBasicMaterial(
       {color: new three.Color(color), transparent: opacity < 1, opacity});
   return new three.LineSegments(geometry, material);
@@ -54,18 +82,18 @@ export class Stage {
   constructor(data, recording) {
     this.recording = recording;
     this.collisions = data.collisions;
-    this.wrong = materialOf(data.colors.violated);
+    this.wrong = new three.MeshLambertMaterial({color: data.colors.violated});
     this.named = [];
     this.names = data.bodies.map((body) => body.name);
     this.root = new three.Group();
-    this.bodies = data.bodies.map((body) => {
+    this.meshes = data.bodies.map((body) => meshOf(body.shapes, PAINTED));
+    this.bodies = data.bodies.map((body, i) => {
       const group = new three.Group();
-      group.add(...body.shapes.map(objectOf));
+      const planes = body.shapes.filter(({type}) => type === 'plane');
+      group.add(this.meshes[i], ...planes.map(floorOf));
       this.root.add(group);
       return group;
     });
-    this.materials = this.bodies.map((group) => group.children.map((object) => object.material));
-    this.marked = this.bodies.map(() => false);
     for (const part of data.parts) {
       const body = data.bodies.findIndex((other) => other.name === part.body);
       this.bodies[body].add(edgesOf(part, data.colors.observed, 0.45));
@@ -78,18 +106,12 @@ export class Stage {
     });
     const collided = this.collisions.filter((collision) => collision.time <= time);
     const wrong = [...collided.flatMap(({bodies}) => bodies), ...this.named];
-    this.names.forEach((name, i) => this.markBody(i, wrong.includes(name)));
+    this.names.forEach((name, i) => {
+      this.meshes[i].material = wrong.includes(name) ? this.wrong : PAINTED;
+    });
   }
 
   mark(names) {
     this.named = names;
-  }
-
-  markBody(index, isWrong) {
-    if (this.marked[index] === isWrong) return;
-    this.marked[index] = isWrong;
-    this.materials[index].forEach((own, i) => {
-      if (own) this.bodies[index].children[i].material = isWrong ? this.wrong : own;
-    });
   }
 }

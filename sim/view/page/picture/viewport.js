@@ -22,7 +22,12 @@ export class Viewport {
     this.orbit = new Orbit(this.camera, () => {
       this.stale = true;
     });
-    for (const {surface} of this.pictures()) this.orbit.listen(surface);
+    this.note = element('div', {class: 'contact-note', hidden: true});
+    this.root.append(this.note);
+    for (const picture of this.pictures()) {
+      this.orbit.listen(picture.surface);
+      this.tellOfContacts(picture);
+    }
     this.work = new WorkView(data, this.picture.stage, this.orbit);
     this.cameras = data.cameras;
     this.camerasChosen = [];
@@ -61,6 +66,22 @@ export class Viewport {
     for (const listener of this.camerasChosen) listener(name);
   }
 
+  // Says what touches under the pointer.
+  tellOfContacts({surface, contacts}) {
+    const tell = (text, event) => {
+      this.note.hidden = text === '';
+      this.note.textContent = text;
+      const {left, top, width} = this.root.getBoundingClientRect();
+      const x = Math.min(event.clientX - left + 14, width - this.note.offsetWidth - 4);
+      this.note.style.transform = `translate(${x}px, ${event.clientY - top + 14}px)`;
+    };
+    surface.addEventListener('pointermove', (event) => {
+      const {offsetX, offsetY, buttons} = event;
+      tell(buttons === 0 ? contacts.textAt(offsetX, offsetY, this.camera, surface) : '', event);
+    });
+    surface.addEventListener('pointerleave', (event) => tell('', event));
+  }
+
   middle() {
     const middle = new three.Vector3();
     const parts = this.outlines.parts;
@@ -76,22 +97,26 @@ export class Viewport {
     this.stale = true;
   }
 
-  // Shows or hides the ghosts ("showsBelieved"), the error sets ("showsSets"), or the execution
-  // beside ("showsBeside").
+  // Shows or hides the execution beside ("showsBeside"), or what Picture.toggle knows. Returns
+  // whether it is shown now.
   toggle(kind) {
-    if (kind === 'showsBeside') {
-      this.showsBeside = !this.showsBeside;
-      this.beside.figure.hidden = !this.showsBeside;
-    } else {
-      for (const {outlines} of this.pictures()) outlines[kind] = !outlines[kind];
-    }
+    const [shown] = kind === 'showsBeside' ? [this.toggleBeside()] :
+                                             this.pictures().map((other) => other.toggle(kind));
     this.show(this.time);
-    return kind === 'showsBeside' ? this.showsBeside : this.outlines[kind];
+    return shown;
+  }
+  toggleBeside() {
+    this.showsBeside = !this.showsBeside;
+    this.beside.figure.hidden = !this.showsBeside;
+    return this.showsBeside;
   }
 
-  // Draws bodies in the colour of what is wrong.
-  mark(names) {
+  // Draws bodies in the colour of what is wrong, and others as ghosts, and looks at the ghosts.
+  mark(names, ghosts = []) {
     this.picture.stage.mark(names);
+    this.picture.ghosts.show(ghosts, names);
+    const box = this.picture.ghosts.box();
+    if (box) this.orbit.frame(box.getCenter(new three.Vector3()), box.getSize(new three.Vector3()));
     this.show(this.time);
   }
 

@@ -1,4 +1,5 @@
 import {element} from '../dom.js';
+import {WorkView} from '../picture/work_view.js';
 
 import {certificateOf} from './certificate.js';
 import {headOf} from './head.js';
@@ -70,11 +71,12 @@ export class Steps {
       this.goTo(this.data.steps[Math.max(0, wanted)]);
   }
 
-  // Goes where a step acts, and marks the bodies that a sentence about it names.
+  // Goes where a step acts, looks there, and marks the bodies that a sentence about it names.
   showWhere(step, sentence) {
     this.player.playing = false;
     // A step that is verified acts at its very end, where the next one begins.
     if (step.acts !== undefined) this.player.seek(Math.min(step.acts, step.to - 1e-3));
+    this.viewport.choose(WorkView.NAME);
     this.viewport.mark(bodiesNamedIn(sentence, this.data));
   }
 

@@ -1,8 +1,10 @@
 import {element} from '../dom.js';
+import {quantityText} from '../units.js';
 
 import {bodiesNamedIn} from './names.js';
 
-// Why there is no plan. A click on a sentence marks the bodies that it names.
+// Why there is no plan. A click on a reason draws the bodies that it is about: as ghosts where they
+// are not, and marked where they are.
 export class WhyNot {
   constructor(data, viewport) {
     Object.assign(this, {data, viewport, chosen: null});
@@ -12,28 +14,44 @@ export class WhyNot {
         element(
             'header', {}, element('h1', {}, title), element('p', {class: 'source'}, source),
             element('p', {class: 'outcome bad'}, `${outcome.name}.`)),
-        element('div', {class: 'detail'}, ...whyNot.flatMap((reasons) => this.listOf(reasons))));
+        element('div', {class: 'detail'}, ...whyNot.flatMap((kind) => this.listOf(kind))));
+    this.showFirst();
   }
 
-  listOf({title, sentences}) {
+  listOf({title, reasons}) {
     return [
       element('h3', {}, title),
-      element('ul', {class: 'reasons'}, ...sentences.map((text) => this.itemOf(text)))
+      element('ul', {class: 'reasons'}, ...reasons.map((reason) => this.itemOf(reason)))
     ];
   }
 
-  itemOf(text) {
-    const bodies = bodiesNamedIn(text, this.data);
-    if (bodies.length === 0) return element('li', {}, text);
+  // A reason without a situation is about the bodies that its sentence names.
+  itemOf({text, marked, ghosts, excess}) {
+    const names = marked || bodiesNamedIn(text, this.data);
+    const drawn = ghosts || [];
+    if (names.length === 0 && drawn.length === 0) return element('li', {}, text);
     const button = element(
-        'button', {'aria-pressed': 'false', onclick: () => this.choose(button, bodies)}, text);
+        'button', {'aria-pressed': 'false', onclick: () => this.choose(button, names, drawn)}, text,
+        excess ? element('small', {}, excessText(excess)) : null);
     return element('li', {}, button);
   }
 
-  choose(button, bodies) {
+  choose(button, names, ghosts) {
     if (this.chosen) this.chosen.setAttribute('aria-pressed', 'false');
     this.chosen = this.chosen === button ? null : button;
     if (this.chosen) button.setAttribute('aria-pressed', 'true');
-    this.viewport.mark(this.chosen ? bodies : []);
+    this.viewport.mark(this.chosen ? names : [], this.chosen ? ghosts : []);
   }
+
+  // The picture shows the first reason from the start.
+  showFirst() {
+    const first = this.root.querySelector('.reasons button');
+    if (first) first.click();
+  }
+}
+
+function excessText({unit, value, limit}) {
+  const [is, most, more] =
+      [value, limit, value - limit].map((quantity) => quantityText(quantity, unit));
+  return `${is}, at most ${most} allowed: ${more} too much`;
 }

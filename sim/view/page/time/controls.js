@@ -1,4 +1,5 @@
 import {drawing, element} from '../dom.js';
+import {TOUCHING} from '../picture/contact_marks.js';
 import {BELIEVED} from '../picture/outlines.js';
 
 import {SPEEDS} from './player.js';
@@ -31,7 +32,7 @@ export class Controls {
     this.root = element(
         'div', {class: 'controls'}, button('Previous step (↑)', icon('back'), () => steps.go(-1)),
         this.play, button('Next step (↓)', icon('on'), () => steps.go(1)), this.time, this.speed);
-    player.onChange(() => this.show(player));
+    player.onGlance(() => this.show(player));
     this.show(player);
   }
 
@@ -60,6 +61,8 @@ export class ViewOptions {
       showsBelieved: this.toggleOf('showsBelieved', 'believed poses', BELIEVED, 'b'),
       showsSets: this.toggleOf('showsSets', 'predicted errors', data.colors.predicted, 'e'),
     };
+    if (viewport.picture.contacts.exist)
+      this.toggles.showsContacts = this.toggleOf('showsContacts', 'contacts', TOUCHING, 'c');
     if (data.beside)
       this.toggles.showsBeside = this.toggleOf('showsBeside', 'beside', '#52606f', 'p');
     this.root = element(

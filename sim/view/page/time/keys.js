@@ -49,6 +49,13 @@ export function cameraKeys({viewport, options, help}) {
     },
     {keys: ['b'], shown: 'b', text: 'believed poses', act: () => options.toggle('showsBelieved')},
     {keys: ['e'], shown: 'e', text: 'predicted errors', act: () => options.toggle('showsSets')},
+    ...(viewport.picture.contacts.exist ? [{
+      keys: ['c'],
+      shown: 'c',
+      text: 'contacts and their forces',
+      act: () => options.toggle('showsContacts')
+    }] :
+                                          []),
     ...(viewport.beside ? [{
       keys: ['p'],
       shown: 'p',

@@ -1,5 +1,7 @@
 export const SPEEDS = [0.1, 0.25, 0.5, 1, 2, 4, 8];
 
+const GLANCE = 100;  // milliseconds
+
 // The time that is shown, and its passing. Listeners are called after each change.
 export class Player {
   constructor(recording) {
@@ -13,6 +15,17 @@ export class Player {
 
   onChange(listener) {
     this.listeners.push(listener);
+  }
+  // The listener is called after each change, but only some times a second while time passes:
+  // nobody reads more texts, and new texts take time.
+  onGlance(listener) {
+    let last = 0;
+    this.onChange(() => {
+      const now = performance.now();
+      if (this.playing && now - last < GLANCE) return;
+      last = now;
+      listener(this);
+    });
   }
   changed() {
     for (const listener of this.listeners) listener(this);

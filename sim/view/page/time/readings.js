@@ -1,11 +1,15 @@
 import {element} from '../dom.js';
 import {plainName} from '../steps/names.js';
+import {numberText} from '../units.js';
+
+const scaleOf = ({perCentimetre}) =>
+    element('p', {}, `force arrows: a centimetre for ${numberText(perCentimetre)}\u202fN`);
 
 // What is read off the shown time, over the picture: how far each part is from where it is believed
 // to be, and what touches.
 export class Readings {
-  constructor(data, recording, player) {
-    Object.assign(this, {data, recording, shownAt: 0});
+  constructor(data, recording, player, contactMarks) {
+    Object.assign(this, {data, recording, points: contactMarks.points});
     this.rows = data.parts.map((part) => {
       const cell = element('td');
       return {cell, row: element('tr', {}, element('th', {scope: 'row'}, part.name), cell)};
@@ -16,19 +20,16 @@ export class Readings {
         element(
             'table', {}, element('caption', {}, 'truly off the believed pose'),
             ...this.rows.map(({row}) => row)),
-        this.contacts);
+        this.contacts, contactMarks.exist ? scaleOf(contactMarks) : null);
     this.bodies =
         data.parts.map((part) => data.bodies.findIndex((body) => body.name === part.body));
-    player.onChange(() => this.showSometimes(player));
+    player.onGlance(() => this.show(player.time));
     this.show(player.time);
   }
 
-  // While time passes, nobody reads more than some texts a second.
-  showSometimes(player) {
-    const now = performance.now();
-    if (player.playing && now - this.shownAt < 100) return;
-    this.shownAt = now;
-    this.show(player.time);
+  forceText(bodies, {index}) {
+    const force = this.points.forceBetween(bodies, index);
+    return force === undefined ? '' : ` (${force.toFixed(1)}\u202fN)`;
   }
 
   show(time) {
@@ -41,7 +42,7 @@ export class Readings {
     const touching =
         this.data.contacts
             .filter(({times}) => times.some(([from, to]) => from <= time && time <= to))
-            .map(({bodies}) => bodies.map(plainName).join(' – '));
+            .map(({bodies}) => bodies.map(plainName).join(' – ') + this.forceText(bodies, moment));
     this.contacts.textContent = touching.length > 0 ? `touching: ${touching.join(', ')}` : '';
   }
 }

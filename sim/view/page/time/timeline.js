@@ -27,6 +27,7 @@ export class Timeline {
     this.listen();
     new ResizeObserver(() => this.resize()).observe(this.root);
     player.onChange(() => this.show());
+    player.onGlance(() => this.tellTime());
   }
 
   listen() {
@@ -80,6 +81,8 @@ export class Timeline {
 
   show() {
     this.cursor.style.transform = `translateX(${this.x(this.player.time)}px)`;
+  }
+  tellTime() {
     this.surface.setAttribute('aria-valuenow', this.player.time.toFixed(2));
   }
 

@@ -210,8 +210,16 @@ TEST(TravelPlan, TellsWhatIsInTheWay) {
   plan::Plan plan = PlanBesideTheMast();
   const auto obstruction = AddTravels(problem, {.budget = 2000}, plan);
   ASSERT_TRUE(obstruction);
-  EXPECT_THAT(*obstruction, HasSubstr("no way to action_"));
-  EXPECT_THAT(*obstruction, HasSubstr("the mast are nearer than"));
+  EXPECT_THAT(obstruction->text, HasSubstr("no way to action_"));
+  EXPECT_THAT(obstruction->text, HasSubstr("the mast are nearer than"));
+  ASSERT_TRUE(obstruction->situation);
+  const plan::Situation& situation = *obstruction->situation;
+  ASSERT_EQ(situation.colliding.size(), 2u);
+  EXPECT_EQ(situation.colliding[1].part, kMast);
+  EXPECT_THAT(obstruction->text, HasSubstr("the " + situation.colliding[0].piece));
+  ASSERT_TRUE(situation.hand && situation.hand->posture);
+  const plan::Pose X_WorldTool = motion::ToolAt(*problem.workcell, *situation.hand->posture);
+  EXPECT_TRUE(situation.hand->X_WorldTool.isApprox(X_WorldTool));
 }
 
 }  // namespace

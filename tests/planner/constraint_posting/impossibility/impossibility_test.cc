@@ -5,9 +5,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <map>
 
 #include "planner/base/random.h"
@@ -290,7 +292,7 @@ TEST(Impossibility, IsProvedOfAChainWhereAPartOfItCannotBeTaken) {
                                  Stacked("b", "a", 50) + Stacked("c", "b", 50), "one-arm", 20)),
                {});
   EXPECT_EQ(result.outcome, Outcome::kNone);
-  EXPECT_THAT(result.conflict, Contains("c starts upright"));
+  EXPECT_THAT(TextsOf(result.conflict), Contains("c starts upright"));
 }
 
 TEST(Impossibility, AnotherArmThatGetsThereIsALimitOfThePlanner) {
@@ -319,8 +321,8 @@ TEST(Impossibility, IsProvedOfPartsThatKeepEachOtherFromBeingTaken) {
   EXPECT_EQ(result_with(200).outcome, Outcome::kFound);
   const plan::PlanResult result = result_with(41);
   EXPECT_EQ(result.outcome, Outcome::kNone);
-  EXPECT_THAT(result.conflict, Contains("a is in the way where it starts"));
-  EXPECT_THAT(result.conflict, Contains("b is in the way where it starts"));
+  EXPECT_THAT(TextsOf(result.conflict), Contains("a is in the way where it starts"));
+  EXPECT_THAT(TextsOf(result.conflict), Contains("b is in the way where it starts"));
 }
 
 // The conflict of the relaxed problem is never empty. Without any one of its constraints something
@@ -334,9 +336,10 @@ TEST(Impossibility, EveryConstraintOfAConflictIsNeeded) {
     if (!answer.proof) continue;
     ++proofs;
     const RelaxedProblem relaxed(problem, RelaxedProblem::Grasps::kWithMisses);
+    const std::vector<std::string> texts = TextsOf(answer.proof->conflict);
     std::vector<Constraint> conflict;
     for (const Constraint& constraint : relaxed.Constraints()) {
-      if (std::ranges::count(answer.proof->conflict, Describe(relaxed, constraint)) > 0) {
+      if (std::ranges::count(texts, Describe(relaxed, constraint)) > 0) {
         conflict.push_back(constraint);
       }
     }
@@ -386,8 +389,80 @@ TEST(Impossibility, IsNotConfirmedWhereAnActionWasLeftOut) {
 TEST(Impossibility, TellsWhatIsMissedByLeast) {
   const plan::PlanResult result = MakePlan(LoadScenario("impossible"), {});
   ASSERT_EQ(result.outcome, Outcome::kNone);
-  EXPECT_THAT(result.near_misses, Contains(HasSubstr("more than the limit of 10 deg")));
+  EXPECT_THAT(TextsOf(result.near_misses), Contains(HasSubstr("more than the limit of 10 deg")));
   EXPECT_THAT(result.hypotheses, Contains(HasSubstr("placements of workcell puma762-table")));
+}
+
+// The situation of a reason has the numbers of its sentence: the hand leans as much as the sentence
+// says, and the mating vector too. The conflict shows the same situations.
+TEST(Impossibility, ShowsWhereAConstraintFails) {
+  const domain::Problem problem = LoadScenario("impossible");
+  const plan::PlanResult result = MakePlan(problem, {});
+  const auto about = [](const std::vector<plan::Reason>& reasons, const std::string& words) {
+    const auto found = std::ranges::find_if(
+        reasons, [&](const auto& reason) { return reason.text.find(words) != std::string::npos; });
+    return found == reasons.end() ? plan::Situation{} : found->situation.value();
+  };
+  const auto lean = [](const geometry::Vector3& direction) {
+    return std::acos(-direction.normalized().z());
+  };
+  const plan::Situation tool = about(result.near_misses, "the tool would lean");
+  ASSERT_TRUE(tool.hand && tool.excess);
+  EXPECT_EQ(tool.excess->dimension, domain::Dimension::kAngle);
+  EXPECT_NEAR(lean(tool.hand->X_WorldTool.linear().col(2)), tool.excess->value, 1e-9);
+  EXPECT_NEAR(tool.excess->limit, 10 * M_PI / 180, 1e-9);
+  EXPECT_EQ(about(result.conflict, "leans at most 10 deg").excess->value, tool.excess->value);
+  const plan::Situation mating = about(result.near_misses, "the mating vector");
+  ASSERT_EQ(mating.parts.size(), 2u);
+  const domain::Mating& mated = problem.matings.front();
+  EXPECT_EQ(mating.parts[1].part, mated.fixed);
+  const geometry::Pose& X_WorldFixed = mating.parts[1].X_WorldPart;
+  EXPECT_NEAR(lean(X_WorldFixed.linear() * mated.mating_vector), mating.excess->value, 1e-9);
+  EXPECT_TRUE(mating.parts[0].X_WorldPart.isApprox(X_WorldFixed * mated.X_FixedHeld));
+  const plan::Situation start = about(result.conflict, "block starts face-down");
+  ASSERT_EQ(start.parts.size(), 1u);
+  EXPECT_EQ(problem.part(start.parts[0].part).name, "block");
+  EXPECT_FALSE(start.hand);
+}
+
+// The arm stands so far away that it does not reach a corner of the table. If the same tool pose is
+// nearer to the arm by the excess, the arm reaches it.
+TEST(Impossibility, ShowsThePoseThatIsNotReached) {
+  std::ifstream file(TheModels().folder() / "workcells/one-arm/workcell.yaml");
+  std::string text(std::istreambuf_iterator<char>(file), {});
+  const std::string base = "[-0.15, 0, 0.70]";
+  ASSERT_NE(text.find(base), std::string::npos);
+  TheModels().Write("workcells/far-arm/workcell.yaml",
+                    text.replace(text.find(base), base.size(), "[-0.75, 0, 0.70]"));
+  const domain::Problem problem =
+      Read(BoxesOnTable(Box("far", 60, 60, 50, "upright, at: [1000, 580]"),
+                        "  - located: {part: far, stable: [XP1]}\n", "far-arm"));
+  const plan::PlanResult result = MakePlan(problem, {});
+  ASSERT_EQ(result.outcome, Outcome::kNone);
+  const auto miss = std::ranges::find_if(result.near_misses, [](const plan::Reason& reason) {
+    return reason.text.starts_with("the arm does not reach");
+  });
+  ASSERT_NE(miss, result.near_misses.end());
+  const plan::Situation& situation = miss->situation.value();
+  ASSERT_TRUE(situation.excess && situation.hand);
+  const geometry::Pose& X_WorldTool = situation.hand->X_WorldTool;
+  const auto is_reached = [&](double nearer) {
+    const domain::Workcell& workcell = *problem.workcell;
+    const geometry::Vector3 from_axis =
+        X_WorldTool.translation() - workcell.X_WorldBase().translation();
+    const geometry::Vector3 shift =
+        -nearer * geometry::Vector3(from_axis.x(), from_axis.y(), 0).normalized();
+    const auto solutions = workcell.arm().Inverse(
+        workcell.FlangeFor(geometry::Translation(shift) * X_WorldTool), workcell.home());
+    return std::ranges::any_of(solutions, [&](const auto& solution) {
+      return workcell.arm().NearestInRange(solution.q, workcell.home()).has_value();
+    });
+  };
+  const double excess = situation.excess->value - situation.excess->limit;
+  EXPECT_GT(excess, 0);
+  EXPECT_FALSE(is_reached(0));
+  EXPECT_FALSE(is_reached(excess - 0.002));
+  EXPECT_TRUE(is_reached(excess + 1e-6));
 }
 
 // A plate of 120 mm by 20 mm can be held only by two sides that are too far apart, or by faces 20
@@ -399,7 +474,7 @@ TEST(Impossibility, TellsOfFacesThatAreTooNarrowForThePads) {
                                  "  - located: {part: plate, stable: [XP1]}\n", "one-arm", 60)),
                {});
   EXPECT_EQ(result.outcome, Outcome::kNone);
-  EXPECT_THAT(result.near_misses,
+  EXPECT_THAT(TextsOf(result.near_misses),
               Contains(HasSubstr("the faces have 20 mm, and the pads need 22.63 mm")));
 }
 

@@ -128,9 +128,9 @@ PlanResult NoPlan() {
   PlanResult result;
   result.outcome = Outcome::kNone;
   result.plan.problem = FigureFourteen().name;
-  result.conflict = {"peg: every grasp hides feature 7", "a \\ and a \n"};
+  result.conflict = {{.text = "peg: every grasp hides feature 7"}, {.text = "a \\ and a \n"}};
   result.hypotheses = {"grasps: 3 of peg"};
-  result.near_misses = {"the tool would lean 3 deg more"};
+  result.near_misses = {{.text = "the tool would lean 3 deg more"}};
   return result;
 }
 

@@ -243,6 +243,72 @@ TEST(ReadTraceTest, NamesTheLineOfAnError) {
   }
 }
 
+// Three samples with two contacts: the peg rests, and a finger leaves it. The last sample does not
+// know its points.
+Trace WithContactPoints() {
+  Snapshot touching = SomeSnapshot(0);
+  touching.contacts = {{"gripper/finger_left", "part/peg"}, {"part/peg", "world"}};
+  const ContactPoint finger = {0, {0.1, 0.2, 0.3}, {0, 1, 0}, {0.5, 12.3456789, -1}};
+  const ContactPoint table = {1, {0.12345678, 0, -1e-9}, {0, 0, -1}, {0, 0, -2}};
+  return {
+      .problem = "test",
+      .parts = {"peg"},
+      .events = {Sample{touching, {{finger, table, table}}}, Sample{touching, {{finger, table}}},
+                 Sample{SomeSnapshot(1), {{{0, table.position, table.normal, table.force}}}},
+                 Sample{SomeSnapshot(2)}, ExecutionEnd{.snapshot = SomeSnapshot(2)}}};
+}
+
+// A sample has only the pairs whose points have changed. Numbers are rounded.
+TEST(ContactPoints, AreWrittenWhereTheyChange) {
+  const std::vector<Json> lines = Lines(WithContactPoints());
+  const oracle::JsonSchema schema(TraceSchemaFile());
+  for (const Json& line : lines) EXPECT_THAT(schema.Errors(line), IsEmpty());
+  const Json finger = Json::parse("[0.1, 0.2, 0.3, 0, 1, 0, 0.5, 12.346, -1]");
+  const Json table = Json::parse("[0.123457, 0, 0, 0, 0, -1, 0, 0, -2]");
+  EXPECT_EQ(lines[1]["contact_points"],
+            Json({{{"bodies", {"gripper/finger_left", "part/peg"}}, {"points", {finger}}},
+                  {{"bodies", {"part/peg", "world"}}, {"points", {table, table}}}}));
+  EXPECT_EQ(lines[2]["contact_points"],
+            Json({{{"bodies", {"part/peg", "world"}}, {"points", {table}}}}));
+  EXPECT_EQ(lines[3]["contact_points"], Json::array());
+  EXPECT_FALSE(lines[4].contains("contact_points"));
+}
+
+TEST(ContactPoints, AreReadAtEachSample) {
+  const Trace written = WithContactPoints();
+  const Trace trace = ReadTrace(TextOf(written), "t");
+  EXPECT_EQ(TextOf(trace), TextOf(written));
+  const auto read = trace.All<Sample>();
+  const auto expected = written.All<Sample>();
+  ASSERT_EQ(read.size(), 4u);
+  EXPECT_FALSE(read[3]->contact_points);
+  for (std::size_t i = 0; i < 3; ++i) {
+    ASSERT_EQ(read[i]->contact_points->size(), expected[i]->contact_points->size()) << i;
+    for (std::size_t k = 0; k < read[i]->contact_points->size(); ++k) {
+      const ContactPoint& point = (*read[i]->contact_points)[k];
+      const ContactPoint& known = (*expected[i]->contact_points)[k];
+      EXPECT_EQ(point.pair, known.pair);
+      EXPECT_LT((point.position - known.position).norm(), 1e-6);
+      EXPECT_LT((point.force - known.force).norm(), 1e-3);
+      EXPECT_EQ(point.normal, known.normal);
+    }
+  }
+}
+
+TEST(ContactPoints, OfATraceAreChecked) {
+  const std::string text = TextOf(WithContactPoints());
+  const auto expect_refused = [&](const std::string& from, const std::string& to) {
+    std::string wrong = text;
+    wrong.replace(wrong.find(from), from.size(), to);
+    EXPECT_THROW(ReadTrace(wrong, "t"), InputError) << to;
+  };
+  expect_refused(R"({"bodies":["gripper/finger_left","part/peg"])",
+                 R"({"bodies":["gripper/finger_left","part/pin"])");
+  expect_refused(R"({"bodies":["gripper/finger_left","part/peg"])", R"({"bodies":"part/peg")");
+  expect_refused("12.346,-1.0]", "12.346]");
+  expect_refused("12.346", "\"x\"");
+}
+
 // A rotation has two quaternions, and the trace has the one with w >= 0. The example is 3.5 rad
 // about x, which is -2.78 rad.
 TEST(TraceTest, QuaternionsAreUnique) {

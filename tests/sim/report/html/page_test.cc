@@ -12,6 +12,7 @@
 namespace assay::report::page_test {
 namespace {
 
+using ::testing::Contains;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
@@ -152,6 +153,36 @@ TEST(Page, TellsOnlySomeCellsInFull) {
   EXPECT_THAT(sets, HasSubstr("Cell 2"));  // the cell with a violation
   EXPECT_THAT(sets, Not(HasSubstr("Cell 1")));
   EXPECT_THAT(sets, HasSubstr("in error_sets.csv: 1 cell."));
+}
+
+// Each failed trial has the command that makes its page, or a link if pages are made.
+TEST(Page, LeadsToFailedTrials) {
+  const Findings findings = Sample(false);
+  ASSERT_FALSE(findings.failures.empty());
+  const std::string name = ViewedTrial{findings.failures.front().trial}.FileName();
+  EXPECT_THAT(Page(findings, {}), HasSubstr("-o " + name));
+  std::vector<std::string> made;
+  const auto make = [&](const ViewedTrial& viewed) {
+    made.push_back(viewed.FileName());
+    return "views/" + viewed.FileName();
+  };
+  const std::string page = Page(findings, {.view = make});
+  EXPECT_EQ(made.size(), findings.failures.size());
+  EXPECT_THAT(page, HasSubstr("href=\"views/" + name + "\""));
+  EXPECT_THAT(page, Not(HasSubstr("assay view")));
+}
+
+TEST(Page, LeadsToCounterexamples) {
+  std::vector<std::string> made;
+  const auto make = [&](const ViewedTrial& viewed) {
+    if (viewed.counterexample) made.push_back(viewed.FileName());
+    return viewed.FileName();
+  };
+  Findings findings = Sample(true);
+  for (CellFindings& cell : findings.cells) cell.falsification_trial = 7;
+  const std::string page = Page(findings, {.view = make});
+  EXPECT_THAT(made, Contains("counterexample-7-1.html"));
+  for (const std::string& name : made) EXPECT_THAT(page, HasSubstr("href=\"" + name + "\""));
 }
 
 TEST(Page, IsTheSameForTheSameDatabase) {

@@ -1,4 +1,4 @@
-#include "sim/view/series.h"
+#include "sim/view/recording/series.h"
 
 #include <cstddef>
 

@@ -1,9 +1,9 @@
-#include "sim/view/recording.h"
+#include "sim/view/recording/recording.h"
 
 #include <cmath>
 #include <cstdint>
 
-#include "sim/view/series.h"
+#include "sim/view/recording/series.h"
 
 namespace assay::view {
 namespace {
@@ -57,6 +57,7 @@ std::vector<Pose> TruePoses(const execution::Snapshot& snapshot) {
 Recording Record(const scene::Scene& scene, const std::vector<Body>& bodies,
                  const execution::Trace& trace) {
   Table table;
+  ContactCollector contacts(bodies);
   Recording recording;
   mujoco::Data data = scene.Start();
   for (const execution::Sample* sample : trace.All<execution::Sample>()) {
@@ -70,8 +71,10 @@ Recording Record(const scene::Scene& scene, const std::vector<Body>& bodies,
     for (const execution::TrueAndBelieved& part : snapshot.parts) table.Add(part.believed);
     table.Add(snapshot.wrist.force, kForceQuantum);
     table.Add(snapshot.wrist.torque, kForceQuantum);
+    contacts.Add(*sample, data);
     ++recording.samples;
   }
+  recording.contacts = contacts.Take();
   recording.bytes = table.Encoded();
   return recording;
 }

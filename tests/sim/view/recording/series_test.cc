@@ -1,4 +1,4 @@
-#include "sim/view/series.h"
+#include "sim/view/recording/series.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <random>
 #include <vector>
 
-#include "tests/sim/view/series_decoder.h"
+#include "tests/sim/view/recording/series_decoder.h"
 
 namespace assay::view::series_test {
 namespace {

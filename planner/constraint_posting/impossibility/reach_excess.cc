@@ -1,0 +1,37 @@
+#include "planner/constraint_posting/impossibility/reach_excess.h"
+
+#include <algorithm>
+
+namespace assay::constraint_posting {
+namespace {
+
+constexpr double kStep =
+    0.02;  // metres; poses between two steps are tried if the second is reached
+constexpr double kFine = 0.001;  // metres
+
+bool IsReached(const domain::Workcell& workcell, const geometry::Pose& X_WorldTool) {
+  const auto solutions = workcell.arm().Inverse(workcell.FlangeFor(X_WorldTool), workcell.home());
+  return std::ranges::any_of(solutions, [&](const auto& solution) {
+    return workcell.arm().NearestInRange(solution.q, workcell.home()).has_value();
+  });
+}
+
+}  // namespace
+
+std::optional<plan::Excess> ReachExcess(const domain::Workcell& workcell,
+                                        const geometry::Pose& X_WorldTool) {
+  geometry::Vector3 from_axis = X_WorldTool.translation() - workcell.X_WorldBase().translation();
+  from_axis.z() = 0;
+  const double distance = from_axis.norm();
+  const auto is_reached = [&](double nearer) {
+    const geometry::Vector3 shift = -nearer * from_axis / distance;
+    return IsReached(workcell, geometry::Translation(shift) * X_WorldTool);
+  };
+  double nearer = 0;
+  while (nearer < distance && !is_reached(nearer)) nearer += kStep;
+  if (nearer == 0 || nearer >= distance) return std::nullopt;
+  while (is_reached(nearer - kFine)) nearer -= kFine;
+  return plan::Excess{domain::Dimension::kLength, distance, distance - nearer};
+}
+
+}  // namespace assay::constraint_posting
