@@ -6,6 +6,7 @@
 #include <cmath>
 #include <set>
 
+#include "planner/base/stop.h"
 #include "planner/domain/parts/part_model.h"
 #include "planner/motion/paths/carrying.h"
 #include "sim/execution/control/straight_line.h"
@@ -225,6 +226,7 @@ Progress Execution::StepTo(const JointState& next) {
 }
 
 Progress Execution::Advance(const JointState& next) {
+  StopIfRequested();
   data_.Step();
   commanded_ = next;
   ++steps_;
