@@ -34,7 +34,6 @@ def report(what, call, inside):
 scenario = assay.Scenario("scenarios/spar-fig13.yaml")
 settings = _assay.PlanSettings()
 settings.scenario = str(scenario.path)
-settings.partial_plans = _assay.PARTIAL_PLANS
 report("plan for figure 13", scenario.plan, lambda: _assay.Plan.make(settings))
 
 low = np.linspace(-1, 0, 1000)

@@ -3,33 +3,36 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 
 #include "planner/base/check.h"
 
 namespace assay::film {
 namespace {
 
-std::string EndText(const execution::ExecutionEnd& end) {
-  if (end.outcome == execution::TrialOutcome::kSucceeded) return "done";
-  return fmt::format("{}: {}", execution::NameOfEnd(end.outcome), end.reason);
+// Returns the steps of the plan in the order of execution.
+std::vector<Walked> StepsOf(const Subject& subject) {
+  const auto ends = subject.trace.All<execution::StepEnd>();
+  std::vector<Walked> steps;
+  for (const plan::StepId id : subject.plan.ExecutionOrder()) {
+    const std::size_t i = steps.size();
+    steps.push_back({plan::ShortText(subject.problem, subject.plan.step(id).action),
+                     i < ends.size() ? std::optional(ends[i]->snapshot.time) : std::nullopt});
+  }
+  return steps;
 }
 
 }  // namespace
 
 std::vector<Caption> CaptionsOf(const Subject& subject) {
-  const std::vector<plan::StepId> order = subject.plan.ExecutionOrder();
-  const auto ends = subject.trace.All<execution::StepEnd>();
   std::vector<Caption> captions;
-  double from = 0;
-  for (std::size_t i = 0; i < order.size() && i <= ends.size(); ++i) {
-    captions.push_back(
-        {from, fmt::format("{} {}", i + 1,
-                           plan::ShortText(subject.problem, subject.plan.step(order[i]).action))});
-    if (i < ends.size()) from = ends[i]->snapshot.time;
+  std::optional<double> from = 0;
+  for (const Walked& step : subject.walked ? *subject.walked : StepsOf(subject)) {
+    if (!from) break;
+    captions.push_back({*from, fmt::format("{} {}", captions.size() + 1, step.action)});
+    from = step.end;
   }
-  const execution::ExecutionEnd& end = subject.trace.end();
-  const bool all_ended = ends.size() >= order.size();
-  captions.push_back({all_ended ? from : end.snapshot.time, EndText(end)});
+  captions.push_back({from.value_or(subject.trace.end().snapshot.time), subject.end});
   return captions;
 }
 

@@ -13,7 +13,7 @@
 #include "planner/algebra/bounds/sensitivity.h"
 #include "planner/algebra/expression/text.h"
 #include "planner/algebra/sup_inf/sup_inf.h"
-#include "sim/python/engines.h"
+#include "sim/python/module.h"
 #include "sim/python/unlocked.h"
 
 namespace assay::python {

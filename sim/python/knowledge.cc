@@ -8,7 +8,7 @@
 #include "planner/contingent/tree_check/tree_check.h"
 #include "sim/cli/tree_output/contingent_report.h"
 #include "sim/cli/tree_output/dot.h"
-#include "sim/python/engines.h"
+#include "sim/python/module.h"
 #include "sim/python/refused.h"
 #include "sim/python/unlocked.h"
 

@@ -12,7 +12,7 @@
 #include "planner/network/labeling/count.h"
 #include "planner/network/labeling/search.h"
 #include "sim/cli/command_line/exit_code.h"
-#include "sim/python/engines.h"
+#include "sim/python/module.h"
 #include "sim/python/unlocked.h"
 
 namespace assay::python {
@@ -76,7 +76,9 @@ void AddLabels(py::module_& module) {
            py::arg("text"), py::arg("name"))
       .def(py::init(&NetworkOf), py::arg("counts"), py::arg("arcs"))
       .def("label", Labeled, py::arg("request"), py::arg("budget"));
-  module.def("load_network", [](const std::string& file) { return network::LoadNetwork(file); });
+  module.def(
+      "load_network", [](const std::string& file) { return network::LoadNetwork(file); },
+      py::arg("file"));
   module.attr("MOST_LABELS") = network::kMaxLabels;
 }
 

@@ -16,7 +16,6 @@
 #include "sim/cli/plan_output/explanation.h"
 #include "sim/cli/plan_output/plan_report.h"
 #include "sim/cli/plan_output/plan_text.h"
-#include "sim/execution/interpretation/knowledge_scenario.h"
 #include "sim/python/refused.h"
 
 namespace assay::python {
@@ -24,12 +23,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 namespace fs = std::filesystem;
-
-domain::ModelPath ModelPathOf(const std::vector<fs::path>& folders) {
-  domain::ModelPath models;
-  for (const fs::path& folder : folders) models.Append(folder);
-  return models;
-}
 
 void RequireNames(const char* what, const std::vector<std::string>& names,
                   const std::vector<std::string>& allowed) {
@@ -54,22 +47,8 @@ scenario::Overrides OverridesFrom(const PlanSettings& settings) {
   return overrides;
 }
 
-void RequireSettings(const PlanSettings& settings) {
-  RequireNames("propagation", {settings.propagation}, {"sound", "paper"});
-  if (settings.partial_plans >= 1) return;
-  throw cli::UsageError(
-      fmt::format("the budget is {}; allowed: 1 or more", settings.partial_plans));
-}
-
-Document LoadScenario(const PlanSettings& settings) {
-  Document document = Document::Load(settings.scenario);
-  document.RequireFormat("assay-scenario/1");
-  return document;
-}
-
 std::optional<sweep::RunCommand> CommandOf(const PlanSettings& settings) {
-  const bool usual = settings.partial_plans == constraint_posting::PlannerOptions().partial_plans;
-  if (settings.clearance || !usual) return std::nullopt;
+  if (settings.clearance || settings.budget) return std::nullopt;
   return sweep::RunCommand{.input = settings.scenario,
                            .propagation = settings.propagation,
                            .resolvers = settings.resolvers.value_or(std::vector<std::string>{}),
@@ -94,21 +73,43 @@ Json ProofToJson(const verify::Proof& proof) {
 
 }  // namespace
 
+domain::ModelPath ModelPathOf(const std::vector<fs::path>& folders) {
+  domain::ModelPath models;
+  for (const fs::path& folder : folders) models.Append(folder);
+  return models;
+}
+
+void RequireSettings(const PlanSettings& settings) {
+  RequireNames("propagation", {settings.propagation}, {"sound", "paper"});
+  if (settings.budget.value_or(1) >= 1) return;
+  throw cli::UsageError(fmt::format("the budget is {}; allowed: 1 or more", *settings.budget));
+}
+
+Document LoadScenario(const PlanSettings& settings) {
+  Document document = Document::Load(settings.scenario);
+  document.RequireFormat("assay-scenario/1");
+  return document;
+}
+
+execution::WorldPlanning WorldPlanningFrom(const PlanSettings& settings) {
+  execution::WorldPlanning planning{.overrides = OverridesFrom(settings)};
+  if (settings.budget) planning.planner.partial_plans = *settings.budget;
+  if (settings.propagation == "paper") {
+    planning.uncertainty.propagation = uncertainty::Propagation::kPaper;
+  }
+  return planning;
+}
+
 PlanHandle::PlanHandle(cli::PlannedProblem planned, std::optional<sweep::RunCommand> command)
     : planned_(std::move(planned)), command_(std::move(command)) {}
 
 std::shared_ptr<const PlanHandle> PlanHandle::Make(const PlanSettings& settings) {
   RequireSettings(settings);
   const Document document = LoadScenario(settings);
-  if (execution::NeedsATree(document)) {
-    throw cli::UsageError(fmt::format("the plan for {} is a tree; allowed: plans without branches",
-                                      Quote(settings.scenario.string())));
-  }
-  constraint_posting::UncertaintyOptions uncertainty;
-  if (settings.propagation == "paper") uncertainty.propagation = uncertainty::Propagation::kPaper;
+  const execution::WorldPlanning planning = WorldPlanningFrom(settings);
   cli::PlannedProblem planned = cli::MakePlan(
-      document, scenario::Read(document, ModelPathOf(settings.models), OverridesFrom(settings)),
-      {.partial_plans = settings.partial_plans}, uncertainty);
+      document, scenario::Read(document, ModelPathOf(settings.models), planning.overrides),
+      planning.planner, planning.uncertainty);
   if (planned.result.outcome != Outcome::kFound) {
     throw Refused{cli::ExitCodeOf(planned.result.outcome),
                   cli::Text(planned.problem, planned.result),
@@ -124,6 +125,10 @@ std::shared_ptr<const PlanHandle> PlanHandle::Read(const fs::path& plan_file,
   cli::PlannedProblem planned = cli::ReadPlan(Document::Load(plan_file), path);
   return std::shared_ptr<const PlanHandle>(
       new PlanHandle(std::move(planned), sweep::RunCommand{.input = plan_file, .models = path}));
+}
+
+std::shared_ptr<const PlanHandle> PlanHandle::OfWorld(cli::PlannedProblem planned) {
+  return std::shared_ptr<const PlanHandle>(new PlanHandle(std::move(planned), std::nullopt));
 }
 
 Json PlanHandle::ToJson() const {

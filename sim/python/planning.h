@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "sim/cli/tasks/planned_problem.h"
+#include "sim/execution/interpretation/knowledge_scenario.h"
 #include "sim/sweep/shell_commands/run_command.h"
 
 namespace assay::python {
@@ -22,18 +23,29 @@ struct PlanSettings {
   double error_scale = 1;                                  // factor on the errors of parts and hand
   std::optional<std::vector<std::string>> resolvers = {};  // none or empty: the scenario's
   std::string propagation = "sound";
-  std::int64_t partial_plans = 0;  // budget of the first phase
+  // Partial plans of the first phase, or knowledge states if the goal is about knowledge; none: the
+  // usual number.
+  std::optional<std::int64_t> budget = {};
 };
+
+// Throws UsageError if a setting has no meaning.
+void RequireSettings(const PlanSettings& settings);
+// Reads the scenario file, and what the settings change in it.
+Document LoadScenario(const PlanSettings& settings);
+domain::ModelPath ModelPathOf(const std::vector<std::filesystem::path>& folders);
+execution::WorldPlanning WorldPlanningFrom(const PlanSettings& settings);
 
 // A plan with the problem that it is for.
 class PlanHandle {
  public:
-  // Plans for a scenario. Throws Refused if there is no plan, and InputError and UsageError as the
-  // program does.
+  // Plans for a scenario whose plan is no tree. Throws Refused if there is no plan, and InputError
+  // and UsageError as the program does.
   static std::shared_ptr<const PlanHandle> Make(const PlanSettings& settings);
   // Reads a plan file.
   static std::shared_ptr<const PlanHandle> Read(const std::filesystem::path& plan_file,
                                                 const std::vector<std::filesystem::path>& models);
+  // The plan for one world of a plan tree, which no command makes by itself.
+  static std::shared_ptr<const PlanHandle> OfWorld(cli::PlannedProblem planned);
 
   const cli::PlannedProblem& planned() const { return planned_; }
   const plan::Plan& plan() const { return planned_.result.plan; }
@@ -60,8 +72,8 @@ class PlanHandle {
   mutable std::optional<plan::CheckReport> report_;
 };
 
-// Returns what a scenario file says: names of parts, sensors, resolvers, clearance, and
-// whether its plan is a tree.
+// Returns what a scenario file says: names of parts, sensors, resolvers, clearance, and whether its
+// plan is a tree.
 nlohmann::ordered_json Described(const PlanSettings& settings);
 
 }  // namespace assay::python

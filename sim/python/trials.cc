@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
-#include <sstream>
 #include <utility>
 
 #include "planner/base/input_files/quotation.h"
@@ -13,13 +12,13 @@
 #include "sim/check/noise_floor/noiseless.h"
 #include "sim/cli/command_line/usage_error.h"
 #include "sim/cli/plan_output/plan_text.h"
+#include "sim/cli/shown_executions/trial_execution.h"
 #include "sim/cli/tasks/noise_floor_cache.h"
 #include "sim/execution/trial/scheduler.h"
 #include "sim/noise/possible_start.h"
 #include "sim/noise/sampling.h"
 #include "sim/python/refused.h"
 #include "sim/sweep/database/recording.h"
-#include "sim/view/page.h"
 
 namespace assay::python {
 namespace {
@@ -33,16 +32,24 @@ int IndexAmong(const char* what, const std::string& name, const std::vector<std:
       fmt::format("there is no {} {}; allowed: {}", what, Quote(name), fmt::join(names, ", ")));
 }
 
-void RequireTrialSettings(const TrialSettings& settings) {
+// Wrong settings are refused before the work that takes time.
+void RequireTrialSettings(const TrialSettings& settings, const std::vector<noise::Channel>& box) {
   if (settings.noise) IndexAmong("noise", *settings.noise, noise::ModeNames());
   IndexAmong("sensing", settings.sensing, {"drawn", "camera"});
   if (settings.noise && settings.errors) {
     throw cli::UsageError("noise and errors exclude each other");
   }
+  if (settings.errors) noise::ParseNoise(*settings.errors, box);
+}
+
+// Returns the plan's error box, for which the settings must be right.
+std::vector<noise::Channel> BoxOf(const PlanHandle& plan, const TrialSettings& settings) {
+  std::vector<noise::Channel> box = noise::ErrorBox(plan.planned().problem, plan.plan());
+  RequireTrialSettings(settings, box);
+  return box;
 }
 
 scene::SceneOptions SceneOptionsOf(const PlanHandle& plan, const TrialSettings& settings) {
-  RequireTrialSettings(settings);
   scene::SceneOptions options = plan.planned().simulation.scene;
   if (settings.grasp) {
     options.grasp =
@@ -59,8 +66,7 @@ check::Experiment ExperimentOf(const PlanHandle& plan, const scene::SceneOptions
   }
   check::Experiment experiment{plan.planned().problem, plan.plan(), scene};
   if (has_noise) {
-    experiment.gate = cli::KeptNoiseFloor(experiment.problem, experiment.plan, scene,
-                                          plan.command() ? plan.command()->OfPlan().Text() : "");
+    experiment.gate = cli::KeptNoiseFloor(experiment.problem, experiment.plan, scene);
   }
   return experiment;
 }
@@ -69,37 +75,12 @@ bool StopIsRequested() { return stop_requested; }
 
 }  // namespace
 
-TracedTrial::TracedTrial(std::shared_ptr<const PlanHandle> plan, scene::SceneOptions scene,
-                         check::Trial trial, std::string source)
-    : plan_(std::move(plan)),
-      scene_(std::move(scene)),
-      trial_(std::move(trial)),
-      source_(std::move(source)) {}
-
-std::string TracedTrial::Lines() const {
-  std::ostringstream text;
-  execution::WriteTrace(trial_.trace, text);
-  return text.str();
-}
-
-std::string TracedTrial::Page() const {
-  const cli::PlannedProblem& planned = plan_->planned();
-  const scene::Scene scene(planned.problem, scene_);
-  return view::Page({.problem = planned.problem,
-                     .plan = plan_->plan(),
-                     .scene = scene,
-                     .trace = trial_.trace,
-                     .claims = trial_.claims,
-                     .source = source_,
-                     .plan_file = planned.file()});
-}
-
 Trials::Trials(std::shared_ptr<const PlanHandle> plan, const TrialSettings& settings,
                bool is_falsification)
     : plan_(std::move(plan)),
       settings_(settings),
       seed_(settings.seed.value_or(plan_->planned().simulation.seed)),
-      box_(noise::ErrorBox(plan_->planned().problem, plan_->plan())),
+      box_(BoxOf(*plan_, settings)),
       scene_options_(SceneOptionsOf(*plan_, settings)),
       experiment_(ExperimentOf(*plan_, scene_options_, is_falsification || HasNoise())),
       scene_(HasNoise() || is_falsification
@@ -118,7 +99,6 @@ std::string Trials::WrongWithoutNoise() const {
 
 check::Trial Trials::One(int number, bool with_samples) const {
   execution::ExecutorOptions options;
-  options.on_timestep = [](const mujoco::Data&) { StopIfRequested(); };
   if (!with_samples) options.sample_rate = 0;
   check::Trial trial =
       scene_ ? check::RunTrial(experiment_.problem, experiment_.plan, *scene_, options)
@@ -148,21 +128,22 @@ std::vector<sweep::TimedTrial> Trials::Run(int count, int jobs) const {
         return timed;
       },
       [&](std::size_t, sweep::TimedTrial timed) { trials.push_back(std::move(timed)); });
-  StopIfRequested();
   return trials;
 }
 
 std::shared_ptr<const TracedTrial> Trials::Traced(int number) const {
+  const std::string& file = plan_->planned().file();
+  check::Trial trial = One(number, true);
   return std::make_shared<const TracedTrial>(
-      plan_, scene_options_, One(number, true),
-      HasNoise() ? fmt::format("trial {} of {}", number, plan_->planned().file())
-                 : fmt::format("{}, executed without noise", plan_->planned().file()));
+      HasNoise() ? cli::TrialExecution(experiment_, std::move(trial),
+                                       fmt::format("trial {} of {}", number, file), file)
+                 : cli::NoiselessExecution(experiment_, std::move(trial),
+                                           fmt::format("{}, executed without noise", file), file));
 }
 
 MadeFalsification Trials::Falsify(std::int64_t attempts, int jobs) const {
   const check::FalsificationResult result = check::Falsify(
       experiment_, {.attempts = attempts, .seed = seed_, .jobs = jobs, .stop = StopIsRequested});
-  StopIfRequested();
   return {
       .record =
           sweep::Recorded(plan_->plan(), sweep::MadeFalsification{.result = result,

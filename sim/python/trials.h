@@ -10,6 +10,7 @@
 #include "sim/check/falsification/falsification.h"
 #include "sim/check/trial_verdicts/trial.h"
 #include "sim/python/planning.h"
+#include "sim/python/traced_trial.h"
 #include "sim/sweep/database/store.h"
 
 namespace assay::python {
@@ -21,23 +22,6 @@ struct TrialSettings {
   std::string sensing = "drawn";           // or "camera"
   std::optional<std::string> grasp = {};   // "friction" or "weld"; none: the scenario's
   std::optional<std::uint64_t> seed = {};  // none: the scenario's
-};
-
-// One executed trial with its trace.
-class TracedTrial {
- public:
-  TracedTrial(std::shared_ptr<const PlanHandle> plan, scene::SceneOptions scene, check::Trial trial,
-              std::string source);
-
-  const check::Trial& trial() const { return trial_; }
-  std::string Lines() const;  // trace.jsonl
-  std::string Page() const;   // the page of `assay view`
-
- private:
-  const std::shared_ptr<const PlanHandle> plan_;
-  const scene::SceneOptions scene_;
-  const check::Trial trial_;
-  const std::string source_;
 };
 
 // The result of a falsification.
@@ -59,11 +43,12 @@ class Trials {
   // Returns what is wrong with the plan without noise. If this is not empty, trials under noise
   // prove nothing.
   std::string WrongWithoutNoise() const;
-  // Executes the trials 1 to `count`. The result does not depend on the number of jobs.
+  // Executes the trials 1 to `count`, as far as a stop lets it. The result does not depend on the
+  // number of jobs.
   std::vector<sweep::TimedTrial> Run(int count, int jobs) const;
   // Executes one trial and keeps its trace. The numbers of trials count from 1.
   std::shared_ptr<const TracedTrial> Traced(int number) const;
-  // Tries to falsify the plan.
+  // Tries to falsify the plan, as far as a stop lets it.
   MadeFalsification Falsify(std::int64_t attempts, int jobs) const;
 
  private:

@@ -37,9 +37,14 @@ StopOnInterrupt::~StopOnInterrupt() {
   stop_requested = false;
 }
 
-void RaiseIfInterrupted(bool is_stopped) {
-  if (PyErr_CheckSignals() != 0) throw pybind11::error_already_set();
-  if (!is_stopped) return;
+bool TakeInterrupt() {
+  if (PyErr_CheckSignals() == 0) return false;
+  if (PyErr_ExceptionMatches(PyExc_KeyboardInterrupt) == 0) throw pybind11::error_already_set();
+  PyErr_Clear();
+  return true;
+}
+
+void RaiseKeyboardInterrupt() {
   PyErr_SetNone(PyExc_KeyboardInterrupt);
   throw pybind11::error_already_set();
 }

@@ -18,24 +18,45 @@ class StopOnInterrupt {
   StopOnInterrupt& operator=(const StopOnInterrupt&) = delete;
 };
 
-// Raises KeyboardInterrupt in Python if Ctrl-C was pressed, or if the work was stopped.
-void RaiseIfInterrupted(bool is_stopped);
+// Returns whether Ctrl-C was pressed and makes Python forget it. Throws what another handler of the
+// signal raises.
+bool TakeInterrupt();
+[[noreturn]] void RaiseKeyboardInterrupt();
 
-// Returns the result of the work, during which other threads of Python run. Ctrl-C ends the work
-// and raises KeyboardInterrupt.
+// The result of work during which Ctrl-C may have been pressed. It then has what was there until
+// then.
+template <class Result>
+struct Interruptible {
+  std::optional<Result> result = {};
+  bool is_interrupted = false;
+};
+
+// Returns the result of the work, during which other threads of Python run. Ctrl-C requests a stop.
+// If the work throws Stopped, because nothing is there yet, KeyboardInterrupt is raised.
 template <class Work>
-auto Unlocked(const Work& work) {
-  std::optional<decltype(work())> result;
+auto UnlockedUntilStopped(const Work& work) {
+  Interruptible<decltype(work())> made;
   {
     const pybind11::gil_scoped_release release;
     const StopOnInterrupt stop;
     try {
-      result.emplace(work());
+      made.result.emplace(work());
     } catch (const Stopped&) {
     }
+    made.is_interrupted = stop_requested;
   }
-  RaiseIfInterrupted(!result);
-  return std::move(*result);
+  if (TakeInterrupt()) made.is_interrupted = true;
+  if (!made.result) RaiseKeyboardInterrupt();
+  return made;
+}
+
+// Does the same for work whose result is of no use if a stop was requested: KeyboardInterrupt is
+// raised then.
+template <class Work>
+auto Unlocked(const Work& work) {
+  auto made = UnlockedUntilStopped(work);
+  if (made.is_interrupted) RaiseKeyboardInterrupt();
+  return std::move(*made.result);
 }
 
 }  // namespace assay::python

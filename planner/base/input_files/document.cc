@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "planner/base/check.h"
+#include "planner/base/digest.h"
 #include "planner/base/input_files/decimal_text.h"
 #include "planner/base/input_files/document_tree.h"
 #include "planner/base/input_files/input_file.h"
@@ -198,7 +199,7 @@ Document Document::Parse(const std::string& text, const std::string& file_name) 
     throw InputError({.file = file_name, .line = 1, .column = 1}, "the document is empty",
                      "a map, a list or a text");
   }
-  return Document(Value({tree, root}));
+  return Document(Value({tree, root}), Digest().Add(text).Hex());
 }
 
 void Document::RequireFormat(std::string_view format) const {

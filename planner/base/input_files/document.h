@@ -62,13 +62,15 @@ class Document {
 
   const Value& root() const { return root_; }
   std::string file() const { return root_.Place().file; }  // the name as it was given
+  const std::string& digest() const { return digest_; }    // a hash of the whole text
 
   // Throws InputError unless the root is a map whose key `format` has exactly this text.
   void RequireFormat(std::string_view format) const;
 
  private:
-  explicit Document(Value root) : root_(std::move(root)) {}
+  Document(Value root, std::string digest) : root_(std::move(root)), digest_(std::move(digest)) {}
   Value root_;
+  std::string digest_;
 };
 
 }  // namespace assay

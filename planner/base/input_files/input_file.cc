@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <fstream>
-#include <map>
 #include <mutex>
 #include <set>
 #include <system_error>
@@ -29,13 +28,14 @@ struct ReadFiles {
   std::mutex mutex;
   std::set<FileId> ids;
   std::set<fs::path> paths;  // canonical; needed if another program has replaced a file since
-  std::map<fs::path, std::string> digests;  // of files read by ReadInput, by canonical path
 };
 
 ReadFiles& Files() {
   static ReadFiles files;
   return files;
 }
+
+thread_local FilesRead* collecting = nullptr;  // the innermost one of this thread
 
 // Terminals, pipes and devices are excluded, because overwriting them loses no input.
 bool IsRegular(const fs::path& file, struct stat& status) {
@@ -92,9 +92,7 @@ std::string ReadInput(const fs::path& file, std::string_view allowed, std::size_
     throw InputError(place, "the file is too large", fmt::format("{} bytes", most));
   }
   RememberInput(file);
-  ReadFiles& files = Files();
-  const std::lock_guard lock(files.mutex);
-  files.digests[Canonical(file)] = Digest().Add(text).Hex();
+  if (collecting != nullptr) collecting->Add(Canonical(file), Digest().Add(text).Hex());
   return text;
 }
 
@@ -116,15 +114,22 @@ bool IsInput(const fs::path& file) {
          files.paths.contains(Canonical(file));
 }
 
-std::string DigestOfInputs() {
-  ReadFiles& files = Files();
-  const std::lock_guard lock(files.mutex);
+FilesRead::FilesRead() : outer_(std::exchange(collecting, this)) {}
+
+FilesRead::~FilesRead() { collecting = outer_; }
+
+void FilesRead::Add(const fs::path& file, const std::string& digest) {
+  digests_[file] = digest;
+  if (outer_ != nullptr) outer_->Add(file, digest);
+}
+
+std::string FilesRead::Digest() const {
   std::vector<std::pair<std::string, std::string>> contents;  // by name
-  for (const auto& [path, digest] : files.digests) {
+  for (const auto& [path, digest] : digests_) {
     contents.emplace_back(path.filename().string(), digest);
   }
   std::ranges::sort(contents);
-  Digest all;
+  assay::Digest all;
   for (const auto& [name, digest] : contents) all.Add(name).Add(digest);
   return all.Hex();
 }

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <map>
 #include <string>
 #include <string_view>
 
@@ -24,9 +25,26 @@ void RememberInput(const std::filesystem::path& file);
 // Returns true if the file is one of those that were read, by any path or link.
 bool IsInput(const std::filesystem::path& file);
 
-// Returns a hash of all files that ReadInput has read so far. It depends only on their contents and
-// names, not on their folders or on the order of reading. A copy of a project has the same hash.
-std::string DigestOfInputs();
+// Collects the files that ReadInput reads in this thread while the object lives. Objects may be
+// nested.
+class FilesRead {
+ public:
+  FilesRead();
+  ~FilesRead();
+  FilesRead(const FilesRead&) = delete;
+  FilesRead& operator=(const FilesRead&) = delete;
+
+  // Returns a hash of these files. It depends only on their contents and names, not on their
+  // folders or on the order of reading. A copy of a project has the same hash.
+  std::string Digest() const;
+
+ private:
+  friend std::string ReadInput(const std::filesystem::path&, std::string_view, std::size_t);
+  void Add(const std::filesystem::path& file, const std::string& digest);
+
+  std::map<std::filesystem::path, std::string> digests_;  // by canonical path
+  FilesRead* outer_;
+};
 
 // Throws InputError, with line and column, unless the whole text is UTF-8 without control
 // characters other than tabs and line breaks.

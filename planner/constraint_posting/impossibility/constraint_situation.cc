@@ -4,6 +4,7 @@
 
 #include "planner/base/check.h"
 #include "planner/domain/actions/condition.h"
+#include "planner/domain/matings/mating_classes.h"
 
 namespace assay::constraint_posting {
 

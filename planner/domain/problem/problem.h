@@ -78,6 +78,9 @@ struct Problem {
   double clearance = 0;        // metres on each side of a mated shaft
   Tolerances tolerances = {};  // tolerances of the clearance and of frictions
   MatingErrors mating_errors = {};
+  // A hash of the files that the problem was read from, and of the overrides. Problems that are
+  // changed after reading keep it. Empty: the problem was not read from files.
+  std::string origin = {};
 
   const Part& part(PartId id) const { return parts[id.index()]; }
   const Mating& mating(MatingId id) const { return matings[id.index()]; }

@@ -9,6 +9,8 @@
 #include <utility>
 
 #include "planner/base/check.h"
+#include "planner/base/digest.h"
+#include "planner/base/input_files/input_file.h"
 #include "planner/base/input_files/quotation.h"
 #include "planner/domain/matings/mating_errors_file.h"
 #include "planner/domain/parts/occlusion.h"
@@ -226,6 +228,20 @@ void ProblemFile::ReadResolvers(const Value& root) {
   std::ranges::sort(problem_.resolvers);
 }
 
+// Different overrides have different texts.
+std::string OverridesText(const Overrides& overrides) {
+  std::string text = fmt::format("error scale {}", overrides.error_scale);
+  if (overrides.clearance) text += fmt::format(", clearance {}", *overrides.clearance);
+  if (overrides.resolvers) {
+    text += ", resolvers";
+    for (const ResolverKind kind : *overrides.resolvers) {
+      text += " " + ResolverNames()[static_cast<std::size_t>(kind)];
+    }
+  }
+  for (const auto& [part, pose] : overrides.poses) text += fmt::format(", pose {} {}", pose, part);
+  return text;
+}
+
 }  // namespace
 
 Problem ReadProblem(const Document& scenario, const ModelPath& models) {
@@ -233,7 +249,11 @@ Problem ReadProblem(const Document& scenario, const ModelPath& models) {
 }
 
 Problem ReadProblem(const Document& scenario, const ModelPath& models, const Overrides& overrides) {
-  return ProblemFile(scenario, models, overrides).Release();
+  const FilesRead files;
+  Problem problem = ProblemFile(scenario, models, overrides).Release();
+  problem.origin =
+      Digest().Add(scenario.digest()).Add(files.Digest()).Add(OverridesText(overrides)).Hex();
+  return problem;
 }
 
 std::vector<Problem> ReadWorlds(const Document& scenario, const ModelPath& models,

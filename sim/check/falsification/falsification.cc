@@ -8,6 +8,7 @@
 #include <nlopt.hpp>
 
 #include "planner/base/check.h"
+#include "planner/base/stop.h"
 #include "sim/check/falsification/falsification_tally.h"
 #include "sim/check/falsification/shrink.h"
 #include "sim/check/falsification/tried_points.h"
@@ -98,7 +99,7 @@ class Falsifier {
   FalsificationResult Run() {
     result_.noiseless = ExecuteWithoutNoise(experiment_);
     if (result_.noiseless.Holds()) {
-      FalsifySteps();
+      IsFinished([this] { FalsifySteps(); });
       Shrink();
     } else {
       CountWithoutNoise();
@@ -162,6 +163,18 @@ class Falsifier {
 
   bool Stops() const { return options_.stop && options_.stop(); }
 
+  // Does the work, and returns false if a stop has ended it during an execution. If nobody has
+  // asked for the results until a stop, the exception goes on.
+  bool IsFinished(const std::function<void()>& work) const {
+    try {
+      work();
+      return true;
+    } catch (const Stopped&) {
+      if (!Stops()) throw;
+      return false;
+    }
+  }
+
   void Poise(const std::vector<Start>& starts, TriedStep& step) {
     const auto poise = [&](std::size_t i) {
       return step.falsification().Poise(*starts[i].world, starts[i].noise, starts[i].from.get());
@@ -198,7 +211,7 @@ class Falsifier {
   }
 
   bool IsEnough(TriedStep& step) const {
-    return options_.until_violated && std::ranges::any_of(step.samples(), Violates);
+    return Stops() || (options_.until_violated && std::ranges::any_of(step.samples(), Violates));
   }
 
   void TryAll(TriedStep& step, std::vector<Sample> samples) {
@@ -215,8 +228,7 @@ class Falsifier {
   }
 
   Sample Tried(const TriedStep& step, Sample sample) {
-    if (Stops()) return sample;
-    sample.attempt = step.Attempt(sample);
+    if (Stops() || !IsFinished([&] { sample.attempt = step.Attempt(sample); })) return sample;
     sample.was_made = true;
     const std::int64_t made = ++made_;
     if (!options_.progress) return sample;
@@ -289,7 +301,9 @@ class Falsifier {
     });
     const auto count = std::min(violations.size(), static_cast<std::size_t>(options_.shrunk));
     const auto shrink = [&](std::size_t i) {
-      return Stops() ? AsFound(*violations[i]) : Shrunk(experiment_, *violations[i]);
+      Counterexample example = AsFound(*violations[i]);
+      if (!Stops()) IsFinished([&] { example = Shrunk(experiment_, *violations[i]); });
+      return example;
     };
     scheduler_.InOrder(count, shrink, [&](std::size_t, Counterexample example) {
       result_.counterexamples.push_back(std::move(example));

@@ -6,6 +6,7 @@
 #include "sim/cli/mating_output/fine_motion_report.h"
 #include "sim/cli/options/quantity.h"
 #include "sim/cli/picture_output/contact_graphs.h"
+#include "sim/view/page.h"
 
 namespace assay::cli {
 namespace {
@@ -108,7 +109,7 @@ bool IsDone(const MatedTrial& trial) {
 
 }  // namespace
 
-ViewedPage MatingPage(const ViewedMating& mating) {
+std::string MatingPage(const ViewedMating& mating) {
   const domain::Problem& problem = mating.task.planned.problem;
   const scene::Scene scene(problem, mating.scene);
   const MatedTrial& trial = mating.strategy;
@@ -116,7 +117,7 @@ ViewedPage MatingPage(const ViewedMating& mating) {
   const std::string outcome = IsDone(trial)  ? "succeeded"
                               : trial.seated ? std::string(Name(trial.result.end.outcome))
                                              : "not seated";
-  return PageOf(
+  return view::Page(
       {.problem = problem,
        .plan = none,
        .scene = scene,

@@ -1,9 +1,10 @@
 #pragma once
 
+#include <string>
+
 #include "planner/finemotion/contact_graph/contact_chain.h"
 #include "planner/finemotion/strategy_search/fine_motion_plan.h"
 #include "planner/finemotion/strategy_search/mating.h"
-#include "sim/cli/page_output/viewed_page.h"
 #include "sim/cli/tasks/mating_trials.h"
 
 namespace assay::cli {
@@ -20,8 +21,8 @@ struct ViewedMating {
   const MatedTrial& straight;
 };
 
-// Makes the page of a mating. Its steps are the motions of the strategy. Each has the contacts of
+// Returns the page of a mating. Its steps are the motions of the strategy. Each has the contacts of
 // the state in which it ends, the errors that are left there, and the graph of contact states.
-ViewedPage MatingPage(const ViewedMating& mating);
+std::string MatingPage(const ViewedMating& mating);
 
 }  // namespace assay::cli

@@ -32,8 +32,7 @@ class FalsificationReport {
       : run_(run),
         plan_(run.planned.result.plan),
         experiment_{run.planned.problem, plan_, run.planned.simulation.scene,
-                    KeptNoiseFloor(run.planned.problem, plan_, run.planned.simulation.scene,
-                                   run.command.OfPlan().Text())},
+                    KeptNoiseFloor(run.planned.problem, plan_, run.planned.simulation.scene)},
         tally_(plan_) {}
 
   ExitCode Execute() {

@@ -61,8 +61,7 @@ class NoisyTrials {
         is_camera_(run.command.sensing == "camera"),
         box_(noise::ErrorBox(run.planned.problem, plan_)),
         experiment_{run.planned.problem, plan_, run.planned.simulation.scene,
-                    KeptNoiseFloor(run.planned.problem, plan_, run.planned.simulation.scene,
-                                   run.command.OfPlan().Text())} {}
+                    KeptNoiseFloor(run.planned.problem, plan_, run.planned.simulation.scene)} {}
 
   ExitCode Execute() {
     const Interruption interruption;

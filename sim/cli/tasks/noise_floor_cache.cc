@@ -14,7 +14,6 @@
 
 #include "planner/base/digest.h"
 #include "planner/base/input_files/input_error.h"
-#include "planner/base/input_files/input_file.h"
 #include "planner/base/module.h"
 #include "planner/plan/plan_files/json_layout.h"
 #include "planner/plan/plan_files/plan_file.h"
@@ -47,15 +46,14 @@ std::string BytesOf(const fs::path& file) {
 }
 
 std::string KeyOf(const domain::Problem& problem, const plan::Plan& plan,
-                  const scene::SceneOptions& scene, std::string_view settings) {
+                  const scene::SceneOptions& scene) {
   static const std::string program = Digest().Add(BytesOf(FileOfThisCode())).Hex();
   plan::PlanResult result;
   result.plan = plan;
   return Digest()
       .Add(program)
       .Add(mj_versionString())
-      .Add(DigestOfInputs())
-      .Add(settings)
+      .Add(problem.origin)
       .Add(plan::JsonLine(plan::ToJson(result, problem, "")))
       .Add(scene::ToMjcf(problem, scene))
       .Hex();
@@ -111,11 +109,11 @@ void Keep(const NoiseFloor& floor, const fs::path& file) {
 }  // namespace
 
 NoiseFloor KeptNoiseFloor(const domain::Problem& problem, const plan::Plan& plan,
-                          const scene::SceneOptions& scene, std::string_view settings) {
+                          const scene::SceneOptions& scene) {
   const fs::path folder = CacheFolder();
   const auto measured = [&] { return check::MeasureNoiseFloor(problem, plan, scene); };
-  if (folder.empty()) return measured();
-  const fs::path file = folder / (KeyOf(problem, plan, scene, settings) + ".json");
+  if (folder.empty() || problem.origin.empty()) return measured();
+  const fs::path file = folder / (KeyOf(problem, plan, scene) + ".json");
   if (std::optional<NoiseFloor> kept = Kept(file, plan.steps.size())) return std::move(*kept);
   NoiseFloor floor = measured();
   Keep(floor, file);

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <string_view>
-
 #include "planner/domain/problem/problem.h"
 #include "planner/plan/data/plan.h"
 #include "sim/check/noise_floor/noise_floor.h"
@@ -11,10 +9,10 @@ namespace assay::cli {
 
 // Returns check::MeasureNoiseFloor of the plan, which is measured only once. The user's cache
 // folder (assay/noise-floor in XDG_CACHE_HOME, or in .cache of HOME) keeps it by a hash of all that
-// it depends on: this program, the engine, each file that was read, the plan, the scene, and
-// `settings`, a text of the options that change the files' problem. If there is no cache folder, or
-// if it cannot be written, the floor is measured each time.
+// it depends on: this program, the engine, the origin of the problem, the plan, and the scene. If
+// there is no cache folder, if it cannot be written, or if the problem has no origin, the floor is
+// measured each time.
 check::NoiseFloor KeptNoiseFloor(const domain::Problem& problem, const plan::Plan& plan,
-                                 const scene::SceneOptions& scene, std::string_view settings);
+                                 const scene::SceneOptions& scene);
 
 }  // namespace assay::cli

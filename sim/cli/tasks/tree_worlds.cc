@@ -15,10 +15,9 @@ constexpr std::size_t kMostLeaves = 10'000;
 
 }  // namespace
 
-ContingentAnswer TreeOf(const execution::Interpretation& interpretation) {
+ContingentAnswer TreeOf(const execution::Interpretation& interpretation, std::int64_t budget) {
   if (!interpretation.planned) {
-    ContingentAnswer answer =
-        PlanFor(interpretation.task, contingent::Wanted::kFirst, kKnowledgeStates);
+    ContingentAnswer answer = PlanFor(interpretation.task, contingent::Wanted::kFirst, budget);
     answer.unserved = interpretation.unserved;
     return answer;
   }

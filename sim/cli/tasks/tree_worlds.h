@@ -10,8 +10,10 @@
 
 namespace assay::cli {
 
-// Returns the plan tree of a scenario. That of an assembly is made already; others are planned.
-ContingentAnswer TreeOf(const execution::Interpretation& interpretation);
+// Returns the plan tree of a scenario. That of an assembly is made already; others are planned
+// within a budget of knowledge states.
+ContingentAnswer TreeOf(const execution::Interpretation& interpretation,
+                        std::int64_t budget = kKnowledgeStates);
 
 // The hidden worlds of the trials of a plan tree. They depend only on the seed.
 class TreeWorlds {

@@ -46,15 +46,6 @@ Json CheckToJson(const TreeCheck& check) {
   return json;
 }
 
-std::string CheckText(const TreeCheck& check) {
-  if (!check.holds) return fmt::format("check: FAILS: {}\n", check.failure);
-  return fmt::format(
-      "check: holds in {} of the worlds that the initial knowledge allows, as {} {}{}{}\n",
-      check.AreAllWorlds() ? "all" : "a sample", check.worlds, check.worlds == 1 ? "case" : "cases",
-      check.are_numbers_sampled ? ", with a sample of the numbers" : "",
-      check.unreached.empty() ? "" : fmt::format(", {} nodes unreached", check.unreached.size()));
-}
-
 // Returns why there is no plan, or why none was found.
 std::string RefusalText(const ContingentAnswer& answer, std::int64_t budget) {
   std::string text = answer.conflict ? cli::Text(answer.task, *answer.conflict)
@@ -103,6 +94,15 @@ std::string JsonText(const ContingentAnswer& answer) {
   return plan::JsonText(json);
 }
 
+std::string Text(const TreeCheck& check) {
+  if (!check.holds) return fmt::format("check: FAILS: {}\n", check.failure);
+  return fmt::format(
+      "check: holds in {} of the worlds that the initial knowledge allows, as {} {}{}{}\n",
+      check.AreAllWorlds() ? "all" : "a sample", check.worlds, check.worlds == 1 ? "case" : "cases",
+      check.are_numbers_sampled ? ", with a sample of the numbers" : "",
+      check.unreached.empty() ? "" : fmt::format(", {} nodes unreached", check.unreached.size()));
+}
+
 std::string Text(const ContingentAnswer& answer, bool unfolds, std::int64_t budget) {
   const ContingentPlan& plan = answer.plan;
   if (plan.outcome != Outcome::kFound) return RefusalText(answer, budget);
@@ -122,7 +122,7 @@ std::string Text(const ContingentAnswer& answer, bool unfolds, std::int64_t budg
       "depth {}, {} leaves, {} branch points, {} actions in {} nodes; {}; {} knowledge states\n",
       size.depth, size.leaves, size.branch_points, size.actions, size.nodes,
       answer.is_from_file ? "from a file" : Word(plan.guarantee), plan.states);
-  if (answer.check) text += CheckText(*answer.check);
+  if (answer.check) text += Text(*answer.check);
   return text;
 }
 

@@ -35,6 +35,8 @@ ContingentAnswer PlanFor(contingent::GroundTask task, contingent::Wanted wanted,
                          std::int64_t budget);
 
 std::string JsonText(const ContingentAnswer& answer);  // by sim/cli/verbs/contingent.schema.json
+// Returns whether the tree holds, and in which worlds.
+std::string Text(const contingent::TreeCheck& check);
 // Returns the tree, or why there is none. `unfolds`: shared sub-plans are shown in each branch.
 // Throws UsageError if the unfolded tree is too large.
 std::string Text(const ContingentAnswer& answer, bool unfolds, std::int64_t budget);

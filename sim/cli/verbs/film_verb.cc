@@ -1,25 +1,22 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
 #include <memory>
+#include <optional>
+#include <string>
+#include <vector>
 
-#include "planner/base/input_files/input_file.h"
 #include "planner/base/input_files/quotation.h"
 #include "sim/cli/command_line/console.h"
 #include "sim/cli/command_line/interruption.h"
 #include "sim/cli/command_line/progress.h"
 #include "sim/cli/command_line/usage_error.h"
 #include "sim/cli/command_line/verb.h"
-#include "sim/cli/options/models_folder.h"
-#include "sim/cli/page_output/noiseless_trial.h"
-#include "sim/cli/page_output/plan_of_request.h"
 #include "sim/cli/picture_output/picture_options.h"
-#include "sim/cli/plan_output/plan_text.h"
+#include "sim/cli/shown_executions/request_options.h"
 #include "sim/cli/tasks/output_file.h"
-#include "sim/cli/tasks/planned_problem.h"
-#include "sim/cli/tasks/recorded_execution.h"
-#include "sim/execution/interpretation/knowledge_scenario.h"
 #include "sim/film/shoot.h"
 #include "sim/scenario/scenario.h"
 
@@ -29,19 +26,13 @@ namespace film_verb {
 namespace fs = std::filesystem;
 
 struct Options {
-  fs::path input;
+  ShowRequest request = {.needs_claims = false};
   fs::path film;
-  fs::path plan;  // of a trace; empty: plan.json beside it
-  domain::ModelPath models;
   std::string camera = scenario::kWorkCamera;
   PictureQuality quality;
   double pictures_per_second = 10;
   double speed = 2;
 };
-
-constexpr std::size_t kMostTraceBytes = std::size_t{1} << 30;
-
-bool IsTrace(std::string_view text) { return text.starts_with(R"({"format":"assay-trace/)"); }
 
 film::Settings SettingsOf(const Options& options, const mujoco::Model& model) {
   const PictureSize size = SizeOf(options.quality);
@@ -81,32 +72,27 @@ ExitCode Shoot(const Options& options, const film::Subject& subject) {
   return Interruption::CodeOr(ExitCode::kDone);
 }
 
-ExitCode FilmTrace(const Options& options, std::string_view text) {
-  const PlannedProblem planned =
-      PlanOf({.input = options.input, .plan = options.plan, .models = options.models});
-  const execution::Trace trace = ReadTraceOf(planned, text, options.input);
-  const scene::Scene scene(planned.problem, planned.simulation.scene);
-  return Shoot(options, {planned.problem, planned.result.plan, scene, trace});
+// Returns the actions of an execution that did not follow one plan.
+std::optional<std::vector<film::Walked>> WalkedIn(const ShownExecution& shown) {
+  if (!shown.way) return std::nullopt;
+  std::vector<film::Walked> walked;
+  for (const view::WalkedAction& action : shown.way->actions) {
+    walked.push_back({action.action, action.end});
+  }
+  return walked;
 }
 
-// Executes the plan once without noise.
-ExitCode FilmPlan(const Options& options) {
-  const Document document = Document::Load(options.input);
-  if (!IsPlanFile(document) && execution::NeedsATree(document)) {
-    throw UsageError(fmt::format("film: the plan for {} is a tree; allowed: plans without branches",
-                                 Quote(options.input.string())));
+std::string EndOf(const ShownExecution& shown) {
+  return shown.reason.empty() ? "done" : fmt::format("{}: {}", shown.outcome, shown.reason);
+}
+
+// Prints why there is nothing to film.
+ExitCode Refuse(const ShownExecution& shown) {
+  Print(shown.outcome + "\n");
+  for (const view::Reasons& reasons : shown.why_not) {
+    Print(fmt::format("{}:\n  {}\n", reasons.title, fmt::join(reasons.sentences, "\n  ")));
   }
-  const PlannedProblem planned = ReadOrMakePlan(document, options.models);
-  if (planned.result.outcome != Outcome::kFound) {
-    Print(Text(planned.problem, planned.result));
-    return ExitCodeOf(planned.result.outcome);
-  }
-  const plan::Plan& plan = planned.result.plan;
-  const scene::Scene scene(planned.problem, planned.simulation.scene);
-  const check::Trial trial = NoiselessTrial(planned.problem, plan, scene);
-  const ExitCode filmed = Shoot(options, {planned.problem, plan, scene, trial.trace});
-  const bool done = trial.trace.end().outcome == execution::TrialOutcome::kSucceeded;
-  return filmed == ExitCode::kDone && !done ? ExitCode::kFailed : filmed;
+  return shown.code;
 }
 
 void RequireFilm(const Options& options) {
@@ -125,21 +111,19 @@ void RequireFilm(const Options& options) {
 
 ExitCode Execute(const Options& options) {
   RequireFilm(options);
-  const std::string text =
-      ReadInput(options.input, "a scenario file, plan file or trace", kMostTraceBytes);
-  return IsTrace(text) ? FilmTrace(options, text) : FilmPlan(options);
+  const ShownExecution shown = ExecutionOf(options.request);
+  if (!shown.why_not.empty()) return Refuse(shown);
+  const scene::Scene scene(shown.problem, shown.scene);
+  const ExitCode filmed = Shoot(
+      options, {shown.problem, shown.plan, scene, shown.trace, EndOf(shown), WalkedIn(shown)});
+  return filmed == ExitCode::kDone ? shown.code : filmed;
 }
 
 Execution Declare(CLI::App& command) {
   const auto options = std::make_shared<Options>();
-  command
-      .add_option("input", options->input,
-                  "scenario file or plan file, which is executed once without noise; or a trace")
-      ->required();
+  AddShowOptions(command, options->request);
   command.add_option("-o,--output", options->film, "film to write: .webp, or .mp4 with ffmpeg")
       ->required();
-  command.add_option("--plan", options->plan,
-                     "plan file of a trace; plan.json beside the trace if left out");
   command
       .add_option("--camera", options->camera,
                   "camera; 'work' stands where it sees the parts and the hand all the time")
@@ -151,7 +135,6 @@ Execution Declare(CLI::App& command) {
   command.add_option("--speed", options->speed, "simulated seconds in a second of the film")
       ->check(CLI::Range(0.05, 100.0))
       ->capture_default_str();
-  AddModelsOption(command, options->models);
   return [options] { return Execute(*options); };
 }
 
@@ -163,7 +146,7 @@ const Verb kFilm = {
     .page = "sim/viewing.md",
     .example =
         "assay film scenarios/spar-fig13.yaml -o out/fig13.webp --speed 4\n"
-        "  assay film out/fig13/trace.jsonl -o out/fig13.webp --camera close",
+        "  assay film fig15.sqlite 17 -o out/trial-17.webp --camera close",
     .declare = film_verb::Declare,
 };
 

@@ -253,9 +253,8 @@ void View(const kinematics::JointVector& near, const Options& options, Planning&
   const MatingTrials trials(of.task, of.geometry, of.strategy, settings);
   const MatedTrial strategy = trials.RunStrategy(number, check::PlannedContactsOf(of.plan), rate);
   const MatedTrial straight = trials.RunStraight(number, rate);
-  const ViewedPage page =
-      MatingPage({of.task, of.geometry, of.chain, of.plan, settings.scene, strategy, straight});
-  WriteFile(options.page, page.html);
+  WriteFile(options.page, MatingPage({of.task, of.geometry, of.chain, of.plan, settings.scene,
+                                      strategy, straight}));
   of.json["page"] = options.page.string();
   of.text += options.page.string() + "\n";
 }

@@ -13,7 +13,7 @@
 #include "sim/cli/command_line/progress.h"
 #include "sim/cli/command_line/verb.h"
 #include "sim/cli/options/models_folder.h"
-#include "sim/cli/page_output/viewed_page.h"
+#include "sim/cli/page_output/execution_page.h"
 #include "sim/cli/picture_output/step_pictures.h"
 #include "sim/cli/tasks/output_file.h"
 #include "sim/cli/tasks/stored_trial.h"
@@ -96,11 +96,12 @@ std::string AddressOf(const fs::path& file, const fs::path& page) {
 
 std::string WriteView(const report::ViewedTrial& viewed, const Options& options) {
   const fs::path file = options.views / viewed.FileName();
-  WriteFile(file, StoredTrialPage({.input = options.database,
-                                   .number = viewed.trial,
-                                   .counterexample = viewed.counterexample,
-                                   .models = options.models})
-                      .html);
+  const ShowRequest request = {.verb = "report",
+                               .input = options.database,
+                               .number = viewed.trial,
+                               .counterexample = viewed.counterexample,
+                               .models = options.models};
+  WriteFile(file, ExecutionPage(StoredTrialExecution(request)));
   return AddressOf(file, options.page);
 }
 

@@ -234,11 +234,13 @@ class KnowledgeFile {
 
 // Reads a scenario without the key `knowledge`. Its knowledge concerns the open poses, and whether
 // steps of its plans pass their verifications.
-KnowledgeScenario ReadPlanned(const Document& document, const domain::ModelPath& models) {
+KnowledgeScenario ReadPlanned(const Document& document, const domain::ModelPath& models,
+                              const WorldPlanning& planning) {
   auto planned = std::make_shared<PlannedWorlds>();
-  planned->worlds = domain::ReadWorlds(document, models, {});
-  planned->assembly = assembly::MakeContingentPlan(planned->worlds, {}, {});
-  scenario::Overrides first;
+  planned->worlds = domain::ReadWorlds(document, models, planning.overrides);
+  planned->assembly =
+      assembly::MakeContingentPlan(planned->worlds, planning.planner, planning.uncertainty);
+  scenario::Overrides first = planning.overrides;
   for (const domain::OpenPose& open : planned->worlds.front().open_poses) {
     first.poses[planned->worlds.front().part(open.part).name] = 0;
   }
@@ -250,10 +252,12 @@ KnowledgeScenario ReadPlanned(const Document& document, const domain::ModelPath&
 
 }  // namespace
 
-KnowledgeScenario Read(const Document& document, const domain::ModelPath& models) {
+KnowledgeScenario Read(const Document& document, const domain::ModelPath& models,
+                       const WorldPlanning& planning) {
   document.RequireFormat("assay-scenario/1");
-  if (!document.root().Find("knowledge")) return ReadPlanned(document, models);
-  KnowledgeScenario loaded{.scenario = scenario::Read(document, models), .interpretation = {}};
+  if (!document.root().Find("knowledge")) return ReadPlanned(document, models, planning);
+  KnowledgeScenario loaded{.scenario = scenario::Read(document, models, planning.overrides),
+                           .interpretation = {}};
   loaded.interpretation = KnowledgeFile(document.root(), loaded.scenario.problem).Take();
   return loaded;
 }

@@ -7,6 +7,7 @@
 #include <ranges>
 #include <set>
 
+#include "planner/base/stop.h"
 #include "planner/domain/parts/part_model.h"
 #include "planner/motion/paths/carrying.h"
 #include "sim/execution/control/straight_line.h"
@@ -253,6 +254,7 @@ Progress Execution::StepTo(const JointState& next) {
 }
 
 Progress Execution::Advance(const JointState& next) {
+  StopIfRequested();
   StepEngine();
   commanded_ = next;
   ++steps_;

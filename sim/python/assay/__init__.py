@@ -8,23 +8,26 @@
     p.falsify(attempts=200, seed=1).counterexamples
 
 All numbers are in SI units: metres, radians, newtons, seconds. Tables are pandas DataFrames. Each
-exit code of the program is an exception (assay.errors). Long calls let other threads run, and
-Ctrl-C ends them.
+exit code of the program is an exception (assay.errors). Long calls let other threads run. Ctrl-C
+ends them, and what was there until then is in the exception (assay.Interrupted).
 """
 
 from ._assay import __version__
 from .bounds import Bounds, Expressions, bound, sensitivity
-from .errors import EnvironmentLacks, Error, Failed, NoAnswer, NoPlan, WrongInput, WrongUsage
+from .errors import (EnvironmentLacks, Error, Failed, Interrupted, NoAnswer, NoPlan, WrongInput,
+                     WrongUsage)
 from .knowledge import ContingentPlan, contingent
 from .labels import Labels, label
-from .scenario import Check, Plan, Scenario
+from .plans import Check, Plan
+from .scenario import Scenario
 from .sweeps import SweepDatabase, sweep
+from .trees import PlanTree, TreeCheck, TreeRun
 from .trials import Falsification, Run, Trace
 from .view import View
 
 __all__ = [
     "Bounds", "Check", "ContingentPlan", "EnvironmentLacks", "Error", "Expressions", "Failed",
-    "Falsification", "Labels", "NoAnswer", "NoPlan", "Plan", "Run", "Scenario", "SweepDatabase",
-    "Trace", "View", "WrongInput", "WrongUsage", "__version__", "bound", "contingent", "label",
-    "sensitivity", "sweep",
+    "Falsification", "Interrupted", "Labels", "NoAnswer", "NoPlan", "Plan", "PlanTree", "Run",
+    "Scenario", "SweepDatabase", "Trace", "TreeCheck", "TreeRun", "View", "WrongInput",
+    "WrongUsage", "__version__", "bound", "contingent", "label", "sensitivity", "sweep",
 ]

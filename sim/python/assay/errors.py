@@ -52,6 +52,19 @@ class Failed(Error):
     exit_code = 12
 
 
+class Interrupted(KeyboardInterrupt):
+    """Ctrl-C ended a call, and what was there until then is kept.
+
+    result: what the call returns, with what was there: a Run, TreeRun, Falsification or
+        SweepDatabase. Where nobody caught the exception, as in a notebook, it is
+        `sys.last_value.result`.
+    """
+
+    def __init__(self, what: str, result: Any) -> None:
+        super().__init__(f"{what}; they are in `result` of this exception (sys.last_value.result)")
+        self.result = result
+
+
 _ERRORS = (WrongUsage, WrongInput, EnvironmentLacks, NoPlan, NoAnswer, Failed)
 _BY_CODE = {error.exit_code: error for error in _ERRORS}
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import os
-from collections.abc import Hashable, Mapping, Sequence
+from collections.abc import Hashable, Iterable, Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -88,22 +88,46 @@ def label(network: str | os.PathLike[str] | Mapping[str, Any], request: str = "f
 def _of_mapping(network: Mapping[str, Any]) -> tuple[list[Any], dict[Any, Any], _assay.Network]:
     """Returns the nodes, the labels of each node by the names that the engine has for them, and the
     network."""
-    nodes = list(network.get("nodes", {}))
-    labels = {node: range(given) if isinstance(given, (int, np.integer)) else list(given)
-              for node, given in network.get("nodes", {}).items()}
-    if not any("allowed" in arc for arc in network.get("arcs", ())):
+    given, arcs = network.get("nodes", {}), network.get("arcs", ())
+    if not isinstance(given, Mapping) or not all(isinstance(arc, Mapping) for arc in arcs):
+        raise WrongInput("<network>: allowed: a mapping `nodes`, and a list `arcs` of mappings")
+    nodes = list(given)
+    labels = {node: _labels(node, of) for node, of in given.items()}
+    if not any("allowed" in arc for arc in arcs):
         named = {node: {_name(label): label for label in labels[node]} for node in nodes}
         return nodes, named, _assay.Network(json.dumps(network, default=_plain), "<network>")
     numbered = {node: {str(i): label for i, label in enumerate(labels[node])} for node in nodes}
     places = {node: place for place, node in enumerate(nodes)}
-    arcs = []
-    for number, arc in enumerate(network["arcs"]):
-        a, b = arc["between"]
-        if a not in places or b not in places:
-            raise WrongInput(f"<network>: arc {number} is between {a!r} and {b!r}; allowed: "
+    matrices = []
+    for number, arc in enumerate(arcs):
+        between = list(arc.get("between", ()))
+        if len(between) != 2 or not all(node in places for node in between):
+            raise WrongInput(f"<network>: arc {number} is between {between!r}; allowed: two of "
                              f"{', '.join(map(repr, nodes))}")
-        arcs.append((places[a], places[b], _matrix(number, arc, labels[a], labels[b])))
-    return nodes, numbered, _assay.Network([len(labels[node]) for node in nodes], arcs)
+        a, b = between
+        matrices.append((places[a], places[b], _matrix(number, arc, labels[a], labels[b])))
+    return nodes, numbered, _assay.Network([len(labels[node]) for node in nodes], matrices)
+
+
+def _labels(node: Any, given: Any) -> Sequence[Any]:
+    """Returns the labels of a node, or raises WrongInput."""
+    is_number = isinstance(given, (int, np.integer)) and not isinstance(given, bool)
+    if is_number and 0 <= given <= _assay.MOST_LABELS:
+        return range(given)
+    if is_number or isinstance(given, (str, bytes)) or not isinstance(given, Iterable):
+        raise WrongInput(f"<network>: the node {node!r} has the labels {given!r}; allowed: a list, "
+                         f"or their number, 0 to {_assay.MOST_LABELS}")
+    labels = list(given)
+    if len(labels) > _assay.MOST_LABELS:
+        raise WrongInput(f"<network>: the node {node!r} has {len(labels)} labels; allowed: at most "
+                         f"{_assay.MOST_LABELS}")
+    seen: set[Hashable] = set()
+    for label in labels:
+        if not isinstance(label, Hashable) or label in seen:
+            raise WrongInput(f"<network>: the label {label!r} of node {node!r} is "
+                             f"{'given twice' if isinstance(label, Hashable) else 'no label'}")
+        seen.add(label)
+    return labels
 
 
 def _name(label: Any) -> str:
@@ -115,18 +139,25 @@ def _matrix(number: int, arc: Mapping[str, Any], rows: Sequence[Any],
             columns: Sequence[Any]) -> np.ndarray[Any, np.dtype[np.bool_]]:
     """Returns the allowed pairs of an arc as a matrix."""
     shape = (len(rows), len(columns))
+    if sum(kind in arc for kind in ("allowed", "pairs", "forbidden")) != 1:
+        raise WrongInput(f"<network>: arc {number} has {', '.join(map(repr, arc))}; allowed: one "
+                         "of 'allowed', 'pairs' and 'forbidden'")
     if "allowed" in arc:
-        matrix = np.asarray(arc["allowed"], dtype=bool)
+        try:
+            matrix = np.asarray(arc["allowed"], dtype=bool)
+        except ValueError as error:
+            raise WrongInput(f"<network>: `allowed` of arc {number}: {error}") from None
         if matrix.shape != shape:
             raise WrongInput(f"<network>: `allowed` of arc {number} has the shape {matrix.shape}; "
                              f"allowed: {shape}")
         return matrix
     matrix = np.full(shape, "forbidden" in arc)
-    for row, column in arc["forbidden" if "forbidden" in arc else "pairs"]:
+    for pair in arc["forbidden" if "forbidden" in arc else "pairs"]:
         try:
+            row, column = pair
             matrix[rows.index(row), columns.index(column)] = "forbidden" not in arc
-        except ValueError:
-            raise WrongInput(f"<network>: arc {number} has no pair {(row, column)!r}") from None
+        except (TypeError, ValueError):
+            raise WrongInput(f"<network>: arc {number} has no pair {pair!r}") from None
     return matrix
 
 

@@ -1,21 +1,14 @@
-"""Scenarios and the plans for them."""
+"""Scenarios."""
 
 from __future__ import annotations
 
 import os
-from collections.abc import Iterable, Mapping
-from functools import cached_property
+from collections.abc import Iterable
 from pathlib import Path
-from typing import Any
-
-import pandas as pd
 
 from . import _assay
-from .errors import WrongUsage
-from .trials import Falsification, Run, errors_text, trial_settings
-from .view import View
-
-PathLike = str | os.PathLike[str]
+from .plans import PathLike, Plan
+from .trees import PlanTree
 
 
 class Scenario:
@@ -71,265 +64,38 @@ class Scenario:
 
     @property
     def needs_tree(self) -> bool:
-        """Whether the plan is a tree, which this module cannot make yet."""
+        """Whether the plan is a tree: the goal is about knowledge, or a pose is open."""
         return self._described["needs_tree"]
 
     def plan(self, *, resolvers: Iterable[str] | None = None, propagation: str = "sound",
-             budget: int = _assay.PARTIAL_PLANS) -> Plan:
-        """Makes a plan with certificates.
+             budget: int | None = None, tree: bool = False) -> Plan | PlanTree:
+        """Makes a plan with certificates, or a plan tree if the scenario needs one.
 
         resolvers: what may be done about uncertainty, of "sensing", "squeezing" and
             "fine-motion"; those of the scenario if left out or empty.
         propagation: how errors are carried from step to step: "sound", so that no certificate is
             false, or "paper", as published.
-        budget: how many partial plans are looked at.
+        budget: how many partial plans are looked at, or knowledge states if the goal is about
+            knowledge; the usual number if left out.
+        tree: make a tree even if none is needed: verifications branch, recoveries repeat.
 
         Raises NoPlan with the conflict if it is proved that there is no plan, NoAnswer if the
-        budget was spent or a limit was met, and WrongUsage for a wrong argument or if the plan is a
-        tree.
+        budget was spent or a limit was met, and WrongUsage for a wrong argument. Resolvers and
+        propagation are wrong if the goal is about knowledge.
         """
         settings = _assay.PlanSettings()
         for name in ("scenario", "models", "clearance", "error_scale"):
             setattr(settings, name, getattr(self._settings, name))
         settings.resolvers = None if resolvers is None else _names(resolvers)
         settings.propagation = propagation
-        settings.partial_plans = budget
+        settings.budget = budget
+        if tree or self.needs_tree:
+            return PlanTree(_assay.Tree.make(settings), self.name)
         return Plan(_assay.Plan.make(settings))
 
     def __repr__(self) -> str:
         return f"<Scenario {self.name}: {self.title}>"
 
 
-class Check:
-    """What the independent checker and a second proof say about a plan.
-
-    holds: whether nothing was found.
-    flaws: a DataFrame with columns step (the step's id, or None for the plan) and what.
-    text: the same for people.
-    orders: how many orders of the steps were simulated.
-    """
-
-    def __init__(self, report: Mapping[str, Any]) -> None:
-        self.flaws = pd.DataFrame(report["flaws"], columns=["step", "what"])
-        self.holds = self.flaws.empty
-        self.text: str = report["text"]
-        self.orders: int = report["orders"]
-
-    def __bool__(self) -> bool:
-        return self.holds
-
-    def __repr__(self) -> str:
-        return self.text.rstrip("\n")
-
-
-class Plan:
-    """A plan with its certificates, which Scenario.plan makes and Plan.read reads.
-
-    Steps are numbered from 1 in the order of execution.
-    """
-
-    def __init__(self, handle: _assay.Plan) -> None:
-        self._handle = handle
-
-    @classmethod
-    def read(cls, path: PathLike, *, models: Iterable[PathLike] = ()) -> Plan:
-        """Reads a plan file. Raises WrongInput if it, or the scenario that it names, is wrong."""
-        return cls(_assay.Plan.read(os.fspath(path), [os.fspath(folder) for folder in models]))
-
-    def save(self, path: PathLike) -> Path:
-        """Writes the plan file, which `assay` reads. Returns its path."""
-        file = Path(path)
-        file.write_text(self._handle.file_text(), encoding="utf-8")
-        return file
-
-    @cached_property
-    def json(self) -> dict[str, Any]:
-        """The contents of the plan file."""
-        return self._handle.json()
-
-    @cached_property
-    def _actions(self) -> list[dict[str, Any]]:
-        return sorted(self.json["actions"], key=lambda action: action["executed"])
-
-    @property
-    def proved(self) -> bool:
-        """Whether every precondition of every step is proved."""
-        return self.json["errors"] == 0
-
-    @cached_property
-    def steps(self) -> pd.DataFrame:
-        """One row for each step.
-
-        Columns: step (from 1), id, action, preconditions (their number), unproved (how many of them
-        are not proved).
-        """
-        rows = []
-        for action in self._actions:
-            preconditions = action.get("certificate", {}).get("preconditions", [])
-            rows.append({
-                "step": action["executed"], "id": action["id"], "action": _action_text(action),
-                "preconditions": len(preconditions),
-                "unproved": sum(float(p["margin"]) <= 0 for p in preconditions)})
-        return pd.DataFrame(rows, columns=["step", "id", "action", "preconditions", "unproved"])
-
-    @cached_property
-    def certificates(self) -> pd.DataFrame:
-        """One row for each precondition of each step.
-
-        Columns: step (from 1), id, action, condition, meaning, relation ("<" or ">"), limit, bound
-        (SUP for "<", INF for ">"; guaranteed), margin (from the bound to the limit; positive if
-        proved), proved, gap (how far the bound may be from the true value), rung (the method), unit
-        (of limit, bound, margin, gap and cost), worst (a dict: the worst corner found, in metres
-        and radians, by variable), cost (a dict: by how much the bound would improve if the variable
-        were known, the greatest first).
-        """
-        rows = []
-        for action, proofs in zip(self._actions, self._proofs):
-            for condition, proof in zip(action["certificate"]["preconditions"], proofs):
-                rows.append({
-                    **_step(action), "condition": condition["condition"],
-                    "meaning": condition["meaning"], "relation": condition["relation"],
-                    "limit": float(condition["limit"]), "bound": float(condition["bound"]),
-                    "margin": float(condition["margin"]), "proved": float(condition["margin"]) > 0,
-                    "gap": float(condition["gap"]), "rung": condition["rung"],
-                    "unit": proof["unit"], "worst": condition["worst"],
-                    "cost": {v["variable"]: v["cost"] for v in proof["variables"]}})
-        return pd.DataFrame(rows, columns=[
-            "step", "id", "action", "condition", "meaning", "relation", "limit", "bound", "margin",
-            "proved", "gap", "rung", "unit", "worst", "cost"])
-
-    @cached_property
-    def sensitivity(self) -> pd.DataFrame:
-        """One row for each precondition and variable that costs something.
-
-        Columns: step, id, action, condition, precondition (its index in `certificates`), variable,
-        low, high (the variable's range, metres or radians), worst (its value at the worst corner),
-        cost (the bound's improvement if the variable were known), unit (of the cost).
-        """
-        rows = []
-        number = 0
-        for action, proofs in zip(self._actions, self._proofs):
-            for condition, proof in zip(action["certificate"]["preconditions"], proofs):
-                for v in proof["variables"]:
-                    rows.append({
-                        **_step(action), "condition": condition["condition"],
-                        "precondition": number, "variable": v["variable"], "low": v["low"],
-                        "high": v["high"], "worst": v["worst"], "cost": v["cost"],
-                        "unit": proof["unit"]})
-                number += 1
-        return pd.DataFrame(rows, columns=[
-            "step", "id", "action", "condition", "precondition", "variable", "low", "high", "worst",
-            "cost", "unit"])
-
-    @cached_property
-    def error_sets(self) -> pd.DataFrame:
-        """The boxes of possible true poses of the parts about the believed ones, at each step.
-
-        Columns: step, id, action, when ("before" or "after"), part, in_hand, component (x, y, z,
-        theta; in the hand also tip and twist), low, high, unit.
-        """
-        rows = []
-        for action in self._actions:
-            for when in ("before", "after"):
-                for box in action["certificate"].get(when, []):
-                    for component in ("x", "y", "z", "theta", "tip", "twist"):
-                        if component in box:
-                            low, high = box[component]
-                            rows.append({
-                                **_step(action), "when": when, "part": box["part"],
-                                "in_hand": box["in_hand"], "component": component,
-                                "low": float(low), "high": float(high),
-                                "unit": "m" if component in "xyz" else "rad"})
-        return pd.DataFrame(rows, columns=[
-            "step", "id", "action", "when", "part", "in_hand", "component", "low", "high", "unit"])
-
-    @cached_property
-    def error_box(self) -> pd.DataFrame:
-        """The errors that the proofs assume, one row each: variable, unit, low, high.
-
-        The errors of `run(errors=...)` are of these variables.
-        """
-        return pd.DataFrame(self._handle.error_box(), columns=["variable", "unit", "low", "high"])
-
-    def explain(self, step: int | str) -> str:
-        """Tells from the certificate why a step, by its number or id, is safe or not.
-
-        Raises WrongUsage if there is no such step.
-        """
-        for action in self._actions:
-            if step in (action["executed"], action["id"]):
-                return self._handle.explain(action["executed"])
-        raise WrongUsage(f"there is no step {step!r}; allowed: 1 to {len(self._actions)}, or an id "
-                         f"such as {self._actions[0]['id']}")
-
-    def check(self) -> Check:
-        """Checks the plan by the independent checker, and its certificates by their own algebra."""
-        return Check(self._handle.check())
-
-    def view(self) -> View:
-        """Executes the plan once without noise, and returns the page that shows it."""
-        runner = _assay.Trials(self._handle, _assay.TrialSettings(), False)
-        return View(runner.traced(1).page())
-
-    def run(self, *, noise: str | None = None, trials: int = 1, seed: int | None = None,
-            jobs: int = 1, errors: str | Mapping[str, float] | None = None, sensing: str = "drawn",
-            grasp: str | None = None) -> Run:
-        """Executes the plan in physics, and judges each trial by the true poses.
-
-        noise: how errors are drawn within the bounds that the planner assumes: "none", "uniform",
-            "vertices" or "low-discrepancy". Without noise no certificate is judged.
-        trials: how many. jobs: on how many threads; the result does not depend on it.
-        seed: of the errors; the scenario's if left out.
-        errors: the errors of all trials instead, by variable of `error_box`, metres and radians.
-        sensing: "drawn", within the sensors' promises, or "camera", from rendered pictures.
-        grasp: how the gripper holds parts, "friction" or "weld"; the scenario's if left out.
-
-        Failed trials are in the result. Raises Failed if the plan itself has flaws, and WrongUsage
-        or WrongInput for wrong arguments.
-        """
-        _require_count("trials", trials)
-        _require_count("jobs", jobs)
-        settings = trial_settings(noise, errors_text(errors), sensing, grasp, seed)
-        runner = _assay.Trials(self._handle, settings, False)
-        wrong = runner.wrong_without_noise()
-        return Run(runner, [] if wrong else runner.run(trials, jobs), wrong)
-
-    def falsify(self, *, attempts: int = 1000, seed: int | None = None, jobs: int = 1,
-                grasp: str | None = None) -> Falsification:
-        """Tries to falsify each certificate by errors within the bounds.
-
-        attempts: at single steps, in all. The other arguments and errors are those of `run`.
-        """
-        _require_count("attempts", attempts)
-        _require_count("jobs", jobs)
-        settings = trial_settings(None, None, "drawn", grasp, seed)
-        runner = _assay.Trials(self._handle, settings, True)
-        return Falsification(self, runner.seed, *runner.attack(attempts, jobs))
-
-    @cached_property
-    def _proofs(self) -> list[list[dict[str, Any]]]:
-        return self._handle.proofs()
-
-    def __str__(self) -> str:
-        return self._handle.text()
-
-    def __repr__(self) -> str:
-        return self._handle.text().rstrip("\n")
-
-
 def _names(names: Iterable[str]) -> list[str]:
     return names.split(",") if isinstance(names, str) else list(names)
-
-
-def _step(action: Mapping[str, Any]) -> dict[str, Any]:
-    return {"step": action["executed"], "id": action["id"], "action": _action_text(action)}
-
-
-def _action_text(action: Mapping[str, Any]) -> str:
-    arguments = [value for value in action["arguments"].values() if isinstance(value, str)]
-    return f"{action['name']}({', '.join(arguments)})"
-
-
-def _require_count(name: str, count: int) -> None:
-    if count < 1:
-        raise WrongUsage(f"{name} is {count}; allowed: 1 or more")

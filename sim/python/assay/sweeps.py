@@ -12,7 +12,8 @@ from typing import Any
 import pandas as pd
 
 from . import _assay
-from .errors import WrongUsage
+from .errors import Interrupted, WrongUsage
+from .trials import require_jobs
 
 _TABLES = ("attack", "attack_worst", "cell", "claim", "conservatism", "counterexample", "gate",
            "gate_component", "observation", "planning", "run", "sweep", "timing", "trial",
@@ -75,15 +76,19 @@ def sweep(file: str | os.PathLike[str], database: str | os.PathLike[str], *, job
 
     jobs: on how many threads; the results do not depend on it.
     resume: go on with the trials that are not in the database yet. Without it the database must
-        not exist. Ctrl-C loses only the trials that are being executed.
+        not exist.
     models: further folders of models.
 
-    Raises WrongInput for a wrong file or a database of another sweep.
+    Raises WrongInput for a wrong file or a database of another sweep, WrongUsage for wrong
+    arguments, and Interrupted at Ctrl-C. `result` of that is the database, which lacks only the
+    trials that were being executed.
     """
-    if jobs < 1:
-        raise WrongUsage(f"jobs is {jobs}; allowed: 1 or more")
+    require_jobs(jobs)
     if os.fspath(database) == ":memory:":
         raise WrongUsage("sweep: ':memory:' would be lost at the end; allowed: a file")
-    _assay.run_sweep(os.fspath(file), os.fspath(database), [os.fspath(m) for m in models], jobs,
-                     resume)
-    return SweepDatabase(database)
+    end = _assay.run_sweep(os.fspath(file), os.fspath(database), [os.fspath(m) for m in models],
+                           jobs, resume)
+    made = SweepDatabase(database)
+    if end["is_interrupted"]:
+        raise Interrupted(f"{end['before'] + end['done']} trials are done", made)
+    return made

@@ -10,11 +10,11 @@ from typing import TYPE_CHECKING, Any
 import pandas as pd
 
 from . import _assay
-from .errors import Failed
+from .errors import Failed, WrongUsage
 from .view import View
 
 if TYPE_CHECKING:
-    from .scenario import Plan
+    from .plans import Plan
 
 _TRIALS = ["trial", "outcome", "reason", "violated", "inconclusive", "contained",
            "errors_signalled", "recovered", "operator_called", "simulated", "steps", "warnings",
@@ -38,6 +38,7 @@ def errors_text(errors: str | Mapping[str, float] | None) -> str | None:
 def trial_settings(noise: str | None, errors: str | None, sensing: str, grasp: str | None,
                    seed: int | None) -> _assay.TrialSettings:
     """Returns the settings of trials; the arguments are those of Plan.run."""
+    require_seed(seed)
     settings = _assay.TrialSettings()
     settings.noise = noise
     settings.errors = errors
@@ -45,6 +46,24 @@ def trial_settings(noise: str | None, errors: str | None, sensing: str, grasp: s
     settings.grasp = grasp
     settings.seed = seed
     return settings
+
+
+def require_count(name: str, count: int) -> None:
+    """Raises WrongUsage for a number that is not 1 or more."""
+    if count < 1:
+        raise WrongUsage(f"{name} is {count}; allowed: 1 or more")
+
+
+def require_jobs(jobs: int) -> None:
+    """Raises WrongUsage for a number of threads that the program refuses, too."""
+    if not 1 <= jobs <= 1024:
+        raise WrongUsage(f"jobs is {jobs}; allowed: 1 to 1024")
+
+
+def require_seed(seed: int | None) -> None:
+    """Raises WrongUsage for a number that is no seed."""
+    if seed is not None and not 0 <= seed < 2**64:
+        raise WrongUsage(f"seed is {seed}; allowed: 0 to 2^64 - 1")
 
 
 class Run:
@@ -57,7 +76,9 @@ class Run:
     verdicts: one row for each trial and step: trial, step, action (the step's id), verdict
         ("contained", "inconclusive", "violated", "not-claimed"), claim (the worst one), observed,
         low, high, margin, gate (what the engine cannot resolve). Empty without noise.
-    claims: one row for each trial and claim, with the observed value and the predicted range.
+    claims: one row for each trial and claim of a certificate: trial, claim, step (from 1), action
+        (the step's id), about ("before", "precondition" or "after"), name, unit, low, high (the
+        predicted range), gate, proved, observed (None if nothing was observed).
     seed: of the errors.
     untestable: what the plan violates without any noise, so that no trial was made; else empty.
     """
@@ -85,8 +106,12 @@ class Run:
                      f"{int(self.trials['violated'].sum())} claims are violated")
 
     def trace(self, trial: int) -> Trace:
-        """Executes a trial, by its number from 1, again and returns its trace."""
-        return Trace(self._runner.traced(int(trial)))
+        """Executes a trial, by its number from 1, again and returns its trace.
+
+        Trials that were not made can be executed, too: all are drawn from the seed.
+        """
+        require_count("trial", trial)
+        return Trace(self._runner.traced(trial))
 
     def __repr__(self) -> str:
         if self.untestable:
@@ -163,8 +188,13 @@ class Falsification:
         possible: number (from 1), claim, action, unit, observed, low, high, margin, gate, steps (to
         be executed), multiple (of its errors that still violates), replayed, noise (the errors),
         replay (the command that shows it again).
-    worst: one row for each claim: its worst observation, and the attempt that made it.
+    worst: a DataFrame with one row for each claim: claim, step (from 1), action (the step's id),
+        about ("before", "precondition" or "after"), name, unit, verdict, observed, low, high (the
+        predicted range), margin, gate (what the engine cannot resolve), phase and attempt (which
+        made the worst observation), noise (its errors).
     counts: how many attempts had each verdict on the step's certificate.
+    seed: of the attempts.
+    reason: what was violated, or empty.
     untestable: what the plan violates without any noise, so that no attempt was made; else empty.
     """
 
@@ -195,9 +225,15 @@ class Falsification:
                      f"{self.attempts} attempts: {self.reason}")
 
     def replay(self, number: int) -> Run:
-        """Executes the plan with the errors of a counterexample, by its number from 1."""
-        example = self.counterexamples.set_index("number").loc[number]
-        return self._plan.run(errors=example["noise"])
+        """Executes the plan with the errors of a counterexample, by its number from 1.
+
+        Raises WrongUsage if there is no such counterexample.
+        """
+        found = self.counterexamples.query("number == @number")
+        if found.empty:
+            raise WrongUsage(f"there is no counterexample {number!r}; there are "
+                             f"{len(self.counterexamples)}")
+        return self._plan.run(errors=found["noise"].iloc[0])
 
     def __repr__(self) -> str:
         if self.untestable:

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <string_view>
 
 #include "planner/assembly/certified_plan.h"
 #include "planner/plan/plan_files/plan_file.h"
@@ -70,16 +71,6 @@ CellRecord RecordOf(const Cell& cell, const domain::Problem& problem,
           .plan = plan::ToJson(result, problem, cell.scenario).dump()};
 }
 
-// Returns the options of a cell that change the problem of its scenario.
-std::string SettingsOf(const Cell& cell) {
-  const auto text = [](const auto& value) {
-    return value ? fmt::format("{}", *value) : "scenario";
-  };
-  return fmt::format("sweep: clearance {}, error scale {}, propagation {}, resolvers {}",
-                     text(cell.clearance), cell.error_scale, Name(cell.propagation),
-                     cell.resolvers ? Name(*cell.resolvers) : "scenario");
-}
-
 check::Experiment ExperimentOf(const Preparation& preparation) {
   return {.problem = preparation.scenario.problem,
           .plan = preparation.plan,
@@ -137,7 +128,7 @@ class Planning {
     preparation->run_command = CommandOf(sweep_, models_, cell, scene.grasp);
     scene.grasp = cell.grasp;
     preparation->box = noise::ErrorBox(scenario.problem, plan);
-    preparation->gate = noise_floor(scenario.problem, plan, scene, SettingsOf(cell));
+    preparation->gate = noise_floor(scenario.problem, plan, scene);
     preparation->scenario = std::move(scenario);
     preparation->plan = std::move(plan);
     return preparation;

@@ -5,7 +5,6 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "sim/check/trial_verdicts/trial.h"
@@ -56,11 +55,9 @@ struct Work {
   std::function<TimedTrial(const PlannedCell&, const FalsificationControl&)> falsification;
 };
 
-// Returns the noise floor of a plan in a scene. `settings` is a text of the cell's options that
-// change the scenario's problem. Any thread may call it.
-using NoiseFloorOf =
-    std::function<check::NoiseFloor(const domain::Problem& problem, const plan::Plan& plan,
-                                    const scene::SceneOptions& scene, std::string_view settings)>;
+// Returns the noise floor of a plan in a scene. Any thread may call it.
+using NoiseFloorOf = std::function<check::NoiseFloor(
+    const domain::Problem& problem, const plan::Plan& plan, const scene::SceneOptions& scene)>;
 
 // Returns the work that plans with the planner and executes in the simulator. `models` are the
 // folders of models; empty: each scenario's own. Planning calls `noise_floor`, restoring does not.

@@ -4,9 +4,14 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "planner/assembly/certified_plan.h"
 #include "planner/base/input_files/input_error.h"
+#include "sim/execution/robots/execution.h"
 #include "sim/execution/walk/executor.h"
 #include "sim/film/ffmpeg.h"
 #include "sim/film/shoot.h"
@@ -20,22 +25,48 @@ namespace {
 using testing::ElementsAre;
 using testing::StartsWith;
 
-// A pickup and an assembly, executed once without noise.
-struct FilmedExecution {
+// A pickup and an assembly.
+struct TwoSteps {
   scenario::Scenario scenario = scenario::Load(ASSAY_SOURCE_DIR "/scenarios/uncertain-known.yaml");
   plan::Plan plan = assembly::MakeCertifiedPlan(scenario.problem, {}, {}).plan;
   scene::Scene scene{scenario.problem, scenario.simulation.scene};
-  execution::Trace trace = [this] {
-    mujoco::Data data = scene.Start();
-    return execution::Execute(scenario.problem, plan, scene, data, {});
-  }();
-
-  Subject subject() const { return {scenario.problem, plan, scene, trace}; }
 };
 
-const FilmedExecution& TwoActions() {
-  static const FilmedExecution execution;
-  return execution;
+constexpr double kFirstEnd = 3, kSecondEnd = 7, kEnd = 8;  // seconds
+
+// A trace that no engine made, since executions take seconds: the first part rises by 10 cm.
+struct MadeUp : TwoSteps {
+  execution::Trace trace = [this] {
+    mujoco::Data data = scene.Start();
+    execution::Snapshot now = execution::Execution(scenario.problem, scene, data, {}).Now();
+    execution::Trace made{.problem = scenario.problem.name, .parts = {}, .events = {}};
+    constexpr double kInterval = 0.02;
+    for (int i = 0; i * kInterval < kEnd; ++i) {
+      now.time = i * kInterval;
+      made.events.emplace_back(execution::Sample{now});
+      now.parts.front().truth.translation().z() += 0.1 * kInterval / kEnd;
+    }
+    const std::vector<plan::StepId> order = plan.ExecutionOrder();
+    for (const auto& [step, end] :
+         {std::pair(order[0], kFirstEnd), std::pair(order[1], kSecondEnd)}) {
+      now.time = end;
+      made.events.emplace_back(
+          execution::StepEnd{.step = step,
+                             .name = plan.step(step).name,
+                             .action = plan::ShortText(scenario.problem, plan.step(step).action),
+                             .snapshot = now});
+    }
+    now.time = kEnd;
+    made.events.emplace_back(execution::ExecutionEnd{.snapshot = now});
+    return made;
+  }();
+
+  Subject subject() const { return {scenario.problem, plan, scene, trace, "done"}; }
+};
+
+const MadeUp& Rising() {
+  static const MadeUp made;
+  return made;
 }
 
 Settings Small() {
@@ -53,29 +84,39 @@ std::string BytesOf(const std::filesystem::path& file) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-// The program that runs a test executes the plan once, so that few tests need it.
 TEST(Captions, NameTheStepsInTheOrderOfExecutionAndTheEnd) {
-  const std::vector<Caption> captions = CaptionsOf(TwoActions().subject());
+  const std::vector<Caption> captions = CaptionsOf(Rising().subject());
   EXPECT_THAT(TextsOf(captions),
               ElementsAre(StartsWith("1 pickup(peg"), StartsWith("2 assemble(peg, block"), "done"));
   EXPECT_EQ(captions[0].from, 0);
-  const auto ends = TwoActions().trace.All<execution::StepEnd>();
-  EXPECT_EQ(captions[1].from, ends[0]->snapshot.time);
-  EXPECT_EQ(captions[2].from, ends[1]->snapshot.time);
+  EXPECT_EQ(captions[1].from, kFirstEnd);
+  EXPECT_EQ(captions[2].from, kSecondEnd);
+}
 
-  // The second trace is the first one, changed as if the arm had collided during the last step.
-  execution::Trace trace = TwoActions().trace;
-  auto& end = std::get<execution::ExecutionEnd>(trace.events.back());
-  end.outcome = execution::TrialOutcome::kCollided;
-  end.reason = "the arm touched the block";
+TEST(Captions, EndWithTheExecutionIfAStepDidNotEnd) {
+  execution::Trace trace = Rising().trace;
   std::erase_if(trace.events, [](const execution::TraceEvent& event) {
     const auto* step_end = std::get_if<execution::StepEnd>(&event);
     return step_end != nullptr && step_end->action.starts_with("assemble");
   });
-  Subject subject{TwoActions().scenario.problem, TwoActions().plan, TwoActions().scene, trace};
-  EXPECT_EQ(CaptionsOf(subject).back().text,
-            std::string(execution::NameOfEnd(end.outcome)) + ": the arm touched the block");
-  EXPECT_EQ(CaptionsOf(subject).back().from, end.snapshot.time);
+  const Subject subject{Rising().scenario.problem, Rising().plan, Rising().scene, trace,
+                        "collided: the arm touched the block"};
+  const std::vector<Caption> captions = CaptionsOf(subject);
+  ASSERT_EQ(captions.size(), 3);
+  EXPECT_EQ(captions.back().text, subject.end);
+  EXPECT_EQ(captions.back().from, kEnd);
+}
+
+// A walk through a plan tree names its own actions. The last one here did not end.
+TEST(Captions, AreOfTheWalkedActionsIfThereAreAny) {
+  Subject subject = Rising().subject();
+  subject.walked = {{"look(peg)", 1.5}, {"pickup(peg)", std::nullopt}, {"never begun", 9}};
+  subject.end = "stopped: the peg slipped";
+  const std::vector<Caption> captions = CaptionsOf(subject);
+  EXPECT_THAT(TextsOf(captions),
+              ElementsAre("1 look(peg)", "2 pickup(peg)", "stopped: the peg slipped"));
+  EXPECT_EQ(captions[1].from, 1.5);
+  EXPECT_EQ(captions[2].from, kEnd);
 }
 
 TEST(TextAt, IsThatOfTheLastCaptionWhoseTimeHasCome) {
@@ -88,10 +129,10 @@ TEST(TextAt, IsThatOfTheLastCaptionWhoseTimeHasCome) {
 
 // The film lasts as long as the execution, divided by the speed, and a little longer at its end.
 TEST(Film, LastsAsLongAsTheExecutionAtItsSpeedAndIsTheSameEachTime) {
-  Film film(TwoActions().subject(), Small());
+  Film film(Rising().subject(), Small());
   double duration = 0;
   for (int i = 0; i + 1 < film.size(); ++i) duration += film.Duration(i);
-  EXPECT_NEAR(duration, TwoActions().trace.end().snapshot.time / 4, 0.5);
+  EXPECT_NEAR(duration, kEnd / 4, 0.5);
   EXPECT_GT(film.Duration(film.size() - 1), 1);
   const render::Image first = film.Draw(0);
   EXPECT_EQ(first.width, 160);
@@ -99,22 +140,23 @@ TEST(Film, LastsAsLongAsTheExecutionAtItsSpeedAndIsTheSameEachTime) {
   const render::Image last = film.Draw(film.size() - 1);
   EXPECT_FALSE(first == last);
   EXPECT_TRUE(film.Draw(0) == first);
-  EXPECT_TRUE(Film(TwoActions().subject(), Small()).Draw(0) == first);
+  EXPECT_TRUE(Film(Rising().subject(), Small()).Draw(0) == first);
 }
 
 // What is drawn from a trace is what was drawn while the execution ran.
 TEST(Film, ShowsTheEndOfTheExecutionAsTheEngineHadIt) {
-  const FilmedExecution& filmed = TwoActions();
-  mujoco::Data data = filmed.scene.Start();
-  execution::Execute(filmed.scenario.problem, filmed.plan, filmed.scene, data, {});
+  const TwoSteps steps;
+  mujoco::Data data = steps.scene.Start();
+  const execution::Trace trace =
+      execution::Execute(steps.scenario.problem, steps.plan, steps.scene, data, {});
   data.Forward();
   Settings settings = Small();
-  settings.camera = filmed.scene.model().FindCamera("overview");
+  settings.camera = steps.scene.model().FindCamera("overview");
   ASSERT_FALSE(settings.camera.IsNone());
-  Film film(filmed.subject(), settings);
+  Film film({steps.scenario.problem, steps.plan, steps.scene, trace, "done"}, settings);
   const render::Image drawn = film.Draw(film.size() - 1);
   constexpr int kCaption = 18;
-  render::Renderer renderer(filmed.scene.model(), 160, 120 - kCaption, {.samples = 1});
+  render::Renderer renderer(steps.scene.model(), 160, 120 - kCaption, {.samples = 1});
   const render::Image live = renderer.Render(data, settings.camera);
   int different = 0;
   for (std::size_t i = 0; i < live.rgb.size(); ++i) {
@@ -131,7 +173,7 @@ int CountOf(const std::string& chunk, const std::string& bytes) {
 }
 
 TEST(Shoot, EncodesEachPictureAndEndsEarlyIfItIsTold) {
-  Film film(TwoActions().subject(), Small());
+  Film film(Rising().subject(), Small());
   const std::filesystem::path file = ScratchFile("film.webp");
   std::vector<int> drawn;
   EXPECT_EQ(Shoot(film, *Begin({file, 160, 120, 2}),

@@ -11,7 +11,8 @@ import assay
 
 TREE = Path(__file__).resolve().parents[3]
 SCENARIOS = TREE / "scenarios"
-KNOWN = SCENARIOS / "uncertain-known.yaml"  # a pickup and an assembly, all proved
+MODELS = TREE / "models"
+KNOWN = SCENARIOS / "notebooks/jigs.yaml"  # a pickup and an assembly, all proved
 
 
 def program(*arguments: object) -> subprocess.CompletedProcess:
@@ -24,9 +25,24 @@ def program_json(*arguments: object) -> dict:
     return json.loads(program(*arguments, "--json").stdout)
 
 
+def kept_noise_floors() -> set[Path]:
+    return set(Path(os.environ["XDG_CACHE_HOME"], "assay/noise-floor").glob("*.json"))
+
+
 @pytest.fixture(scope="session")
 def known() -> assay.Plan:
     return assay.Scenario(KNOWN).plan()
+
+
+@pytest.fixture(scope="session")
+def reached(tmp_path_factory) -> Path:
+    """A scenario whose goal holds from the start: a trial of its plan takes milliseconds."""
+    file = tmp_path_factory.mktemp("reached") / "reached.yaml"
+    file.write_text("format: assay-scenario/1\nworkcell: puma762-table\n"
+                    "units: {length: mm, angle: degree}\n"
+                    "parts: {block: {model: block, pose: {stable: on-back, at: [600, 50]}}}\n"
+                    "goal: [{located: {part: block, stable: [on-back]}}]\n")
+    return file
 
 
 @pytest.fixture(scope="session")

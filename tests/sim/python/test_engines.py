@@ -72,6 +72,12 @@ def test_sensitivity_names_what_costs_most():
     (("x", {"x": ([0, 1], [2, 3, 4])}), assay.WrongUsage, "shapes that do not agree"),
     (("x", {"x": ([0, 5], [1, 2])}), assay.WrongUsage, "lower end"),
     (("x", {"x": (0, 1)}, ["x"]), assay.WrongInput, ""),
+    (("x", {"x": (float("nan"), 1)}), assay.WrongInput, "x"),
+    (("x", {"x": ([0, np.nan], [1, 1])}), assay.WrongInput, ""),
+    (("x", {"x": ("left", 1)}), assay.WrongInput, "left"),
+    (("x", {"x": ([[0], [1, 2]], 3)}), ValueError, ""),
+    ((7, BOX), TypeError, ""),
+    (("x", {"x y": (0, 1)}), assay.WrongInput, "x y"),
 ])
 def test_wrong_bounds(arguments, error, words):
     with pytest.raises(error, match=words):
@@ -142,6 +148,20 @@ def test_a_network_file_is_labeled_as_the_program_does(tmp_path):
     ({"nodes": {"a": 2, "b": 2}, "arcs": [{"between": ["a", "b"], "allowed": np.ones((2, 3))}]},
      r"has the shape \(2, 3\); allowed: \(2, 2\)"),
     ({"nodes": {"a": ["x", "x"]}}, "given twice"),
+    ({"nodes": {"a": 2**20}}, "allowed: a list, or their number, 0 to 65536"),
+    ({"nodes": {"a": -1}}, "allowed: a list, or their number"),
+    ({"nodes": {"a": "red"}}, "the labels 'red'"),
+    ({"nodes": {"a": 2.5}}, "the labels 2.5"),
+    ({"nodes": {"a": [[1], [2]]}}, r"\[1\] of node 'a' is no label"),
+    ({"nodes": ["a"]}, "allowed: a mapping `nodes`"),
+    ({"nodes": {"a": 2}, "arcs": ["a"]}, "a list `arcs` of mappings"),
+    ({"nodes": {"a": 2}, "arcs": [{"allowed": np.ones((2, 2))}]}, "allowed: two of 'a'"),
+    ({"nodes": {"a": 2, "b": 1}, "arcs": [{"between": "ab", "allowed": [[1], [0, 1]]}]},
+     "`allowed` of arc 0"),
+    ({"nodes": {"a": 2}, "arcs": [{"between": "aa", "allowed": np.eye(2), "pairs": []}]},
+     "allowed: one of 'allowed', 'pairs' and 'forbidden'"),
+    ({"nodes": {"a": 2}, "arcs": [{"between": "aa", "allowed": np.eye(2)},
+                                  {"between": "aa", "pairs": [1]}]}, "arc 1 has no pair 1"),
     ({}, "nodes"),
 ])
 def test_wrong_networks(network, words):

@@ -1,8 +1,11 @@
 """Scenarios, plans, certificates, explanations and checks."""
 
 import ast
+import functools
+import inspect
 import json
 import os
+import re
 import signal
 import subprocess
 import sys
@@ -166,13 +169,6 @@ def test_wrong_arguments_of_a_scenario():
         assay.Scenario(KNOWN, clearance="wide")
 
 
-def test_a_tree_is_no_plan():
-    scenario = assay.Scenario(SCENARIOS / "fallen-peg.yaml")
-    assert scenario.needs_tree
-    with pytest.raises(assay.WrongUsage, match="is a tree; allowed: plans without branches"):
-        scenario.plan()
-
-
 def test_other_threads_run_while_the_planner_works():
     scenario = assay.Scenario(SCENARIOS / "uncertain-clutter.yaml")
     planning = threading.Thread(target=scenario.plan)
@@ -204,28 +200,76 @@ def test_ctrl_c_stops_the_planner():
     assert out.startswith("interrupted ") and child.returncode == 0
 
 
+def signature(documented: str) -> tuple[list[str], str]:
+    """Returns the names of arguments, and the type of the result, of pybind11's documentation."""
+    arguments, result = re.match(r"\w+\((.*)\) -> (.+)", documented).groups()
+    return re.findall(r"(\w+): ", arguments), result
+
+
+def require_same_signature(node: ast.FunctionDef, real, place: str) -> None:
+    names = [argument.arg for argument in node.args.args]
+    found, result = signature(real.__doc__)
+    assert found == names, place
+    if result in ("str", "int", "bool", "float", "None"):
+        assert ast.unparse(node.returns) == result, place
+
+
+def require_same_class(node: ast.ClassDef, real: type) -> None:
+    functions = [m for m in node.body if isinstance(m, ast.FunctionDef)]
+    members = {m.name for m in functions} | {
+        m.target.id for m in node.body if isinstance(m, ast.AnnAssign)}
+    assert members - {"__init__"} == {m for m in dir(real) if not m.startswith("_")}, node.name
+    for function in functions:
+        decorators = {ast.unparse(d) for d in function.decorator_list}
+        member = getattr(real, function.name)
+        if "property" in decorators:
+            assert isinstance(member, property)
+        elif "overload" not in decorators:
+            require_same_signature(function, member, f"{node.name}.{function.name}")
+
+
 def test_the_types_of_the_extension_are_those_of_its_stub():
     stub = ast.parse((TREE / "sim/python/assay/_assay.pyi").read_text())
     declared = {node.name: node for node in stub.body
                 if isinstance(node, (ast.ClassDef, ast.FunctionDef))}
-    there = {name for name in dir(_assay)
-             if not name.startswith("_") and callable(getattr(_assay, name))}
-    assert set(declared) == there
+    constants = {node.target.id: ast.unparse(node.annotation) for node in stub.body
+                 if isinstance(node, ast.AnnAssign)}
+    there = {name for name in dir(_assay) if not name.startswith("_")}
+    assert set(declared) | set(constants) - {"__version__"} == there
+    for name, annotation in constants.items():
+        assert type(getattr(_assay, name)).__name__ == annotation, name
     for name, node in declared.items():
         if isinstance(node, ast.ClassDef):
-            members = {m.name for m in node.body if isinstance(m, ast.FunctionDef)}
-            members |= {m.target.id for m in node.body if isinstance(m, ast.AnnAssign)}
-            real = {m for m in dir(getattr(_assay, name)) if not m.startswith("_")}
-            assert members - {"__init__"} == real, name
+            require_same_class(node, getattr(_assay, name))
+        else:
+            require_same_signature(node, getattr(_assay, name), name)
     assert (TREE / "sim/python/assay/py.typed").exists()
 
 
-def test_everything_public_is_documented():
+def public_members():
+    """Returns every public class and function with its name, and those inside public classes."""
     for name in assay.__all__:
         public = getattr(assay, name)
         if not callable(public):
             continue
-        assert public.__doc__, name
+        yield name, public
         for method, member in vars(public).items() if isinstance(public, type) else ():
-            if not method.startswith("_") and (callable(member) or isinstance(member, property)):
-                assert member.__doc__, f"{name}.{method}"
+            if method.startswith("_"):
+                continue
+            if isinstance(member, property):
+                yield f"{name}.{method}", member.fget
+            elif isinstance(member, functools.cached_property):
+                yield f"{name}.{method}", member.func
+            elif callable(getattr(public, method)):
+                yield f"{name}.{method}", getattr(public, method)
+
+
+def test_everything_public_is_documented_and_typed():
+    for name, member in public_members():
+        assert member.__doc__, name
+        if isinstance(member, type) or "." not in name and not inspect.isfunction(member):
+            continue
+        signature = inspect.signature(member)
+        assert signature.return_annotation is not signature.empty, name
+        for argument in list(signature.parameters.values())["." in name:]:
+            assert argument.annotation is not argument.empty, f"{name}: {argument}"

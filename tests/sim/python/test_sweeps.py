@@ -1,7 +1,7 @@
 """Sweeps and their databases."""
 
 import pytest
-from conftest import SCENARIOS
+from conftest import KNOWN, kept_noise_floors
 
 import assay
 
@@ -10,6 +10,7 @@ title: Two trials
 scenarios: [{scenario}]
 noise: [uniform]
 seeds: [7]
+grasp: [weld]
 trials: 1
 """
 
@@ -17,13 +18,17 @@ trials: 1
 @pytest.fixture(scope="module")
 def folder(tmp_path_factory):
     folder = tmp_path_factory.mktemp("sweep")
-    (folder / "sweep.yaml").write_text(SWEEP.format(scenario=SCENARIOS / "uncertain-known.yaml"))
+    (folder / "sweep.yaml").write_text(SWEEP.format(scenario=KNOWN))
     return folder
 
 
+# The session has read other files since the noise floor was measured.
 @pytest.fixture(scope="module")
-def database(folder):
-    return assay.sweep(folder / "sweep.yaml", folder / "mine.sqlite", jobs=2)
+def database(folder, noisy):
+    kept = kept_noise_floors()
+    database = assay.sweep(folder / "sweep.yaml", folder / "mine.sqlite", jobs=2)
+    assert kept_noise_floors() == kept
+    return database
 
 
 def test_a_sweep_does_the_trials_of_a_plan(database, noisy):
@@ -52,7 +57,7 @@ def test_a_sweep_is_resumed(folder, database):
 
 def test_wrong_sweeps(folder, tmp_path, database):
     with pytest.raises(assay.WrongInput):
-        assay.sweep(SCENARIOS / "uncertain-known.yaml", tmp_path / "out.sqlite")
+        assay.sweep(KNOWN, tmp_path / "out.sqlite")
     with pytest.raises(assay.WrongUsage, match="allowed: a file"):
         assay.sweep(folder / "sweep.yaml", ":memory:")
     with pytest.raises(assay.WrongUsage, match="jobs is 0"):
@@ -61,5 +66,11 @@ def test_wrong_sweeps(folder, tmp_path, database):
         assay.SweepDatabase(folder / "sweep.yaml")
     with pytest.raises(assay.WrongUsage, match="there is no table 'secrets'"):
         database.table("secrets")
+    with pytest.raises(assay.WrongUsage, match="jobs is 2000"):
+        assay.sweep(folder / "sweep.yaml", tmp_path / "out.sqlite", jobs=2000)
+    with pytest.raises(assay.EnvironmentLacks):
+        assay.sweep(folder / "sweep.yaml", tmp_path / "nowhere/out.sqlite")
+    with pytest.raises(assay.WrongInput):
+        assay.SweepDatabase(tmp_path / "out.sqlite")
     with pytest.raises(Exception, match="readonly"):
         database.query("DELETE FROM trial")

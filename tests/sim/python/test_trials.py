@@ -82,6 +82,7 @@ def test_poses_are_unit_quaternions_at_50_hertz(trace):
 def test_the_page_of_a_trial_needs_nothing_else(tmp_path, trace):
     view = trace.view()
     assert view.html.startswith("<!DOCTYPE html>") and "trial 1" in view.html
+    assert "the plan without noise" in view.html  # is shown beside it
     assert view.save(tmp_path / "page.html").read_text(encoding="utf-8") == view.html
     cell = view._repr_html_()
     assert cell.startswith("<iframe srcdoc=") and "&lt;!DOCTYPE html&gt;" in cell
@@ -115,6 +116,8 @@ def test_a_counterexample_is_replayed(known):
     with pytest.raises(assay.Failed, match="violated in 1 of 7 attempts: step 2: x of peg"):
         result.require()
     assert result.replay(1).trials["noise"][0] == noise
+    with pytest.raises(assay.WrongUsage, match="there is no counterexample 2; there are 1"):
+        result.replay(2)
     untestable = assay.Falsification(known, 1, "hidden", trial, {**attack, "violated": 0})
     assert not untestable.holds and repr(untestable) == "hidden"
 
@@ -124,11 +127,19 @@ def test_a_counterexample_is_replayed(known):
     ({"sensing": "nose"}, assay.WrongUsage, "there is no sensing 'nose'"),
     ({"grasp": "glue"}, assay.WrongUsage, "there is no grasp 'glue'; allowed: friction, weld"),
     ({"trials": 0}, assay.WrongUsage, "trials is 0; allowed: 1 or more"),
-    ({"jobs": -1}, assay.WrongUsage, "jobs is -1; allowed: 1 or more"),
+    ({"jobs": -1}, assay.WrongUsage, "jobs is -1; allowed: 1 to 1024"),
+    ({"jobs": 10**6}, assay.WrongUsage, "jobs is 1000000"),
     ({"noise": "uniform", "errors": "dx_peg=0"}, assay.WrongUsage, "exclude each other"),
     ({"errors": "dx_nobody=0.1"}, assay.WrongInput, "dx_nobody"),
     ({"errors": {"dx_peg": 7}}, assay.WrongInput, "dx_peg"),
-    ({"seed": -1}, TypeError, ""),
+    ({"errors": {"dx_peg": float("nan")}}, assay.WrongInput, ""),
+    ({"errors": {"dx_peg": "wide"}}, ValueError, "wide"),
+    ({"errors": "dx_peg"}, assay.WrongInput, ""),
+    ({"seed": -1}, assay.WrongUsage, r"seed is -1; allowed: 0 to 2\^64 - 1"),
+    ({"seed": 2**64}, assay.WrongUsage, "seed is 18446744073709551616"),
+    ({"seed": "one"}, TypeError, ""),
+    ({"trials": 1.5}, TypeError, ""),
+    ({"noise": 7}, TypeError, ""),
 ])
 def test_wrong_arguments_of_run(known, arguments, error, words):
     with pytest.raises(error, match=words):
@@ -138,3 +149,15 @@ def test_wrong_arguments_of_run(known, arguments, error, words):
 def test_wrong_arguments_of_falsify(known):
     with pytest.raises(assay.WrongUsage, match="attempts is 0"):
         known.falsify(attempts=0)
+    with pytest.raises(assay.WrongUsage, match="jobs is 0"):
+        known.falsify(attempts=1, jobs=0)
+    with pytest.raises(assay.WrongUsage, match="there is no grasp 'glue'"):
+        known.falsify(attempts=1, grasp="glue")
+
+
+def test_wrong_numbers_of_trials(noisy):
+    for wrong in (0, -1):
+        with pytest.raises(assay.WrongUsage, match=f"trial is {wrong}"):
+            noisy.trace(wrong)
+    with pytest.raises(TypeError):
+        noisy.trace("first")

@@ -4,6 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <string>
+#include <thread>
+#include <utility>
+#include <vector>
 
 #include "planner/base/input_files/input_error.h"
 #include "tests/scratch_file.h"
@@ -91,20 +95,31 @@ TEST(Text, ItsFirstWrongByteIsTold) {
   }
 }
 
-TEST(InputFile, DigestIsOfAllContents) {
-  const fs::path file = Written("digested", "1");
-  ReadInput(file, "a text");
-  const std::string one = DigestOfInputs();
-  ReadInput(file, "a text");
-  EXPECT_EQ(DigestOfInputs(), one);
-  ReadInput(Written("digested", "2"), "a text");
-  const std::string two = DigestOfInputs();
-  EXPECT_NE(two, one);
-  ReadInput(Written("digested too", "2"), "a text");
-  EXPECT_NE(DigestOfInputs(), two);
-  fs::remove(ScratchFile("digested too"));
-  ReadInput(Written("digested", "1"), "a text");
-  EXPECT_NE(DigestOfInputs(), one);
+// Returns the digest of reading these files, each with its text.
+std::string DigestOf(const std::vector<std::pair<std::string, std::string>>& files) {
+  const FilesRead read;
+  for (const auto& [name, text] : files) ReadInput(Written(name, text), "a text");
+  return read.Digest();
+}
+
+TEST(FilesRead, DigestIsOfAllNamesAndContents) {
+  const std::string one = DigestOf({{"digested", "1"}});
+  EXPECT_EQ(DigestOf({{"digested", "1"}}), one);
+  EXPECT_EQ(DigestOf({{"digested", "1"}, {"digested", "1"}}), one);
+  EXPECT_NE(DigestOf({{"digested", "2"}}), one);
+  EXPECT_NE(DigestOf({{"digested too", "1"}}), one);
+  EXPECT_NE(DigestOf({}), one);
+  EXPECT_EQ(DigestOf({{"digested", "1"}, {"digested too", "2"}}),
+            DigestOf({{"digested too", "2"}, {"digested", "1"}}));
+}
+
+TEST(FilesRead, AreThoseOfItsThreadWhileItLives) {
+  const FilesRead outer;
+  std::thread([] { ReadInput(Written("digested", "1"), "a text"); }).join();
+  EXPECT_EQ(outer.Digest(), DigestOf({}));
+  const std::string inner = DigestOf({{"digested", "1"}});
+  EXPECT_EQ(outer.Digest(), inner);
+  EXPECT_EQ(DigestOf({}), FilesRead().Digest());
 }
 
 }  // namespace

@@ -337,6 +337,16 @@ TEST(Overrides, ErrorsOfPartsAndGripperAreScaledAndNothingElse) {
   EXPECT_FALSE(std::signbit(ParseWith(text, {.error_scale = 0}).gripper_error.x.low));
 }
 
+TEST(Overrides, AndFilesAreTheOriginOfAProblem) {
+  const std::string origin = ParseWith(kBrick, {}).origin;
+  EXPECT_FALSE(origin.empty());
+  EXPECT_EQ(ParseWith(kBrick, {}).origin, origin);
+  EXPECT_NE(ParseWith(kBrick + "# changed\n", {}).origin, origin);
+  EXPECT_NE(ParseWith(kBrick, {.clearance = 0.0007}).origin, origin);
+  EXPECT_NE(ParseWith(kBrick, {.error_scale = 2}).origin, origin);
+  EXPECT_NE(ParseWith(kBrick, {.resolvers = {{ResolverKind::kSensing}}}).origin, origin);
+}
+
 TEST(ProblemFile, LeavesTheSimulationKeyAlone) {
   EXPECT_EQ(MessageOf(kBrick + "simulation: {whatever: [1, 2]}\n", "s.yaml"), "no error");
 }

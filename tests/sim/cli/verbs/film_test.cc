@@ -14,14 +14,54 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
-TEST(FilmTest, ShowsATraceWithFewPictures) {
+// Films an input into a file with few and small pictures.
+Ended Film(const std::string& film, std::vector<std::string> arguments) {
+  arguments.insert(arguments.begin(), "film");
+  for (const char* word : {"--size", "160x120", "--samples", "1", "--rate", "2", "--speed", "20"}) {
+    arguments.push_back(word);
+  }
+  arguments.insert(arguments.end(), {"-o", film});
+  return Assay(arguments);
+}
+
+TEST(FilmTest, ShowsATraceWithFewPicturesFromAnyCamera) {
   const Folder folder;
   ASSERT_EQ(Assay({"run", kTwoActions, "-o", folder / "out"}).code, 0);
   const std::string film = folder / "film.webp";
-  const Ended ended = Assay({"film", folder / "out/trace.jsonl", "-o", film, "--size", "160x120",
-                             "--samples", "1", "--rate", "2", "--speed", "10"});
+  const std::string trace = folder / "out/trace.jsonl";
+  const Ended nowhere = Film(film, {trace, "--camera", "nowhere"});
+  EXPECT_EQ(nowhere.code, 2);
+  EXPECT_THAT(nowhere.err, HasSubstr("allowed: work, "));
+  EXPECT_FALSE(std::filesystem::exists(film));
+  std::string first;
+  for (const char* camera : {"work", "close"}) {
+    const Ended ended = Film(film, {trace, "--camera", camera});
+    ASSERT_EQ(ended.code, 0) << ended.err;
+    EXPECT_THAT(ended.out, HasSubstr(film + ": "));
+    EXPECT_THAT(TextOf(film), StartsWith("RIFF"));
+    EXPECT_NE(TextOf(film), first);
+    first = TextOf(film);
+  }
+}
+
+TEST(FilmTest, ShowsATrialOfAResult) {
+  const Folder folder;
+  ASSERT_EQ(Assay({"run", kTwoActions, "--noise", "uniform", "-o", folder / "out"}).code, 0);
+  const std::string film = folder / "film.webp";
+  const Ended ended = Film(film, {folder / "out/result.json", "1"});
   ASSERT_EQ(ended.code, 0) << ended.err;
-  EXPECT_THAT(ended.out, HasSubstr(film + ": "));
+  EXPECT_THAT(TextOf(film), StartsWith("RIFF"));
+  const Ended missing = Film(film, {folder / "out/result.json", "2"});
+  EXPECT_EQ(missing.code, 2);
+  EXPECT_THAT(missing.err, HasSubstr("film: "));
+  EXPECT_THAT(missing.err, HasSubstr("has no trial 2"));
+}
+
+TEST(FilmTest, ShowsAWalkThroughAPlanTree) {
+  const Folder folder;
+  const std::string film = folder / "film.webp";
+  const Ended ended = Film(film, {kTree / "scenarios/bottles.yaml", "2", "--worlds", "all"});
+  ASSERT_EQ(ended.code, 0) << ended.err;
   EXPECT_THAT(TextOf(film), StartsWith("RIFF"));
 }
 
@@ -50,12 +90,12 @@ TEST(FilmTest, RefusesWhatItCannotFilm) {
   EXPECT_EQ(Assay({"film", kTwoActions, "-o", film, "--size", "160x10"}).code, 2);
   EXPECT_EQ(Assay({"film", kTwoActions, "-o", film, "--speed", "0"}).code, 2);
   EXPECT_EQ(Assay({"film", folder / "no.yaml", "-o", film}).code, 3);
-  const Ended tree = Assay({"film", kTree / "scenarios/two-cans.yaml", "-o", film});
-  EXPECT_EQ(tree.code, 2);
-  EXPECT_THAT(tree.err, HasSubstr("is a tree"));
-  const Ended camera = Assay({"film", kTwoActions, "-o", film, "--camera", "nowhere"});
-  EXPECT_EQ(camera.code, 2);
-  EXPECT_THAT(camera.err, HasSubstr("allowed: work, "));
+  const Ended numbered = Assay({"film", kTwoActions, "1", "-o", film});
+  EXPECT_EQ(numbered.code, 2);
+  EXPECT_THAT(numbered.err, HasSubstr("film: numbers of trials are for databases"));
+  const Ended none = Assay({"film", kImpossible, "-o", film});
+  EXPECT_EQ(none.code, 10);
+  EXPECT_THAT(none.out, HasSubstr("block starts face-down"));
   EXPECT_FALSE(std::filesystem::exists(film));
 }
 

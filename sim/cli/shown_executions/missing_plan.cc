@@ -1,4 +1,4 @@
-#include "sim/cli/page_output/no_plan_page.h"
+#include "sim/cli/shown_executions/missing_plan.h"
 
 #include "sim/execution/robots/execution.h"
 
@@ -40,21 +40,18 @@ std::vector<view::Reasons> ReasonsOf(const plan::PlanResult& result) {
 
 }  // namespace
 
-ViewedPage NoPlanPage(const PlannedProblem& planned) {
+ShownExecution MissingPlan(const PlannedProblem& planned) {
   const plan::PlanResult& result = planned.result;
   const scene::Scene scene(planned.problem, planned.simulation.scene);
-  const execution::Trace still = StillOf(planned.problem, scene);
-  ViewedPage page =
-      PageOf({.problem = planned.problem,
-              .plan = result.plan,
-              .scene = scene,
-              .trace = still,
-              .outcome = result.outcome == Outcome::kNone ? "No plan exists" : "No plan was found",
-              .why_not = ReasonsOf(result),
-              .source = "scenario " + planned.file(),
-              .plan_file = planned.file()});
-  page.code = ExitCodeOf(result.outcome);
-  return page;
+  return {.problem = planned.problem,
+          .plan = result.plan,
+          .scene = planned.simulation.scene,
+          .trace = StillOf(planned.problem, scene),
+          .outcome = result.outcome == Outcome::kNone ? "No plan exists" : "No plan was found",
+          .why_not = ReasonsOf(result),
+          .source = "scenario " + planned.file(),
+          .plan_file = planned.file(),
+          .code = ExitCodeOf(result.outcome)};
 }
 
 }  // namespace assay::cli

@@ -1,4 +1,4 @@
-#include "sim/cli/page_output/tree_lines.h"
+#include "sim/cli/shown_executions/tree_lines.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "sim/cli/page_output/plan_of_request.h"
+#include "sim/cli/shown_executions/plan_of_request.h"
 
 #include <fmt/format.h>
 
@@ -12,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-fs::path PlanFileOf(const ViewRequest& request) {
+fs::path PlanFileOf(const ShowRequest& request) {
   if (!request.plan.empty()) return request.plan;
   const fs::path plan = request.input.parent_path() / "plan.json";
   std::error_code ignored;
@@ -23,7 +23,7 @@ fs::path PlanFileOf(const ViewRequest& request) {
 
 }  // namespace
 
-PlannedProblem PlanOf(const ViewRequest& request) {
+PlannedProblem PlanOf(const ShowRequest& request) {
   return ReadPlan(Document::Load(PlanFileOf(request)), request.models);
 }
 
