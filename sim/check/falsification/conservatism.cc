@@ -4,6 +4,7 @@
 #include <array>
 #include <functional>
 
+#include "planner/base/stop.h"
 #include "planner/uncertainty/preconditions/certify.h"
 #include "sim/execution/trial/scheduler.h"
 #include "sim/noise/possible_start.h"
@@ -133,9 +134,6 @@ Threshold FindThreshold(const std::function<bool(double)>& fails, double first, 
   }
   return threshold;
 }
-
-// Thrown to end the comparison of a variable once it was stopped.
-struct Stopped {};
 
 class Comparison {
  public:

@@ -231,7 +231,6 @@ class Plan:
         """Tries to falsify each certificate by errors within the bounds.
 
         attempts: at single steps, in all. The other arguments and exceptions are those of `run`.
-            At Ctrl-C, attempts may be lost.
         """
         require_count("attempts", attempts)
         require_jobs(jobs)

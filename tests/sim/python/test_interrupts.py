@@ -10,10 +10,11 @@ from conftest import MODELS
 import assay
 
 
-def interrupted(call, delay):
+def interrupted(call, delay, done=lambda result: len(result.trials)):
     """Returns what a call that would take hours keeps at Ctrl-C, once it keeps something.
 
     delay: seconds until Ctrl-C; more if nothing is there by then.
+    done: says how much a result has.
     """
     while True:
         timer = threading.Timer(delay, os.kill, (os.getpid(), signal.SIGINT))
@@ -24,7 +25,7 @@ def interrupted(call, delay):
         except assay.Interrupted as error:
             assert isinstance(error, KeyboardInterrupt)
             assert "sys.last_value.result" in str(error)
-            if len(error.result.trials) > 0:
+            if done(error.result) > 0:
                 return error.result
         except KeyboardInterrupt:
             pass  # nothing was there yet
@@ -46,6 +47,12 @@ def test_trials_that_were_done_are_kept(scenario, settings):
     assert list(run.trials["trial"]) == list(range(1, len(run.trials) + 1))
     assert len(run.trials) < MANY and run.holds
     assert run.trace(1).outcome == "done"  # work after it is not interrupted
+
+
+def test_attempts_that_were_made_are_kept(known):
+    found = interrupted(lambda: known.falsify(attempts=MANY), 10, lambda result: result.attempts)
+    assert found.attempts < MANY and found.counts["violated"] == 0
+    assert len(found.worst) > 0
 
 
 def test_trials_of_a_sweep_that_were_done_are_in_its_database(tmp_path, reached):
