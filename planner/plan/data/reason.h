@@ -39,7 +39,7 @@ struct Situation {
   std::vector<domain::PlacedPart> parts = {};  // the parts that the constraint is about
   std::optional<PlacedHand> hand = {};
   std::vector<NamedBody> colliding = {};  // what comes too near to each other
-  std::optional<Excess> excess = {};     // none if the constraint limits no quantity
+  std::optional<Excess> excess = {};      // none if the constraint limits no quantity
 };
 
 // A reason why there is no plan: a sentence for people, and the situation that it is about. The
@@ -50,6 +50,10 @@ struct Reason {
   std::optional<Situation> situation = {};
 };
 
-std::vector<std::string> TextsOf(const std::vector<Reason>& reasons);
+inline std::vector<std::string> TextsOf(const std::vector<Reason>& reasons) {
+  std::vector<std::string> texts;
+  for (const Reason& reason : reasons) texts.push_back(reason.text);
+  return texts;
+}
 
 }  // namespace assay::plan
