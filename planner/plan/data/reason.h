@@ -50,6 +50,10 @@ struct Reason {
   std::optional<Situation> situation = {};
 };
 
-std::vector<std::string> TextsOf(const std::vector<Reason>& reasons);
+inline std::vector<std::string> TextsOf(const std::vector<Reason>& reasons) {
+  std::vector<std::string> texts;
+  for (const Reason& reason : reasons) texts.push_back(reason.text);
+  return texts;
+}
 
 }  // namespace assay::plan
