@@ -10,7 +10,7 @@
 namespace assay::view {
 
 // Returns the predicted error sets of all steps that were begun, with the times at which the page
-// shows them (README.md, "Data"). Each has the extreme poses of its part in the frame of the
+// shows them (page/data.md). Each has the extreme poses of its part in the frame of the
 // part's believed pose.
 nlohmann::ordered_json ErrorSetsOf(const plan::Plan& plan, const execution::Trace& trace);
 

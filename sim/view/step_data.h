@@ -27,7 +27,7 @@ struct Executed {
 nlohmann::ordered_json TimesOf(const plan::Plan& plan, const execution::Trace& trace);
 
 // Returns the steps in the order of execution, each with its certificate, its times and its
-// verdicts (README.md, "Data").
+// verdicts (page/data.md).
 nlohmann::ordered_json StepsOf(const Executed& executed);
 // Returns the actions of a way. Actions that are steps of the plan have what such steps have.
 nlohmann::ordered_json StepsOf(const Executed& executed, const std::vector<WalkedAction>& walked);

@@ -16,7 +16,7 @@ struct Reasons {
   std::vector<plan::Reason> reasons;
 };
 
-// Returns the reasons as the page shows them (README.md, "Data"): with the bodies that are drawn
+// Returns the reasons as the page shows them (page/data.md): with the bodies that are drawn
 // where the reason's situation has them.
 nlohmann::ordered_json WhyNotOf(const std::vector<Reasons>& why_not, const domain::Problem& problem,
                                 const scene::Scene& scene);

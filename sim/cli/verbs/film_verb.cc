@@ -90,7 +90,7 @@ std::string EndOf(const ShownExecution& shown) {
 ExitCode Refuse(const ShownExecution& shown) {
   Print(shown.outcome + "\n");
   for (const view::Reasons& reasons : shown.why_not) {
-    Print(fmt::format("{}:\n  {}\n", reasons.title, fmt::join(reasons.sentences, "\n  ")));
+    Print(fmt::format("{}:\n  {}\n", reasons.title, fmt::join(TextsOf(reasons.reasons), "\n  ")));
   }
   return shown.code;
 }

@@ -25,7 +25,7 @@ struct TouchingPair {
 };
 
 // The contact points of an execution, as series of whole numbers that EncodedSeries has encoded,
-// one after the other. README.md, "Contact points", lists the series.
+// one after the other. page/data.md lists the series.
 struct ContactSeries {
   std::vector<TouchingPair> pairs;
   std::string bytes;

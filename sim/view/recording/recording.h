@@ -11,7 +11,7 @@
 namespace assay::view {
 
 // What a page shows at each time: the samples of a trace, as series of whole numbers that
-// EncodedSeries has encoded, one after the other. README.md, "Recording", lists the series.
+// EncodedSeries has encoded, one after the other. page/data.md lists the series.
 struct Recording {
   std::size_t samples = 0;
   std::string bytes;

@@ -6,8 +6,8 @@
 
 namespace assay::view {
 
-// Returns the values in few bytes, if they change smoothly or seldom. The code is exact; README.md,
-// "Recording", defines it.
+// Returns the values in few bytes, if they change smoothly or seldom. The code is exact;
+// page/data.md defines it.
 std::string EncodedSeries(std::span<const std::int64_t> values);
 
 }  // namespace assay::view

@@ -6,7 +6,7 @@ function placesOf(counts, least) {
   return counts.map((count) => (count > least ? ++place : place));
 }
 
-// The contact points at each sample (README.md, "Contact points").
+// The contact points at each sample (page/data.md).
 export class ContactPoints {
   constructor({contactPoints, recording, bodies}) {
     this.pairs = [];

@@ -2,7 +2,7 @@ import {Quaternion, Vector3} from 'three';
 
 import {SeriesReader} from './series.js';
 
-// The poses and forces at each sample (README.md, "Recording").
+// The poses and forces at each sample (page/data.md).
 export class Recording {
   constructor(data) {
     const {samples, time, length, turn, force, series} = data.recording;

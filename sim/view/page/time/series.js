@@ -1,4 +1,4 @@
-// Decodes series of whole numbers (README.md, "Recording"). Numbers of up to 53 bits are exact.
+// Decodes series of whole numbers (page/data.md). Numbers of up to 53 bits are exact.
 export class SeriesReader {
   constructor(dataUri) {
     const text = atob(dataUri.slice(dataUri.indexOf(',') + 1));
