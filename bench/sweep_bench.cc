@@ -36,7 +36,6 @@
 #include <mutex>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "planner/base/check.h"
@@ -206,13 +205,12 @@ Recording Record(const sweep::PlannedCell& cell, int number) {
 // Returns the work of a sweep, all of whose cells have one plan. Its noise floor is measured by the
 // first call alone, since the program keeps it, too (sim/cli/tasks/noise_floor_cache.h).
 sweep::Work WorkOf(const sweep::Sweep& sweep) {
-  return sweep::RealWork(sweep, {},
-                         [](const domain::Problem& problem, const plan::Plan& plan,
-                            const scene::SceneOptions& scene, std::string_view) {
-                           static const check::NoiseFloor kept =
-                               check::MeasureNoiseFloor(problem, plan, scene);
-                           return kept;
-                         });
+  return sweep::RealWork(
+      sweep, {},
+      [](const domain::Problem& problem, const plan::Plan& plan, const scene::SceneOptions& scene) {
+        static const check::NoiseFloor kept = check::MeasureNoiseFloor(problem, plan, scene);
+        return kept;
+      });
 }
 
 std::vector<Recording> RecordAll(const sweep::Sweep& sweep) {
