@@ -1,3 +1,5 @@
+#include "sim/python/module.h"
+
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
@@ -7,7 +9,6 @@
 #include "planner/base/input_files/input_error.h"
 #include "sim/cli/command_line/usage_error.h"
 #include "sim/cli/tasks/noise_floor_cache.h"
-#include "sim/python/module.h"
 #include "sim/python/planning.h"
 #include "sim/python/python_object.h"
 #include "sim/python/refused.h"
