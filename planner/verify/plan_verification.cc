@@ -38,14 +38,4 @@ plan::CheckReport Verify(const Submitted& submitted, int most_linearizations) {
   return report;
 }
 
-std::vector<plan::Flaw> FlawsOfClaims(const Submitted& submitted) {
-  std::vector<plan::Flaw> flaws = assembly::FlawsOfStrategies(submitted.problem, submitted.plan);
-  std::ranges::move(Contradictions(submitted), std::back_inserter(flaws));
-  std::ranges::move(plan::FlawsOfCoverage(submitted.problem, submitted.plan),
-                    std::back_inserter(flaws));
-  const bool can_be_executed = plan::Check(submitted.problem, submitted.plan, 1).flaws.empty();
-  if (flaws.empty() && can_be_executed) flaws = Differences(submitted);
-  return flaws;
-}
-
 }  // namespace assay::verify

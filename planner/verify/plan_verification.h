@@ -28,8 +28,4 @@ struct Submitted {
 // (certificate_comparison.h). Throws InputError if an expression of a certificate cannot be read.
 plan::CheckReport Verify(const Submitted& submitted, int most_linearizations);
 
-// Verifies only the plan's claims about itself: strategies, certificates, and which conditions the
-// certificates cover.
-std::vector<plan::Flaw> FlawsOfClaims(const Submitted& submitted);
-
 }  // namespace assay::verify

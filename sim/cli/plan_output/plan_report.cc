@@ -27,15 +27,13 @@ Json ToJson(const plan::Plan& plan, const plan::CheckReport& report) {
 Report ReportOn(const PlannedProblem& planned) {
   const domain::Problem& problem = planned.problem;
   const plan::PlanResult& result = planned.result;
+  const plan::CheckReport check = CheckPlan(planned);
   Report report;
-  report.text = fmt::format("plan for {}\n{}", problem.name, Text(problem, result));
-  Json json = {{"plan", problem.name}};
-  if (result.outcome == Outcome::kFound) {
-    const plan::CheckReport check = CheckPlan(planned);
-    report.text += Text(result.plan, check);
-    report.holds = check.flaws.empty();
-    json["check"] = ToJson(result.plan, check);
-  }
+  report.holds = check.flaws.empty();
+  report.text = fmt::format("plan for {}\n{}{}", problem.name,
+                            report.holds ? Text(problem, result) : TextOfFlawed(problem, result),
+                            Text(result.plan, check));
+  Json json = {{"plan", problem.name}, {"check", ToJson(result.plan, check)}};
   report.json = std::make_shared<const Json>(std::move(json));
   return report;
 }

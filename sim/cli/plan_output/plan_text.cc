@@ -90,8 +90,13 @@ std::string Text(const Problem& problem, const plan::PlanResult& result) {
   return "";
 }
 
+std::string TextOfFlawed(const Problem& problem, const plan::PlanResult& result) {
+  return result.plan.steps.empty() ? "" : PlanTable(problem, result.plan);
+}
+
 std::string Text(const plan::Plan& plan, const plan::CheckReport& report) {
   if (report.flaws.empty()) {
+    if (report.linearizations == 0) return "";  // there is no plan
     return fmt::format("no flaws in {}{}\n",
                        report.linearizations == 1
                            ? "1 order of the steps"

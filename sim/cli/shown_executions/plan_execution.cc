@@ -12,6 +12,7 @@ namespace assay::cli {
 ShownExecution PlanExecution(const ShowRequest& request, const Document& document) {
   const bool is_plan = IsPlanFile(document);
   const PlannedProblem planned = ReadOrMakePlan(document, request.models);
+  RequireSound(planned);
   if (planned.result.outcome != Outcome::kFound) return MissingPlan(planned);
   const check::Experiment experiment{planned.problem, planned.result.plan,
                                      planned.simulation.scene};

@@ -24,7 +24,9 @@ fs::path PlanFileOf(const ShowRequest& request) {
 }  // namespace
 
 PlannedProblem PlanOf(const ShowRequest& request) {
-  return ReadPlan(Document::Load(PlanFileOf(request)), request.models);
+  PlannedProblem planned = ReadPlan(Document::Load(PlanFileOf(request)), request.models);
+  RequireSound(planned);
+  return planned;
 }
 
 }  // namespace assay::cli

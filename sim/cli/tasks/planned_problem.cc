@@ -60,6 +60,27 @@ plan::PlanResult PlanWithProgress(const domain::Problem& problem,
   return assembly::MakeCertifiedPlan(problem, planner, uncertainty);
 }
 
+// Returns why a file's answer without a plan does not hold. A file has no proof that no plan
+// exists, so the planner has to find the same proof again.
+std::vector<plan::Flaw> FlawsWithoutPlan(const PlannedProblem& planned) {
+  const plan::PlanResult& stated = planned.result;
+  const auto flaw = [](const char* what) { return std::vector{plan::Flaw{{}, what}}; };
+  if (!stated.plan.steps.empty()) return flaw("the file says that there is no plan, but has one");
+  if (stated.outcome != Outcome::kNone) return {};
+  const plan::PlanResult anew = PlanWithProgress(planned.problem, {}, {});
+  if (anew.outcome == Outcome::kFound) {
+    return flaw("the file says that no plan exists, but the planner finds one");
+  }
+  if (anew.outcome != Outcome::kNone) {
+    return flaw("the file says that no plan exists, but the planner does not prove it");
+  }
+  if (TextsOf(anew.conflict) != TextsOf(stated.conflict) || anew.hypotheses != stated.hypotheses ||
+      TextsOf(anew.near_misses) != TextsOf(stated.near_misses)) {
+    return flaw("the file gives other reasons than the planner why no plan exists");
+  }
+  return {};
+}
+
 }  // namespace
 
 std::vector<domain::Problem> ReadWorldsToPlan(const Document& document,
@@ -110,17 +131,22 @@ plan::CheckReport CheckPlan(const domain::Problem& problem, const plan::Plan& pl
 }
 
 plan::CheckReport CheckPlan(const PlannedProblem& planned) {
+  if (planned.result.outcome != Outcome::kFound) return {.flaws = FlawsWithoutPlan(planned)};
   const Verification verification(planned);
   plan::CheckReport report = verify::Verify(verification.submitted(), kMostLinearizations);
   Locate(planned, report.flaws);
   return report;
 }
 
-std::vector<plan::Flaw> CertificateFlaws(const PlannedProblem& planned) {
-  const Verification verification(planned);
-  std::vector<plan::Flaw> flaws = verify::FlawsOfClaims(verification.submitted());
-  Locate(planned, flaws);
-  return flaws;
+void RequireSound(const PlannedProblem& planned) {
+  if (planned.plan_file.empty()) return;
+  const plan::CheckReport report = CheckPlan(planned);
+  if (report.flaws.empty()) return;
+  const plan::Flaw& first = report.flaws.front();
+  FilePlace place = first.place;
+  if (place.line == 0) place.file = planned.plan_file;
+  throw InputError(place, fmt::format("the plan does not hold up: {}", first.what),
+                   "a plan in which assay check finds no flaws");
 }
 
 }  // namespace assay::cli

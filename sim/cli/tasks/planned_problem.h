@@ -56,9 +56,10 @@ inline constexpr int kMostLinearizations = 1000;
 plan::CheckReport CheckPlan(const domain::Problem& problem, const plan::Plan& plan);
 // Makes the checks of the function above, and verifies the certificates' claims (planner/verify).
 // If the plan comes from a plan file, it also checks that the certificates are those that the
-// scenario gives (certificate_comparison.h).
+// scenario gives (certificate_comparison.h). If the file says that no plan exists, the planner has
+// to find the same reasons.
 plan::CheckReport CheckPlan(const PlannedProblem& planned);
-// Returns the flaws in the plan's claims about itself: its certificates and strategies.
-std::vector<plan::Flaw> CertificateFlaws(const PlannedProblem& planned);
+// Throws InputError if the plan comes from a plan file and the check finds flaws in it.
+void RequireSound(const PlannedProblem& planned);
 
 }  // namespace assay::cli

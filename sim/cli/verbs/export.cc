@@ -61,6 +61,7 @@ ExitCode ExportMjcf(const Options& options) {
 ExitCode ExportPlan(const Options& options,
                     std::string (*write)(const domain::Problem&, const plan::Plan&)) {
   const PlannedProblem planned = ReadOrMakePlan(Document::Load(options.input), options.models);
+  RequireSound(planned);
   if (planned.result.outcome == Outcome::kFound) {
     Deliver(write(planned.problem, planned.result.plan), options);
   } else {

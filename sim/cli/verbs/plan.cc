@@ -112,19 +112,6 @@ std::string CountersText(const plan::PlanResult& result, double seconds) {
   return fmt::format("{}; {:.2f} s\n", fmt::join(counters, ", "), seconds);
 }
 
-// Returns a warning about a plan file's certificates; empty if they hold up.
-std::string WarningOf(const PlannedProblem& planned) {
-  if (planned.plan_file.empty()) return "";
-  const std::vector<plan::Flaw> flaws = CertificateFlaws(planned);
-  if (flaws.empty()) return "";
-  const plan::Flaw& first = flaws.front();
-  return fmt::format(
-      "warning: the certificates do not hold up; flaws: {} (assay check lists all)\n"
-      "  {}: {}\n",
-      flaws.size(), first.step.IsNone() ? "plan" : planned.result.plan.step(first.step).name,
-      first.what);
-}
-
 std::string ForPeople(const PlannedProblem& planned, const std::vector<plan::Plan>& instances,
                       const Options& options) {
   const bool found = planned.result.outcome == Outcome::kFound;
@@ -189,18 +176,19 @@ ExitCode ExecutePlan(const PlannedProblem& planned, double seconds, const Option
     json = plan::ToJson(result, problem, planned.scenario);
   }
   const std::string plan_file = options.output.empty() ? "" : plan::LaidOut(json);
-  const std::string warning = options.check ? "" : WarningOf(planned);
-  if (options.json && !warning.empty()) PrintError(warning);
-  std::string text = options.json ? "" : warning + ForPeople(planned, instances, options);
+  // What a plan file claims is shown only if it holds.
+  std::optional<plan::CheckReport> check;
+  if (!planned.plan_file.empty() || (options.check && result.outcome == Outcome::kFound)) {
+    check = CheckPlan(planned);
+  }
+  const bool holds = !check || check->flaws.empty();
+  std::string text = holds ? ForPeople(planned, instances, options) : TextOfFlawed(problem, result);
   for (const plan::Plan& instance : instances) {
     json["instances"].push_back(InstanceToJson(instance, problem));
   }
-  bool holds = true;
-  if (options.check && result.outcome == Outcome::kFound) {
-    const plan::CheckReport report = CheckPlan(planned);
-    holds = report.flaws.empty();
-    json["check"] = ToJson(result.plan, report);
-    text += Text(result.plan, report);
+  if (check && (options.check || !holds)) {
+    json["check"] = ToJson(result.plan, *check);
+    text += Text(result.plan, *check);
   }
   json["seconds"] = seconds;
   if (!options.explain) text += CountersText(result, seconds);

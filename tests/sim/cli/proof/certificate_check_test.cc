@@ -317,22 +317,28 @@ TEST_F(CertificateCheck, ExpressionsAreComparedAsFunctions) {
   EXPECT_THAT(FlawsOf(plan), Not(IsEmpty()));
 }
 
-// A plan with a flaw is shown, with a warning.
-TEST_F(CertificateCheck, PlanWarns) {
+// Of a plan with a flaw, nothing is said to be proved.
+TEST_F(CertificateCheck, NoClaimOfAFlawedPlanIsShown) {
   Json plan = PlanOf(kTwoActions);
   plan["errors"] = 1;
   const std::string file = Write(plan);
-  const std::string warning = "warning: the certificates do not hold up; flaws: 1 ";
   for (const auto& arguments : {std::vector<std::string>{"plan", file},
-                                std::vector<std::string>{"plan", file, "--explain", "1"}}) {
+                                std::vector<std::string>{"plan", file, "--explain", "1"},
+                                std::vector<std::string>{"plan", file, "--check"},
+                                std::vector<std::string>{"check", file}}) {
     const Ended ended = Assay(arguments);
-    EXPECT_EQ(ended.code, 0) << ended.err;
-    EXPECT_THAT(ended.out, AllOf(StartsWith(warning), HasSubstr("  plan: the error count is ")));
+    EXPECT_EQ(ended.code, 12) << ended.err;
+    EXPECT_THAT(ended.out, AllOf(HasSubstr("flaws: 1\n"), HasSubstr("  plan: the error count is "),
+                                 Not(HasSubstr("is proved")), Not(HasSubstr("are proved"))));
   }
-  EXPECT_THAT(Assay({"plan", file, "--json"}).err, HasSubstr(warning));
-  const Ended checked = Assay({"plan", file, "--check"});
-  EXPECT_EQ(checked.code, 12);
-  EXPECT_THAT(checked.out, AllOf(HasSubstr("flaws: 1\n"), Not(HasSubstr("warning"))));
+  const Ended json = Assay({"plan", file, "--json"});
+  EXPECT_EQ(json.code, 12);
+  EXPECT_EQ(json.Json()["check"]["flaws"].size(), 1u);
+  for (const char* what : {"--commands", "--dot"}) {
+    const Ended exported = Assay({"export", file, what});
+    EXPECT_EQ(exported.code, 3);
+    EXPECT_THAT(exported.err, HasSubstr("the plan does not hold up: the error count is "));
+  }
 }
 
 TEST_F(CertificateCheck, StrategiesAreReplayed) {
@@ -347,7 +353,7 @@ TEST_F(CertificateCheck, StrategiesAreReplayed) {
   (*felt)["strategy"]["motions"][1]["X_FixedTip"][3][2] = 0.5;
   EXPECT_THAT(FlawsOf(plan), Contains(StartsWith("the strategy: motion 2: ")));
   const std::string file = Write(plan);
-  EXPECT_THAT(Assay({"plan", file}).out, AllOf(StartsWith("warning: "), HasSubstr("motion 2: ")));
+  EXPECT_THAT(Assay({"plan", file}).out, AllOf(HasSubstr("flaws: "), HasSubstr("motion 2: ")));
   const Ended ended = Assay({"run", file, "-o", folder_ / "out"});
   EXPECT_EQ(ended.code, 12) << ended.err;
   EXPECT_FALSE(std::filesystem::exists(folder_ / "out/trace.jsonl"));

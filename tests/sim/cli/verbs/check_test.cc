@@ -155,5 +155,50 @@ TEST_F(FlawedPlan, IsNotExecuted) {
   EXPECT_FALSE(std::filesystem::exists(folder_ / "out/trace.jsonl"));
 }
 
+// Files without a plan. Their answers are proved by the planner or not at all.
+class AnswerWithoutPlan : public ::testing::Test {
+ protected:
+  static nlohmann::json AnswerFor(const std::string& scenario) {
+    return Assay({"plan", scenario, "--json"}).Json();
+  }
+  Ended Checked(const nlohmann::json& answer) const {
+    return Assay({"check", folder_.Write("plan.json", answer.dump())});
+  }
+  void ExpectRefused(const nlohmann::json& answer, const std::string& flaw) const {
+    const Ended ended = Checked(answer);
+    EXPECT_EQ(ended.code, 12) << ended.err;
+    EXPECT_THAT(ended.out, AllOf(HasSubstr(flaw), Not(HasSubstr("No plan exists"))));
+  }
+
+  const Folder folder_;
+};
+
+TEST_F(AnswerWithoutPlan, IsProvedAnew) {
+  const Ended ended = Checked(AnswerFor(kImpossible));
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  EXPECT_THAT(ended.out, HasSubstr("No plan exists"));
+}
+
+TEST_F(AnswerWithoutPlan, IsRefusedIfThereIsAPlan) {
+  nlohmann::json answer = AnswerFor(kImpossible);
+  const nlohmann::json possible = AnswerFor(kTwoActions);
+  for (const char* key : {"scenario", "problem"}) answer[key] = possible[key];
+  ExpectRefused(answer, "the file says that no plan exists, but the planner finds one");
+}
+
+TEST_F(AnswerWithoutPlan, IsRefusedIfTheFileHasAPlan) {
+  nlohmann::json answer = AnswerFor(kTwoActions);
+  for (const char* outcome : {"none", "budget"}) {
+    answer["outcome"] = outcome;
+    ExpectRefused(answer, "the file says that there is no plan, but has one");
+  }
+}
+
+TEST_F(AnswerWithoutPlan, IsRefusedWithOtherReasons) {
+  nlohmann::json answer = AnswerFor(kImpossible);
+  answer["conflict"].erase(0);
+  ExpectRefused(answer, "the file gives other reasons than the planner why no plan exists");
+}
+
 }  // namespace
 }  // namespace assay::cli::check_test
