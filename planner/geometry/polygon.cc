@@ -147,6 +147,22 @@ double Depth(const Polygon& polygon, const Vector2& p) {
   return depth;
 }
 
+// The polygon is clipped by a rectangle on the inner side of each edge, wide enough for all of it.
+Polygon Inset(const Polygon& polygon, double depth) {
+  double length = 0;
+  for (const Vector2& p : polygon) length = std::max(length, (p - polygon.front()).norm());
+  Polygon inset = polygon;
+  for (std::size_t i = 0; i < polygon.size() && !inset.empty(); ++i) {
+    const Vector2 along = (polygon[(i + 1) % polygon.size()] - polygon[i]).normalized();
+    const Vector2 inward(-along.y(), along.x());
+    const Vector2 from = polygon[i] + depth * inward;
+    const Vector2 side = 2 * length * along;
+    const Vector2 far = 2 * length * inward;
+    inset = Intersection(inset, {from - side, from + side, from + side + far, from - side + far});
+  }
+  return inset;
+}
+
 // The separation is greatest along the normal of an edge or, if a corner faces a corner, along the
 // line between both corners. Overlapping polygons need only the normals. No direction overstates
 // the separation, so all may be tried.

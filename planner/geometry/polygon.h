@@ -25,6 +25,9 @@ Polygon Intersection(const Polygon& a, const Polygon& b);
 // Returns how far p is inside the polygon: the least distance to an edge's line, negative outside.
 // For a point or a segment it is minus the distance, and for an empty polygon minus infinity.
 double Depth(const Polygon& polygon, const Vector2& p);
+// Returns the points that are at least `depth` >= 0 inside the polygon (Depth). It is empty if they
+// cover no area.
+Polygon Inset(const Polygon& polygon, double depth);
 // Returns the separation of two convex polygons along the best separating axis. A negative value is
 // the depth of their overlap.
 double Gap(const Polygon& a, const Polygon& b);

@@ -29,6 +29,26 @@ double LowestOf(const Part& part) {
   return lowest;
 }
 
+double GreatestOf(const Interval& error) {
+  return std::max(std::abs(error.low), std::abs(error.high));
+}
+
+// Returns the greatest horizontal displacement that the part's error gives to points on it.
+double DisplacementOf(const Part& part, const std::vector<Vector3>& points_World) {
+  double radius = 0;
+  for (const Vector3& p : points_World) {
+    radius = std::max(radius, (p - part.X_WorldPart.translation()).head<2>().norm());
+  }
+  return std::hypot(GreatestOf(part.error.x), GreatestOf(part.error.y)) +
+         radius * GreatestOf(part.error.theta);
+}
+
+geometry::Polygon Shadow(const std::vector<Vector3>& points) {
+  std::vector<Vector2> shadow;
+  for (const Vector3& p : points) shadow.push_back(p.head<2>());
+  return geometry::Hull2(shadow);
+}
+
 class InitialPosesFile {
  public:
   InitialPosesFile(const Value& root, const Units& units, const std::map<std::string, int>& chosen,
@@ -56,6 +76,7 @@ class InitialPosesFile {
   void CheckApart() const;
   void RefuseHeightErrors(const Value& place, const Part& upper, const Part& lower) const;
   void CheckRests(const Value& place, PartId id) const;
+  void CheckRestsWithErrors(const Value& place, PartId id) const;
 
   std::string InFileUnit(double metres) const { return InUnit(metres, units_.length); }
 
@@ -273,7 +294,7 @@ void InitialPosesFile::CheckRests(const Value& place, PartId id) const {
   for (const Vector3& corner : corners) stands_on.push_back(corner.head<2>());
   const Vector2 center = (part.X_WorldPart * part.model->mass().center).head<2>();
   const double inside = geometry::Depth(geometry::Hull2(stands_on), center);
-  if (inside > 0) return;
+  if (inside > 0) return CheckRestsWithErrors(place, id);
   const std::string what =
       stands_on.empty() ? fmt::format("stands on nothing: its lowest point is {} above the table",
                                       InFileUnit(LowestOf(part)))
@@ -285,6 +306,35 @@ void InitialPosesFile::CheckRests(const Value& place, PartId id) const {
       fmt::format("part '{}' {}", part.name, what),
       "a pose in which it stands on the table or on other parts, a mating of 'initially', or "
       "a fixture ('clamp')");
+}
+
+// An area of contact that is eroded by the greatest displacement of the two parts against each
+// other touches wherever the errors bring them. Therefore the part stands if its centre of mass is
+// over the eroded areas. Errors keep all of its corners on the table.
+void InitialPosesFile::CheckRestsWithErrors(const Value& place, PartId id) const {
+  const Part& part = problem_.part(id);
+  std::vector<Vector2> stands_on;
+  for (const Vector3& corner : CornersOnTable(*part.model, part.X_WorldPart)) {
+    stands_on.push_back(corner.head<2>());
+  }
+  bool is_on_part = false;
+  for (const Part& other : problem_.parts) {
+    if (&other == &part) continue;
+    for (const std::vector<Vector3>& area :
+         AreasOfContact(*part.model, part.X_WorldPart, *other.model, other.X_WorldPart)) {
+      is_on_part = true;
+      const double moved = DisplacementOf(part, area) + DisplacementOf(other, area);
+      if (!std::isfinite(moved)) return;  // nothing is known about a pose
+      const geometry::Polygon eroded = geometry::Inset(Shadow(area), moved);
+      stands_on.insert(stands_on.end(), eroded.begin(), eroded.end());
+    }
+  }
+  const Vector2 center = (part.X_WorldPart * part.model->mass().center).head<2>();
+  if (!is_on_part || geometry::Depth(geometry::Hull2(stands_on), center) > 0) return;
+  place.Fail(fmt::format("part '{}' may fall over: what it stands on does not surely bear it, for "
+                         "the errors of their poses",
+                         part.name),
+             "a place, and errors, for which its centre of mass is over what it stands on");
 }
 
 }  // namespace

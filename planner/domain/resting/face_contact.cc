@@ -17,10 +17,10 @@ constexpr double kInLowestLayer = 1e-6;    // metres above the lowest vertex of 
 constexpr double kFlatOnEachOther = 1e-6;  // difference of the cosine between the normals from -1
 constexpr double kLooksDown = -0.5;  // greatest vertical component of a normal that looks down
 
-// Adds the corners of the region where a face of the upper part lies on a face of the lower part,
-// in the lower part's frame.
-void AddCorners(const Face& upper, const Pose& X_LowerUpper, const Face& lower,
-                std::vector<Vector3>& corners) {
+// Adds the areas where a face of the upper part lies on a face of the lower part, in the lower
+// part's frame.
+void AddAreas(const Face& upper, const Pose& X_LowerUpper, const Face& lower,
+              std::vector<std::vector<Vector3>>& areas) {
   const Vector3 normal = X_LowerUpper.linear() * upper.normal;
   if (lower.normal.dot(normal) > -1 + kFlatOnEachOther) return;
   const Vector3 on_upper = X_LowerUpper * (upper.offset * upper.normal);
@@ -32,9 +32,11 @@ void AddCorners(const Face& upper, const Pose& X_LowerUpper, const Face& lower,
       seen.push_back((X_LowerFaceUpperFace * Vector3(p.x(), p.y(), 0)).head<2>());
     }
     for (const Polygon& other : lower.patches) {
+      std::vector<Vector3> corners;
       for (const Vector2& p : geometry::Intersection(geometry::Hull2(seen), other)) {
         corners.push_back(lower.X_PartFace * Vector3(p.x(), p.y(), 0));
       }
+      if (!corners.empty()) areas.push_back(std::move(corners));
     }
   }
 }
@@ -51,16 +53,28 @@ std::vector<Vector3> CornersOnTable(const PartModel& part, const Pose& X_WorldPa
   return vertices;
 }
 
-std::vector<Vector3> CornersOfContact(const PartModel& upper, const Pose& X_WorldUpper,
-                                      const PartModel& lower, const Pose& X_WorldLower) {
-  std::vector<Vector3> corners;
+std::vector<std::vector<Vector3>> AreasOfContact(const PartModel& upper, const Pose& X_WorldUpper,
+                                                 const PartModel& lower, const Pose& X_WorldLower) {
+  std::vector<std::vector<Vector3>> areas;
   for (const Face& face : upper.faces()) {
     if ((X_WorldUpper.linear() * face.normal).z() > kLooksDown) continue;
     for (const Face& other : lower.faces()) {
-      AddCorners(face, X_WorldLower.inverse() * X_WorldUpper, other, corners);
+      AddAreas(face, X_WorldLower.inverse() * X_WorldUpper, other, areas);
     }
   }
-  for (Vector3& corner : corners) corner = X_WorldLower * corner;
+  for (std::vector<Vector3>& area : areas) {
+    for (Vector3& corner : area) corner = X_WorldLower * corner;
+  }
+  return areas;
+}
+
+std::vector<Vector3> CornersOfContact(const PartModel& upper, const Pose& X_WorldUpper,
+                                      const PartModel& lower, const Pose& X_WorldLower) {
+  std::vector<Vector3> corners;
+  for (const std::vector<Vector3>& area :
+       AreasOfContact(upper, X_WorldUpper, lower, X_WorldLower)) {
+    corners.insert(corners.end(), area.begin(), area.end());
+  }
   return corners;
 }
 

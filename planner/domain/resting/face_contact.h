@@ -13,8 +13,13 @@ class PartModel;
 std::vector<geometry::Vector3> CornersOnTable(const PartModel& part,
                                               const geometry::Pose& X_WorldPart);
 
-// Returns the corners, in the world, of the regions in which faces of the upper part that look down
-// lie on faces of the lower part. Returns none if there are no such regions.
+// Returns the convex areas, by their corners in the world, in which faces of the upper part that
+// look down lie on faces of the lower part.
+std::vector<std::vector<geometry::Vector3>> AreasOfContact(const PartModel& upper,
+                                                           const geometry::Pose& X_WorldUpper,
+                                                           const PartModel& lower,
+                                                           const geometry::Pose& X_WorldLower);
+// Returns the corners of all these areas. Returns none if there are no areas.
 std::vector<geometry::Vector3> CornersOfContact(const PartModel& upper,
                                                 const geometry::Pose& X_WorldUpper,
                                                 const PartModel& lower,

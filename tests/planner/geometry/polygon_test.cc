@@ -160,6 +160,22 @@ TEST(PolygonTest, DepthIsTheLeastDistanceToAnEdgesLine) {
   EXPECT_DOUBLE_EQ(Depth({{0, 0}, {2, 0}}, {6, 3}), -5);
 }
 
+TEST(PolygonTest, InsetHoldsThePointsThatAreSoDeep) {
+  RandomStream random(kSeed, "inset");
+  for (int trial = 0; trial < 200; ++trial) {
+    const Polygon polygon = RandomPolygon(random, 1);
+    const double depth = random.Uniform(0, 0.4);
+    const Polygon inset = Inset(polygon, depth);
+    for (int i = 0; i < 50; ++i) {
+      const Vector2 p = RandomPoint(random, 2);
+      const double inside = Depth(polygon, p) - depth;
+      if (std::abs(inside) < 1e-9) continue;
+      EXPECT_EQ(!inset.empty() && Depth(inset, p) > 0, inside > 0);
+    }
+  }
+  EXPECT_TRUE(Inset({{0, 0}, {1, 0}, {1, 1}, {0, 1}}, 0.6).empty());
+}
+
 TEST(PolygonTest, GapOfKnownShapes) {
   EXPECT_DOUBLE_EQ(Gap(kSquare, Moved(kSquare, 0, {2.5, 1})), 0.5);
   EXPECT_DOUBLE_EQ(Gap(kSquare, Moved(kSquare, 0, {2, 1})), 0);

@@ -220,6 +220,21 @@ TEST(ProblemFile, APartThatAFixtureHoldsMayLean) {
   EXPECT_THROW(ParseScenario(WithBrickAt(leaning)), InputError);
 }
 
+// A brick of 2 inches stands on a brick. It falls over once its centre is an inch beyond.
+TEST(ProblemFile, APartThatStandsOnAnotherOneDoesSoForAllErrors) {
+  const auto message_with = [](double error) {
+    const std::string tower = fmt::format(
+        "  base: {{model: brick, pose: {{stable: upright, at: [20, 12]}}, error: {{x: {0}}}}}\n"
+        "  top: {{model: brick, error: {{x: {0}}},\n"
+        "          pose: {{columns: [[1, 0, 0], [0, 1, 0], [0, 0, 1], [20, 12, 6]]}}}}\n",
+        error);
+    std::string text = kBrick;
+    return MessageOf(text.insert(text.find("initially:"), tower).substr(1), "s.yaml");
+  };
+  EXPECT_EQ(message_with(0.49), "no error");
+  EXPECT_THAT(message_with(0.51), HasSubstr("part 'top' may fall over"));
+}
+
 // A pose that is written with a few digits stands for the nearby pose in which the part rests.
 TEST(ProblemFile, APartComesToRest) {
   const Part exact = ParseScenario(kBrick).parts[2];
