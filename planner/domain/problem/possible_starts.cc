@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "planner/domain/parts/part_file.h"
@@ -35,6 +36,21 @@ Interval Difference(const Interval& a, const Interval& b) {
   return {a.low - b.high, a.high - b.low};
 }
 
+// Returns the heights between which a part is.
+Interval HeightsOf(const Part& part) {
+  Interval heights = {std::numeric_limits<double>::infinity(),
+                      -std::numeric_limits<double>::infinity()};
+  for (const Vector3& vertex : part.model->hull().vertices) {
+    const double z = (part.X_WorldPart * vertex).z();
+    heights = {std::min(heights.low, z), std::max(heights.high, z)};
+  }
+  return heights;
+}
+
+bool IsAbove(const Interval& upper, const Interval& lower) {
+  return upper.low >= lower.high - PossibleStarts::kGreatestOverlap;
+}
+
 // The search for errors with which two parts overlap. Only the displacement of one part from the
 // other matters, and the turn of each.
 class OverlapSearch {
@@ -42,7 +58,9 @@ class OverlapSearch {
   OverlapSearch(const Problem& problem, const PossibleStarts& starts, PartPair pair)
       : a_{pair.first, problem.part(pair.first).X_WorldPart},
         b_{pair.second, problem.part(pair.second).X_WorldPart},
-        starts_(starts) {
+        starts_(starts),
+        heights_of_a_(HeightsOf(problem.part(pair.first))),
+        heights_of_b_(HeightsOf(problem.part(pair.second))) {
     const PoseError& a = problem.part(a_.part).error;
     const PoseError& b = problem.part(b_.part).error;
     const bool is_one_table = CarrierAtStart(problem, a_.part) == CarrierAtStart(problem, b_.part);
@@ -52,6 +70,7 @@ class OverlapSearch {
 
   // Returns false if the parts surely do not overlap.
   bool MayFind() const {
+    if (OneIsAbove()) return false;
     std::vector<Errors> open = {whole_};
     for (int examined = 0; !open.empty(); ++examined) {
       if (examined == kMostBoxes) return true;
@@ -80,6 +99,12 @@ class OverlapSearch {
     return turned;
   }
 
+  // Other errors than those of height keep the heights of all points.
+  bool OneIsAbove() const {
+    return whole_[2] == Interval{} &&
+           (IsAbove(heights_of_a_, heights_of_b_) || IsAbove(heights_of_b_, heights_of_a_));
+  }
+
   // Returns how far each error moves any point of a part from where it is in the middle of its
   // range, metres.
   std::array<double, 5> ReachOf(const Errors& errors) const {
@@ -103,6 +128,8 @@ class OverlapSearch {
   const PlacedPart a_;
   const PlacedPart b_;
   const PossibleStarts& starts_;
+  const Interval heights_of_a_;
+  const Interval heights_of_b_;
   Errors whole_;
 };
 

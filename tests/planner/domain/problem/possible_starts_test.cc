@@ -81,6 +81,11 @@ TEST(PossibleStarts, PairsAreNamedIfTheirErrorsCloseTheGap) {
   EXPECT_THAT(PairsOf(TwoBricks(12, "{theta: 45}", "{}")), IsEmpty());
 }
 
+// Without errors of height, a part stays above what it stands on.
+TEST(PossibleStarts, PartsOnEachOtherNeverOverlap) {
+  EXPECT_THAT(PairsOf(OneOnTheOther("{x: 5, y: 5, theta: 10}", "{x: 5, y: 5}")), IsEmpty());
+}
+
 bool BoxesOverlap(const Part& a, const Pose& X_WorldA, const Part& b, const Pose& X_WorldB) {
   for (geometry::Box of_a : a.model->boxes()) {
     of_a.X_FrameBox = X_WorldA * of_a.X_FrameBox;
