@@ -91,7 +91,10 @@ std::string Text(const Problem& problem, const plan::PlanResult& result) {
 }
 
 std::string TextOfFlawed(const Problem& problem, const plan::PlanResult& result) {
-  return result.plan.steps.empty() ? "" : PlanTable(problem, result.plan);
+  if (result.plan.steps.empty()) return "";
+  plan::Plan actions = result.plan;
+  for (plan::PlannedStep& step : actions.steps) step.certificate = {};
+  return PlanTable(problem, actions);
 }
 
 std::string Text(const plan::Plan& plan, const plan::CheckReport& report) {

@@ -188,10 +188,11 @@ TEST_F(AnswerWithoutPlan, IsRefusedIfThereIsAPlan) {
 
 TEST_F(AnswerWithoutPlan, IsRefusedIfTheFileHasAPlan) {
   nlohmann::json answer = AnswerFor(kTwoActions);
-  for (const char* outcome : {"none", "budget"}) {
-    answer["outcome"] = outcome;
-    ExpectRefused(answer, "the file says that there is no plan, but has one");
-  }
+  answer["outcome"] = "budget";
+  ExpectRefused(answer, "the file says that there is no plan, but has one");
+  answer["outcome"] = "none";
+  answer["conflict"] = {"the block starts face-down"};
+  ExpectRefused(answer, "the file says that there is no plan, but has one");
 }
 
 TEST_F(AnswerWithoutPlan, IsRefusedWithOtherReasons) {
