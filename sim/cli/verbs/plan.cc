@@ -127,6 +127,16 @@ std::string ForPeople(const PlannedProblem& planned, const std::vector<plan::Pla
   return text;
 }
 
+// An explanation of a flawed plan may be what helps to find its flaws.
+std::string ForPeopleOfFlawed(const PlannedProblem& planned, const Options& options) {
+  if (!options.explain || planned.result.outcome != Outcome::kFound) {
+    return TextOfFlawed(planned.problem, planned.result);
+  }
+  return "The plan has flaws, so nothing in it is proved. The file says of this step:\n" +
+         Explanation(planned.problem, planned.result.plan,
+                     StepToExplain(planned.result.plan, *options.explain), planned.file());
+}
+
 void RequireTreeOptions(const Options& options) {
   if (!options.explain && !options.check && options.instances == 1 && options.output.empty())
     return;
@@ -182,7 +192,8 @@ ExitCode ExecutePlan(const PlannedProblem& planned, double seconds, const Option
     check = CheckPlan(planned);
   }
   const bool holds = !check || check->flaws.empty();
-  std::string text = holds ? ForPeople(planned, instances, options) : TextOfFlawed(problem, result);
+  std::string text =
+      holds ? ForPeople(planned, instances, options) : ForPeopleOfFlawed(planned, options);
   for (const plan::Plan& instance : instances) {
     json["instances"].push_back(InstanceToJson(instance, problem));
   }
