@@ -16,7 +16,7 @@ namespace assay::uncertainty {
 namespace {
 
 constexpr double kTurn = 0.55;
-// Of convex regions: the mean distance from the centre, divided by the radius of gyration.
+// The mean distance from the centre of a convex region, divided by its radius of gyration.
 constexpr double kMeanOfGyration = 0.85;
 
 geometry::Polygon SupportOf(const std::vector<Standing>& standings) {

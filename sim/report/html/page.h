@@ -18,7 +18,7 @@ struct PageOptions {
 };
 
 // Returns a self-contained HTML page that fetches nothing, runs no scripts, and is well-formed XML.
-// The same findings, pictures and addresses give the same page.
+// Equal findings, pictures and addresses give equal pages.
 std::string Page(const Findings& findings, const PageOptions& options);
 
 }  // namespace assay::report

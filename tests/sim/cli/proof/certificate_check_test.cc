@@ -318,7 +318,7 @@ TEST_F(CertificateCheck, ExpressionsAreComparedAsFunctions) {
   EXPECT_THAT(FlawsOf(plan), Not(IsEmpty()));
 }
 
-// Of a plan with a flaw, nothing is said to be proved.
+// The program calls nothing in a flawed plan proved.
 TEST_F(CertificateCheck, NoClaimOfAFlawedPlanIsShown) {
   Json plan = PlanOf(kTwoActions);
   plan["errors"] = 1;
