@@ -2,10 +2,14 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
+#include <mutex>
+#include <optional>
 #include <vector>
 
 #include "planner/base/check.h"
 #include "planner/geometry/narrow_phase.h"
+#include "planner/geometry/solids/convex_cut.h"
 
 namespace assay::geometry {
 namespace {
@@ -14,50 +18,53 @@ namespace {
 // nanometre never counts.
 constexpr double kTouching = 1e-9;
 
-}  // namespace
-
-struct Ball {
-  Vector3 center;
-  double radius = 0;
-};
-
+// A box in the frame of its shape, in the form that the test for boxes needs.
 struct PreparedBox {
   Pose X_ShapeBox;
   Pose X_BoxShape;
   Vector3 half_extents;
-  double radius = 0;
 };
 
-namespace {
+// A solid drawn in by some distance, in GJK's form. It is null if nothing is left of the solid.
+using DrawnIn = std::shared_ptr<const GjkHull>;
 
-// Returns the distance from the point to the farthest corner of the box.
-double GreatestDistanceTo(const PreparedBox& box, const Vector3& p_Shape) {
-  return ((box.X_BoxShape * p_Shape).cwiseAbs() + box.half_extents).norm();
-}
-
-double GreatestDistanceTo(std::span<const PreparedBox> boxes, const Vector3& p_Shape) {
-  double greatest = 0;
-  for (const PreparedBox& box : boxes) {
-    greatest = std::max(greatest, GreatestDistanceTo(box, p_Shape));
+class PreparedSolid {
+ public:
+  PreparedSolid(ConvexHull hull, const std::optional<Box>& box)
+      : hull_(std::move(hull)), ball_(BallAround(hull_.vertices)) {
+    if (box) box_ = {box->X_FrameBox, box->X_FrameBox.inverse(), box->half_extents};
   }
-  return greatest;
-}
 
-Ball BoundingBall(std::span<const PreparedBox> boxes) {
-  Eigen::AlignedBox3d bounds;
-  for (const PreparedBox& box : boxes) {
-    const Vector3 reach = box.X_ShapeBox.linear().cwiseAbs() * box.half_extents;
-    bounds.extend(box.X_ShapeBox.translation() - reach);
-    bounds.extend(box.X_ShapeBox.translation() + reach);
+  const ConvexHull& hull() const { return hull_; }
+  const Ball& ball() const { return ball_; }
+  const std::optional<PreparedBox>& box() const { return box_; }
+
+  // Returns a lower bound on the distance of a point from the solid.
+  double DistanceTo(const Vector3& p_Shape) const {
+    if (!box_) return (p_Shape - ball_.center).norm() - ball_.radius;
+    const Vector3 p_Box = box_->X_BoxShape * p_Shape;
+    return (p_Box.cwiseAbs() - box_->half_extents).cwiseMax(0.0).norm();
   }
-  return {bounds.center(), GreatestDistanceTo(boxes, bounds.center())};
-}
 
-// Returns the distance of a point from a box.
-double DistanceTo(const PreparedBox& box, const Vector3& p_Shape) {
-  const Vector3 p_Box = box.X_BoxShape * p_Shape;
-  return (p_Box.cwiseAbs() - box.half_extents).cwiseMax(0.0).norm();
-}
+  // Solids meet other solids with few different insets, so each one is computed once.
+  DrawnIn DrawnInBy(double inset) const {
+    const std::lock_guard lock(*mutex_);
+    const auto [found, is_new] = drawn_in_->try_emplace(inset);
+    if (is_new) {
+      const auto rest = inset == 0 ? std::optional(hull_) : Inset(hull_, inset);
+      if (rest) found->second = MakeGjkHull(*rest);
+    }
+    return found->second;
+  }
+
+ private:
+  ConvexHull hull_;
+  Ball ball_;
+  std::optional<PreparedBox> box_;
+  std::shared_ptr<std::mutex> mutex_ = std::make_shared<std::mutex>();
+  std::shared_ptr<std::map<double, DrawnIn>> drawn_in_ =
+      std::make_shared<std::map<double, DrawnIn>>();
+};
 
 // Returns the full edge lengths of a box whose faces are moved inward by `inset`. The box keeps a
 // tiny thickness.
@@ -65,33 +72,67 @@ Vector3 ShrunkSides(const Vector3& half_extents, double inset) {
   return 2 * (half_extents.array() - inset).max(kTouching / 10).matrix();
 }
 
-bool BoxesOverlap(const PreparedBox& a, const PreparedBox& b, const Pose& X_ABox, double inset) {
-  return AreOverlapping({ShrunkSides(a.half_extents, inset), a.X_ShapeBox},
-                        {ShrunkSides(b.half_extents, inset), X_ABox});
+bool SolidsOverlap(const PreparedSolid& a, const PreparedSolid& b, const Pose& X_AB, double inset) {
+  if (a.box() && b.box()) {
+    return AreOverlapping({ShrunkSides(a.box()->half_extents, inset), a.box()->X_ShapeBox},
+                          {ShrunkSides(b.box()->half_extents, inset), X_AB * b.box()->X_ShapeBox});
+  }
+  const DrawnIn drawn_a = a.DrawnInBy(inset);
+  const DrawnIn drawn_b = b.DrawnInBy(inset);
+  return drawn_a && drawn_b && NearestDifference(*drawn_a, *drawn_b, X_AB).isZero(0);
 }
 
-double BoxDistance(const PreparedBox& a, const PreparedBox& b, const Pose& X_ABox) {
-  return std::max(
-      0.0, Distance(PlacedBox{2 * a.half_extents, a.X_ShapeBox}, {2 * b.half_extents, X_ABox}));
+double SolidDistance(const PreparedSolid& a, const PreparedSolid& b, const Pose& X_AB) {
+  if (a.box() && b.box()) {
+    return std::max(
+        0.0, Distance(PlacedBox{2 * a.box()->half_extents, a.box()->X_ShapeBox},
+                      {2 * b.box()->half_extents, X_AB * b.box()->X_ShapeBox}));
+  }
+  return NearestDifference(*a.DrawnInBy(0), *b.DrawnInBy(0), X_AB).norm();
 }
 
 }  // namespace
 
 struct CollisionShape::Prepared {
-  std::vector<PreparedBox> boxes;
+  std::vector<PreparedSolid> solids;
   Ball ball;
 };
 
-CollisionShape::CollisionShape(std::span<const Box> boxes) {
-  auto prepared = std::make_shared<Prepared>();
-  prepared->boxes.reserve(boxes.size());
-  for (const Box& box : boxes) {
-    prepared->boxes.push_back(
-        {box.X_FrameBox, box.X_FrameBox.inverse(), box.half_extents, box.half_extents.norm()});
+namespace {
+
+std::shared_ptr<const CollisionShape::Prepared> Prepare(std::vector<PreparedSolid> solids) {
+  auto prepared = std::make_shared<CollisionShape::Prepared>();
+  std::vector<Vector3> vertices;
+  for (const PreparedSolid& solid : solids) {
+    vertices.insert(vertices.end(), solid.hull().vertices.begin(), solid.hull().vertices.end());
   }
-  radius_ = GreatestDistanceTo(prepared->boxes, Vector3::Zero());
-  if (!boxes.empty()) prepared->ball = BoundingBall(prepared->boxes);
-  prepared_ = std::move(prepared);
+  prepared->solids = std::move(solids);
+  if (!vertices.empty()) prepared->ball = BallAround(vertices);
+  return prepared;
+}
+
+double RadiusOf(const CollisionShape::Prepared& prepared) {
+  double radius = 0;
+  for (const PreparedSolid& solid : prepared.solids) {
+    for (const Vector3& vertex : solid.hull().vertices) radius = std::max(radius, vertex.norm());
+  }
+  return radius;
+}
+
+}  // namespace
+
+CollisionShape::CollisionShape(std::span<const ConvexHull> solids) {
+  std::vector<PreparedSolid> prepared;
+  for (const ConvexHull& solid : solids) prepared.emplace_back(solid, AsBox(solid));
+  prepared_ = Prepare(std::move(prepared));
+  radius_ = RadiusOf(*prepared_);
+}
+
+CollisionShape::CollisionShape(std::span<const Box> boxes) {
+  std::vector<PreparedSolid> prepared;
+  for (const Box& box : boxes) prepared.emplace_back(HullOf(box), box);
+  prepared_ = Prepare(std::move(prepared));
+  radius_ = RadiusOf(*prepared_);
 }
 
 bool Overlaps(const CollisionShape& a, const Pose& X_WorldA, const CollisionShape& b,
@@ -103,13 +144,12 @@ bool Overlaps(const CollisionShape& a, const Pose& X_WorldA, const CollisionShap
   if (apart > a_ball.radius + b_ball.radius) return false;
   const Pose X_AB = X_WorldA.inverse() * X_WorldB;
   const double inset = (allowance + kTouching) / 2;
-  for (const PreparedBox& b_box : b.prepared().boxes) {
-    const Vector3 center = X_AB * b_box.X_ShapeBox.translation();
-    if ((center - a_ball.center).norm() > a_ball.radius + b_box.radius) continue;
-    const Pose X_ABox = X_AB * b_box.X_ShapeBox;
-    for (const PreparedBox& a_box : a.prepared().boxes) {
-      if (DistanceTo(a_box, center) > b_box.radius) continue;
-      if (BoxesOverlap(a_box, b_box, X_ABox, inset)) return true;
+  for (const PreparedSolid& of_b : b.prepared().solids) {
+    const Vector3 center = X_AB * of_b.ball().center;
+    if ((center - a_ball.center).norm() > a_ball.radius + of_b.ball().radius) continue;
+    for (const PreparedSolid& of_a : a.prepared().solids) {
+      if (of_a.DistanceTo(center) > of_b.ball().radius) continue;
+      if (SolidsOverlap(of_a, of_b, X_AB, inset)) return true;
     }
   }
   return false;
@@ -120,11 +160,11 @@ double Distance(const CollisionShape& a, const Pose& X_WorldA, const CollisionSh
   if (Overlaps(a, X_WorldA, b, X_WorldB, 0)) return 0;
   const Pose X_AB = X_WorldA.inverse() * X_WorldB;
   double least = std::numeric_limits<double>::infinity();
-  for (const PreparedBox& b_box : b.prepared().boxes) {
-    const Pose X_ABox = X_AB * b_box.X_ShapeBox;
-    for (const PreparedBox& a_box : a.prepared().boxes) {
-      if (DistanceTo(a_box, X_ABox.translation()) - b_box.radius >= least) continue;
-      least = std::min(least, BoxDistance(a_box, b_box, X_ABox));
+  for (const PreparedSolid& of_b : b.prepared().solids) {
+    const Vector3 center = X_AB * of_b.ball().center;
+    for (const PreparedSolid& of_a : a.prepared().solids) {
+      if (of_a.DistanceTo(center) - of_b.ball().radius >= least) continue;
+      least = std::min(least, SolidDistance(of_a, of_b, X_AB));
     }
   }
   return least;

@@ -4,12 +4,14 @@
 #include <span>
 
 #include "planner/geometry/box.h"
+#include "planner/geometry/hull.h"
 
 namespace assay::geometry {
 
-// A rigid union of boxes, prepared for many overlap and distance queries.
+// A rigid union of convex solids, prepared for many overlap and distance queries.
 class CollisionShape {
  public:
+  explicit CollisionShape(std::span<const ConvexHull> solids);
   explicit CollisionShape(std::span<const Box> boxes);
 
   // The radius of a ball about the frame's origin that contains the shape.
@@ -25,14 +27,14 @@ class CollisionShape {
 
 // Returns true if the shapes overlap by more than `allowance` metres. Faces that touch, or that
 // overlap by less, do not count. The allowance must be >= 0. One nanometre is added to it, so that
-// rounding does not decide whether touching faces overlap. Each face of every box is moved inward
+// rounding does not decide whether touching faces overlap. Each face of every solid is moved inward
 // by half the allowance, and a thinner box keeps a small thickness. Edges and corners therefore
-// have to overlap by up to sqrt(3) times as much.
+// have to overlap by more: those of a box by up to sqrt(3) times as much.
 bool Overlaps(const CollisionShape& a, const Pose& X_WorldA, const CollisionShape& b,
               const Pose& X_WorldB, double allowance);
 
 // Returns the least distance between the shapes, to about 0.1 micrometres, or 0 if they overlap. It
-// is infinite if a shape has no boxes.
+// is infinite if a shape is empty.
 double Distance(const CollisionShape& a, const Pose& X_WorldA, const CollisionShape& b,
                 const Pose& X_WorldB);
 

@@ -1,8 +1,12 @@
 #include "planner/geometry/hull.h"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
+#include <limits>
 #include <ranges>
+#include <tuple>
 
 extern "C" {
 #include <libqhull_r/qhull_ra.h>
@@ -170,6 +174,40 @@ ConvexHull Assemble(const std::vector<FacetOutline>& outlines, std::span<const V
   return hull;
 }
 
+// The key by which FacetsByAxis sorts. Components that differ by rounding count as equal.
+std::tuple<int, bool, long, long, long> AxisKey(const Vector3& normal) {
+  constexpr double kSame = 1e-6;
+  int axis = 0;
+  for (int i = 1; i < 3; ++i) {
+    if (std::abs(normal[i]) > std::abs(normal[axis]) + kSame) axis = i;
+  }
+  const auto rounded = [&](int i) { return std::lround(normal[i] / kSame); };
+  return {axis, normal[axis] > 0, rounded(0), rounded(1), rounded(2)};
+}
+
+// Returns the axes of a box: normals of three sides that are perpendicular to each other. Axes that
+// are those of the frame but for rounding are exactly these. Returns none if the facets are not the
+// sides of a box.
+std::optional<Matrix3> BoxAxes(const ConvexHull& hull) {
+  constexpr double kAligned = 1e-9;
+  if (hull.facets.size() != 6 || hull.vertices.size() != 8) return std::nullopt;
+  std::vector<const Facet*> facets = FacetsByAxis(hull);
+  Matrix3 axes;
+  for (int axis = 0; axis < 3; ++axis) {
+    const Vector3 first = facets.front()->normal;
+    const auto opposite = std::ranges::find_if(
+        facets, [&](const Facet* facet) { return (facet->normal + first).norm() < kAligned; });
+    if (opposite == facets.end()) return std::nullopt;
+    axes.col(axis) = (*opposite)->normal;
+    facets.erase(opposite);
+    facets.erase(facets.begin());
+  }
+  if (!(axes.transpose() * axes).isIdentity(kAligned)) return std::nullopt;
+  if (axes.determinant() < 0) axes.col(2) = -axes.col(2);
+  const Matrix3 whole = axes.array().round();
+  return (axes - whole).cwiseAbs().maxCoeff() < kAligned ? whole : axes;
+}
+
 }  // namespace
 
 // Qhull gives the planes of the facets. The points on each plane and their order are determined
@@ -190,6 +228,18 @@ ConvexHull HullOf(std::span<const Vector3> points) {
   return Assemble(outlines, points, kept);
 }
 
+bool SpanSpace(std::span<const Vector3> points, double thinnest) {
+  if (points.size() < 4) return false;
+  Vector3 middle = Vector3::Zero();
+  for (const Vector3& p : points) middle += p / static_cast<double>(points.size());
+  Matrix3 spread = Matrix3::Zero();
+  for (const Vector3& p : points) spread += (p - middle) * (p - middle).transpose();
+  const Eigen::SelfAdjointEigenSolver<Matrix3> principal(spread);
+  const auto along = [&](const Vector3& p) { return principal.eigenvectors().col(0).dot(p); };
+  const auto [low, high] = std::ranges::minmax(points, {}, along);
+  return along(high) - along(low) >= thinnest;
+}
+
 ConvexHull HullWith(std::vector<Vector3> vertices, std::vector<std::vector<int>> loops) {
   for (std::vector<int>& loop : loops) std::ranges::rotate(loop, std::ranges::min_element(loop));
   std::ranges::sort(loops);
@@ -200,12 +250,116 @@ ConvexHull HullWith(std::vector<Vector3> vertices, std::vector<std::vector<int>>
   return hull;
 }
 
-// Bit k of a corner's index is its side along axis k.
+// Bit k of a corner's index is its side along axis k. The normals are exactly the box's axes.
 ConvexHull HullOf(const Box& box) {
   const auto corners = box.Corners();
-  return HullWith(
-      {corners.begin(), corners.end()},
-      {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}});
+  ConvexHull hull{{corners.begin(), corners.end()}, {}};
+  const auto add = [&](int axis, double sign, std::vector<int> loop) {
+    const Vector3 normal = sign * box.X_FrameBox.linear().col(axis);
+    hull.facets.push_back({normal, normal.dot(corners[loop.front()]), std::move(loop)});
+  };
+  add(1, -1, {0, 1, 5, 4});
+  add(2, -1, {0, 2, 3, 1});
+  add(0, -1, {0, 4, 6, 2});
+  add(0, 1, {1, 3, 7, 5});
+  add(1, 1, {2, 6, 7, 3});
+  add(2, 1, {4, 5, 7, 6});
+  return hull;
+}
+
+std::vector<ConvexHull> HullsOf(std::span<const Box> boxes) {
+  std::vector<ConvexHull> hulls;
+  for (const Box& box : boxes) hulls.push_back(HullOf(box));
+  return hulls;
+}
+
+std::optional<Box> AsBox(const ConvexHull& hull) {
+  const std::optional<Matrix3> axes = BoxAxes(hull);
+  if (!axes) return std::nullopt;
+  Eigen::AlignedBox3d bounds;  // along the axes
+  for (const Vector3& vertex : hull.vertices) bounds.extend(axes->transpose() * vertex);
+  Box box{Pose::Identity(), bounds.sizes() / 2};
+  box.X_FrameBox.linear() = *axes;
+  box.X_FrameBox.translation() = *axes * bounds.center();
+  return box;
+}
+
+ConvexHull Transformed(const ConvexHull& hull, const Pose& X_NewFrame) {
+  ConvexHull moved = hull;
+  for (Vector3& vertex : moved.vertices) vertex = X_NewFrame * vertex;
+  for (Facet& facet : moved.facets) {
+    facet.normal = X_NewFrame.linear() * facet.normal;
+    facet.offset += facet.normal.dot(X_NewFrame.translation());
+  }
+  return moved;
+}
+
+std::vector<ConvexHull> Transformed(std::span<const ConvexHull> hulls, const Pose& X_NewFrame) {
+  std::vector<ConvexHull> moved;
+  moved.reserve(hulls.size());
+  for (const ConvexHull& hull : hulls) moved.push_back(Transformed(hull, X_NewFrame));
+  return moved;
+}
+
+bool Contains(const ConvexHull& hull, const Vector3& p, double tolerance) {
+  return std::ranges::all_of(hull.facets, [&](const Facet& facet) {
+    return facet.normal.dot(p) <= facet.offset + tolerance;
+  });
+}
+
+double GreatestAlong(const ConvexHull& hull, const Vector3& direction) {
+  double greatest = -std::numeric_limits<double>::infinity();
+  for (const Vector3& vertex : hull.vertices) greatest = std::max(greatest, direction.dot(vertex));
+  return greatest;
+}
+
+double LowestPoint(std::span<const ConvexHull> hulls) {
+  double lowest = std::numeric_limits<double>::infinity();
+  for (const ConvexHull& hull : hulls) {
+    lowest = std::min(lowest, -GreatestAlong(hull, -Vector3::UnitZ()));
+  }
+  return lowest;
+}
+
+std::vector<Vector3> VerticesOf(std::span<const ConvexHull> hulls) {
+  std::vector<Vector3> vertices;
+  for (const ConvexHull& hull : hulls) {
+    vertices.insert(vertices.end(), hull.vertices.begin(), hull.vertices.end());
+  }
+  return vertices;
+}
+
+std::vector<Vector3> EdgeDirections(const ConvexHull& hull) {
+  constexpr double kParallel = 1e-9;  // sine of the angle
+  std::vector<Vector3> directions;
+  for (const Facet& facet : hull.facets) {
+    for (std::size_t i = 0; i < facet.loop.size(); ++i) {
+      const int start = facet.loop[i];
+      const int end = facet.loop[(i + 1) % facet.loop.size()];
+      if (start > end) continue;  // the edge belongs to another facet, too
+      const Vector3 along = (hull.vertices[end] - hull.vertices[start]).normalized();
+      const auto is_parallel = [&](const Vector3& known) {
+        return known.cross(along).norm() < kParallel;
+      };
+      if (std::ranges::none_of(directions, is_parallel)) directions.push_back(along);
+    }
+  }
+  return directions;
+}
+
+std::vector<const Facet*> FacetsByAxis(const ConvexHull& hull) {
+  std::vector<const Facet*> facets;
+  for (const Facet& facet : hull.facets) facets.push_back(&facet);
+  std::ranges::stable_sort(facets, {}, [](const Facet* facet) { return AxisKey(facet->normal); });
+  return facets;
+}
+
+Ball BallAround(std::span<const Vector3> points) {
+  Eigen::AlignedBox3d bounds;
+  for (const Vector3& p : points) bounds.extend(p);
+  Ball ball{bounds.center(), 0};
+  for (const Vector3& p : points) ball.radius = std::max(ball.radius, (p - ball.center).norm());
+  return ball;
 }
 
 }  // namespace assay::geometry

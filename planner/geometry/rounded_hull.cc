@@ -24,19 +24,13 @@ const GjkHull& GjkHullOf(const RoundedHull& hull) {
   return *prepared.hull;
 }
 
-double GreatestAlong(const Vector3& direction, const std::vector<Vector3>& points) {
-  double greatest = -std::numeric_limits<double>::infinity();
-  for (const Vector3& p : points) greatest = std::max(greatest, direction.dot(p));
-  return greatest;
-}
-
 // Returns the width of the empty slab normal to `direction`, a unit vector in A's frame from A to
 // B. It is negative if the cores overlap along the direction.
 double SlabWidth(const Vector3& direction, const RoundedHull& a, const RoundedHull& b,
                  const Pose& X_AB) {
   const Vector3 direction_B = X_AB.linear().transpose() * direction;
-  return direction.dot(X_AB.translation()) - GreatestAlong(-direction_B, b.vertices()) -
-         GreatestAlong(direction, a.vertices());
+  return direction.dot(X_AB.translation()) - GreatestAlong(b.core(), -direction_B) -
+         GreatestAlong(a.core(), direction);
 }
 
 // Returns the outward normal of the facet whose plane p lies farthest beyond.
@@ -73,18 +67,6 @@ RoundedHull::RoundedHull(ConvexHull core, double radius) : core_(std::move(core)
     ball_radius_ = std::max(ball_radius_, (vertex - center_).norm() + radius);
   }
   prepared_ = std::make_shared<const Prepared>();
-}
-
-double Volume(const ConvexHull& hull) {
-  double six_times = 0;
-  for (const Facet& facet : hull.facets) {
-    const Vector3& first = hull.vertices[facet.loop.front()];
-    for (std::size_t i = 1; i + 1 < facet.loop.size(); ++i) {
-      const Vector3& second = hull.vertices[facet.loop[i]];
-      six_times += first.dot(second.cross(hull.vertices[facet.loop[i + 1]]));
-    }
-  }
-  return six_times / 6;
 }
 
 double Separation(const RoundedHull& a, const Pose& X_WorldA, const RoundedHull& b,

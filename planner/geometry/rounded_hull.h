@@ -38,8 +38,6 @@ class RoundedHull {
   std::shared_ptr<const Prepared> prepared_;
 };
 
-double Volume(const ConvexHull& hull);
-
 // Returns a distance that the two hulls are surely apart, in metres, or 0 if they overlap or touch.
 // FCL finds the nearest points. The result is the width of the slab between the hulls that is
 // normal to the difference of these points. It never exceeds the distance (up to rounding),

@@ -9,7 +9,7 @@
 #include "planner/domain/parts/part_file.h"
 #include "sim/scene/robot_mjcf.h"
 #include "sim/scene/stage_mjcf.h"
-#include "sim/scene/supporting_boxes.h"
+#include "sim/scene/supporting_solids.h"
 #include "sim/scene/xml_element.h"
 
 namespace assay::scene {
@@ -54,7 +54,7 @@ XmlElement& AddGeomClass(const char* name, XmlElement& defaults) {
 }
 
 // Collision bits: each geom has bits for what it is and a mask of the bits that it touches. A part
-// has two sets of boxes. Its exact boxes touch other parts and grippers. Its supporting boxes touch
+// has two sets of solids. Its exact pieces touch other parts and grippers. Its supporting solids touch
 // the floor and a table that exists for this part alone, because the error of the table's height
 // may differ from part to part. Arm links have the gripper's bit. Bodies of one robot do not touch
 // each other, but bodies of two robots do.
@@ -165,19 +165,22 @@ void AddPart(const Problem& problem, domain::PartId id, const SceneOptions& opti
       worldbody.Add("body").Set("name", "part/" + part.name).SetPose(part.X_WorldPart);
   body.Add("freejoint").Set("name", "part/" + part.name);
   AddMass(TrueMass(model, id, options), body);
-  const auto add_box = [&](const char* geom_class, const geometry::Box& box) -> XmlElement& {
+  const auto add_solid = [&](const char* geom_class,
+                             const geometry::ConvexHull& solid) -> XmlElement& {
+    const std::optional<geometry::Box> box = AsBox(solid);
+    ASSAY_CHECK(box.has_value(), "a solid that is no box");
     return body.Add("geom")
         .Set("class", geom_class)
-        .SetPose(box.X_FrameBox)
-        .Set("size", box.half_extents)
+        .SetPose(box->X_FrameBox)
+        .Set("size", box->half_extents)
         .Set("friction", {friction, kTorsionFriction, kRollFriction});
   };
-  for (std::size_t i = 0; i < model.boxes().size(); ++i) {
+  for (std::size_t i = 0; i < model.pieces().size(); ++i) {
     const Eigen::Vector4d color = ColorOf(problem, id, i, options);
-    add_box("part", model.boxes()[i]).Set("rgba", std::span(color.data(), 4));
+    add_solid("part", model.pieces()[i]).Set("rgba", std::span(color.data(), 4));
   }
-  for (const geometry::Box& box : SupportingBoxes(model)) {
-    add_box("support", box).Set("conaffinity", fmt::format("{}", kFloor | TableBit(id)));
+  for (const geometry::ConvexHull& solid : SupportingSolids(model)) {
+    add_solid("support", solid).Set("conaffinity", fmt::format("{}", kFloor | TableBit(id)));
   }
 }
 

@@ -24,10 +24,10 @@ std::vector<ColorFilter> FiltersOf(const std::vector<NamedColor>& colors) {
   return filters;
 }
 
-// Returns a mask with 255 at pixels where the view shows the boxes, and 0 elsewhere.
-render::Mask MaskOf(const std::vector<geometry::Box>& boxes, const View& view) {
+// Returns a mask with 255 at pixels where the view shows the solids, and 0 elsewhere.
+render::Mask MaskOf(const std::vector<geometry::ConvexHull>& solids, const View& view) {
   render::Mask mask(view.size(), view.size());
-  for (const geometry::Polygon& shadow : Shadows(boxes, view)) {
+  for (const geometry::Polygon& shadow : Shadows(solids, view)) {
     std::vector<std::array<int, 2>> corners;
     for (const Vector2& corner : shadow) {
       corners.push_back({static_cast<int>(corner.x()), static_cast<int>(corner.y())});
@@ -51,11 +51,12 @@ ColorSensor::ColorSensor(const scene::Scene& scene, const domain::Problem& probl
 
 std::vector<double> ColorSensor::Shares(const mujoco::Data& data, PartId part,
                                         const Pose& believed) {
-  const std::vector<geometry::Box> boxes = BoxesAt(*problem_.part(part).model, believed);
+  const std::vector<geometry::ConvexHull> solids =
+        Transformed(problem_.part(part).model->pieces(), believed);
   std::vector<double> shares(filters_.size(), 0.0);
   double area = 0;
   for (const Sight& sight : eyes_.LookAt(data, part, believed)) {
-    const std::vector<std::uint8_t> mask = MaskOf(boxes, sight.view).pixels;
+    const std::vector<std::uint8_t> mask = MaskOf(solids, sight.view).pixels;
     area += CommonArea(mask, mask);
     for (std::size_t color = 0; color < filters_.size(); ++color) {
       shares[color] += CommonArea(filters_[color].Pass(sight.image), mask);

@@ -62,11 +62,11 @@ class WorthMap {
 };
 
 // Returns the cells whose centres the silhouette covers.
-std::vector<Cell> Silhouette(std::span<const geometry::Box> boxes, const View& view, int side) {
+std::vector<Cell> Silhouette(std::span<const geometry::ConvexHull> solids, const View& view, int side) {
   constexpr int kFractionBits = 4;
   constexpr double kFractions = 1 << kFractionBits;
   render::Mask picture(side, side);
-  for (const geometry::Polygon& outline : Shadows(boxes, view)) {
+  for (const geometry::Polygon& outline : Shadows(solids, view)) {
     std::vector<std::array<int, 2>> corners;
     for (const Vector2& corner : outline) {
       const Vector2 cell = (corner / kCell - Vector2(0.5, 0.5)) * kFractions;
@@ -125,10 +125,10 @@ Displacement CoarsePlacement(std::span<const Picture> pictures, const domain::Pa
   Displacement best = Displacement::Zero();
   int best_score = std::numeric_limits<int>::min();
   for (const double yaw : Outward(kYawStep, window.yaw)) {
-    const auto boxes = BoxesAt(model, Displaced(believed, {0, 0, 0, yaw}));
+    const auto solids = Transformed(model.pieces(), Displaced(believed, {0, 0, 0, yaw}));
     std::vector<std::vector<Cell>> silhouettes;
     for (std::size_t i = 0; i < eyes.size(); ++i) {
-      silhouettes.push_back(Silhouette(boxes, pictures[i].view, eyes[i].worth.side()));
+      silhouettes.push_back(Silhouette(solids, pictures[i].view, eyes[i].worth.side()));
     }
     for (const double x : Outward(kGridStep, window.distance)) {
       for (const double y : Outward(kGridStep, window.distance)) {

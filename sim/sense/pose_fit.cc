@@ -9,7 +9,6 @@
 namespace assay::sense {
 namespace {
 
-using geometry::Box;
 
 constexpr double kSpacing = 3;  // pixels between contour points
 // Edges lower than this above the part's lowest point are not used, metres.
@@ -18,14 +17,6 @@ constexpr double kHiddenBelow = 0.007;
 // pixels.
 constexpr std::array<double, 11> kRanges = {14, 12, 10, 8, 6, 5, 4, 3, 2, 2, 2};
 constexpr double kLeastDeviation = 0.1;  // pixels
-
-double LowestPoint(std::span<const Box> boxes) {
-  double lowest = std::numeric_limits<double>::infinity();
-  for (const Box& box : boxes) {
-    for (const Vector3& corner : box.Corners()) lowest = std::min(lowest, corner.z());
-  }
-  return lowest;
-}
 
 // The distance between an edge and the contour, and the derivative of the contour with respect to
 // the displacement of the part.
@@ -49,10 +40,10 @@ Displacement RateOf(const ContourPoint& point, const View& view, const Vector3& 
 Residuals Compare(std::span<const Picture> pictures, const domain::PartModel& model,
                   const Pose& X_WorldPart, double range) {
   Residuals residuals;
-  const std::vector<Box> boxes = BoxesAt(model, X_WorldPart);
-  const double least_height = LowestPoint(boxes) + kHiddenBelow;
+  const std::vector<geometry::ConvexHull> solids = Transformed(model.pieces(), X_WorldPart);
+  const double least_height = geometry::LowestPoint(solids) + kHiddenBelow;
   for (const Picture& picture : pictures) {
-    for (const ContourPoint& point : Contour(boxes, picture.view, kSpacing)) {
+    for (const ContourPoint& point : Contour(solids, picture.view, kSpacing)) {
       if (point.p_World.z() < least_height) continue;
       ++residuals.contour_points;
       const auto distance = FindEdge(picture, point, range);

@@ -7,7 +7,7 @@
 namespace assay::sense {
 namespace {
 
-using geometry::Box;
+using geometry::ConvexHull;
 using geometry::Polygon;
 
 struct Corner {
@@ -15,17 +15,16 @@ struct Corner {
   Vector2 pixel;
 };
 
-// The corners of a box and its outline in the picture.
+// The vertices of a convex solid and its outline in the picture.
 struct Shadow {
-  std::array<Corner, 8> corners;
+  std::vector<Corner> corners;
   Polygon outline;
 
-  Shadow(const Box& box, const View& view) {
-    std::array<Vector2, 8> pixels;
-    const std::array<Vector3, 8> points = box.Corners();
-    for (int i = 0; i < 8; ++i) {
-      pixels[i] = view.Project(points[i]);
-      corners[i] = {points[i], pixels[i]};
+  Shadow(const ConvexHull& solid, const View& view) {
+    std::vector<Vector2> pixels;
+    for (const Vector3& vertex : solid.vertices) {
+      pixels.push_back(view.Project(vertex));
+      corners.push_back({vertex, pixels.back()});
     }
     outline = geometry::Hull2(pixels);
   }
@@ -51,7 +50,7 @@ bool IsCleanContour(const std::vector<Shadow>& shadows, const Vector2& pixel,
          !Covered(shadows, pixel + kContourReach * normal);
 }
 
-// Adds contour points on the edge between two neighbouring corners of a box's outline.
+// Adds contour points on the edge between two neighbouring corners of a solid's outline.
 void AddPoints(const std::vector<Shadow>& shadows, const std::array<Vector3, 2>& edge,
                const View& view, double spacing, std::vector<ContourPoint>& contour) {
   const Vector2 start = view.Project(edge[0]);
@@ -71,21 +70,16 @@ void AddPoints(const std::vector<Shadow>& shadows, const std::array<Vector3, 2>&
 
 }  // namespace
 
-std::vector<Box> BoxesAt(const domain::PartModel& model, const Pose& X_WorldPart) {
-  std::vector<Box> boxes;
-  for (const Box& box : model.boxes()) boxes.push_back(box.Transformed(X_WorldPart));
-  return boxes;
-}
-
-std::vector<Polygon> Shadows(std::span<const Box> boxes, const View& view) {
+std::vector<Polygon> Shadows(std::span<const ConvexHull> solids, const View& view) {
   std::vector<Polygon> outlines;
-  for (const Box& box : boxes) outlines.push_back(Shadow(box, view).outline);
+  for (const ConvexHull& solid : solids) outlines.push_back(Shadow(solid, view).outline);
   return outlines;
 }
 
-std::vector<ContourPoint> Contour(std::span<const Box> boxes, const View& view, double spacing) {
+std::vector<ContourPoint> Contour(std::span<const ConvexHull> solids, const View& view,
+                                  double spacing) {
   std::vector<Shadow> shadows;
-  for (const Box& box : boxes) shadows.emplace_back(box, view);
+  for (const ConvexHull& solid : solids) shadows.emplace_back(solid, view);
   std::vector<ContourPoint> contour;
   for (const Shadow& shadow : shadows) {
     for (std::size_t i = 0; i < shadow.outline.size(); ++i) {

@@ -16,6 +16,7 @@
 #include "planner/geometry/polygon.h"
 #include "planner/plan/data/plan.h"
 #include "tests/oracle/box_pair.h"
+#include "tests/oracle/part_boxes.h"
 
 // Tests the promises of certificates by executing a plan in numbers. Every error is drawn from its
 // bounds, and often at their ends. Poses are plain 4x4 matrices and parts are boxes. Only the
@@ -382,7 +383,7 @@ class ExecutedWorld {
     double nearest = std::numeric_limits<double>::infinity();
     for (const double way : {0.0, 0.3, 0.7, 1.0}) {
       const Pose X = hand * geometry::Translation(0, 0, -way * rules().approach_distance);
-      for (const Box& of_part : model(part).boxes()) {
+      for (const Box& of_part : oracle::BoxesOf(model(part))) {
         for (const Box& box : boxes) {
           if (AreFar(box.Transformed(X), of_part.Transformed(X_WorldPart))) continue;
           nearest =
@@ -448,10 +449,10 @@ class ExecutedWorld {
   std::vector<Vector3> FeetOf(PartId part, const Pose& flat) const {
     std::vector<Vector3> feet;
     double lowest = std::numeric_limits<double>::infinity();
-    for (const Box& box : model(part).boxes()) {
+    for (const Box& box : oracle::BoxesOf(model(part))) {
       for (const Vector3& p : box.Corners()) lowest = std::min(lowest, (flat * p).z());
     }
-    for (const Box& box : model(part).boxes()) {
+    for (const Box& box : oracle::BoxesOf(model(part))) {
       for (const Vector3& p : box.Corners()) {
         if ((flat * p).z() < lowest + 1e-6) feet.push_back(p);
       }
@@ -470,7 +471,7 @@ class ExecutedWorld {
   }
   geometry::Polygon ShadowOf(PartId part, const Pose& X) const {
     std::vector<Vector2> points;
-    for (const Box& box : model(part).boxes()) {
+    for (const Box& box : oracle::BoxesOf(model(part))) {
       for (const Vector3& p : box.Corners()) points.push_back((X * p).head<2>());
     }
     return geometry::Hull2(points);
@@ -551,10 +552,10 @@ class ExecutedWorld {
   std::vector<Seat> SeatsOf(const domain::Mating& mating) const {
     const Vector3 axis = mating.mating_vector.normalized();
     std::vector<Seat> seats;
-    for (const Box& held : model(mating.held).boxes()) {
+    for (const Box& held : oracle::BoxesOf(model(mating.held))) {
       for (const Vector3& corner : held.Corners()) {
         const Vector3 p = mating.X_FixedHeld * corner;
-        for (const Box& fixed : model(mating.fixed).boxes()) {
+        for (const Box& fixed : oracle::BoxesOf(model(mating.fixed))) {
           if (fixed.Contains(p, 1e-6) && !fixed.Contains(p - 1e-4 * axis, 1e-6)) {
             seats.push_back({corner, axis.dot(p)});
           }
@@ -575,8 +576,8 @@ class ExecutedWorld {
   }
   double LeastSeparation(const domain::Mating& mating, const Pose& X_FixedHeld) const {
     double least = std::numeric_limits<double>::infinity();
-    for (const Box& held : model(mating.held).boxes()) {
-      for (const Box& fixed : model(mating.fixed).boxes()) {
+    for (const Box& held : oracle::BoxesOf(model(mating.held))) {
+      for (const Box& fixed : oracle::BoxesOf(model(mating.fixed))) {
         least = std::min(least, Separation(held.Transformed(X_FixedHeld), fixed));
       }
     }
@@ -636,7 +637,7 @@ class ExecutedWorld {
     for (int i = 0; i <= kPlaces; ++i) {
       const Pose hand = Between(from, to, static_cast<double>(i) / kPlaces);
       for (const Box& box : problem_.workcell->gripper().FingerBoxes(hold_.width)) {
-        for (const Box& of_part : model(fixed).boxes()) {
+        for (const Box& of_part : oracle::BoxesOf(model(fixed))) {
           nearest = std::min(
               nearest, Separation(box.Transformed(hand), of_part.Transformed(body(fixed).truth)));
         }

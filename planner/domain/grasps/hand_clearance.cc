@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "planner/geometry/box_shadow.h"
+#include "planner/geometry/solids/shadow.h"
 
 namespace assay::domain {
 
@@ -21,8 +21,7 @@ Approach Approach::At(double angle, double length) {
 
 HandClearance::HandClearance(const PartModel& part, const kinematics::Gripper& gripper,
                              const Pose& X_PartMiddle, double width, double allowance) {
-  const Pose X_MiddlePart = X_PartMiddle.inverse();
-  for (const Box& box : part.boxes()) part_boxes_.push_back(box.Transformed(X_MiddlePart));
+  pieces_ = Transformed(part.pieces(), X_PartMiddle.inverse());
   Add(gripper.HandBoxes(), Stage::kApproaching, allowance);
   if (width > gripper.max_opening()) return;
   Add(gripper.FingerBoxes(gripper.max_opening()), Stage::kApproaching, allowance);
@@ -36,8 +35,8 @@ void HandClearance::Add(const std::vector<Box>& gripper_boxes, Stage stage, doub
     const Vector3 low = bounds.min().array() + allowance;
     const Vector3 high = bounds.max().array() - allowance;
     if ((low.array() >= high.array()).any()) continue;
-    for (const Box& part_box : part_boxes_) {
-      geometry::Polygon shadow = geometry::ShadowBetween(part_box, low.y(), high.y());
+    for (const geometry::ConvexHull& piece : pieces_) {
+      geometry::Polygon shadow = geometry::ShadowBetween(piece, low.y(), high.y());
       if (shadow.size() < 3) continue;
       encounters_.push_back({stage, {low.x(), low.z()}, {high.x(), high.z()}, std::move(shadow)});
     }

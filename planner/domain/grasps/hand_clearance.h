@@ -8,8 +8,8 @@
 
 namespace assay::domain {
 
-// The set of origins of the tool, in a plane, at which one box of the gripper overlaps one box of
-// the part while neither turns: a C-obstacle (Lozano-Perez 1983).
+// The set of origins of the tool, in a plane, at which one box of the gripper overlaps one piece
+// of the part while neither turns: a C-obstacle (Lozano-Perez 1983).
 struct CObstacle {
   struct Side {
     geometry::Vector2 normal;
@@ -49,17 +49,17 @@ class HandClearance {
 
  private:
   enum class Stage { kApproaching, kClosed };
-  // A box of the gripper, and the shadow of one of the part's boxes that it can meet.
+  // A box of the gripper, and the shadow of one of the part's pieces that it can meet.
   struct Encounter {
     Stage stage;
     geometry::Vector2 low;  // corner of the gripper box's rectangle, tool x and z
     geometry::Vector2 high;
-    geometry::Polygon shadow;  // shadow of the part's box, plane x and y
+    geometry::Polygon shadow;  // shadow of the part's piece, plane x and y
   };
   void Add(const std::vector<geometry::Box>& gripper_boxes, Stage stage, double allowance);
   static CObstacle ObstacleOf(const Encounter& encounter, const Approach& approach);
 
-  std::vector<geometry::Box> part_boxes_;  // boxes of the part, in the plane's frame
+  std::vector<geometry::ConvexHull> pieces_;  // of the part, in the plane's frame
   std::vector<Encounter> encounters_;
 };
 

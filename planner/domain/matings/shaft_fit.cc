@@ -66,7 +66,7 @@ std::optional<FitPlay> PlayOf(const ShaftFit& fit, double widening) {
              ExtentOf(fit, section, slot.across, -turn).width() <= slot.high - slot.low;
     });
   };
-  double turn = kTurnLook;
+  double turn = RadiusOfRound(section) ? kFarthestTurn : kTurnLook;
   while (turn < kFarthestTurn && fits(turn)) turn += kTurnLook;
   if (turn >= kFarthestTurn) turn = std::numbers::pi;  // a turn without limit, as of a round shaft
 
@@ -224,6 +224,20 @@ Polygon CrossSection(const ShaftFit& fit) {
                   on - kWide * along - kWide * n});
   }
   return section;
+}
+
+std::optional<double> RadiusOfRound(const Polygon& section) {
+  constexpr std::size_t kFewestCorners = 16;
+  if (section.size() < kFewestCorners) return std::nullopt;
+  const double radius = section.front().norm();
+  const double side = (section[1] - section[0]).norm();
+  for (std::size_t i = 0; i < section.size(); ++i) {
+    const double next = (section[(i + 1) % section.size()] - section[i]).norm();
+    if (std::abs(section[i].norm() - radius) > kRounding || std::abs(next - side) > kRounding) {
+      return std::nullopt;
+    }
+  }
+  return radius;
 }
 
 bool FitsInside(const std::vector<ShaftFit>& fits, const Pose& X_FixedHeld) {

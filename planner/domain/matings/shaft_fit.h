@@ -62,6 +62,11 @@ bool HasShaftInHole(const Problem& problem, const Mating& mating);
 // shaft has no face that looks along its axis.
 geometry::Polygon CrossSection(const ShaftFit& fit);
 
+// Returns the radius of the circle through the corners of a shaft's section if the section stands
+// for a circle: it is a regular polygon with at least 16 corners about the shaft's axis. What is
+// proved of this circle holds for every turn of the shaft about its axis.
+std::optional<double> RadiusOfRound(const geometry::Polygon& section);
+
 // The range of the seated shaft's section along a direction of the hole's part, in metres.
 struct Extent {
   double low = std::numeric_limits<double>::infinity();

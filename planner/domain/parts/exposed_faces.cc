@@ -6,32 +6,28 @@
 #include <limits>
 
 #include "planner/base/check.h"
-#include "planner/geometry/box_shadow.h"
 #include "planner/geometry/planar_region.h"
+#include "planner/geometry/solids/shadow.h"
 
 namespace assay::domain {
 namespace {
 
-using geometry::Box;
+using geometry::ConvexHull;
 using geometry::Polygon;
 
 // Unit normals whose difference is shorter than this count as equal. For small angles this is the
 // angle in radians.
 constexpr double kSameNormal = 1e-6;
 constexpr double kSamePlane = 5e-8;  // metres
-// At this height above a plane, in metres, boxes are tested for what they cover: more than
+// At this height above a plane, in metres, solids are tested for what they cover: more than
 // rounding, less than any intended gap.
 constexpr double kProbe = 1e-7;
-// The least breadth of a patch of a face, in metres. The section of a leaning box at the height
+// The least breadth of a patch of a face, in metres. The section of a leaning solid at the height
 // kProbe is a little smaller than at the plane. The narrow strip that is left belongs to no face.
 constexpr double kNarrowest = 1e-5;
 
 bool InPlane(const Face& face, const Vector3& normal, double offset) {
   return (face.normal - normal).norm() < kSameNormal && std::abs(face.offset - offset) < kSamePlane;
-}
-
-Polygon CrossSection(const Box& box, const Face& face, double height) {
-  return geometry::ShadowBetween(box.Transformed(face.X_PartFace.inverse()), height, height);
 }
 
 Face EmptyFace(const Side& side) {
@@ -42,16 +38,16 @@ Face EmptyFace(const Side& side) {
   return face;
 }
 
-// A plane in which sides of boxes lie, with the rectangles of all these sides.
+// A plane in which sides of solids lie, with the outlines of all these sides.
 struct Plane {
   Face face;
   std::vector<Polygon> sides;
 };
 
-std::vector<Plane> PlanesOf(std::span<const Box> boxes) {
+std::vector<Plane> PlanesOf(std::span<const ConvexHull> solids) {
   std::vector<Plane> planes;
-  for (const Box& box : boxes) {
-    for (const Side& side : SidesOf(box)) {
+  for (const ConvexHull& solid : solids) {
+    for (const Side& side : SidesOf(solid)) {
       auto plane = std::ranges::find_if(
           planes, [&](const Plane& p) { return InPlane(p.face, side.normal, side.offset); });
       if (plane == planes.end()) plane = planes.insert(plane, {EmptyFace(side), {}});
@@ -75,11 +71,11 @@ double Breadth(const Polygon& polygon) {
   return least;
 }
 
-// Returns the union of the sides without the areas that boxes cover.
-geometry::Patches Exposed(const Plane& plane, std::span<const Box> boxes) {
+// Returns the union of the sides without the areas that solids cover.
+geometry::Patches Exposed(const Plane& plane, std::span<const ConvexHull> solids) {
   std::vector<Polygon> covers;
-  for (const Box& box : boxes) {
-    Polygon cover = CrossSection(box, plane.face, kProbe);
+  for (const ConvexHull& solid : solids) {
+    Polygon cover = CrossSection(solid, plane.face, kProbe);
     if (cover.size() >= 3) covers.push_back(std::move(cover));
   }
   geometry::Patches exposed;
@@ -98,22 +94,32 @@ geometry::Patches Exposed(const Plane& plane, std::span<const Box> boxes) {
 
 }  // namespace
 
-std::array<Side, 6> SidesOf(const Box& box) {
-  // Bit k of the index is the side along axis k.
-  const std::array<Vector3, 8> corners = box.Corners();
-  std::array<Side, 6> sides;
-  for (int i = 0; i < 6; ++i) {
-    const int axis = i / 2;
-    const int bit = i % 2;
-    Side& side = sides[i];
-    side.normal = (bit == 1 ? 1 : -1) * box.X_FrameBox.linear().col(axis);
-    int count = 0;
-    for (int corner = 0; corner < 8; ++corner) {
-      if (((corner >> axis) & 1) == bit) side.corners[count++] = corners[corner];
-    }
-    side.offset = side.normal.dot(side.corners[0]);
+std::vector<Side> SidesOf(const ConvexHull& solid) {
+  std::vector<Side> sides;
+  for (const geometry::Facet* const facet : FacetsByAxis(solid)) {
+    Side& side = sides.emplace_back(facet->normal, facet->offset);
+    for (const int vertex : facet->loop) side.corners.push_back(solid.vertices[vertex]);
   }
   return sides;
+}
+
+std::vector<Side> SidesTowards(std::span<const ConvexHull> solids, const Vector3& direction) {
+  std::vector<Side> towards;
+  for (const ConvexHull& solid : solids) {
+    for (Side& side : SidesOf(solid)) {
+      if ((side.normal - direction).norm() < kSameNormal) towards.push_back(std::move(side));
+    }
+  }
+  std::ranges::stable_sort(towards, std::ranges::greater(), &Side::offset);
+  return towards;
+}
+
+double FarthestAlong(std::span<const ConvexHull> solids, const Vector3& direction) {
+  double farthest = -std::numeric_limits<double>::infinity();
+  for (const ConvexHull& solid : solids) {
+    farthest = std::max(farthest, GreatestAlong(solid, direction));
+  }
+  return farthest;
 }
 
 Pose FrameAlong(const Vector3& origin, const Vector3& z) {
@@ -126,13 +132,24 @@ Pose FrameAlong(const Vector3& origin, const Vector3& z) {
   return geometry::PoseFromColumns(x, z.cross(x), z, origin);
 }
 
-std::vector<Face> ExposedFaces(std::span<const Box> boxes) {
+std::vector<Face> ExposedFaces(std::span<const ConvexHull> solids) {
   std::vector<Face> faces;
-  for (Plane& plane : PlanesOf(boxes)) {
-    plane.face.patches = Exposed(plane, boxes);
+  for (Plane& plane : PlanesOf(solids)) {
+    plane.face.patches = Exposed(plane, solids);
     if (!plane.face.patches.empty()) faces.push_back(std::move(plane.face));
   }
   return faces;
+}
+
+FaceId ExposedFaceOf(std::span<const Face> faces, const Side& side) {
+  const FaceId id = FindFace(faces, side.normal, side.offset);
+  if (id.IsNone()) return id;
+  const Face& face = faces[id.index()];
+  return geometry::Meets(face.patches, OnFace(face, side.corners)) ? id : FaceId::None();
+}
+
+Polygon CrossSection(const ConvexHull& solid, const Face& face, double height) {
+  return geometry::ShadowBetween(Transformed(solid, face.X_PartFace.inverse()), height, height);
 }
 
 FaceId FindFace(std::span<const Face> faces, const Vector3& normal, double offset) {
@@ -149,10 +166,10 @@ Polygon OnFace(const Face& face, std::span<const Vector3> points) {
   return geometry::Hull2(seen);
 }
 
-bool IsOpen(const Face& face, const Polygon& outline, std::span<const Box> boxes) {
-  return std::ranges::none_of(boxes, [&](const Box& box) {
-    return geometry::Meets({outline}, CrossSection(box, face, kProbe)) ||
-           geometry::Meets({outline}, CrossSection(box, face, -kProbe));
+bool IsOpen(const Face& face, const Polygon& outline, std::span<const ConvexHull> solids) {
+  return std::ranges::none_of(solids, [&](const ConvexHull& solid) {
+    return geometry::Meets({outline}, CrossSection(solid, face, kProbe)) ||
+           geometry::Meets({outline}, CrossSection(solid, face, -kProbe));
   });
 }
 

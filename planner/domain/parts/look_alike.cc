@@ -1,39 +1,40 @@
 #include "planner/domain/parts/look_alike.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <vector>
 
 namespace assay::domain {
 namespace {
 
-using Corners = std::array<Vector3, 8>;
+using Corners = std::vector<Vector3>;
 
 constexpr double kSame = 1e-4;  // metres between corners that no sensor distinguishes
 
 std::vector<Corners> CornersOf(const Part& part, const Pose& X_WorldPart) {
-  std::vector<Corners> boxes;
-  for (const geometry::Box& box : part.model->boxes()) {
-    boxes.push_back(box.Transformed(X_WorldPart).Corners());
+  std::vector<Corners> pieces;
+  for (const geometry::ConvexHull& piece : part.model->pieces()) {
+    pieces.push_back(Transformed(piece, X_WorldPart).vertices);
   }
-  return boxes;
+  return pieces;
 }
 
-Vector3 MiddleOf(const std::vector<Corners>& boxes) {
+Vector3 MiddleOf(const std::vector<Corners>& pieces) {
   Vector3 sum = Vector3::Zero();
-  for (const Corners& corners : boxes) {
+  std::size_t count = 0;
+  for (const Corners& corners : pieces) {
     for (const Vector3& corner : corners) sum += corner;
+    count += corners.size();
   }
-  return sum / (8.0 * static_cast<double>(boxes.size()));
+  return sum / static_cast<double>(count);
 }
 
-// Returns whether the moved boxes are the other boxes, one by one.
-bool AreSame(const std::vector<Corners>& boxes, const Pose& move,
+// Returns whether the moved pieces are the other pieces, one by one.
+bool AreSame(const std::vector<Corners>& pieces, const Pose& move,
              const std::vector<Corners>& others) {
-  return std::ranges::all_of(boxes, [&](const Corners& box) {
+  return std::ranges::all_of(pieces, [&](const Corners& piece) {
     return std::ranges::any_of(others, [&](const Corners& other) {
-      return std::ranges::all_of(box, [&](const Vector3& corner) {
+      return std::ranges::all_of(piece, [&](const Vector3& corner) {
         return std::ranges::any_of(other, [&](const Vector3& its) {
           return (move * corner - its).cwiseAbs().maxCoeff() < kSame;
         });
@@ -44,22 +45,22 @@ bool AreSame(const std::vector<Corners>& boxes, const Pose& move,
 
 double AngleOf(const Vector3& v) { return std::atan2(v.y(), v.x()); }
 
-// Returns turns about the world's z, with shifts, that may bring the part's boxes from one pose to
+// Returns turns about the world's z, with shifts, that may bring the part's pieces from one pose to
 // the other. They bring the middle to the middle, and the corner that is farthest from the middle
 // to a corner that is equally far.
 std::vector<Pose> MovesBetween(const std::vector<Corners>& from, const std::vector<Corners>& to) {
   const Vector3 middle = MiddleOf(from);
   const Vector3 other_middle = MiddleOf(to);
   Vector3 farthest = Vector3::Zero();
-  for (const Corners& box : from) {
-    for (const Vector3& corner : box) {
+  for (const Corners& piece : from) {
+    for (const Vector3& corner : piece) {
       if ((corner - middle).head<2>().norm() > farthest.head<2>().norm())
         farthest = corner - middle;
     }
   }
   std::vector<Pose> moves;
-  for (const Corners& box : to) {
-    for (const Vector3& corner : box) {
+  for (const Corners& piece : to) {
+    for (const Vector3& corner : piece) {
       const double turn = AngleOf(corner - other_middle) - AngleOf(farthest);
       const Pose move = geometry::Translation(other_middle) * geometry::RotationZ(turn) *
                         geometry::Translation(-middle);

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <vector>
 
 #include "planner/base/input_files/document.h"
 #include "planner/domain/parts/part_model.h"
@@ -36,7 +37,9 @@ class PartFile {
 
   void ReadFeatures(const Value& features, PartModel& model) const;
   Feature ReadFeature(const Value& entry, const PartModel& model) const;
-  void ReadFace(const Value& entry, const PartModel& model, Feature& feature) const;
+  std::vector<Feature> ReadFaces(const Value& entry, const PartModel& model) const;
+  static void ReadFace(const Solid& solid, const Value& normal, const PartModel& model,
+                       Feature& feature);
   void ReadHole(const Value& entry, const PartModel& model, Feature& feature) const;
   void ReadShaft(const Value& entry, const PartModel& model, Feature& feature) const;
 

@@ -9,10 +9,10 @@
 #include "planner/base/input_files/document.h"
 #include "planner/domain/parts/feature.h"
 #include "planner/domain/resting/stable_pose.h"
-#include "planner/geometry/box.h"
 #include "planner/geometry/collision.h"
 #include "planner/geometry/hull.h"
 #include "planner/geometry/polygon.h"
+#include "planner/geometry/solids/mass_properties.h"
 
 namespace assay::domain {
 
@@ -23,8 +23,9 @@ class PartModel {
   const std::string& name() const { return name_; }
   const std::string& initial() const { return initial_; }             // start of labels: BP1, BG1
   double clearance() const { return clearance_; }                     // metres on each side
-  const std::vector<geometry::Box>& boxes() const { return boxes_; }  // disjoint or overlapping
-  const std::vector<Eigen::Vector4f>& colors() const { return colors_; }  // rgba of each box
+  // Convex pieces in the part frame, disjoint or overlapping.
+  const std::vector<geometry::ConvexHull>& pieces() const { return pieces_; }
+  const std::vector<Eigen::Vector4f>& colors() const { return colors_; }  // rgba of each piece
   const geometry::CollisionShape& shape() const { return shape_; }
   const geometry::ConvexHull& hull() const { return hull_; }
   const geometry::MassProperties& mass() const { return mass_; }
@@ -49,7 +50,7 @@ class PartModel {
   double clearance_;
   std::string name_;
   std::string initial_;
-  std::vector<geometry::Box> boxes_;
+  std::vector<geometry::ConvexHull> pieces_;
   std::vector<Eigen::Vector4f> colors_;
   geometry::CollisionShape shape_;
   geometry::ConvexHull hull_;

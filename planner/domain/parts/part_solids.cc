@@ -3,18 +3,23 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
+#include <limits>
+#include <span>
 
+#include "planner/domain/parts/solid_shapes.h"
 #include "planner/domain/problem/name.h"
-#include "planner/geometry/connected_boxes.h"
+#include "planner/geometry/solids/connected_solids.h"
+#include "planner/geometry/solids/convex_cut.h"
+#include "planner/geometry/solids/mass_properties.h"
 
 namespace assay::domain {
 namespace {
 
-using geometry::Box;
+using geometry::ConvexHull;
 using geometry::Pose;
 using geometry::Vector3;
 
-constexpr double kShortestSide = 1e-4;  // least side of a box in the file, metres
 constexpr double kThinnestWall = 1e-5;  // least wall that a pocket may leave, metres
 constexpr double kLeastCut = 1e-12;     // least volume of a pocket, cubic metres
 
@@ -32,12 +37,25 @@ Eigen::Vector4f ReadColor(const Value& value) {
   return color;
 }
 
-std::array<bool, 3> ReadWidening(const Value& axes) {
-  std::array<bool, 3> is_widened = {};
-  for (const Value& axis : axes.Items()) {
-    is_widened[static_cast<std::size_t>(axis.OneOf({"x", "y", "z"}))] = true;
+Widening ReadWidening(const Value& entry, double clearance) {
+  Widening widening{.by = clearance};
+  const auto widen = entry.Find("widen");
+  if (!widen) return widening;
+  if (!widen->IsList()) {
+    widen->OneOf({"across"});
+    widening.across = true;
+    return widening;
   }
-  return is_widened;
+  for (const Value& axis : widen->Items()) {
+    widening.along[static_cast<std::size_t>(axis.OneOf({"x", "y", "z"}))] = true;
+  }
+  return widening;
+}
+
+// Fails at the first key of the entry that is neither one of `keys` nor the kind of a shape.
+void AllowShapeAnd(const Value& entry, std::vector<std::string> keys) {
+  std::ranges::copy(ShapeKinds(), std::back_inserter(keys));
+  entry.AllowOnly(keys);
 }
 
 template <class Named>
@@ -62,24 +80,38 @@ std::vector<const Named*> OneOrMore(const Value& names, const std::vector<Named>
   return found;
 }
 
-double Volume(const std::vector<Box>& boxes) {
+double VolumeOf(std::span<const ConvexHull> solids) {
   double volume = 0;
-  for (const Box& box : boxes) volume += box.Volume();
+  for (const ConvexHull& solid : solids) volume += geometry::Volume(solid);
   return volume;
 }
 
-// Returns the solid's pieces without a pocket. Both are in the part frame.
-std::vector<Box> Cut(const std::vector<Box>& pieces, const Box& pocket, const Value& place) {
-  std::vector<Box> rest;
-  for (const Box& piece : pieces) {
-    for (const Box& box : Subtract(piece, pocket)) rest.push_back(box);
+// Returns the least extent of a solid along the normal of a facet.
+double ThicknessOf(const ConvexHull& solid) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const geometry::Facet& facet : solid.facets) {
+    least = std::min(least, facet.offset + GreatestAlong(solid, -facet.normal));
+  }
+  return least;
+}
+
+// Returns the solid's pieces without a pocket. All are in the part frame.
+std::vector<ConvexHull> Cut(const std::vector<ConvexHull>& pieces,
+                            std::span<const ConvexHull> pocket, const Value& place) {
+  std::vector<ConvexHull> rest = pieces;
+  for (const ConvexHull& of_pocket : pocket) {
+    std::vector<ConvexHull> remaining;
+    for (const ConvexHull& piece : rest) {
+      std::ranges::move(Without(piece, of_pocket), std::back_inserter(remaining));
+    }
+    rest = std::move(remaining);
   }
   if (rest.empty()) place.Fail("the pocket leaves nothing of its solid");
-  if (Volume(pieces) - Volume(rest) < kLeastCut) {
-    place.Fail("the pocket cuts nothing from its solid", "a box that overlaps the solid");
+  if (VolumeOf(pieces) - VolumeOf(rest) < kLeastCut) {
+    place.Fail("the pocket cuts nothing from its solid", "a shape that overlaps the solid");
   }
-  for (const Box& box : rest) {
-    if (2 * box.half_extents.minCoeff() >= kThinnestWall) continue;
+  for (const ConvexHull& piece : rest) {
+    if (ThicknessOf(piece) >= kThinnestWall) continue;
     place.Fail("the pocket leaves a wall that is too thin",
                fmt::format("walls of at least {} m, or none", kThinnestWall));
   }
@@ -102,15 +134,17 @@ void PartSolids::ReadSolids(const Value& solids) {
 }
 
 PartSolids::Solid PartSolids::ReadSolid(const std::string& name, const Value& entry) const {
-  entry.AllowOnly({"box", "color", "turn"});
+  AllowShapeAnd(entry, {"color", "turn"});
   Solid solid{.name = name,
               .X_PartSolid = Pose::Identity(),
-              .whole = ReadBox(entry.At("box")),
+              .whole = {},
               .pieces = {},
               .color = Eigen::Vector4f(0.7f, 0.7f, 0.7f, 1)};
   if (const auto turn = entry.Find("turn")) solid.X_PartSolid = ReadTurn(*turn);
   if (const auto color = entry.Find("color")) solid.color = ReadColor(*color);
-  solid.pieces = {solid.whole.Transformed(solid.X_PartSolid)};
+  solid.whole = Transformed(ReadShape(entry, units_, Roundness::kAround, {}).pieces,
+                            solid.X_PartSolid);
+  solid.pieces = solid.whole;
   return solid;
 }
 
@@ -128,51 +162,25 @@ void PartSolids::ReadPockets(const Value& pockets) {
   for (const auto& [key, entry] : pockets.Entries()) {
     const Pocket& pocket = pockets_.emplace_back(ReadPocket(ReadAnyName(key), entry));
     Solid& solid = solids_[static_cast<std::size_t>(pocket.solid)];
-    solid.pieces = Cut(solid.pieces, pocket.box.Transformed(solid.X_PartSolid), entry.At("box"));
+    solid.pieces = Cut(solid.pieces, pocket.whole, entry);
   }
 }
 
 PartSolids::Pocket PartSolids::ReadPocket(const std::string& name, const Value& entry) const {
-  entry.AllowOnly({"cut_from", "box", "widen"});
-  Pocket pocket{.name = name,
-                .solid = entry.At("cut_from").OneOf(NamesOf(solids_)),
-                .box = ReadBox(entry.At("box"))};
-  if (const auto widen = entry.Find("widen")) pocket.is_widened = ReadWidening(*widen);
-  Widen(entry, pocket);
-  return pocket;
+  AllowShapeAnd(entry, {"cut_from", "widen"});
+  const int from = entry.At("cut_from").OneOf(NamesOf(solids_));
+  const Pose& X_PartSolid = solids_[static_cast<std::size_t>(from)].X_PartSolid;
+  SolidShape shape =
+      ReadShape(entry, units_, Roundness::kWithin, ReadWidening(entry, clearance_));
+  for (geometry::Vector3& normal : shape.moved_sides) normal = X_PartSolid.linear() * normal;
+  return {.name = name,
+          .solid = from,
+          .whole = Transformed(shape.pieces, X_PartSolid),
+          .moved_sides = std::move(shape.moved_sides)};
 }
 
-void PartSolids::Widen(const Value& entry, Pocket& pocket) const {
-  for (int axis = 0; axis < 3; ++axis) {
-    if (!pocket.is_widened[static_cast<std::size_t>(axis)]) continue;
-    double& half = pocket.box.half_extents[axis];
-    half += clearance_;
-    if (2 * half >= kShortestSide) continue;
-    entry.At("box").Fail(
-        fmt::format("a clearance of {} closes the pocket", InUnit(clearance_, units_.length)),
-        "one that leaves a pocket");
-  }
-}
-
-Box PartSolids::ReadBox(const Value& corners) const {
-  const std::vector<Value> items = corners.Items();
-  if (items.size() != 2) {
-    corners.Fail(fmt::format("a box has two corners, not {}", items.size()),
-                 "[[x, y, z], [x, y, z]], the lower corner first");
-  }
-  const Vector3 low = ReadVector3(items[0], units_);
-  const Vector3 high = ReadVector3(items[1], units_);
-  for (int axis = 0; axis < 3; ++axis) {
-    if (high[axis] - low[axis] >= kShortestSide) continue;
-    corners.Fail(fmt::format("the box has no length along {}", "xyz"[axis]),
-                 fmt::format("a second corner at least {} beyond the first",
-                             InUnit(kShortestSide, units_.length)));
-  }
-  return Box::FromCorners(low, high);
-}
-
-std::vector<Box> PartSolids::Pieces() const {
-  std::vector<Box> pieces;
+std::vector<ConvexHull> PartSolids::Pieces() const {
+  std::vector<ConvexHull> pieces;
   for (const Solid& solid : solids_) {
     pieces.insert(pieces.end(), solid.pieces.begin(), solid.pieces.end());
   }

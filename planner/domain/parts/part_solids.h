@@ -1,12 +1,11 @@
 #pragma once
 
-#include <array>
 #include <string>
 #include <vector>
 
 #include "planner/base/input_files/document.h"
 #include "planner/domain/units/units.h"
-#include "planner/geometry/box.h"
+#include "planner/geometry/hull.h"
 
 namespace assay::domain {
 
@@ -14,21 +13,20 @@ namespace assay::domain {
 // constructor reads them. Errors are InputErrors at the place of what is wrong.
 class PartSolids {
  public:
-  // A solid: a box, and the smaller boxes that remain of it after the pockets are cut.
+  // A solid: its convex pieces, and what remains of them after the pockets are cut.
   struct Solid {
     std::string name;
     geometry::Pose X_PartSolid = geometry::Pose::Identity();  // turn from the file's coordinates
-    geometry::Box whole;                                      // before the turn and the pockets
-    std::vector<geometry::Box> pieces;                        // part frame
+    std::vector<geometry::ConvexHull> whole;                  // before pockets, part frame
+    std::vector<geometry::ConvexHull> pieces;                 // after pockets, part frame
     Eigen::Vector4f color;
-
-    geometry::Box WholeInPart() const { return whole.Transformed(X_PartSolid); }
   };
   struct Pocket {
     std::string name;
-    int solid = 0;      // index of the solid that it is cut from
-    geometry::Box box;  // widened, not clipped; in the coordinates of the solid before its turn
-    std::array<bool, 3> is_widened = {};  // along x, y, z
+    int solid = 0;                            // index of the solid that it is cut from
+    std::vector<geometry::ConvexHull> whole;  // widened, not clipped to the solid, part frame
+    // The outward normals of the sides that move with the clearance, part frame.
+    std::vector<geometry::Vector3> moved_sides;
   };
 
   // Reads the keys `solids` and `pockets`. `clearance` is in metres, on each side of the axes along
@@ -37,7 +35,7 @@ class PartSolids {
 
   const std::vector<Solid>& solids() const { return solids_; }
   // Returns what remains of all solids, in the part frame.
-  std::vector<geometry::Box> Pieces() const;
+  std::vector<geometry::ConvexHull> Pieces() const;
   // Throws InputError at one of the `solids` if it is not connected with the first one.
   void CheckHangsTogether(const Value& solids) const;
 
@@ -53,8 +51,6 @@ class PartSolids {
   geometry::Pose ReadTurn(const Value& turn) const;
   void ReadPockets(const Value& pockets);
   Pocket ReadPocket(const std::string& name, const Value& entry) const;
-  void Widen(const Value& entry, Pocket& pocket) const;
-  geometry::Box ReadBox(const Value& corners) const;
 
   Units units_;
   double clearance_;

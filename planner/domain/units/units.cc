@@ -126,6 +126,10 @@ Vector3 ReadVector3(const Value& value, const Units& units) {
 }
 
 Vector3 ReadDirection(const Value& value) {
+  if (value.IsScalar()) {
+    const int side = value.OneOf({"+x", "-x", "+y", "-y", "+z", "-z"});
+    return (side % 2 == 0 ? 1 : -1) * Vector3::Unit(side / 2);
+  }
   const std::vector<double> numbers = value.Numbers(3);
   const Vector3 direction(numbers[0], numbers[1], numbers[2]);
   const double length = direction.stableNorm();

@@ -112,7 +112,8 @@ double ReadAngle(const Value& value, const Units& units);
 geometry::Vector2 ReadVector2(const Value& value, const Units& units);
 geometry::Vector3 ReadVector3(const Value& value, const Units& units);
 
-// Reads a list of three numbers, such as [1, 0, 0], as a direction. Returns a unit vector.
+// Reads a direction: a list of three numbers, such as [1, 0, 0], or one of +x, -x, +y, -y, +z, -z.
+// Returns a unit vector.
 geometry::Vector3 ReadDirection(const Value& value);
 
 // Reads `[[x axis], [y axis], [z axis], [position]]`, the form in which Spar's tm lists the columns

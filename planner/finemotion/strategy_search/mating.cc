@@ -130,10 +130,7 @@ std::vector<ModelTolerance> TolerancesOfWalls(const Passage& passage) {
 
 Polyhedron OutsideOf(const domain::PartModel& model) {
   std::vector<ConvexPiece> pieces;
-  for (const geometry::Box& box : model.boxes()) {
-    const auto corners = box.Corners();
-    pieces.push_back({{corners.begin(), corners.end()}});
-  }
+  for (const geometry::ConvexHull& piece : model.pieces()) pieces.push_back({piece.vertices});
   return OutsideOf(pieces);
 }
 

@@ -116,7 +116,7 @@ CollisionScene::CollisionScene(const domain::Problem& problem, const Surrounding
     const domain::Part& part = problem.part(surroundings.held->part);
     const Pose X_FlangePart =
         workcell_->gripper().X_FlangeTool() * surroundings.held->X_PartTool.inverse();
-    Add(part.name, kFlange, HullsOf(part.model->boxes(), X_FlangePart),
+    Add(part.name, kFlange, HullsOf(part.model->pieces(), X_FlangePart),
         {.part = surroundings.held->part})
         .doubt = doubt(surroundings.held->part);
   }
@@ -125,7 +125,7 @@ CollisionScene::CollisionScene(const domain::Problem& problem, const Surrounding
   const Pose X_BaseWorld = workcell_->X_WorldBase().inverse();
   for (const auto& [id, X_WorldPart] : surroundings.parts) {
     const domain::Part& part = problem.part(id);
-    Add(part.name, 0, HullsOf(part.model->boxes(), X_BaseWorld * X_WorldPart), {.part = id}).doubt =
+    Add(part.name, 0, HullsOf(part.model->pieces(), X_BaseWorld * X_WorldPart), {.part = id}).doubt =
         doubt(id);
   }
   ListPairs();
@@ -143,9 +143,9 @@ void CollisionScene::AddGripper(double opening) {
   const kinematics::Gripper& gripper = workcell_->gripper();
   const double width = std::clamp(opening, 0.0, gripper.max_opening());
   const domain::RobotId robot = workcell_->acting();
-  Add("hand", kFlange, HullsOf(gripper.HandBoxes(), gripper.X_FlangeTool()),
+  Add("hand", kFlange, HullsOf(geometry::HullsOf(gripper.HandBoxes()), gripper.X_FlangeTool()),
       {.robot = robot, .piece = "hand"});
-  Add("fingers", kFlange, HullsOf(gripper.FingerBoxes(width), gripper.X_FlangeTool()),
+  Add("fingers", kFlange, HullsOf(geometry::HullsOf(gripper.FingerBoxes(width)), gripper.X_FlangeTool()),
       {.robot = robot, .piece = "fingers"});
 }
 
@@ -159,7 +159,7 @@ void CollisionScene::AddStage() {
   const Box floor =
       Box::FromCorners({base.x() - kFloorReach, base.y() - kFloorReach, height - kFloorDepth},
                        {base.x() + kFloorReach, base.y() + kFloorReach, height});
-  Add("floor", 0, HullsOf(std::span(&floor, 1), X_BaseWorld));
+  Add("floor", 0, HullsOf(geometry::HullsOf({&floor, 1}), X_BaseWorld));
 }
 
 void CollisionScene::AddOtherRobots(const std::vector<StandingRobot>& said) {
@@ -193,9 +193,9 @@ void CollisionScene::AddOtherRobot(domain::RobotId id, const JointVector& q, dou
   }
   const kinematics::Gripper& gripper = *robot.gripper;
   const Pose X_BaseTool = X_BaseOther * X_OtherLink.back() * gripper.X_FlangeTool();
-  add("hand", HullsOf(gripper.HandBoxes(), X_BaseTool));
+  add("hand", HullsOf(geometry::HullsOf(gripper.HandBoxes()), X_BaseTool));
   const double width = std::clamp(opening, 0.0, gripper.max_opening());
-  add("fingers", HullsOf(gripper.FingerBoxes(width), X_BaseTool));
+  add("fingers", HullsOf(geometry::HullsOf(gripper.FingerBoxes(width)), X_BaseTool));
 }
 
 bool CollisionScene::AreNeighbours(int link, int later_link) const {

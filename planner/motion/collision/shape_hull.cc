@@ -65,10 +65,11 @@ RoundedHull HullAround(const kinematics::Shape& shape, const Pose& X_LinkShape) 
   return std::visit([&](const auto& kind) { return HullAroundShape(kind, X_LinkShape); }, shape);
 }
 
-std::vector<RoundedHull> HullsOf(std::span<const geometry::Box> boxes, const Pose& X_LinkBoxes) {
+std::vector<RoundedHull> HullsOf(std::span<const geometry::ConvexHull> solids,
+                                 const Pose& X_LinkSolids) {
   std::vector<RoundedHull> hulls;
-  for (const geometry::Box& box : boxes) {
-    hulls.emplace_back(geometry::HullOf(box.Transformed(X_LinkBoxes)));
+  for (const geometry::ConvexHull& solid : solids) {
+    hulls.emplace_back(Transformed(solid, X_LinkSolids));
   }
   return hulls;
 }

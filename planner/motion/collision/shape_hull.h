@@ -3,7 +3,6 @@
 #include <span>
 #include <vector>
 
-#include "planner/geometry/box.h"
 #include "planner/geometry/rounded_hull.h"
 #include "planner/kinematics/urdf_model.h"
 
@@ -14,7 +13,8 @@ namespace assay::motion {
 // an icosahedron around it.
 geometry::RoundedHull HullAround(const kinematics::Shape& shape, const geometry::Pose& X_LinkShape);
 
-std::vector<geometry::RoundedHull> HullsOf(std::span<const geometry::Box> boxes,
-                                           const geometry::Pose& X_LinkBoxes);
+// Returns the solids in the frame of a link.
+std::vector<geometry::RoundedHull> HullsOf(std::span<const geometry::ConvexHull> solids,
+                                           const geometry::Pose& X_LinkSolids);
 
 }  // namespace assay::motion

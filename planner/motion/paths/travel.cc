@@ -18,14 +18,9 @@ using geometry::CollisionShape;
 
 constexpr double kLookTurn = 0.05;  // greatest turn of a joint between tested postures, radians
 
-double LowestCorner(const std::vector<geometry::Box>& boxes, const Pose& X_WorldFrame) {
-  double lowest = 1e9;
-  for (const geometry::Box& box : boxes) {
-    const Pose X_WorldBox = X_WorldFrame * box.X_FrameBox;
-    const double reach = X_WorldBox.linear().row(2).cwiseAbs().dot(box.half_extents.transpose());
-    lowest = std::min(lowest, X_WorldBox.translation().z() - reach);
-  }
-  return lowest;
+double LowestVertex(const std::vector<Vector3>& vertices, const Pose& X_WorldFrame) {
+  const auto height = [&](const Vector3& p) { return (X_WorldFrame * p).z(); };
+  return height(*std::ranges::min_element(vertices, {}, height));
 }
 
 double HighestPoint(const domain::Part& part, const Pose& X_WorldPart) {
@@ -38,7 +33,7 @@ double HighestPoint(const domain::Part& part, const Pose& X_WorldPart) {
 
 // A rigid body that moves with the tool.
 struct Mover {
-  std::vector<geometry::Box> boxes;
+  std::vector<Vector3> vertices;
   CollisionShape shape;
   Pose X_ToolMover;
 };
@@ -53,10 +48,12 @@ class Clearance {
     const std::vector<geometry::Box> fingers =
         gripper.FingerBoxes(std::clamp(surroundings.opening, 0.0, gripper.max_opening()));
     hand.insert(hand.end(), fingers.begin(), fingers.end());
-    movers_.push_back({hand, CollisionShape(hand), Pose::Identity()});
+    movers_.push_back({geometry::VerticesOf(geometry::HullsOf(hand)), CollisionShape(hand),
+                       Pose::Identity()});
     if (surroundings.held) {
       const domain::PartModel& held = *problem.part(surroundings.held->part).model;
-      movers_.push_back({held.boxes(), held.shape(), surroundings.held->X_PartTool.inverse()});
+      movers_.push_back({geometry::VerticesOf(held.pieces()), held.shape(),
+                         surroundings.held->X_PartTool.inverse()});
     }
   }
 
@@ -75,7 +72,7 @@ class Clearance {
  private:
   bool IsClear(const Mover& mover, const Pose& X_WorldTool) const {
     const Pose X_WorldMover = X_WorldTool * mover.X_ToolMover;
-    const double lowest = LowestCorner(mover.boxes, X_WorldMover);
+    const double lowest = LowestVertex(mover.vertices, X_WorldMover);
     if (lowest < kTravelGap) return false;
     for (const auto& [id, X_WorldPart] : surroundings_.parts) {
       const domain::Part& part = problem_.part(id);

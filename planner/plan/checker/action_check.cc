@@ -10,7 +10,7 @@
 #include <span>
 
 #include "planner/domain/matings/mating_classes.h"
-#include "planner/geometry/box_overlap.h"
+#include "planner/geometry/solids/separation.h"
 #include "planner/plan/checker/pad_contact.h"
 #include "planner/plan/checker/resting_balance.h"
 #include "planner/plan/checker/straight_reach.h"
@@ -40,7 +40,7 @@ struct Handling {
 
 struct Obstacle {
   std::string name;
-  std::vector<geometry::Box> boxes;  // world
+  std::vector<geometry::ConvexHull> solids;  // world
 };
 
 namespace {
@@ -55,37 +55,38 @@ Handling HandlingOf(const domain::Problem& problem, const Action& action) {
           X_WorldPlaced.linear() * mating.mating_vector};
 }
 
-// The boxes of one moving thing at the samples of its motion.
+// The solids of one moving thing at the samples of its motion.
 struct Sweep {
   std::string mover;
-  std::vector<std::vector<geometry::Box>> samples;  // world
+  std::vector<std::vector<geometry::ConvexHull>> samples;  // world
 };
 
-Sweep SweepAlong(const std::string& mover, const std::vector<geometry::Box>& boxes,
+Sweep SweepAlong(const std::string& mover, const std::vector<geometry::ConvexHull>& solids,
                  std::span<const Pose> poses) {
   Sweep sweep{mover, {}};
-  for (const Pose& X_WorldMover : poses)
-    sweep.samples.push_back(geometry::Moved(boxes, X_WorldMover));
+  for (const Pose& X_WorldMover : poses) {
+    sweep.samples.push_back(geometry::Transformed(solids, X_WorldMover));
+  }
   return sweep;
 }
 
-std::vector<geometry::Box> HandAt(const kinematics::Gripper& gripper, double opening) {
+std::vector<geometry::ConvexHull> HandAt(const kinematics::Gripper& gripper, double opening) {
   std::vector<geometry::Box> boxes = gripper.HandBoxes();
   std::ranges::copy(gripper.FingerBoxes(opening), std::back_inserter(boxes));
-  return boxes;
+  return geometry::HullsOf(boxes);
 }
 
 double DeepestOverlap(const Sweep& sweep, const Obstacle& obstacle) {
   double deepest = 0;
-  for (const std::vector<geometry::Box>& sample : sweep.samples) {
-    deepest = std::max(deepest, geometry::OverlapDepth(sample, obstacle.boxes));
+  for (const std::vector<geometry::ConvexHull>& sample : sweep.samples) {
+    deepest = std::max(deepest, geometry::OverlapDepth(sample, obstacle.solids));
   }
   return deepest;
 }
 
 double LowestOf(const Sweep& sweep) {
   double lowest = std::numeric_limits<double>::infinity();
-  for (const std::vector<geometry::Box>& sample : sweep.samples) {
+  for (const std::vector<geometry::ConvexHull>& sample : sweep.samples) {
     lowest = std::min(lowest, geometry::LowestPoint(sample));
   }
   return lowest;
@@ -128,7 +129,7 @@ class ActionChecker::Examination {
       const PartState& state = before.parts[i];
       if (PartId(i) == handling_.part || state.status == PartStatus::kHeld) continue;
       const domain::Part& other = problem_.parts[i];
-      obstacles_.push_back({other.name, geometry::Moved(other.model->boxes(), state.X_WorldPart)});
+      obstacles_.push_back({other.name, geometry::Transformed(other.model->pieces(), state.X_WorldPart)});
     }
   }
 
@@ -152,7 +153,7 @@ class ActionChecker::Examination {
   // on the table (Spar, "Reachability of Grasps", first condition).
   void ExaminePads() {
     for (const PadContact& pad : PadContactsOf(handling_.hold, gripper().pad_half_extents())) {
-      const int off = PointsOffSurface(pad, part().model->boxes());
+      const int off = PointsOffSurface(pad, part().model->pieces());
       if (off > 0) {
         Report("the {} pad is not wholly on the surface of {}: {} of {} points of it are off",
                pad.finger, part().name, off, pad.points.size());
@@ -168,7 +169,7 @@ class ActionChecker::Examination {
   // Examines the hand in the part's own frame: closed at the grasp, and open on the straight way to
   // and from it.
   void ExamineHandAgainstPart() {
-    const Obstacle held{part().name, part().model->boxes()};
+    const Obstacle held{part().name, part().model->pieces()};
     const Pose& X_PartTool = handling_.hold.X_PartTool;
     ReportOverlap(SweepAlong("the closed hand", HandAt(gripper(), handling_.hold.width),
                              std::array{X_PartTool}),
@@ -202,21 +203,22 @@ class ActionChecker::Examination {
   }
 
   void ExamineResting(const Pose& X_WorldPart) {
-    const std::vector<geometry::Box> boxes = geometry::Moved(part().model->boxes(), X_WorldPart);
-    const double lowest = geometry::LowestPoint(boxes);
+    const std::vector<geometry::ConvexHull> solids =
+        geometry::Transformed(part().model->pieces(), X_WorldPart);
+    const double lowest = geometry::LowestPoint(solids);
     if (!(std::abs(lowest) <= kRounding)) {
       Report("the lowest point of {} is {:.4g} mm above the table, not on it", part().name,
              lowest * 1e3);
     }
-    ExamineBalance(CornersOf(boxes), X_WorldPart * centers_[handling_.part.index()]);
-    const Sweep placed{part().name, {boxes}};
+    ExamineBalance(geometry::VerticesOf(solids), X_WorldPart * centers_[handling_.part.index()]);
+    const Sweep placed{part().name, {solids}};
     for (const Obstacle& obstacle : obstacles_) ReportOverlap(placed, obstacle);
   }
 
   void ExamineMating(const Action& action) {
     ExamineFrictionCone();
     ExamineMatingFeatures(problem_.mating(action.mating), action.place.X_WorldPart);
-    ExamineSweep(SweepAlong(part().name, part().model->boxes(), MotionOf(handling_.X_WorldPart)));
+    ExamineSweep(SweepAlong(part().name, part().model->pieces(), MotionOf(handling_.X_WorldPart)));
   }
 
   void ExamineBalance(const std::vector<Vector3>& corners, const Vector3& center) {
@@ -307,7 +309,7 @@ class ActionChecker::Examination {
 
 ActionChecker::ActionChecker(const domain::Problem& problem) : problem_(problem) {
   for (const domain::Part& part : problem.parts) {
-    centers_.push_back(CenterOfMass(part.model->boxes()));
+    centers_.push_back(CenterOfMass(part.model->pieces()));
   }
 }
 

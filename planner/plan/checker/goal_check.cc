@@ -53,7 +53,7 @@ struct WhyNotReached {
     const std::string goal = fmt::format("the goal part_location({}) is not reached", part.name);
     if (now.status == PartStatus::kHeld) return goal + ": it is in the hand";
     if (now.status == PartStatus::kMated) return goal + ": it is mated";
-    const std::vector<Vector3> corners = CornersOf(part.model->boxes());
+    const std::vector<Vector3> corners = geometry::VerticesOf(part.model->pieces());
     const auto on_table = LowestCorners(corners, now.X_WorldPart.linear());
     const auto rests_so = [&](domain::StablePoseId id) {
       const Pose& X_TablePart = part.model->stable_poses()[id.index()].X_TablePart;

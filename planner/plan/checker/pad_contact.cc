@@ -14,7 +14,7 @@ using geometry::Vector3;
 
 constexpr int kPointsPerSide = 17;    // points of the grid per side: 1 mm apart on a pad of 16 mm
 constexpr double kProbe = 1e-5;       // distance of the tested points from the surface, metres
-constexpr double kSeam = 1e-6;        // metres, between boxes of one solid, and around rims
+constexpr double kSeam = 1e-6;        // metres, between pieces of one solid, and around rims
 constexpr double kSameNormal = 1e-6;  // 1 - cosine, of normals that count as equal
 
 PadContact ContactOf(const Hold& hold, const Vector2& half, double side) {
@@ -31,9 +31,10 @@ PadContact ContactOf(const Hold& hold, const Vector2& half, double side) {
   return contact;
 }
 
-bool IsInAny(std::span<const geometry::Box> boxes, const Vector3& p, double tolerance) {
-  return std::ranges::any_of(boxes,
-                             [&](const geometry::Box& box) { return box.Contains(p, tolerance); });
+bool IsInAny(std::span<const geometry::ConvexHull> solids, const Vector3& p, double tolerance) {
+  return std::ranges::any_of(solids, [&](const geometry::ConvexHull& solid) {
+    return Contains(solid, p, tolerance);
+  });
 }
 
 // Returns whether p is inside a convex polygon, farther than kSeam from its rim.
@@ -91,7 +92,7 @@ std::array<PadContact, 2> PadContactsOf(const Hold& hold, const Vector2& pad_hal
   return {ContactOf(hold, pad_half_extents, 1), ContactOf(hold, pad_half_extents, -1)};
 }
 
-int PointsOffSurface(const PadContact& contact, std::span<const geometry::Box> part) {
+int PointsOffSurface(const PadContact& contact, std::span<const geometry::ConvexHull> part) {
   return static_cast<int>(std::ranges::count_if(contact.points, [&](const Vector3& p) {
     return !IsInAny(part, p - kProbe * contact.normal, kSeam) ||
            IsInAny(part, p + kProbe * contact.normal, 0);

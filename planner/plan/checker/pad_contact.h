@@ -24,9 +24,9 @@ std::array<PadContact, 2> PadContactsOf(const Hold& hold,
                                         const geometry::Vector2& pad_half_extents);
 
 // Checks whether pads lie on faces: returns how many points of the contact are not on the surface
-// of the boxes' union. At a point on the surface, there is one of the part's boxes 10 micrometres
+// of the pieces' union. At a point on the surface, there is one of the part's pieces 10 micrometres
 // further into the part, and none 10 micrometres out of it.
-int PointsOffSurface(const PadContact& contact, std::span<const geometry::Box> part);
+int PointsOffSurface(const PadContact& contact, std::span<const geometry::ConvexHull> part);
 
 // Checks whether the contact touches or covers a feature (its faces, or the mouth of a hole). The
 // test uses the points of the pad's grid and the corners of the feature. Points on the rims do not

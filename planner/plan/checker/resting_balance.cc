@@ -16,22 +16,30 @@ constexpr double kHalfPlane = 1e-9;  // radians
 // Uniform grid lines along each axis, in addition to the corners'.
 constexpr int kSubdivisions = 32;
 
-// Returns the grid lines along one axis: the corners' coordinates, and uniform ones between them.
-std::vector<double> GridLines(std::span<const Vector3> corners, int axis) {
-  std::vector<double> lines;
-  for (const Vector3& corner : corners) lines.push_back(corner[axis]);
-  const auto [low, high] = std::ranges::minmax(lines);
-  for (int i = 1; i < kSubdivisions; ++i) lines.push_back(low + (high - low) * i / kSubdivisions);
+void SortAndUnite(std::vector<double>& lines) {
   std::ranges::sort(lines);
   const auto same = [](double a, double b) { return b - a < kSameLine; };
   lines.erase(std::unique(lines.begin(), lines.end(), same), lines.end());
+}
+
+// Returns the grid lines along one axis: the corners' coordinates, and uniform ones between them.
+// Parts with many corners have no use for the first kind, because they are round.
+std::vector<double> GridLines(std::span<const Vector3> corners, int axis) {
+  std::vector<double> lines;
+  for (const Vector3& corner : corners) lines.push_back(corner[axis]);
+  SortAndUnite(lines);
+  const double low = lines.front();
+  const double high = lines.back();
+  if (lines.size() > 2 * kSubdivisions) lines = {low, high};
+  for (int i = 1; i < kSubdivisions; ++i) lines.push_back(low + (high - low) * i / kSubdivisions);
+  SortAndUnite(lines);
   return lines;
 }
 
 }  // namespace
 
-Vector3 CenterOfMass(std::span<const geometry::Box> boxes) {
-  const std::vector<Vector3> corners = CornersOf(boxes);
+Vector3 CenterOfMass(std::span<const geometry::ConvexHull> solids) {
+  const std::vector<Vector3> corners = VerticesOf(solids);
   const std::array<std::vector<double>, 3> lines = {GridLines(corners, 0), GridLines(corners, 1),
                                                     GridLines(corners, 2)};
   double volume = 0;
@@ -42,8 +50,9 @@ Vector3 CenterOfMass(std::span<const geometry::Box> boxes) {
         const Vector3 low(lines[0][i - 1], lines[1][j - 1], lines[2][k - 1]);
         const Vector3 high(lines[0][i], lines[1][j], lines[2][k]);
         const Vector3 middle = (low + high) / 2;
-        const bool filled = std::ranges::any_of(
-            boxes, [&](const geometry::Box& box) { return box.Contains(middle, 0); });
+        const bool filled = std::ranges::any_of(solids, [&](const geometry::ConvexHull& solid) {
+          return Contains(solid, middle, 0);
+        });
         if (!filled) continue;
         volume += (high - low).prod();
         moment += (high - low).prod() * middle;
@@ -51,14 +60,6 @@ Vector3 CenterOfMass(std::span<const geometry::Box> boxes) {
     }
   }
   return moment / volume;
-}
-
-std::vector<Vector3> CornersOf(std::span<const geometry::Box> boxes) {
-  std::vector<Vector3> corners;
-  for (const geometry::Box& box : boxes) {
-    for (const Vector3& corner : box.Corners()) corners.push_back(corner);
-  }
-  return corners;
 }
 
 std::vector<Vector3> TouchingTable(std::span<const Vector3> points) {

@@ -3,20 +3,18 @@
 #include <span>
 #include <vector>
 
-#include "planner/geometry/box_overlap.h"
+#include "planner/geometry/hull.h"
 #include "planner/geometry/polygon.h"
 
 namespace assay::plan {
 
 // The checker's own geometry of balance. It shares no code with the geometry of the planner.
 
-// Returns, for the checker, the centre of mass of a union of boxes of one density, with overlaps
-// counted once. It sums cells between all coordinates of corners. The result is exact if the boxes
-// are aligned with the axes of their frame, and otherwise to about a hundredth of their extent.
-geometry::Vector3 CenterOfMass(std::span<const geometry::Box> boxes);
-
-// Returns the corners of the boxes.
-std::vector<geometry::Vector3> CornersOf(std::span<const geometry::Box> boxes);
+// Returns, for the checker, the centre of mass of a union of convex solids of one density, with
+// overlaps counted once. It sums cells between the coordinates of the vertices. The result is exact
+// for boxes that are aligned with the axes of their frame, and accurate to about a hundredth of
+// their extent for other solids.
+geometry::Vector3 CenterOfMass(std::span<const geometry::ConvexHull> solids);
 
 // Returns the points on which the checker takes a part to stand: those within 1 micrometre of the
 // table, the plane z = 0.

@@ -13,6 +13,7 @@ namespace assay::uncertainty {
 namespace {
 
 constexpr double kParallelEdges = 1e-6;  // sine of the angle between edges
+constexpr double kOpposite = 1e-9;        // length of the sum of opposite unit normals
 constexpr double kAhead = 1e-12;         // metres: less than this is rounding
 
 Expression Along(const Vector3& direction, const SymbolicVector& p) {
@@ -36,25 +37,21 @@ class WidestGap {
       : from_(from), to_(to), displacement_(displacement), enough_(enough) {}
 
   bool TrySides() {
-    for (int i = 0; i < 3; ++i) {
-      if (Try(from_.axes().col(i)) || Try(to_.axes().col(i))) return true;
-    }
-    return false;
+    const auto tries = [&](const Vector3& normal) { return Try(normal); };
+    return std::ranges::any_of(from_.normals(), tries) || std::ranges::any_of(to_.normals(), tries);
   }
   bool TryEdges() { return TryEdges(from_, from_) || TryEdges(to_, to_) || TryEdges(from_, to_); }
 
   const Vector3& direction() const { return direction_; }
 
  private:
-  // Planes along two edges of one body are its own faces. The faces of a box, which has three
-  // edges, are tried already.
+  // Planes along two edges of one body are its own faces. The faces of a body without a way are
+  // tried already.
   bool TryEdges(const Body& a, const Body& b) {
-    const std::vector<Vector3> of_a = a.Edges();
-    if (&a == &b && of_a.size() == 3) return false;
-    const std::vector<Vector3> of_b = b.Edges();
-    return std::ranges::any_of(of_a, [&](const Vector3& along_a) {
+    if (&a == &b && !a.has_way()) return false;
+    return std::ranges::any_of(a.edges(), [&](const Vector3& along_a) {
       return std::ranges::any_of(
-          of_b, [&](const Vector3& along_b) { return Try(along_a.cross(along_b)); });
+          b.edges(), [&](const Vector3& along_b) { return Try(along_a.cross(along_b)); });
     });
   }
   bool Try(const Vector3& normal) {
@@ -116,27 +113,28 @@ StraightWay WayOf(const UncertainWorld& world, const Vector3& planned, const Exp
           planned.norm() * Magnitude(world.RangeOf(turn))};
 }
 
-Body::Body(const PossibleFrame& frame, const geometry::Box& box, const StraightWay& way)
+Body::Body(const PossibleFrame& frame, const geometry::ConvexHull& solid, const StraightWay& way)
     : frame_(&frame),
-      box_(box),
+      solid_(solid),
       way_(way),
-      axes_(frame.planned.linear() * box.X_FrameBox.linear()),
-      middle_(frame.planned * box.X_FrameBox.translation()) {
-  const double radius = box.X_FrameBox.translation().norm() + box.half_extents.norm();
+      planned_(Transformed(solid, frame.planned)) {
+  double radius = 0;
+  for (const Vector3& vertex : solid.vertices) radius = std::max(radius, vertex.norm());
   turned_ = radius * frame.angle + way.doubt;
-}
-
-std::vector<Vector3> Body::Edges() const {
-  std::vector<Vector3> edges = {axes_.col(0), axes_.col(1), axes_.col(2)};
-  if (way_.planned.norm() > 0) edges.push_back(way_.planned.normalized());
-  return edges;
+  for (const geometry::Facet& facet : planned_.facets) {
+    const auto is_opposite = [&](const Vector3& normal) {
+      return (normal + facet.normal).norm() < kOpposite;
+    };
+    if (std::ranges::none_of(normals_, is_opposite)) normals_.push_back(facet.normal);
+  }
+  edges_ = EdgeDirections(planned_);
+  if (has_way()) edges_.push_back(way_.planned.normalized());
 }
 
 Interval Body::ReachAlong(const Vector3& direction) const {
-  const double middle = direction.dot(middle_);
-  const double half = (axes_.transpose() * direction).cwiseAbs().dot(box_.half_extents);
   const double way = direction.dot(way_.planned);
-  return {middle - half + std::min(way, 0.0), middle + half + std::max(way, 0.0)};
+  return {-GreatestAlong(planned_, -direction) + std::min(way, 0.0),
+          GreatestAlong(planned_, direction) + std::max(way, 0.0)};
 }
 
 SymbolicVector Body::Possible(const Point& point) const {
@@ -148,10 +146,10 @@ SymbolicVector Body::Possible(const Point& point) const {
 // and a turn moves one against the other by no more than their distance allows.
 std::vector<Body::Point> Body::Foremost(const Vector3& direction) const {
   std::vector<Point> points;
-  for (const Vector3& corner : box_.Corners()) {
+  for (const Vector3& corner : solid_.vertices) {
     const Vector3 planned = frame_->planned * corner;
     points.push_back({corner, planned, false});
-    if (way_.planned.norm() > 0) points.push_back({corner, planned + way_.planned, true});
+    if (has_way()) points.push_back({corner, planned + way_.planned, true});
   }
   const auto is_behind = [&](const Point& p, const Point& other) {
     const double way = other.at_far_end != p.at_far_end ? way_.doubt : 0;

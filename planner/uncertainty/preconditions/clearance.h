@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "planner/base/interval.h"
-#include "planner/geometry/box.h"
+#include "planner/geometry/hull.h"
 #include "planner/uncertainty/preconditions/precondition.h"
 
 namespace assay::uncertainty {
@@ -38,13 +38,14 @@ struct StraightWay {
 // Returns a way that is turned about the world's z by `turn`, the turn of a believed pose.
 StraightWay WayOf(const UncertainWorld& world, const Vector3& planned, const Expression& turn);
 
-// The convex hull of a box that moves with a frame, and of the same box at the other end of a way.
+// The convex hull of a solid that moves with a frame, and of the same solid at the other end of a
+// way.
 class Body {
  public:
   // `frame` must outlive the body.
-  Body(const PossibleFrame& frame, const geometry::Box& box, const StraightWay& way = {});
+  Body(const PossibleFrame& frame, const geometry::ConvexHull& solid, const StraightWay& way = {});
 
-  // A corner of the box, at one end of the way.
+  // A corner of the solid, at one end of the way.
   struct Point {
     Vector3 local;    // position in the frame
     Vector3 planned;  // planned position
@@ -55,8 +56,10 @@ class Body {
   std::vector<Point> Foremost(const Vector3& direction) const;
 
   // These functions describe the body as planned.
-  const geometry::Matrix3& axes() const { return axes_; }  // orientation of the box
-  std::vector<Vector3> Edges() const;                      // directions of the hull's edges
+  // Normals of the solid's facets, without opposite ones.
+  const std::vector<Vector3>& normals() const { return normals_; }
+  const std::vector<Vector3>& edges() const { return edges_; }  // directions of the hull's edges
+  bool has_way() const { return way_.planned.norm() > 0; }
   Interval ReachAlong(const Vector3& direction) const;     // range of the body along a direction
   // Returns how far the body's points may be off, in any direction, apart from the displacement of
   // the frame: metres.
@@ -64,10 +67,11 @@ class Body {
 
  private:
   const PossibleFrame* frame_;
-  geometry::Box box_;
+  geometry::ConvexHull solid_;  // in the frame
   StraightWay way_;
-  geometry::Matrix3 axes_;
-  Vector3 middle_;  // middle of the box, as planned
+  std::vector<Vector3> normals_;
+  std::vector<Vector3> edges_;
+  geometry::ConvexHull planned_;  // in the world or the hand, where the frames are seen from
   double turned_ = 0;
 };
 

@@ -17,6 +17,7 @@ namespace assay::uncertainty {
 namespace {
 
 using geometry::Box;
+using geometry::ConvexHull;
 
 constexpr double kFlush = 1e-6;  // metres; bodies count as flush up to this distance
 
@@ -115,14 +116,14 @@ class HandConditions {
   std::vector<Body> Swept(const PossibleFrame& tool, const StraightWay& way_in) const {
     std::vector<Body> bodies;
     for (const auto* boxes : {&hand_.palm, &hand_.swept}) {
-      for (const Box& box : *boxes) bodies.emplace_back(tool, box);
+      for (const Box& box : *boxes) bodies.emplace_back(tool, HullOf(box));
     }
     const Vector3 in_tool = tool.planned.linear().transpose() * way_in.planned;
     const double approach = world_.problem().workcell->rules().approach_distance;
     if (in_tool.head<2>().norm() < kFlush && in_tool.z() <= 0 && in_tool.z() >= -approach) {
       return bodies;
     }
-    for (const Box& box : hand_.closed) bodies.emplace_back(tool, box, way_in);
+    for (const Box& box : hand_.closed) bodies.emplace_back(tool, HullOf(box), way_in);
     return bodies;
   }
 
@@ -131,8 +132,8 @@ class HandConditions {
                     const Vector3& slack) {
     const Clearance clearance = {ClearOf(part), DisplacementBetween(world_, tool, frame), slack,
                                  neighbour};
-    for (const Box& box : world_.problem().part(part).model->boxes()) {
-      const Body other(frame, box);
+    for (const ConvexHull& piece : world_.problem().part(part).model->pieces()) {
+      const Body other(frame, piece);
       for (const Body& body : bodies) RequireApart(body, other, clearance, conditions_);
     }
   }
@@ -142,28 +143,27 @@ class HandConditions {
     const Clearance clearance = {ClearOf(handled_), DisplacementBetween(world_, tool, frame),
                                  slack};
     std::vector<Body> passing;
-    for (const Box& piece : hand_.palm) passing.emplace_back(tool, piece);
-    for (const Box& piece : hand_.open) {
-      if (leaves == Leaves::kYes) passing.emplace_back(tool, piece);
+    for (const Box& box : hand_.palm) passing.emplace_back(tool, HullOf(box));
+    for (const Box& box : hand_.open) {
+      if (leaves == Leaves::kYes) passing.emplace_back(tool, HullOf(box));
     }
-    for (const Box& box : world_.problem().part(handled_).model->boxes()) {
-      const Body other(frame, box);
+    for (const ConvexHull& piece : world_.problem().part(handled_).model->pieces()) {
+      const Body other(frame, piece);
       for (const Body& body : passing) RequireApart(body, other, clearance, conditions_);
-      for (const Box& piece : hand_.closing) {
-        if (LiesBehindPad(box, piece)) continue;
-        RequireApart(Body(tool, piece), other, clearance, conditions_);
+      for (const Box& finger : hand_.closing) {
+        if (LiesBehindPad(piece, finger)) continue;
+        RequireApart(Body(tool, HullOf(finger)), other, clearance, conditions_);
       }
     }
   }
 
-  // Returns whether a box of the part is behind the plane in which a pad is to touch. A finger that
-  // moves with this pad meets the box where it is meant to, or not at all.
-  bool LiesBehindPad(const Box& of_part, const Box& of_finger) const {
+  // Returns whether a piece of the part is behind the plane in which a pad is to touch. A finger
+  // that moves with this pad meets the piece where it is meant to, or not at all.
+  bool LiesBehindPad(const ConvexHull& of_part, const Box& of_finger) const {
     const double side = of_finger.X_FrameBox.translation().y() > 0 ? 1 : -1;
-    const Box in_tool = of_part.Transformed(hold_.X_PartTool.inverse());
-    const double half =
-        in_tool.X_FrameBox.linear().row(1).cwiseAbs().dot(in_tool.half_extents.transpose());
-    return side * in_tool.X_FrameBox.translation().y() + half <= hold_.width / 2 + kFlush;
+    const Vector3 outward = side * hold_.X_PartTool.linear().col(1);
+    return GreatestAlong(of_part, outward) - outward.dot(hold_.X_PartTool.translation()) <=
+           hold_.width / 2 + kFlush;
   }
 
   Statement ClearOf(PartId part) const {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "planner/algebra/expression/simplify.h"
 #include "planner/base/check.h"
@@ -69,6 +70,9 @@ class FitConditions {
  private:
   // Requires that the corners of the shaft, `behind` metres behind its tip, lie inside the walls.
   void RequireInside(plan::Condition condition, const Relative& at, double behind, double bevel) {
+    if (const std::optional<double> radius = domain::RadiusOfRound(section_)) {
+      return RequireInside(condition, at, behind, bevel, *radius);
+    }
     std::vector<SymbolicVector> corners;
     for (const Vector2& corner : section_) {
       corners.push_back(at.possible * AsVector(fit_.shaft.X_PartFeature *
@@ -83,6 +87,19 @@ class FitConditions {
                             wall.offset - bevel - yields);
       }
       if (yields > 0) RequireBetween(condition, wall, *opposite, corners, bevel);
+    }
+  }
+
+  // Requires the same of a round shaft. The circle through its corners reaches no farther along a
+  // wall's normal than its radius, however the shaft turns and leans.
+  void RequireInside(plan::Condition condition, const Relative& at, double behind, double bevel,
+                     double radius) {
+    const SymbolicVector center =
+        at.possible * AsVector(fit_.shaft.X_PartFeature * Vector3(0, 0, -behind));
+    for (const SideWall& wall : walls_) {
+      conditions_.Greater(condition, fmt::format("{} stays inside the walls", fit_.name),
+                          algebra::Dot(AsVector(wall.normal), center),
+                          wall.offset + radius - bevel);
     }
   }
 

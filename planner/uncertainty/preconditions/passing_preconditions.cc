@@ -15,14 +15,9 @@ namespace assay::uncertainty {
 namespace {
 
 using domain::ShaftFit;
-using geometry::Box;
+using geometry::ConvexHull;
 
 constexpr double kInPlane = 1e-6;  // metres by which a body in a plane may stand out of it
-
-double GreatestAlong(const Vector3& direction, const Box& box) {
-  return direction.dot(box.X_FrameBox.translation()) +
-         (box.X_FrameBox.linear().transpose() * direction).cwiseAbs().dot(box.half_extents);
-}
 
 // Recognizes the pairs of pieces that the conditions `entry` and `slide-in` cover. One piece
 // belongs to a shaft and is no wider than the shaft at its tip. The other piece belongs to the
@@ -32,25 +27,25 @@ class FitPieces {
   explicit FitPieces(const ShaftFit& fit)
       : fit_(fit), walls_(domain::SideWalls(fit, 0)), section_(domain::CrossSection(fit)) {}
 
-  bool Has(const Box& of_held, const Box& of_fixed) const {
+  bool Has(const ConvexHull& of_held, const ConvexHull& of_fixed) const {
     return fit_.shaft_is_held ? IsOfShaft(of_held) && IsBehindWall(of_fixed)
                               : IsOfShaft(of_fixed) && IsBehindWall(of_held);
   }
 
  private:
-  bool IsOfShaft(const Box& box) const {
+  bool IsOfShaft(const ConvexHull& piece) const {
     const Pose X_FeaturePart = fit_.shaft.X_PartFeature.inverse();
-    return std::ranges::all_of(box.Corners(), [&](const Vector3& corner) {
+    return std::ranges::all_of(piece.vertices, [&](const Vector3& corner) {
       const Vector3 p = X_FeaturePart * corner;
       return p.z() < kInPlane && geometry::Depth(section_, p.head<2>()) > -kInPlane;
     });
   }
-  bool IsBehindWall(const Box& box) const {
+  bool IsBehindWall(const ConvexHull& piece) const {
     const Vector3 out = fit_.hole.X_PartFeature.linear().col(2);
     const double mouth = out.dot(fit_.hole.X_PartFeature.translation());
-    return GreatestAlong(out, box) < mouth + kInPlane &&
+    return GreatestAlong(piece, out) < mouth + kInPlane &&
            std::ranges::any_of(walls_, [&](const domain::SideWall& wall) {
-             return GreatestAlong(wall.normal, box) < wall.offset + kInPlane;
+             return GreatestAlong(piece, wall.normal) < wall.offset + kInPlane;
            });
   }
 
@@ -106,7 +101,7 @@ class PassingConditions {
   void RequireClearOfFixed(bool to_seat) {
     const std::vector<ShaftFit> fits = domain::FitsOf(world_.problem(), mating_);
     const std::vector<FitPieces> pieces(fits.begin(), fits.end());
-    const auto are_to_meet = [&](const Box& of_held, const Box& of_fixed) {
+    const auto are_to_meet = [&](const ConvexHull& of_held, const ConvexHull& of_fixed) {
       return to_seat &&
              (IsAhead(of_fixed, of_held) || std::ranges::any_of(pieces, [&](const FitPieces& fit) {
                 return fit.Has(of_held, of_fixed);
@@ -114,9 +109,9 @@ class PassingConditions {
     };
     const PossibleFrame fixed = BelievedFrameOf(world_, mating_.fixed);
     const Clearance clearance = ClearOf(mating_.fixed, PartId::None(), way_.end, fixed);
-    for (const Box& of_held : held_model_.boxes()) {
+    for (const ConvexHull& of_held : held_model_.pieces()) {
       const Body body(way_.end, of_held, WayOf(world_, way_.back, 0));
-      for (const Box& of_fixed : world_.problem().part(mating_.fixed).model->boxes()) {
+      for (const ConvexHull& of_fixed : world_.problem().part(mating_.fixed).model->pieces()) {
         if (are_to_meet(of_held, of_fixed)) continue;
         RequireApart(body, Body(fixed, of_fixed), clearance, conditions_);
       }
@@ -129,10 +124,10 @@ class PassingConditions {
     const PossibleFrame other = FrameOf(world_, neighbour);
     const Clearance clearance = ClearOf(neighbour, neighbour, held, other);
     const StraightWay way = WayOf(world_, way_.back, shift.turn);
-    for (const Box& of_held : held_model_.boxes()) {
+    for (const ConvexHull& of_held : held_model_.pieces()) {
       const Body body(held, of_held, way);
-      for (const Box& box : world_.problem().part(neighbour).model->boxes()) {
-        RequireApart(body, Body(other, box), clearance, conditions_);
+      for (const ConvexHull& piece : world_.problem().part(neighbour).model->pieces()) {
+        RequireApart(body, Body(other, piece), clearance, conditions_);
       }
     }
   }
@@ -140,10 +135,10 @@ class PassingConditions {
   std::vector<Precondition> Take() { return conditions_.Take(); }
 
  private:
-  bool IsAhead(const Box& of_fixed, const Box& of_held) const {
+  bool IsAhead(const ConvexHull& of_fixed, const ConvexHull& of_held) const {
     const Vector3 motion = mating_.mating_vector.normalized();
-    const double front = GreatestAlong(motion, of_held.Transformed(mating_.X_FixedHeld));
-    return front < -GreatestAlong(-motion, of_fixed) + kInPlane;
+    const double front = GreatestAlong(Transformed(of_held, mating_.X_FixedHeld), motion);
+    return front < -GreatestAlong(of_fixed, -motion) + kInPlane;
   }
 
   Clearance ClearOf(PartId part, PartId neighbour, const PossibleFrame& held,

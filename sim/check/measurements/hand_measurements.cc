@@ -60,8 +60,8 @@ class HandDistances {
   }
 
   // Returns the lesser of two distances. The first is the distance of the hand from the part
-  // between its pads. The second is the least distance of a finger from boxes of that part; only
-  // boxes that stand out of the plane in which the finger's pad should touch are measured.
+  // between its pads. The second is the least distance of a finger from pieces of that part; only
+  // pieces that stand out of the plane in which the finger's pad should touch are measured.
   double BesidePads(const execution::Snapshot& at) const {
     const std::vector<Box> fingers = step_.gripper().FingerBoxes(step_.OpeningAt(at));
     double nearest = geometry::Distance(CollisionShape(step_.gripper().HandBoxes()), at.tool.truth,
@@ -78,15 +78,13 @@ class HandDistances {
     return nearest;
   }
 
-  std::vector<Box> BeyondPad(double side) const {
-    std::vector<Box> beyond;
-    for (const Box& box : problem_.part(step_.part()).model->boxes()) {
-      double farthest = -kInfinity;
-      for (const Vector3& corner : box.Corners()) {
-        const Vector3 in_hand = step_.hold().X_PartTool.inverse() * corner;
-        farthest = std::max(farthest, side * in_hand.y());
-      }
-      if (farthest > step_.hold().width / 2 + kFlush) beyond.push_back(box);
+  std::vector<geometry::ConvexHull> BeyondPad(double side) const {
+    const Pose& X_PartTool = step_.hold().X_PartTool;
+    const Vector3 outward = side * X_PartTool.linear().col(1);
+    std::vector<geometry::ConvexHull> beyond;
+    for (const geometry::ConvexHull& piece : problem_.part(step_.part()).model->pieces()) {
+      const double farthest = GreatestAlong(piece, outward) - outward.dot(X_PartTool.translation());
+      if (farthest > step_.hold().width / 2 + kFlush) beyond.push_back(piece);
     }
     return beyond;
   }

@@ -46,13 +46,11 @@ Components AtRest(const execution::TrueAndBelieved& part) {
 }  // namespace
 
 Lever LeverOf(const domain::PartModel& model) {
+  const geometry::Box point = {Pose::Identity(), Vector3::Constant(1e-9)};
+  const double length = geometry::Distance(model.shape(), Pose::Identity(),
+                                           geometry::CollisionShape({&point, 1}), Pose::Identity());
   Eigen::AlignedBox3d body;
-  double length = std::numeric_limits<double>::infinity();
-  for (const geometry::Box& box : model.boxes()) {
-    const Vector3 origin = box.X_FrameBox.inverse().translation();
-    length = std::min(length, (origin.cwiseAbs() - box.half_extents).cwiseMax(0).norm());
-    for (const Vector3& corner : box.Corners()) body.extend(corner);
-  }
+  for (const Vector3& vertex : model.hull().vertices) body.extend(vertex);
   return {length, body.sizes().minCoeff() / 2};
 }
 

@@ -55,7 +55,7 @@ std::optional<HoleWall> FindWall(const domain::Problem& problem) {
 }
 
 // Returns the distance from the axis to the wall by a ray. The ray meets only what is drawn:
-// neither supporting boxes nor the parts' own tables.
+// neither supporting solids nor the parts' own tables.
 std::optional<double> DistanceTo(const HoleWall& wall, const scene::Scene& scene,
                                  const mujoco::Data& data) {
   const Pose X_WorldPart = scene.TruePose(data, wall.part);

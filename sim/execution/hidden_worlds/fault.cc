@@ -93,8 +93,8 @@ class FaultMaker {
     int axis = 0;
     horizontal.cwiseAbs().maxCoeff(&axis);
     Interval along = {0, 0};
-    for (const geometry::Box& box : problem_.part(pickup.part).model->boxes()) {
-      const auto corners = box.Corners();
+    for (const geometry::ConvexHull& piece : problem_.part(pickup.part).model->pieces()) {
+      const std::vector<Vector3>& corners = piece.vertices;
       const auto is_met = [&](const Vector3& corner) {
         const Vector3 from_tool = corner - pickup.hold.X_PartTool.translation();
         return std::abs(from_tool.dot(R_PartTool.col(1))) > pickup.hold.width / 2 - kFlush;

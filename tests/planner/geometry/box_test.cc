@@ -7,6 +7,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "planner/geometry/solids/convex_cut.h"
+#include "planner/geometry/solids/mass_properties.h"
 #include "tests/oracle/random_pose.h"
 
 namespace assay::geometry::box_test {
@@ -28,6 +30,21 @@ double VolumeOf(std::span<const Box> boxes) {
 
 bool AnyContains(std::span<const Box> boxes, const Vector3& p, double tolerance) {
   return std::ranges::any_of(boxes, [&](const Box& box) { return box.Contains(p, tolerance); });
+}
+
+// Returns what a pocket that is aligned with a box leaves of it.
+std::vector<Box> Subtract(const Box& minuend, const Box& pocket) {
+  std::vector<Box> boxes;
+  for (const ConvexHull& piece : Without(HullOf(minuend), HullOf(pocket))) {
+    const std::optional<Box> box = AsBox(piece);
+    EXPECT_TRUE(box.has_value());
+    if (box) boxes.push_back(*box);
+  }
+  return boxes;
+}
+
+MassProperties MassOf(std::span<const Box> boxes, double density) {
+  return geometry::MassOf(HullsOf(boxes), density);
 }
 
 Box AlignedBox(RandomStream& random, const Pose& X, double reach) {
@@ -117,11 +134,6 @@ TEST(SubtractTest, PocketThatMissesOrTouchesReturnsTheBoxItself) {
     EXPECT_EQ(boxes[0].half_extents, cube.half_extents);
     EXPECT_TRUE(boxes[0].X_FrameBox.isApprox(cube.X_FrameBox));
   }
-}
-
-TEST(SubtractDeathTest, PocketAtAnAngleStopsTheProgram) {
-  const Box cube{Pose::Identity(), {1, 1, 1}};
-  EXPECT_DEATH(Subtract(cube, Box{RotationZ(0.001), {1, 1, 1}}), "aligned");
 }
 
 TEST(SubtractTest, VolumesAddUpAndMembershipAgrees) {
@@ -232,13 +244,13 @@ TEST(MassTest, PrismsOfRotatedBoxesHaveTheClosedForm) {
       const double lateral = polar / 2 + mass * half_height * half_height / 3;
       const MassProperties expected{mass, Vector3::Zero(),
                                     Vector3(lateral, lateral, polar).asDiagonal()};
-      ExpectSame(MassOf(Prism(k, 1, half_height), 1), expected, 1e-3,
+      ExpectSame(MassOf(Prism(k, 1, half_height), 1), expected, 1e-9,
                  fmt::format("{} boxes, half height {}", k, half_height));
     }
   }
 }
 
-TEST(MassTest, BoxesAtOddAnglesWithinATenthOfAPercent) {
+TEST(MassTest, BoxesAtOddAnglesAreExact) {
   RandomStream random(kSeed, "odd angles");
   for (int i = 0; i < 50; ++i) {
     // A small box inside a large one adds no volume. A box far away adds its own volume.
@@ -248,7 +260,7 @@ TEST(MassTest, BoxesAtOddAnglesWithinATenthOfAPercent) {
     apart.X_FrameBox.translation() += Vector3(5, 0, 0);
     const std::array<Box, 3> boxes = {inside, large, apart};
     const MassProperties expected = Combined(SolidBox(large, 1), SolidBox(apart, 1), 1);
-    ExpectSame(MassOf(boxes, 1), expected, 1e-3, fmt::format("draw {} seed {}", i, kSeed));
+    ExpectSame(MassOf(boxes, 1), expected, 1e-9, fmt::format("draw {} seed {}", i, kSeed));
   }
 }
 

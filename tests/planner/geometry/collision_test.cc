@@ -7,6 +7,7 @@
 #include <limits>
 #include <vector>
 
+#include "planner/geometry/solids/convex_cut.h"
 #include "tests/oracle/box_pair.h"
 #include "tests/oracle/random_pose.h"
 
@@ -237,7 +238,8 @@ TEST(CollisionTest, EmptyShapeOverlapsNothingAndIsInfinitelyFar) {
 
 TEST(CollisionTest, PegInAHoleTouchesNoWallUntilTheClearanceIsUsedUp) {
   const Box block = Box::FromCorners({-0.05, -0.05, -0.05}, {0.05, 0.05, 0.05});
-  const CollisionShape ring(Subtract(block, Box{Translation(0, 0, 0.02), {0.02, 0.02, 0.04}}));
+  const CollisionShape ring(
+      Without(HullOf(block), HullOf(Box{Translation(0, 0, 0.02), {0.02, 0.02, 0.04}})));
   const CollisionShape peg = ShapeOf({Translation(0, 0, 0.03), {0.0195, 0.0195, 0.04}});
   const auto overlaps = [&](const Pose& X_WorldPeg) {
     return Overlaps(ring, Pose::Identity(), peg, X_WorldPeg, 0);

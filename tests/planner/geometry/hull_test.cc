@@ -188,5 +188,50 @@ TEST(HullDeathTest, FlatPointsStopTheProgram) {
   EXPECT_DEATH(HullOf(std::vector<Vector3>()), "three dimensions");
 }
 
+TEST(LowestPoint, IsTheLowestCorner) {
+  RandomStream random(kSeed, "lowest");
+  for (int i = 0; i < 100; ++i) {
+    const std::array<Box, 2> boxes = {oracle::RandomBox(random, 1.0, 0.1, 0.8), oracle::RandomBox(random, 1.0, 0.1, 0.8)};
+    double lowest = 10;
+    for (const Box& box : boxes) {
+      for (const Vector3& corner : box.Corners()) lowest = std::min(lowest, corner.z());
+    }
+    EXPECT_NEAR(LowestPoint(HullsOf(boxes)), lowest, 1e-12) << "seed " << kSeed;
+  }
+}
+
+TEST(AsBox, RecognizesBoxesAtAnyPose) {
+  RandomStream random(kSeed, "as box");
+  for (int i = 0; i < 500; ++i) {
+    const Box box = oracle::RandomBox(random, 1.0, 0.1, 0.8);
+    const std::optional<Box> same = AsBox(HullOf(HullOf(box).vertices));
+    ASSERT_TRUE(same.has_value()) << "seed " << kSeed;
+    for (const Vector3& corner : box.Corners()) {
+      EXPECT_TRUE(same->Contains(corner, 1e-9));
+      EXPECT_FALSE(same->Contains(corner, -1e-9));
+    }
+    EXPECT_NEAR(same->Volume(), box.Volume(), 1e-9);
+    EXPECT_NEAR(same->X_FrameBox.linear().determinant(), 1, 1e-9);
+  }
+}
+
+TEST(AsBox, RefusesWhatIsNearlyABox) {
+  RandomStream random(kSeed, "no box");
+  for (int i = 0; i < 500; ++i) {
+    const Box box = oracle::RandomBox(random, 1.0, 0.1, 0.8);
+    ConvexHull hull = HullOf(box);
+    hull.vertices[static_cast<std::size_t>(random.Index(8))] += oracle::RandomVector(random, 0.01);
+    EXPECT_FALSE(AsBox(HullOf(hull.vertices)).has_value()) << "seed " << kSeed;
+  }
+}
+
+TEST(FacetsByAxis, OfAnAlignedBoxGoFromLowXToHighZ) {
+  const ConvexHull cube = HullOf(Box::FromCorners(Vector3::Zero(), Vector3::Ones()));
+  const auto sides = FacetsByAxis(cube);
+  for (std::size_t i = 0; i < 6; ++i) {
+    EXPECT_EQ(sides[i]->normal, Vector3((i % 2 == 0 ? -1 : 1) * Vector3::Unit(static_cast<int>(i / 2))));
+  }
+}
+
 }  // namespace
 }  // namespace assay::geometry::hull_test

@@ -8,6 +8,7 @@
 
 #include "planner/base/random.h"
 #include "planner/domain/problem/problem_file.h"
+#include "tests/oracle/part_boxes.h"
 
 namespace assay::render::insertion_test {
 namespace {
@@ -81,7 +82,7 @@ struct Stage {
 
   bool IsInside(const Vector3& point) const {
     for (const PartId part : {mating.held, mating.fixed}) {
-      for (const geometry::Box& box : model(part).boxes()) {
+      for (const geometry::Box& box : oracle::BoxesOf(model(part))) {
         if (box.Contains(PoseOf(part).inverse() * point, 1e-3)) return true;
       }
     }
@@ -92,7 +93,7 @@ struct Stage {
   bool IsSeen(const Vector3& point, const Vector3& eye) const {
     const Vector3 from = point + 1e-4 * (eye - point).normalized();
     for (const PartId part : {mating.held, mating.fixed}) {
-      for (const geometry::Box& box : model(part).boxes()) {
+      for (const geometry::Box& box : oracle::BoxesOf(model(part))) {
         if (Meets(box, PoseOf(part), from, eye - from) <= 1) return false;
       }
     }
@@ -161,7 +162,7 @@ TEST_P(InsertionTest, TheMouthIsSeenAndThePartsAreInThePicture) {
     for (const double inserted : {-stage.insertion.gap(), stage.insertion.depth()}) {
       stage.Insert(inserted);
       for (const PartId part : {stage.mating.held, stage.mating.fixed}) {
-        for (const geometry::Box& box : stage.model(part).boxes()) {
+        for (const geometry::Box& box : oracle::BoxesOf(stage.model(part))) {
           for (const Vector3& corner : box.Transformed(stage.PoseOf(part)).Corners()) {
             const Vector3 p = camera.X_WorldCamera.inverse() * corner;
             const double half = -p.z() * std::tan(camera.vertical_angle / 2);

@@ -5,12 +5,15 @@
 #include <algorithm>
 
 #include "planner/base/random.h"
+#include "planner/geometry/solids/convex_cut.h"
+#include "tests/oracle/part_boxes.h"
 #include "tests/sim/scene/peg_and_block.h"
 
 namespace assay::sense::silhouette_test {
 namespace {
 
 using geometry::Box;
+using geometry::ConvexHull;
 
 constexpr int kSize = 300;
 
@@ -47,6 +50,7 @@ bool HitsAny(const View& view, const Vector2& pixel, const std::vector<Box>& box
 // A part in one of its stable poses, with a view from above.
 struct Sight {
   std::vector<Box> boxes;
+  std::vector<ConvexHull> solids;  // the same
   View view;
 };
 
@@ -58,7 +62,9 @@ Sight RandomSight(const std::string& model, RandomStream& random) {
       domain::Placement{0.7, 0.1, random.Uniform(-3, 3)}.X_WorldTable() * X_TablePart;
   const Vector3 eye(random.Uniform(0, 1.5), random.Uniform(-1, 1), random.Uniform(1, 2));
   const Vector3 center = X_WorldPart * part.model->mass().center;
-  return {BoxesAt(*part.model, X_WorldPart), View(eye, center, 0.13, kSize)};
+  std::vector<Box> boxes;
+  for (const Box& box : oracle::BoxesOf(*part.model)) boxes.push_back(box.Transformed(X_WorldPart));
+  return {boxes, geometry::HullsOf(boxes), View(eye, center, 0.13, kSize)};
 }
 
 class SilhouetteTest : public testing::TestWithParam<const char*> {
@@ -69,7 +75,7 @@ class SilhouetteTest : public testing::TestWithParam<const char*> {
 TEST_P(SilhouetteTest, ShadowsCoverWhatRaysHit) {
   for (int i = 0; i < 10; ++i) {
     const Sight sight = RandomSight(GetParam(), random_);
-    const auto shadows = Shadows(sight.boxes, sight.view);
+    const auto shadows = Shadows(sight.solids, sight.view);
     for (int pixel = 0; pixel < 400; ++pixel) {
       const Vector2 p(random_.Uniform(0, kSize), random_.Uniform(0, kSize));
       const bool covered = std::ranges::any_of(
@@ -82,7 +88,7 @@ TEST_P(SilhouetteTest, ShadowsCoverWhatRaysHit) {
 TEST_P(SilhouetteTest, ContourPointsAreWhereTheHitsEnd) {
   for (int i = 0; i < 10; ++i) {
     const Sight sight = RandomSight(GetParam(), random_);
-    const auto contour = Contour(sight.boxes, sight.view, 3);
+    const auto contour = Contour(sight.solids, sight.view, 3);
     ASSERT_GT(contour.size(), 50u);
     for (const ContourPoint& point : contour) {
       EXPECT_NEAR((sight.view.Project(point.p_World) - point.pixel).norm(), 0, 1e-9);
@@ -109,8 +115,8 @@ TEST_P(SilhouetteTest, TheContourHasNoGaps) {
     const Sight sight = RandomSight(GetParam(), random_);
     std::vector<Vector2> contour;
     std::vector<Vector2> corners;
-    for (const auto& point : Contour(sight.boxes, sight.view, 3)) contour.push_back(point.pixel);
-    for (const auto& shadow : Shadows(sight.boxes, sight.view)) {
+    for (const auto& point : Contour(sight.solids, sight.view, 3)) contour.push_back(point.pixel);
+    for (const auto& shadow : Shadows(sight.solids, sight.view)) {
       corners.insert(corners.end(), shadow.begin(), shadow.end());
     }
     for (int row = 0; row < kSize; row += 7) {
@@ -141,7 +147,7 @@ TEST(Silhouette, GoesAroundThroughHoles) {
   const Box plate = Box::FromCorners({-0.05, -0.05, 0}, {0.05, 0.05, 0.02});
   const Box hole = Box::FromCorners({-0.02, -0.02, -0.01}, {0.02, 0.02, 0.03});
   const View above({0, 0, 1}, {0, 0, 0}, 0.1, kSize);
-  const auto contour = Contour(Subtract(plate, hole), above, 3);
+  const auto contour = Contour(Without(HullOf(plate), HullOf(hole)), above, 3);
   const auto inner = std::ranges::count_if(contour, [](const ContourPoint& point) {
     return point.p_World.head<2>().cwiseAbs().maxCoeff() < 0.021;
   });

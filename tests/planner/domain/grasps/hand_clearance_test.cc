@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "tests/oracle/box_pair.h"
+#include "tests/oracle/part_boxes.h"
 #include "tests/oracle/random_pose.h"
 #include "tests/planner/domain/parts.h"
 
@@ -23,7 +24,7 @@ double DeepestOverlap(const PartModel& part, const std::vector<Box>& gripper,
                       const Pose& X_PartTool) {
   double deepest = -1e9;
   for (const Box& box : gripper) {
-    for (const Box& other : part.boxes()) {
+    for (const Box& other : oracle::BoxesOf(part)) {
       deepest = std::max(deepest, -oracle::Separation(box.Transformed(X_PartTool), other));
     }
   }

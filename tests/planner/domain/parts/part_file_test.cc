@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "tests/oracle/part_boxes.h"
 #include "tests/planner/domain/parts.h"
 
 namespace assay::domain::part_file_test {
@@ -57,7 +58,7 @@ TEST(PartFileTest, ReadsEverything) {
   EXPECT_EQ(part->FindFeature(FeatureNumber(1))->description, "bottom");
   EXPECT_EQ(part->FindFeature(FeatureNumber(2))->description, "shaft");
   EXPECT_FALSE(part->FindStablePose("upright").IsNone());
-  ASSERT_EQ(part->colors().size(), part->boxes().size());
+  ASSERT_EQ(part->colors().size(), oracle::BoxesOf(*part).size());
   EXPECT_EQ(part->colors().front(), Eigen::Vector4f(1, 0, 0, 1));
 }
 

@@ -13,7 +13,7 @@
 #include <utility>
 
 #include "planner/base/random.h"
-#include "planner/geometry/box.h"
+#include "planner/geometry/solids/convex_cut.h"
 #include "planner/geometry/hull.h"
 #include "tests/oracle/random_pose.h"
 
@@ -21,6 +21,7 @@ namespace assay::finemotion::polyhedron_test {
 namespace {
 
 using geometry::Box;
+using geometry::ConvexHull;
 using geometry::ConvexHull;
 using geometry::Facet;
 using oracle::RandomPose;
@@ -168,12 +169,13 @@ TEST(PolyhedronTest, BlockWithTwoSquareHoles) {
   const Box body = Box::FromCorners({0, -1.5, 0}, {3, 1.5, 6.5});
   const Box hole = Box::FromCorners({0.2, -0.75, 2.5}, {3, 0.75, 4});
   const Box pin_hole = Box::FromCorners({2.5, -0.125, 4.25}, {3, 0.125, 4.5});
-  std::vector<Box> boxes;
-  for (const Box& around : Subtract(body, hole)) {
-    for (const Box& box : Subtract(around, pin_hole)) boxes.push_back(box);
+  std::vector<ConvexPiece> pieces;
+  for (const ConvexHull& around : Without(HullOf(body), HullOf(hole))) {
+    for (const ConvexHull& rest : Without(around, HullOf(pin_hole))) {
+      pieces.push_back({rest.vertices});
+    }
   }
-  const auto pieces = Moved(PiecesOf(boxes), geometry::RotationY(0.3));
-  const Polyhedron outside = OutsideOf(pieces);
+  const Polyhedron outside = OutsideOf(Moved(pieces, geometry::RotationY(0.3)));
   // A hole has four walls and a floor. Only the edges of its mouth are convex.
   ExpectCounts(outside, 6 + 2 * 5, 12 + 2 * 4, 8);
   const double body_area = 2 * (3 * 3 + 3 * 6.5 + 3 * 6.5);

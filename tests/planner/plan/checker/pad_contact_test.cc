@@ -39,13 +39,13 @@ TEST(PadContact, LeftIsOnTheSideOfTheClosingDirection) {
 
 TEST(PadContact, IsWhollyOnAPlainFace) {
   for (const PadContact& pad : FrontToBack(5.5))
-    EXPECT_EQ(PointsOffSurface(pad, Block().boxes()), 0);
+    EXPECT_EQ(PointsOffSurface(pad, Block().pieces()), 0);
 }
 
 TEST(PadContact, OverTheHoleIsOffTheSurfaceAndCoversIt) {
   const auto [front, back] = FrontToBack(3.25);
-  EXPECT_EQ(PointsOffSurface(front, Block().boxes()), static_cast<int>(front.points.size()));
-  EXPECT_EQ(PointsOffSurface(back, Block().boxes()), 0);
+  EXPECT_EQ(PointsOffSurface(front, Block().pieces()), static_cast<int>(front.points.size()));
+  EXPECT_EQ(PointsOffSurface(back, Block().pieces()), 0);
   EXPECT_TRUE(Covers(front, Block(), FeatureOf(Block(), 7)));
   EXPECT_FALSE(Covers(back, Block(), FeatureOf(Block(), 7)));
   EXPECT_FALSE(Covers(front, Block(), FeatureOf(Block(), 8)));
@@ -53,7 +53,7 @@ TEST(PadContact, OverTheHoleIsOffTheSurfaceAndCoversIt) {
 
 TEST(PadContact, CoversAHoleThatIsSmallerThanThePad) {
   const auto [front, back] = FrontToBack(4.375);
-  EXPECT_GT(PointsOffSurface(front, Block().boxes()), 0);
+  EXPECT_GT(PointsOffSurface(front, Block().pieces()), 0);
   EXPECT_TRUE(Covers(front, Block(), FeatureOf(Block(), 8)));
 }
 
@@ -62,15 +62,15 @@ TEST(PadContact, OfTheWrongWidthIsOffTheSurface) {
     Hold hold = BlockHold();
     hold.width = width;
     for (const PadContact& pad : PadContactsOf(hold, Vector2(0.008, 0.008))) {
-      EXPECT_EQ(PointsOffSurface(pad, Block().boxes()), static_cast<int>(pad.points.size()));
+      EXPECT_EQ(PointsOffSurface(pad, Block().pieces()), static_cast<int>(pad.points.size()));
     }
   }
 }
 
 TEST(PadContact, OverAnEdgeIsPartlyOffTheSurface) {
   const auto [front, back] = FrontToBack(6.5);
-  EXPECT_GT(PointsOffSurface(back, Block().boxes()), 100);
-  EXPECT_LT(PointsOffSurface(back, Block().boxes()), static_cast<int>(back.points.size()));
+  EXPECT_GT(PointsOffSurface(back, Block().pieces()), 100);
+  EXPECT_LT(PointsOffSurface(back, Block().pieces()), static_cast<int>(back.points.size()));
 }
 
 TEST(IsOnTable, OnlyForWhatFacesTheTableAndTouchesIt) {

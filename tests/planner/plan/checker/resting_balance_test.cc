@@ -18,20 +18,20 @@ constexpr std::uint64_t kSeed = 3;
 TEST(CenterOfMass, OfAnL) {
   const std::array<Box, 2> boxes = {Box::FromCorners({0, 0, 0}, {1, 1, 2}),
                                     Box::FromCorners({1, 0, 0}, {3, 1, 1})};
-  EXPECT_LT((CenterOfMass(boxes) - Vector3(1.25, 0.5, 0.75)).norm(), 1e-12);
+  EXPECT_LT((CenterOfMass(geometry::HullsOf(boxes)) - Vector3(1.25, 0.5, 0.75)).norm(), 1e-12);
 }
 
 TEST(CenterOfMass, CountsOverlapsOnce) {
   const std::array<Box, 2> boxes = {Box::FromCorners({0, 0, 0}, {2, 1, 1}),
                                     Box::FromCorners({1, 0, 0}, {4, 1, 1})};
-  EXPECT_LT((CenterOfMass(boxes) - Vector3(2, 0.5, 0.5)).norm(), 1e-12);
+  EXPECT_LT((CenterOfMass(geometry::HullsOf(boxes)) - Vector3(2, 0.5, 0.5)).norm(), 1e-12);
 }
 
 TEST(CenterOfMass, OfATurnedPrismIsNearItsAxis) {
   const Box bar{geometry::Translation(1, 2, 3), {0.5, 0.1, 0.1}};
   const std::array<Box, 2> octagon = {
       bar, Box{bar.X_FrameBox * geometry::RotationX(M_PI / 4), bar.half_extents}};
-  EXPECT_LT((CenterOfMass(octagon) - Vector3(1, 2, 3)).norm(), 0.002);
+  EXPECT_LT((CenterOfMass(geometry::HullsOf(octagon)) - Vector3(1, 2, 3)).norm(), 0.002);
 }
 
 TEST(CenterOfMass, AgreesWithMassOfForRandomAlignedBoxes) {
@@ -42,7 +42,7 @@ TEST(CenterOfMass, AgreesWithMassOfForRandomAlignedBoxes) {
       const Vector3 low = oracle::RandomVector(random, 1);
       boxes.push_back(Box::FromCorners(low, low + Vector3(random.Uniform(0.1, 1), 0.5, 0.4)));
     }
-    EXPECT_LT((CenterOfMass(boxes) - geometry::MassOf(boxes, 1).center).norm(), 1e-9)
+    EXPECT_LT((CenterOfMass(geometry::HullsOf(boxes)) - geometry::MassOf(geometry::HullsOf(boxes), 1).center).norm(), 1e-9)
         << "seed " << kSeed << " trial " << trial;
   }
 }

@@ -77,8 +77,8 @@ Asked Ask(const Thing& a, const Thing& b, const Vector3& slack) {
   const PossibleFrame frame_a = a.Frame(world);
   const PossibleFrame frame_b = b.Frame(world);
   Preconditions conditions;
-  RequireApart(Body(frame_a, a.box, WayOf(world, a.way, 0)),
-               Body(frame_b, b.box, WayOf(world, b.way, 0)),
+  RequireApart(Body(frame_a, HullOf(a.box), WayOf(world, a.way, 0)),
+               Body(frame_b, HullOf(b.box), WayOf(world, b.way, 0)),
                {{plan::condition::kHandClear, "one stays clear of the other"},
                 DisplacementBetween(world, frame_a, frame_b),
                 slack},

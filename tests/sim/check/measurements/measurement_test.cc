@@ -8,6 +8,7 @@
 
 #include "planner/base/random.h"
 #include "planner/plan/certificates/condition_table.h"
+#include "tests/oracle/part_boxes.h"
 #include "tests/sim/check/certified.h"
 
 namespace assay::check::measurement_test {
@@ -130,7 +131,7 @@ TEST(Measurement, HandClearIsTheHandsDistanceFromAnotherPart) {
     events.acted = &acted;
     const double observed = Observed(Measured(plan::condition::kHandClear, pickup, events),
                                      "the hand stays clear of block");
-    ExpectMeasured(Sampled(block.model->boxes(), X_WorldBlock, hand, acted.tool.truth), observed);
+    ExpectMeasured(Sampled(oracle::BoxesOf(*block.model), X_WorldBlock, hand, acted.tool.truth), observed);
     overlaps += observed == kOverlap;
   }
   EXPECT_GT(overlaps, 2);

@@ -1,4 +1,4 @@
-#include "planner/geometry/convex_cut.h"
+#include "planner/geometry/solids/convex_cut.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -8,7 +8,8 @@
 #include <map>
 #include <numbers>
 
-#include "planner/geometry/box_shadow.h"
+#include "planner/geometry/solids/mass_properties.h"
+#include "planner/geometry/solids/shadow.h"
 #include "tests/oracle/random_pose.h"
 
 namespace assay::geometry::convex_cut_test {
@@ -137,23 +138,6 @@ TEST(ConvexCut, ABlindRoundHoleHasAFloorInOnePieceAndOneWallForEachSide) {
   EXPECT_NEAR(volume, 1e-3 - Volume(hole) / 2, 1e-15);
 }
 
-TEST(ConvexCut, MassOfBoxesIsThatOfBoxes) {
-  RandomStream random(kSeed, "cut2");
-  for (int round = 0; round < 20; ++round) {
-    const std::vector<Box> boxes = {RandomBox(random, 0.5, 0.1, 1), RandomBox(random, 0.5, 0.1, 1),
-                                    RandomBox(random, 0.5, 0.1, 1)};
-    std::vector<ConvexHull> solids;
-    for (const Box& box : boxes) solids.push_back(HullOf(box));
-    const MassProperties exact = MassOf(solids, 7);
-    const MassProperties summed = MassOf(boxes, 7);  // 0.1 % by its own word
-    EXPECT_NEAR(exact.mass, summed.mass, 2e-3 * summed.mass);
-    EXPECT_NEAR((exact.center - summed.center).norm(), 0, 2e-3);
-    EXPECT_NEAR((exact.inertia - summed.inertia).norm(), 0, 5e-3 * summed.inertia.norm());
-  }
-}
-
-// A cylinder of radius r and height h: mass density pi r^2 h, inertia m r^2 / 2 about its axis. A
-// prism of n sides comes near it as 1 / n^2.
 TEST(ConvexCut, MassOfAPrismComesNearTheCylinders) {
   const ConvexHull prism[] = {Prism(512, 0.02, 0.05)};
   const MassProperties mass = MassOf(prism, 1000);
@@ -175,17 +159,6 @@ TEST(ConvexCut, ThePointsOfAnInsetSolidAreThatDeep) {
       if (std::abs(Outside(solid, p) + depth) < 1e-6) continue;
       EXPECT_EQ(inset && Outside(*inset, p) < 0, Outside(solid, p) < -depth);
     }
-  }
-}
-
-TEST(ConvexCut, ShadowsOfBoxesAreThoseOfBoxes) {
-  RandomStream random(kSeed, "cut4");
-  for (int round = 0; round < 200; ++round) {
-    const Box box = RandomBox(random, 0.3, 0.1, 1);
-    const double low = random.Uniform(-0.8, 0.5);
-    const double high = low + random.Uniform(0, 0.5);
-    const double own = Area(ShadowBetween(HullOf(box), low, high));
-    EXPECT_NEAR(own, Area(ShadowBetween(box, low, high)), 1e-12);
   }
 }
 

@@ -1,4 +1,4 @@
-#include "sim/scene/supporting_boxes.h"
+#include "sim/scene/supporting_solids.h"
 
 #include <algorithm>
 #include <optional>
@@ -7,11 +7,12 @@ namespace assay::scene {
 namespace {
 
 using geometry::Box;
+using geometry::ConvexHull;
 using geometry::Vector3;
 
 constexpr double kTolerance = 1e-9;  // metres for positions, relative for axes
 
-bool InHull(const geometry::ConvexHull& hull, const Box& box) {
+bool InHull(const ConvexHull& hull, const Box& box) {
   const auto corners = box.Corners();
   return std::ranges::all_of(hull.facets, [&](const geometry::Facet& facet) {
     return std::ranges::all_of(corners, [&](const Vector3& corner) {
@@ -39,7 +40,7 @@ struct Merger {
   Box around;
 };
 
-std::optional<Merger> FindMerger(const std::vector<Box>& boxes, const geometry::ConvexHull& hull) {
+std::optional<Merger> FindMerger(const std::vector<Box>& boxes, const ConvexHull& hull) {
   for (std::size_t i = 0; i < boxes.size(); ++i) {
     for (std::size_t j = i + 1; j < boxes.size(); ++j) {
       if (!ShareAxes(boxes[i], boxes[j])) continue;
@@ -52,13 +53,18 @@ std::optional<Merger> FindMerger(const std::vector<Box>& boxes, const geometry::
 
 }  // namespace
 
-std::vector<Box> SupportingBoxes(const domain::PartModel& part) {
-  std::vector<Box> boxes = part.boxes();
+std::vector<ConvexHull> SupportingSolids(const domain::PartModel& part) {
+  std::vector<Box> boxes;
+  for (const ConvexHull& piece : part.pieces()) {
+    const std::optional<Box> box = AsBox(piece);
+    if (!box) return {part.hull()};
+    boxes.push_back(*box);
+  }
   while (const std::optional<Merger> merger = FindMerger(boxes, part.hull())) {
     boxes[merger->first] = merger->around;
     boxes.erase(boxes.begin() + static_cast<std::ptrdiff_t>(merger->second));
   }
-  return boxes;
+  return geometry::HullsOf(boxes);
 }
 
 }  // namespace assay::scene

@@ -1,10 +1,11 @@
-#include "planner/geometry/convex_cut.h"
+#include "planner/geometry/solids/convex_cut.h"
 
 #include <algorithm>
 #include <map>
 #include <utility>
 
 #include "planner/base/check.h"
+#include "planner/geometry/hull.h"
 
 namespace assay::geometry {
 namespace {
@@ -24,14 +25,23 @@ class Cut {
   bool KeepsAll() const { return std::ranges::max(above_) <= kThinnest; }
   bool KeepsNothing() const { return std::ranges::min(above_) >= -kThinnest; }
 
+  // Facets keep their planes, so that cuts do not add up rounding errors.
   ConvexHull Below() {
+    ConvexHull rest;
     std::vector<Loop> loops;
     for (const Facet& facet : solid_.facets) {
       Loop loop = Kept(facet.loop);
-      if (loop.size() >= 3) loops.push_back(std::move(loop));
+      if (loop.size() < 3) continue;
+      loops.push_back(loop);
+      rest.facets.push_back({facet.normal, facet.offset, std::move(loop)});
     }
-    loops.push_back(Cap(loops));
-    return HullWith(std::move(vertices_), std::move(loops));
+    rest.facets.push_back({plane_.normal, plane_.height, Cap(loops)});
+    for (Facet& facet : rest.facets) {
+      std::ranges::rotate(facet.loop, std::ranges::min_element(facet.loop));
+    }
+    std::ranges::sort(rest.facets, {}, &Facet::loop);
+    rest.vertices = std::move(vertices_);
+    return rest;
   }
 
  private:
@@ -103,31 +113,26 @@ class Cut {
 Plane PlaneOf(const Facet& facet) { return {facet.normal, facet.offset}; }
 Plane Reversed(const Plane& plane) { return {-plane.normal, -plane.height}; }
 
-// Volume and its first two moments about a point.
-struct Moments {
-  double volume = 0;
-  Vector3 first = Vector3::Zero();
-  Matrix3 second = Matrix3::Zero();
-
-  // Adds the tetrahedron between the point and a triangle.
-  void Add(const Vector3& a, const Vector3& b, const Vector3& c) {
-    const double own = a.dot(b.cross(c)) / 6;
-    const Vector3 sum = a + b + c;
-    volume += own;
-    first += own / 4 * sum;
-    second += own / 20 *
-              (a * a.transpose() + b * b.transpose() + c * c.transpose() + sum * sum.transpose());
+// Returns the planes of a pocket's sides in the order of cutting. Opposite sides are neighbours, and
+// pairs with less of the solid's matter beyond them come first.
+std::vector<Plane> CutOrder(const ConvexHull& solid, const ConvexHull& pocket) {
+  constexpr double kOpposite = 1e-9;
+  std::vector<std::vector<Plane>> groups;
+  for (const Facet* const facet : FacetsByAxis(pocket)) {
+    const auto opposite = std::ranges::find_if(groups, [&](const std::vector<Plane>& group) {
+      return (group.front().normal + facet->normal).norm() < kOpposite;
+    });
+    const auto group = opposite != groups.end() ? opposite : groups.insert(groups.end(), {{}});
+    group->push_back(PlaneOf(*facet));
   }
-
-  void Add(const ConvexHull& solid, const Vector3& about) {
-    for (const Facet& facet : solid.facets) {
-      const auto at = [&](std::size_t i) -> Vector3 {
-        return solid.vertices[facet.loop[i]] - about;
-      };
-      for (std::size_t i = 2; i < facet.loop.size(); ++i) Add(at(0), at(i - 1), at(i));
-    }
-  }
-};
+  std::ranges::stable_sort(groups, {}, [&](const std::vector<Plane>& group) {
+    return std::ranges::count_if(
+        group, [&](const Plane& plane) { return Below(solid, Reversed(plane)).has_value(); });
+  });
+  std::vector<Plane> planes;
+  for (const std::vector<Plane>& group : groups) std::ranges::copy(group, std::back_inserter(planes));
+  return planes;
+}
 
 }  // namespace
 
@@ -149,16 +154,9 @@ std::optional<ConvexHull> Intersection(const ConvexHull& a, const ConvexHull& b)
 
 std::vector<ConvexHull> Without(const ConvexHull& solid, const ConvexHull& pocket) {
   if (!Intersection(solid, pocket)) return {solid};
-  std::vector<Plane> planes;
-  for (const Facet& facet : pocket.facets) planes.push_back(PlaneOf(facet));
-  const auto beyond = [&](const Plane& plane) {
-    const std::optional<ConvexHull> outside = Below(solid, Reversed(plane));
-    return outside ? Volume(*outside) : 0;
-  };
-  std::ranges::stable_sort(planes, std::ranges::greater(), beyond);
   std::vector<ConvexHull> pieces;
   std::optional<ConvexHull> rest = solid;
-  for (const Plane& plane : planes) {
+  for (const Plane& plane : CutOrder(solid, pocket)) {
     if (std::optional<ConvexHull> outside = Below(*rest, Reversed(plane))) {
       pieces.push_back(*std::move(outside));
     }
@@ -190,48 +188,6 @@ std::optional<ConvexHull> Inset(const ConvexHull& solid, double depth) {
     if (!inset) break;
   }
   return inset;
-}
-
-Polygon ShadowBetween(const ConvexHull& solid, double low, double high) {
-  std::vector<Vector2> points;
-  const auto add_crossing = [&](const Vector3& a, const Vector3& b, double height) {
-    if ((a.z() < height) == (b.z() < height) || a.z() == height || b.z() == height) return;
-    const double share = (height - a.z()) / (b.z() - a.z());
-    points.push_back((a + share * (b - a)).head<2>());
-  };
-  for (const Vector3& vertex : solid.vertices) {
-    if (vertex.z() >= low && vertex.z() <= high) points.push_back(vertex.head<2>());
-  }
-  for (const Facet& facet : solid.facets) {
-    for (std::size_t i = 0; i < facet.loop.size(); ++i) {
-      const int a = facet.loop[i];
-      const int b = facet.loop[(i + 1) % facet.loop.size()];
-      if (a > b) continue;  // the edge belongs to another facet, too
-      add_crossing(solid.vertices[a], solid.vertices[b], low);
-      if (high > low) add_crossing(solid.vertices[a], solid.vertices[b], high);
-    }
-  }
-  return Hull2(points);
-}
-
-double Volume(const ConvexHull& solid) {
-  Moments moments;
-  moments.Add(solid, solid.vertices.front());
-  return moments.volume;
-}
-
-MassProperties MassOf(std::span<const ConvexHull> solids, double density) {
-  ASSAY_CHECK(!solids.empty() && density > 0);
-  const Vector3 about = solids.front().vertices.front();
-  Moments moments;
-  for (const ConvexHull& piece : Disjoint(solids)) moments.Add(piece, about);
-  MassProperties mass;
-  mass.mass = density * moments.volume;
-  const Vector3 center = moments.first / moments.volume;
-  mass.center = about + center;
-  const Matrix3 spread = density * (moments.second - moments.volume * center * center.transpose());
-  mass.inertia = spread.trace() * Matrix3::Identity() - spread;
-  return mass;
 }
 
 }  // namespace assay::geometry

@@ -1,4 +1,4 @@
-#include "planner/geometry/box_overlap.h"
+#include "planner/geometry/solids/separation.h"
 
 #include <gtest/gtest.h>
 
@@ -7,11 +7,15 @@
 #include "tests/oracle/box_pair.h"
 #include "tests/oracle/random_pose.h"
 
-namespace assay::geometry::box_overlap_test {
+namespace assay::geometry::separation_test {
 namespace {
 
 constexpr std::uint64_t kSeed = 11;
 constexpr int kPairs = 2000;
+
+double Separation(const Box& a, const Box& b) {
+  return geometry::Separation(HullOf(a), HullOf(b));
+}
 
 Box RandomBox(RandomStream& random) { return oracle::RandomBox(random, 1.0, 0.1, 0.8); }
 
@@ -63,21 +67,9 @@ TEST(OverlapDepth, IsTheDeepestOfAnyPairAndZeroApart) {
   const std::array<Box, 2> pair = {cube, cube.Transformed(Translation(5, 0, 0))};
   const std::array<Box, 1> near_second = {cube.Transformed(Translation(5.7, 0, 0))};
   const std::array<Box, 1> between = {cube.Transformed(Translation(2.5, 0, 0))};
-  EXPECT_NEAR(OverlapDepth(pair, near_second), 0.3, 1e-15);
-  EXPECT_EQ(OverlapDepth(pair, between), 0);
-}
-
-TEST(LowestPoint, IsTheLowestCorner) {
-  RandomStream random(kSeed, "lowest");
-  for (int i = 0; i < 100; ++i) {
-    const std::array<Box, 2> boxes = {RandomBox(random), RandomBox(random)};
-    double lowest = 10;
-    for (const Box& box : boxes) {
-      for (const Vector3& corner : box.Corners()) lowest = std::min(lowest, corner.z());
-    }
-    EXPECT_NEAR(LowestPoint(boxes), lowest, 1e-12) << "seed " << kSeed;
-  }
+  EXPECT_NEAR(OverlapDepth(HullsOf(pair), HullsOf(near_second)), 0.3, 1e-15);
+  EXPECT_EQ(OverlapDepth(HullsOf(pair), HullsOf(between)), 0);
 }
 
 }  // namespace
-}  // namespace assay::geometry::box_overlap_test
+}  // namespace assay::geometry::separation_test

@@ -1,4 +1,4 @@
-#include "planner/geometry/connected_boxes.h"
+#include "planner/geometry/solids/connected_solids.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 
 #include "planner/base/random.h"
 
-namespace assay::geometry::connected_boxes_test {
+namespace assay::geometry::connected_solids_test {
 namespace {
 
 constexpr std::uint64_t kSeed = 21;
@@ -66,7 +66,7 @@ int NaiveFirstApart(const std::vector<GridBox>& boxes) {
 int FirstApartOf(const std::vector<GridBox>& boxes) {
   std::vector<Box> in_metres;
   for (const GridBox& box : boxes) in_metres.push_back(box.InMetres());
-  return FirstApart(in_metres);
+  return FirstApart(HullsOf(in_metres));
 }
 
 TEST(FirstApart, AgreesWithExactBoxesOnAGrid) {
@@ -92,4 +92,4 @@ TEST(FirstApart, EdgesAndCornersHoldNothing) {
 }
 
 }  // namespace
-}  // namespace assay::geometry::connected_boxes_test
+}  // namespace assay::geometry::connected_solids_test

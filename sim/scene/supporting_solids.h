@@ -1,0 +1,16 @@
+#pragma once
+
+#include <vector>
+
+#include "planner/domain/parts/part_model.h"
+
+namespace assay::scene {
+
+// Returns a few convex solids with the same convex hull as the part. A part touches a plane table
+// only with its hull, so these solids give the same support with few contacts. Contacts cause most
+// of the cost of simulating parts at rest. A part of boxes has boxes again: two boxes with the same
+// axes are replaced by the box around them if this box is inside the hull, which fills rings around
+// holes. Any other part has its hull.
+std::vector<geometry::ConvexHull> SupportingSolids(const domain::PartModel& part);
+
+}  // namespace assay::scene
