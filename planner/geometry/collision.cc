@@ -25,8 +25,12 @@ struct PreparedBox {
   Vector3 half_extents;
 };
 
-// A solid drawn in by some distance, in GJK's form. It is null if nothing is left of the solid.
-using DrawnIn = std::shared_ptr<const GjkHull>;
+// A solid drawn in by some distance, also in GJK's form, which is null if nothing is left of the
+// solid.
+struct DrawnIn {
+  ConvexHull hull;
+  std::shared_ptr<const GjkHull> gjk;
+};
 
 class PreparedSolid {
  public:
@@ -47,12 +51,14 @@ class PreparedSolid {
   }
 
   // Solids meet other solids with few different insets, so each one is computed once.
-  DrawnIn DrawnInBy(double inset) const {
+  const DrawnIn& DrawnInBy(double inset) const {
     const std::lock_guard lock(*mutex_);
     const auto [found, is_new] = drawn_in_->try_emplace(inset);
     if (is_new) {
-      const auto rest = inset == 0 ? std::optional(hull_) : Inset(hull_, inset);
-      if (rest) found->second = MakeGjkHull(*rest);
+      if (auto rest = inset == 0 ? std::optional(hull_) : Inset(hull_, inset)) {
+        found->second.gjk = MakeGjkHull(*rest);
+        found->second.hull = *std::move(rest);
+      }
     }
     return found->second;
   }
@@ -72,23 +78,45 @@ Vector3 ShrunkSides(const Vector3& half_extents, double inset) {
   return 2 * (half_extents.array() - inset).max(kTouching / 10).matrix();
 }
 
+// Returns whether a plane normal to a direction of A's frame separates the solids.
+bool IsPlaneBetween(const Vector3& direction, const ConvexHull& a, const ConvexHull& b,
+                    const Pose& X_AB) {
+  const Vector3 direction_B = X_AB.linear().transpose() * direction;
+  return direction.dot(X_AB.translation()) - GreatestAlong(b, -direction_B) >
+         GreatestAlong(a, direction);
+}
+
+// Returns whether the solids are apart. GJK's answer counts only if a plane shows it. Where it
+// shows none, because the solids nearly touch, the planes of their facets are tried.
+bool AreApart(const DrawnIn& a, const DrawnIn& b, const Pose& X_AB) {
+  const Vector3 difference = NearestDifference(*a.gjk, *b.gjk, X_AB);
+  if (!difference.isZero(0) && IsPlaneBetween(difference, a.hull, b.hull, X_AB)) return true;
+  const auto separates = [&](const Vector3& normal) {
+    return IsPlaneBetween(normal, a.hull, b.hull, X_AB);
+  };
+  return std::ranges::any_of(a.hull.facets,
+                             [&](const Facet& facet) { return separates(facet.normal); }) ||
+         std::ranges::any_of(b.hull.facets, [&](const Facet& facet) {
+           return separates(-(X_AB.linear() * facet.normal));
+         });
+}
+
 bool SolidsOverlap(const PreparedSolid& a, const PreparedSolid& b, const Pose& X_AB, double inset) {
   if (a.box() && b.box()) {
     return AreOverlapping({ShrunkSides(a.box()->half_extents, inset), a.box()->X_ShapeBox},
                           {ShrunkSides(b.box()->half_extents, inset), X_AB * b.box()->X_ShapeBox});
   }
-  const DrawnIn drawn_a = a.DrawnInBy(inset);
-  const DrawnIn drawn_b = b.DrawnInBy(inset);
-  return drawn_a && drawn_b && NearestDifference(*drawn_a, *drawn_b, X_AB).isZero(0);
+  const DrawnIn& drawn_a = a.DrawnInBy(inset);
+  const DrawnIn& drawn_b = b.DrawnInBy(inset);
+  return drawn_a.gjk && drawn_b.gjk && !AreApart(drawn_a, drawn_b, X_AB);
 }
 
 double SolidDistance(const PreparedSolid& a, const PreparedSolid& b, const Pose& X_AB) {
   if (a.box() && b.box()) {
-    return std::max(
-        0.0, Distance(PlacedBox{2 * a.box()->half_extents, a.box()->X_ShapeBox},
-                      {2 * b.box()->half_extents, X_AB * b.box()->X_ShapeBox}));
+    return std::max(0.0, Distance(PlacedBox{2 * a.box()->half_extents, a.box()->X_ShapeBox},
+                                  {2 * b.box()->half_extents, X_AB * b.box()->X_ShapeBox}));
   }
-  return NearestDifference(*a.DrawnInBy(0), *b.DrawnInBy(0), X_AB).norm();
+  return NearestDifference(*a.DrawnInBy(0).gjk, *b.DrawnInBy(0).gjk, X_AB).norm();
 }
 
 }  // namespace

@@ -11,6 +11,7 @@ namespace assay::geometry {
 // A rigid union of convex solids, prepared for many overlap and distance queries.
 class CollisionShape {
  public:
+  CollisionShape() : CollisionShape(std::span<const ConvexHull>()) {}  // an empty shape
   explicit CollisionShape(std::span<const ConvexHull> solids);
   explicit CollisionShape(std::span<const Box> boxes);
 

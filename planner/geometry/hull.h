@@ -25,8 +25,8 @@ struct ConvexHull {
 // facets depends only on the points. (Qhull: Barber, Dobkin and Huhdanpaa 1996.)
 ConvexHull HullOf(std::span<const Vector3> points);
 
-// Returns whether points extend by at least `thinnest` metres along the direction in which they vary
-// least, so that they have a hull.
+// Returns whether points extend by at least `thinnest` metres along the direction in which they
+// vary least, so that they have a hull.
 bool SpanSpace(std::span<const Vector3> points, double thinnest);
 
 // Returns a hull whose facets are known, without the use of Qhull. Each loop lists the vertices of

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "planner/base/check.h"
 #include "planner/domain/parts/part_file.h"
 #include "sim/scene/robot_mjcf.h"
 #include "sim/scene/stage_mjcf.h"
@@ -54,10 +55,10 @@ XmlElement& AddGeomClass(const char* name, XmlElement& defaults) {
 }
 
 // Collision bits: each geom has bits for what it is and a mask of the bits that it touches. A part
-// has two sets of solids. Its exact pieces touch other parts and grippers. Its supporting solids touch
-// the floor and a table that exists for this part alone, because the error of the table's height
-// may differ from part to part. Arm links have the gripper's bit. Bodies of one robot do not touch
-// each other, but bodies of two robots do.
+// has two sets of solids. Its exact pieces touch other parts and grippers. Its supporting solids
+// touch the floor and a table that exists for this part alone, because the error of the table's
+// height may differ from part to part. Arm links have the gripper's bit. Bodies of one robot do not
+// touch each other, but bodies of two robots do.
 constexpr int kPart = 1;
 constexpr int kGripper = 2;
 constexpr int kFloor = 4;

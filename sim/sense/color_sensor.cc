@@ -52,7 +52,7 @@ ColorSensor::ColorSensor(const scene::Scene& scene, const domain::Problem& probl
 std::vector<double> ColorSensor::Shares(const mujoco::Data& data, PartId part,
                                         const Pose& believed) {
   const std::vector<geometry::ConvexHull> solids =
-        Transformed(problem_.part(part).model->pieces(), believed);
+      Transformed(problem_.part(part).model->pieces(), believed);
   std::vector<double> shares(filters_.size(), 0.0);
   double area = 0;
   for (const Sight& sight : eyes_.LookAt(data, part, believed)) {

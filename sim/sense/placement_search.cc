@@ -62,7 +62,8 @@ class WorthMap {
 };
 
 // Returns the cells whose centres the silhouette covers.
-std::vector<Cell> Silhouette(std::span<const geometry::ConvexHull> solids, const View& view, int side) {
+std::vector<Cell> Silhouette(std::span<const geometry::ConvexHull> solids, const View& view,
+                             int side) {
   constexpr int kFractionBits = 4;
   constexpr double kFractions = 1 << kFractionBits;
   render::Mask picture(side, side);

@@ -9,7 +9,6 @@
 namespace assay::sense {
 namespace {
 
-
 constexpr double kSpacing = 3;  // pixels between contour points
 // Edges lower than this above the part's lowest point are not used, metres.
 constexpr double kHiddenBelow = 0.007;

@@ -13,7 +13,7 @@ namespace {
 
 using geometry::ConvexHull;
 
-constexpr double kAligned = 1e-6;  // greatest difference of unit vectors that should be equal
+constexpr double kSameSide = 1e-6;  // greatest difference of unit vectors that should be equal
 
 // Returns the face in which a pocket ends on the side that looks in a direction. Returns None if
 // the pocket ends inside the part, or if the pockets leave nothing of this side.
@@ -39,10 +39,12 @@ geometry::Polygon SectionAt(const Face& face, std::span<const ConvexHull> solids
 // Returns whether a side belongs to a pocket and not to the solid that clips it, and moves with the
 // clearance.
 bool MovesWithClearance(const PartSolids::Pocket& pocket, const Side& side) {
-  const auto is_same = [&](const Side& own) { return std::abs(own.offset - side.offset) < kRounding; };
+  const auto is_same = [&](const Side& own) {
+    return std::abs(own.offset - side.offset) < kRounding;
+  };
   return std::ranges::any_of(
              pocket.moved_sides,
-             [&](const Vector3& normal) { return (normal - side.normal).norm() < kAligned; }) &&
+             [&](const Vector3& normal) { return (normal - side.normal).norm() < kSameSide; }) &&
          std::ranges::any_of(SidesTowards(pocket.whole, side.normal), is_same);
 }
 

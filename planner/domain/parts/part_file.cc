@@ -27,7 +27,7 @@ using geometry::ConvexHull;
 constexpr double kLeastTilt = 2 * kDegrees.factor;
 // Greatest angle between a direction and the down direction of the pose that it names, radians.
 constexpr double kFarthestName = 30 * kDegrees.factor;
-constexpr double kAligned = 1e-6;       // greatest difference of unit vectors that should be equal
+constexpr double kAligned = 1e-6;  // greatest difference of unit vectors that should be equal
 constexpr int kMostFeatures = 9999;
 constexpr Range kChamfers = {0, 0.02};  // metres
 

@@ -21,8 +21,8 @@ namespace assay::domain {
 class PartModel {
  public:
   const std::string& name() const { return name_; }
-  const std::string& initial() const { return initial_; }             // start of labels: BP1, BG1
-  double clearance() const { return clearance_; }                     // metres on each side
+  const std::string& initial() const { return initial_; }  // start of labels: BP1, BG1
+  double clearance() const { return clearance_; }          // metres on each side
   // Convex pieces in the part frame, disjoint or overlapping.
   const std::vector<geometry::ConvexHull>& pieces() const { return pieces_; }
   const std::vector<Eigen::Vector4f>& colors() const { return colors_; }  // rgba of each piece
@@ -42,8 +42,7 @@ class PartModel {
   StablePoseId FindStablePose(std::string_view name) const;  // None if no pose has the name
 
  private:
-  explicit PartModel(const Document& file, double clearance)
-      : file_(file), clearance_(clearance), shape_({}) {}
+  explicit PartModel(const Document& file, double clearance) : file_(file), clearance_(clearance) {}
   friend class PartFile;
 
   Document file_;

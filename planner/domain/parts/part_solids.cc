@@ -142,8 +142,8 @@ PartSolids::Solid PartSolids::ReadSolid(const std::string& name, const Value& en
               .color = Eigen::Vector4f(0.7f, 0.7f, 0.7f, 1)};
   if (const auto turn = entry.Find("turn")) solid.X_PartSolid = ReadTurn(*turn);
   if (const auto color = entry.Find("color")) solid.color = ReadColor(*color);
-  solid.whole = Transformed(ReadShape(entry, units_, Roundness::kAround, {}).pieces,
-                            solid.X_PartSolid);
+  solid.whole =
+      Transformed(ReadShape(entry, units_, Roundness::kAround, {}).pieces, solid.X_PartSolid);
   solid.pieces = solid.whole;
   return solid;
 }
@@ -170,8 +170,7 @@ PartSolids::Pocket PartSolids::ReadPocket(const std::string& name, const Value& 
   AllowShapeAnd(entry, {"cut_from", "widen"});
   const int from = entry.At("cut_from").OneOf(NamesOf(solids_));
   const Pose& X_PartSolid = solids_[static_cast<std::size_t>(from)].X_PartSolid;
-  SolidShape shape =
-      ReadShape(entry, units_, Roundness::kWithin, ReadWidening(entry, clearance_));
+  SolidShape shape = ReadShape(entry, units_, Roundness::kWithin, ReadWidening(entry, clearance_));
   for (geometry::Vector3& normal : shape.moved_sides) normal = X_PartSolid.linear() * normal;
   return {.name = name,
           .solid = from,

@@ -19,12 +19,12 @@ using geometry::Ring;
 using geometry::Vector2;
 using geometry::Vector3;
 
-constexpr double kShortestSide = 1e-4;   // least length of a solid along each direction, metres
-constexpr int kUsualSides = 32;          // sides of the polygon that stands for a circle
-constexpr Range kRadii = {5e-5, 100};    // metres
-constexpr int kMostCorners = 1000;       // of one outline or hull
+constexpr double kShortestSide = 1e-4;  // least length of a solid along each direction, metres
+constexpr int kUsualSides = 32;         // sides of the polygon that stands for a circle
+constexpr Range kRadii = {5e-5, 100};   // metres
+constexpr int kMostCorners = 1000;      // of one outline or hull
 
-struct Reading {
+struct ShapeReading {
   const Units& units;
   Roundness roundness;
   const Widening& widening;
@@ -36,7 +36,7 @@ void RequireLength(const Value& place, double length, const Units& units) {
              fmt::format("at least {}", InUnit(kShortestSide, units.length)));
 }
 
-SolidShape ReadBox(const Value& corners, const Reading& reading) {
+SolidShape ReadBox(const Value& corners, const ShapeReading& reading) {
   const std::vector<Value> items = corners.Items();
   if (items.size() != 2) {
     corners.Fail(fmt::format("a box has two corners, not {}", items.size()),
@@ -92,8 +92,8 @@ Ring RegularPolygon(int sides, double apothem) {
 void AddSides(int sides, const geometry::Matrix3& R_FileShape, double slope, SolidShape& shape) {
   for (int i = 0; i < sides; ++i) {
     const double angle = 2 * i * std::numbers::pi / sides;
-    shape.moved_sides.push_back(
-        R_FileShape * Vector3(std::cos(angle), std::sin(angle), slope).normalized());
+    shape.moved_sides.push_back(R_FileShape *
+                                Vector3(std::cos(angle), std::sin(angle), slope).normalized());
   }
 }
 
@@ -121,7 +121,7 @@ Axle ReadAxle(const Value& entry, const Units& units) {
   return {FrameAlong(from, (to - from) / length), length};
 }
 
-double WidenedRadius(const Value& place, double radius, const Reading& reading) {
+double WidenedRadius(const Value& place, double radius, const ShapeReading& reading) {
   if (!reading.widening.across) return radius;
   const double widened = radius + reading.widening.by;
   if (widened >= kRadii.low) return widened;
@@ -135,7 +135,7 @@ double ApothemOf(double radius, int sides, Roundness roundness) {
   return roundness == Roundness::kAround ? radius : radius * std::cos(std::numbers::pi / sides);
 }
 
-SolidShape ReadCylinder(const Value& entry, const Reading& reading) {
+SolidShape ReadCylinder(const Value& entry, const ShapeReading& reading) {
   entry.AllowOnly({"from", "to", "radius", "sides"});
   const Axle axle = ReadAxle(entry, reading.units);
   const int sides = ReadSides(entry);
@@ -150,7 +150,7 @@ SolidShape ReadCylinder(const Value& entry, const Reading& reading) {
   return shape;
 }
 
-SolidShape ReadCone(const Value& entry, const Reading& reading) {
+SolidShape ReadCone(const Value& entry, const ShapeReading& reading) {
   entry.AllowOnly({"from", "to", "radii", "sides"});
   const Axle axle = ReadAxle(entry, reading.units);
   const int sides = ReadSides(entry);
@@ -174,8 +174,7 @@ SolidShape ReadCone(const Value& entry, const Reading& reading) {
                fmt::format("one radius of at least {}", InUnit(kRadii.low, reading.units.length)));
   }
   SolidShape shape;
-  shape.pieces = {
-      Transformed(Frustum(rings[0], 0, rings[1], axle.length), axle.X_FileShape)};
+  shape.pieces = {Transformed(Frustum(rings[0], 0, rings[1], axle.length), axle.X_FileShape)};
   if (reading.widening.across) {
     AddSides(sides, axle.X_FileShape.linear(), (apothems[0] - apothems[1]) / axle.length, shape);
   }
@@ -239,8 +238,8 @@ Section ReadSection(const Value& entry, const Units& units) {
   Section section;
   if (const auto regular = entry.Find("regular")) {
     regular->AllowOnly({"sides", "across_flats", "center"});
-    const double across = ReadWithin(regular->At("across_flats"), units.length,
-                                     {kShortestSide, 2 * kRadii.high});
+    const double across =
+        ReadWithin(regular->At("across_flats"), units.length, {kShortestSide, 2 * kRadii.high});
     section.outline = RegularPolygon(regular->At("sides").Integer(3, 256), across / 2);
     if (const auto center = regular->Find("center")) {
       for (Vector2& p : section.outline) p += ReadVector2(*center, units);
@@ -255,7 +254,7 @@ Section ReadSection(const Value& entry, const Units& units) {
 }
 
 // Returns the convex polygon of a pocket that is widened across its axis.
-Ring WidenedOutline(const Value& entry, const Section& section, const Reading& reading) {
+Ring WidenedOutline(const Value& entry, const Section& section, const ShapeReading& reading) {
   const std::vector<geometry::Polygon> pieces =
       geometry::ConvexPieces(section.outline, section.holes);
   if (pieces.size() != 1) {
@@ -275,7 +274,7 @@ Ring WidenedOutline(const Value& entry, const Section& section, const Reading& r
   return widened;
 }
 
-SolidShape ReadPrism(const Value& entry, const Reading& reading) {
+SolidShape ReadPrism(const Value& entry, const ShapeReading& reading) {
   entry.AllowOnly({"outline", "regular", "holes", "axis", "from", "to"});
   const int axis = entry.Find("axis") ? entry.At("axis").OneOf({"x", "y", "z"}) : 2;
   const double from = ReadLength(entry.At("from"), reading.units);
@@ -303,7 +302,7 @@ SolidShape ReadPrism(const Value& entry, const Reading& reading) {
   return shape;
 }
 
-SolidShape ReadHull(const Value& points, const Reading& reading) {
+SolidShape ReadHull(const Value& points, const ShapeReading& reading) {
   std::vector<Vector3> vertices;
   for (const Value& point : points.Items()) vertices.push_back(ReadVector3(point, reading.units));
   if (std::ssize(vertices) > kMostCorners) {
@@ -318,16 +317,16 @@ SolidShape ReadHull(const Value& points, const Reading& reading) {
   return {{geometry::HullOf(vertices)}, {}};
 }
 
-struct Kind {
+struct ShapeKind {
   std::string name;
-  SolidShape (*read)(const Value& value, const Reading& reading);
+  SolidShape (*read)(const Value& value, const ShapeReading& reading);
 };
-const std::vector<Kind>& Kinds() {
-  static const std::vector<Kind> kinds = {{"box", ReadBox},
-                                          {"prism", ReadPrism},
-                                          {"cylinder", ReadCylinder},
-                                          {"cone", ReadCone},
-                                          {"hull", ReadHull}};
+const std::vector<ShapeKind>& AllShapeKinds() {
+  static const std::vector<ShapeKind> kinds = {{"box", ReadBox},
+                                               {"prism", ReadPrism},
+                                               {"cylinder", ReadCylinder},
+                                               {"cone", ReadCone},
+                                               {"hull", ReadHull}};
   return kinds;
 }
 
@@ -336,7 +335,7 @@ const std::vector<Kind>& Kinds() {
 const std::vector<std::string>& ShapeKinds() {
   static const std::vector<std::string> names = [] {
     std::vector<std::string> all;
-    for (const Kind& kind : Kinds()) all.push_back(kind.name);
+    for (const ShapeKind& kind : AllShapeKinds()) all.push_back(kind.name);
     return all;
   }();
   return names;
@@ -344,8 +343,8 @@ const std::vector<std::string>& ShapeKinds() {
 
 SolidShape ReadShape(const Value& entry, const Units& units, Roundness roundness,
                      const Widening& widening) {
-  const Kind* given = nullptr;
-  for (const Kind& kind : Kinds()) {
+  const ShapeKind* given = nullptr;
+  for (const ShapeKind& kind : AllShapeKinds()) {
     if (!entry.Find(kind.name)) continue;
     if (given != nullptr) {
       entry.Fail(fmt::format("the entry has both a {} and a {}", given->name, kind.name),
@@ -354,16 +353,15 @@ SolidShape ReadShape(const Value& entry, const Units& units, Roundness roundness
     given = &kind;
   }
   if (given == nullptr) {
-    entry.Fail("the entry has no shape", fmt::format("one of the keys {}",
-                                                     fmt::join(ShapeKinds(), ", ")));
+    entry.Fail("the entry has no shape",
+               fmt::format("one of the keys {}", fmt::join(ShapeKinds(), ", ")));
   }
   const Value value = entry.At(given->name);
   if (widening.across && (given->name == "box" || given->name == "hull")) {
     entry.At("widen").Fail(fmt::format("a {} is not widened across an axis", given->name),
                            "a list of axes for a box");
   }
-  if (!widening.across && given->name != "box" &&
-      std::ranges::count(widening.along, true) > 0) {
+  if (!widening.across && given->name != "box" && std::ranges::count(widening.along, true) > 0) {
     entry.At("widen").Fail(fmt::format("a {} is not widened along axes", given->name), "across");
   }
   return given->read(value, {units, roundness, widening});

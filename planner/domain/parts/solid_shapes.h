@@ -23,7 +23,7 @@ enum class Roundness { kAround, kWithin };
 
 // The shape that a part file gives to a solid or a pocket.
 struct SolidShape {
-  std::vector<geometry::ConvexHull> pieces;     // convex, in the file's coordinates
+  std::vector<geometry::ConvexHull> pieces;    // convex, in the file's coordinates
   std::vector<geometry::Vector3> moved_sides;  // outward normals of the sides that were widened
 };
 

@@ -10,8 +10,8 @@
 namespace assay::geometry {
 namespace {
 
-constexpr double kTouching = 1e-6;      // metres between facets that touch
-constexpr double kOpposite = 1e-6;      // length of the sum of opposite unit normals
+constexpr double kFacetsTouch = 1e-6;    // metres between facets that touch
+constexpr double kFacing = 1e-6;         // length of the sum of opposite unit normals
 constexpr double kLeastContact = 1e-11;  // area of a contact that holds, square metres
 
 Polygon InPlane(const ConvexHull& solid, const Facet& facet, const Pose& X_PlaneSolid) {
@@ -25,8 +25,8 @@ Polygon InPlane(const ConvexHull& solid, const Facet& facet, const Pose& X_Plane
 bool Touch(const ConvexHull& a, const ConvexHull& b) {
   for (const Facet& of_a : a.facets) {
     for (const Facet& of_b : b.facets) {
-      if ((of_a.normal + of_b.normal).norm() > kOpposite) continue;
-      if (std::abs(of_a.offset + of_b.offset) > kTouching) continue;
+      if ((of_a.normal + of_b.normal).norm() > kFacing) continue;
+      if (std::abs(of_a.offset + of_b.offset) > kFacetsTouch) continue;
       const Vector3 x = of_a.normal.unitOrthogonal();
       const Pose X_PlaneSolid =
           PoseFromColumns(x, of_a.normal.cross(x), of_a.normal, Vector3::Zero()).inverse();
@@ -42,8 +42,8 @@ bool AreConnected(const ConvexHull& a, const ConvexHull& b) {
   const Ball ball_of_a = BallAround(a.vertices);
   const Ball ball_of_b = BallAround(b.vertices);
   const double between = (ball_of_a.center - ball_of_b.center).norm();
-  if (between > ball_of_a.radius + ball_of_b.radius + kTouching) return false;
-  const std::optional<ConvexHull> core = Inset(b, kTouching);
+  if (between > ball_of_a.radius + ball_of_b.radius + kFacetsTouch) return false;
+  const std::optional<ConvexHull> core = Inset(b, kFacetsTouch);
   return Touch(a, b) || (core && Intersection(a, *core));
 }
 

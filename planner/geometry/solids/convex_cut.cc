@@ -1,7 +1,10 @@
 #include "planner/geometry/solids/convex_cut.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
+#include <numeric>
+#include <tuple>
 #include <utility>
 
 #include "planner/base/check.h"
@@ -13,6 +16,30 @@ namespace {
 constexpr double kThinnest = 1e-9;  // metres
 
 using Loop = std::vector<int>;
+
+// Sorts vertices by height, then by y and x, and facets by their loops. The order then does not
+// depend on the cuts that a solid comes from.
+void SortVertices(ConvexHull& hull) {
+  std::vector<int> order(hull.vertices.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::ranges::stable_sort(order, {}, [&](int i) {
+    const Vector3& p = hull.vertices[i];
+    const auto rounded = [](double x) { return std::llround(x / kThinnest); };
+    return std::tuple(rounded(p.z()), rounded(p.y()), rounded(p.x()));
+  });
+  std::vector<Vector3> vertices;
+  std::vector<int> number(order.size());
+  for (const int old : order) {
+    number[old] = static_cast<int>(vertices.size());
+    vertices.push_back(hull.vertices[old]);
+  }
+  hull.vertices = std::move(vertices);
+  for (Facet& facet : hull.facets) {
+    for (int& vertex : facet.loop) vertex = number[vertex];
+    std::ranges::rotate(facet.loop, std::ranges::min_element(facet.loop));
+  }
+  std::ranges::sort(hull.facets, {}, &Facet::loop);
+}
 
 // One cut of a solid by a plane. Vertices within kThinnest of the plane count as on it.
 class Cut {
@@ -36,11 +63,8 @@ class Cut {
       rest.facets.push_back({facet.normal, facet.offset, std::move(loop)});
     }
     rest.facets.push_back({plane_.normal, plane_.height, Cap(loops)});
-    for (Facet& facet : rest.facets) {
-      std::ranges::rotate(facet.loop, std::ranges::min_element(facet.loop));
-    }
-    std::ranges::sort(rest.facets, {}, &Facet::loop);
     rest.vertices = std::move(vertices_);
+    SortVertices(rest);
     return rest;
   }
 
@@ -113,8 +137,8 @@ class Cut {
 Plane PlaneOf(const Facet& facet) { return {facet.normal, facet.offset}; }
 Plane Reversed(const Plane& plane) { return {-plane.normal, -plane.height}; }
 
-// Returns the planes of a pocket's sides in the order of cutting. Opposite sides are neighbours, and
-// pairs with less of the solid's matter beyond them come first.
+// Returns the planes of a pocket's sides in the order of cutting. Opposite sides are neighbours,
+// and pairs with less of the solid's matter beyond them come first.
 std::vector<Plane> CutOrder(const ConvexHull& solid, const ConvexHull& pocket) {
   constexpr double kOpposite = 1e-9;
   std::vector<std::vector<Plane>> groups;
@@ -130,7 +154,8 @@ std::vector<Plane> CutOrder(const ConvexHull& solid, const ConvexHull& pocket) {
         group, [&](const Plane& plane) { return Below(solid, Reversed(plane)).has_value(); });
   });
   std::vector<Plane> planes;
-  for (const std::vector<Plane>& group : groups) std::ranges::copy(group, std::back_inserter(planes));
+  for (const std::vector<Plane>& group : groups)
+    std::ranges::copy(group, std::back_inserter(planes));
   return planes;
 }
 

@@ -11,27 +11,26 @@ namespace {
 
 constexpr double kSameLength = 1e-9;  // metres
 
-double Cross(const Vector2& a, const Vector2& b) { return a.x() * b.y() - a.y() * b.x(); }
+double CrossOf(const Vector2& a, const Vector2& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 double SignedArea(const Ring& ring) {
   double twice = 0;
   for (std::size_t i = 0; i < ring.size(); ++i) {
-    twice += Cross(ring[i], ring[(i + 1) % ring.size()]);
+    twice += CrossOf(ring[i], ring[(i + 1) % ring.size()]);
   }
   return twice / 2;
 }
 
 // Returns how far p is to the left of the line from a to b.
 double LeftOf(const Vector2& a, const Vector2& b, const Vector2& p) {
-  return Cross((b - a).normalized(), p - a);
+  return CrossOf((b - a).normalized(), p - a);
 }
 
 bool SegmentsMeet(const Vector2& a, const Vector2& b, const Vector2& c, const Vector2& d) {
   const auto low = [](const Vector2& p, const Vector2& q) -> Vector2 { return p.cwiseMin(q); };
   const auto high = [](const Vector2& p, const Vector2& q) -> Vector2 { return p.cwiseMax(q); };
-  const bool boxes_meet =
-      (low(a, b).array() <= high(c, d).array() + kSameLength).all() &&
-      (low(c, d).array() <= high(a, b).array() + kSameLength).all();
+  const bool boxes_meet = (low(a, b).array() <= high(c, d).array() + kSameLength).all() &&
+                          (low(c, d).array() <= high(a, b).array() + kSameLength).all();
   const auto straddles = [](const Vector2& p, const Vector2& q, const Vector2& r,
                             const Vector2& s) {
     const double left_r = LeftOf(p, q, r);

@@ -125,8 +125,8 @@ CollisionScene::CollisionScene(const domain::Problem& problem, const Surrounding
   const Pose X_BaseWorld = workcell_->X_WorldBase().inverse();
   for (const auto& [id, X_WorldPart] : surroundings.parts) {
     const domain::Part& part = problem.part(id);
-    Add(part.name, 0, HullsOf(part.model->pieces(), X_BaseWorld * X_WorldPart), {.part = id}).doubt =
-        doubt(id);
+    Add(part.name, 0, HullsOf(part.model->pieces(), X_BaseWorld * X_WorldPart), {.part = id})
+        .doubt = doubt(id);
   }
   ListPairs();
 }
@@ -145,7 +145,8 @@ void CollisionScene::AddGripper(double opening) {
   const domain::RobotId robot = workcell_->acting();
   Add("hand", kFlange, HullsOf(geometry::HullsOf(gripper.HandBoxes()), gripper.X_FlangeTool()),
       {.robot = robot, .piece = "hand"});
-  Add("fingers", kFlange, HullsOf(geometry::HullsOf(gripper.FingerBoxes(width)), gripper.X_FlangeTool()),
+  Add("fingers", kFlange,
+      HullsOf(geometry::HullsOf(gripper.FingerBoxes(width)), gripper.X_FlangeTool()),
       {.robot = robot, .piece = "fingers"});
 }
 

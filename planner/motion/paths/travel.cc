@@ -48,8 +48,8 @@ class Clearance {
     const std::vector<geometry::Box> fingers =
         gripper.FingerBoxes(std::clamp(surroundings.opening, 0.0, gripper.max_opening()));
     hand.insert(hand.end(), fingers.begin(), fingers.end());
-    movers_.push_back({geometry::VerticesOf(geometry::HullsOf(hand)), CollisionShape(hand),
-                       Pose::Identity()});
+    movers_.push_back(
+        {geometry::VerticesOf(geometry::HullsOf(hand)), CollisionShape(hand), Pose::Identity()});
     if (surroundings.held) {
       const domain::PartModel& held = *problem.part(surroundings.held->part).model;
       movers_.push_back({geometry::VerticesOf(held.pieces()), held.shape(),

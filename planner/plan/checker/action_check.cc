@@ -129,7 +129,8 @@ class ActionChecker::Examination {
       const PartState& state = before.parts[i];
       if (PartId(i) == handling_.part || state.status == PartStatus::kHeld) continue;
       const domain::Part& other = problem_.parts[i];
-      obstacles_.push_back({other.name, geometry::Transformed(other.model->pieces(), state.X_WorldPart)});
+      obstacles_.push_back(
+          {other.name, geometry::Transformed(other.model->pieces(), state.X_WorldPart)});
     }
   }
 

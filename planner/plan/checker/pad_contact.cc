@@ -32,9 +32,8 @@ PadContact ContactOf(const Hold& hold, const Vector2& half, double side) {
 }
 
 bool IsInAny(std::span<const geometry::ConvexHull> solids, const Vector3& p, double tolerance) {
-  return std::ranges::any_of(solids, [&](const geometry::ConvexHull& solid) {
-    return Contains(solid, p, tolerance);
-  });
+  return std::ranges::any_of(
+      solids, [&](const geometry::ConvexHull& solid) { return Contains(solid, p, tolerance); });
 }
 
 // Returns whether p is inside a convex polygon, farther than kSeam from its rim.

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "planner/domain/parts/part_model.h"
-#include "planner/geometry/box_overlap.h"
+#include "planner/geometry/hull.h"
 #include "planner/plan/data/plan.h"
 
 namespace assay::plan {

@@ -50,9 +50,8 @@ Vector3 CenterOfMass(std::span<const geometry::ConvexHull> solids) {
         const Vector3 low(lines[0][i - 1], lines[1][j - 1], lines[2][k - 1]);
         const Vector3 high(lines[0][i], lines[1][j], lines[2][k]);
         const Vector3 middle = (low + high) / 2;
-        const bool filled = std::ranges::any_of(solids, [&](const geometry::ConvexHull& solid) {
-          return Contains(solid, middle, 0);
-        });
+        const bool filled = std::ranges::any_of(
+            solids, [&](const geometry::ConvexHull& solid) { return Contains(solid, middle, 0); });
         if (!filled) continue;
         volume += (high - low).prod();
         moment += (high - low).prod() * middle;

@@ -13,7 +13,7 @@ namespace assay::uncertainty {
 namespace {
 
 constexpr double kParallelEdges = 1e-6;  // sine of the angle between edges
-constexpr double kOpposite = 1e-9;        // length of the sum of opposite unit normals
+constexpr double kOpposite = 1e-9;       // length of the sum of opposite unit normals
 constexpr double kAhead = 1e-12;         // metres: less than this is rounding
 
 Expression Along(const Vector3& direction, const SymbolicVector& p) {
@@ -114,10 +114,7 @@ StraightWay WayOf(const UncertainWorld& world, const Vector3& planned, const Exp
 }
 
 Body::Body(const PossibleFrame& frame, const geometry::ConvexHull& solid, const StraightWay& way)
-    : frame_(&frame),
-      solid_(solid),
-      way_(way),
-      planned_(Transformed(solid, frame.planned)) {
+    : frame_(&frame), solid_(solid), way_(way), planned_(Transformed(solid, frame.planned)) {
   double radius = 0;
   for (const Vector3& vertex : solid.vertices) radius = std::max(radius, vertex.norm());
   turned_ = radius * frame.angle + way.doubt;

@@ -60,7 +60,7 @@ class Body {
   const std::vector<Vector3>& normals() const { return normals_; }
   const std::vector<Vector3>& edges() const { return edges_; }  // directions of the hull's edges
   bool has_way() const { return way_.planned.norm() > 0; }
-  Interval ReachAlong(const Vector3& direction) const;     // range of the body along a direction
+  Interval ReachAlong(const Vector3& direction) const;  // range of the body along a direction
   // Returns how far the body's points may be off, in any direction, apart from the displacement of
   // the frame: metres.
   double turned() const { return turned_; }

@@ -191,7 +191,8 @@ TEST(HullDeathTest, FlatPointsStopTheProgram) {
 TEST(LowestPoint, IsTheLowestCorner) {
   RandomStream random(kSeed, "lowest");
   for (int i = 0; i < 100; ++i) {
-    const std::array<Box, 2> boxes = {oracle::RandomBox(random, 1.0, 0.1, 0.8), oracle::RandomBox(random, 1.0, 0.1, 0.8)};
+    const std::array<Box, 2> boxes = {oracle::RandomBox(random, 1.0, 0.1, 0.8),
+                                      oracle::RandomBox(random, 1.0, 0.1, 0.8)};
     double lowest = 10;
     for (const Box& box : boxes) {
       for (const Vector3& corner : box.Corners()) lowest = std::min(lowest, corner.z());
@@ -229,7 +230,8 @@ TEST(FacetsByAxis, OfAnAlignedBoxGoFromLowXToHighZ) {
   const ConvexHull cube = HullOf(Box::FromCorners(Vector3::Zero(), Vector3::Ones()));
   const auto sides = FacetsByAxis(cube);
   for (std::size_t i = 0; i < 6; ++i) {
-    EXPECT_EQ(sides[i]->normal, Vector3((i % 2 == 0 ? -1 : 1) * Vector3::Unit(static_cast<int>(i / 2))));
+    EXPECT_EQ(sides[i]->normal,
+              Vector3((i % 2 == 0 ? -1 : 1) * Vector3::Unit(static_cast<int>(i / 2))));
   }
 }
 

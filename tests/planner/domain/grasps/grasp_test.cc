@@ -6,8 +6,7 @@
 #include <set>
 
 #include "planner/domain/parts/part_model.h"
-#include "tests/oracle/box_pair.h"
-#include "tests/oracle/part_boxes.h"
+#include "planner/geometry/solids/separation.h"
 #include "tests/oracle/random_pose.h"
 #include "tests/planner/domain/parts.h"
 #include "tests/planner/domain/turned_part.h"
@@ -35,7 +34,8 @@ Vector3 ApproachOf(const Grasp& grasp) { return grasp.X_PartTool.linear().col(2)
 Vector3 ClosingOf(const Grasp& grasp) { return grasp.X_PartTool.linear().col(1); }
 
 bool IsSolid(const PartModel& part, const Vector3& p) {
-  return std::ranges::any_of(oracle::BoxesOf(part), [&](const Box& box) { return box.Contains(p, 0); });
+  return std::ranges::any_of(part.pieces(),
+                             [&](const auto& piece) { return Contains(piece, p, 0); });
 }
 
 bool IsAcross(const Grasp& grasp, int axis) { return std::abs(ClosingOf(grasp)[axis]) > 0.99; }
@@ -197,8 +197,9 @@ TEST(GraspTest, HiddenFeaturesAreThoseUnderSampledPoints) {
 
 bool Collides(const PartModel& part, const std::vector<Box>& gripper, const Pose& X_PartTool) {
   for (const Box& box : gripper) {
-    for (const Box& other : oracle::BoxesOf(part)) {
-      if (oracle::Separation(box.Transformed(X_PartTool), other) < -2 * kAllowance) return true;
+    for (const geometry::ConvexHull& other : part.pieces()) {
+      if (geometry::Separation(HullOf(box.Transformed(X_PartTool)), other) < -2 * kAllowance)
+        return true;
     }
   }
   return false;

@@ -5,8 +5,7 @@
 #include <algorithm>
 #include <numbers>
 
-#include "tests/oracle/box_pair.h"
-#include "tests/oracle/part_boxes.h"
+#include "planner/geometry/solids/separation.h"
 #include "tests/oracle/random_pose.h"
 #include "tests/planner/domain/parts.h"
 
@@ -24,8 +23,9 @@ double DeepestOverlap(const PartModel& part, const std::vector<Box>& gripper,
                       const Pose& X_PartTool) {
   double deepest = -1e9;
   for (const Box& box : gripper) {
-    for (const Box& other : oracle::BoxesOf(part)) {
-      deepest = std::max(deepest, -oracle::Separation(box.Transformed(X_PartTool), other));
+    for (const geometry::ConvexHull& other : part.pieces()) {
+      deepest =
+          std::max(deepest, -geometry::Separation(HullOf(box.Transformed(X_PartTool)), other));
     }
   }
   return deepest;

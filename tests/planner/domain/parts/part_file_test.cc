@@ -4,7 +4,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "tests/oracle/part_boxes.h"
+#include <algorithm>
+#include <cmath>
+
+#include "planner/domain/matings/shaft_fit.h"
+#include "planner/domain/parts/exposed_faces.h"
+#include "planner/geometry/planar_region.h"
 #include "tests/planner/domain/parts.h"
 
 namespace assay::domain::part_file_test {
@@ -58,7 +63,7 @@ TEST(PartFileTest, ReadsEverything) {
   EXPECT_EQ(part->FindFeature(FeatureNumber(1))->description, "bottom");
   EXPECT_EQ(part->FindFeature(FeatureNumber(2))->description, "shaft");
   EXPECT_FALSE(part->FindStablePose("upright").IsNone());
-  ASSERT_EQ(part->colors().size(), oracle::BoxesOf(*part).size());
+  ASSERT_EQ(part->colors().size(), part->pieces().size());
   EXPECT_EQ(part->colors().front(), Eigen::Vector4f(1, 0, 0, 1));
 }
 
@@ -67,7 +72,7 @@ TEST(PartFileTest, ShaftsAndHolesMayBeChamfered) {
   const auto part = ParsePart(text);
   EXPECT_NEAR(part->FindFeature(FeatureNumber(2))->chamfer, 0.0015, 1e-15);
   EXPECT_EQ(part->FindFeature(FeatureNumber(3))->chamfer, 0);
-  EXPECT_EQ(part->mass().mass, ParsePart(kFile)->mass().mass) << "the boxes do not show it";
+  EXPECT_EQ(part->mass().mass, ParsePart(kFile)->mass().mass) << "the solids do not show it";
 }
 
 TEST(PartFileTest, EveryPartOfTheRepositoryLoads) {
@@ -76,6 +81,101 @@ TEST(PartFileTest, EveryPartOfTheRepositoryLoads) {
       const auto part = LoadPart(name, clearance);
       EXPECT_EQ(part->name(), name);
       for (const StablePose& pose : part->stable_poses()) EXPECT_NE(pose.name, "") << name;
+    }
+  }
+}
+
+// A round flange with a round shaft on one side and a round blind hole on the other.
+const std::string kRound = R"(format: assay-part/1
+name: flange
+initial: F
+units: {length: mm, angle: degree}
+density: 1000
+friction: 0.3
+solids:
+  plate: {cylinder: {from: [0, 0, 0], to: [0, 0, 10], radius: 40, sides: 64}}
+  shaft: {cylinder: {from: [5, 0, 10], to: [5, 0, 60], radius: 8, sides: 64}}
+pockets:
+  hole: {cut_from: plate, cylinder: {from: [-10, 0, 0], to: [-10, 0, 8], radius: 8, sides: 64}, widen: across}
+features:
+  1-2: {faces: plate, normals: [-z, +z], what: [base, shoulder]}
+  3: {shaft: shaft, axis: +z, what: round shaft}
+  4: {hole: hole, axis: -z, what: round hole}
+stable_poses: {on-base: -z}
+)";
+
+TEST(PartFileTest, RoundShaftsAndHolesHaveAWallForEachSide) {
+  for (const double clearance : {0.0, 0.0005}) {
+    const auto part = ParsePart(kRound, clearance);
+    const Feature& shaft = *part->FindFeature(FeatureNumber(3));
+    EXPECT_EQ(shaft.faces.size(), 64u + 1) << "the sides and the tip, and not the covered end";
+    EXPECT_LT((shaft.X_PartFeature.translation() - Vector3(0.005, 0, 0.06)).norm(), 1e-9);
+    EXPECT_LT((shaft.X_PartFeature.linear().col(2) - Vector3::UnitZ()).norm(), 1e-9);
+    const Feature& hole = *part->FindFeature(FeatureNumber(4));
+    ASSERT_EQ(hole.mouths.size(), 1u);
+    EXPECT_EQ(hole.walls.size(), 64u + 1) << "the sides and the floor";
+    EXPECT_LT((hole.X_PartFeature.translation() - Vector3(-0.01, 0, 0)).norm(), 1e-9);
+    EXPECT_EQ(std::ranges::count(hole.walls, true, &Wall::moves_with_clearance), 64);
+    const double apothem = (0.008 + clearance) * std::cos(M_PI / 64);
+    for (const Wall& wall : hole.walls) {
+      const Face& face = part->faces()[wall.face.index()];
+      if (!wall.moves_with_clearance) continue;
+      const double from_axis = face.normal.dot(Vector3(-0.01, 0, 0)) - face.offset;
+      EXPECT_NEAR(from_axis, apothem, 1e-9);
+    }
+    EXPECT_EQ(part->FindFeature(FeatureNumber(1))->description, "base");
+    EXPECT_FALSE(part->FindStablePose("on-base").IsNone());
+  }
+}
+
+TEST(PartFileTest, RoundSectionsAreRecognized) {
+  const auto section = [](int sides, double stretch) {
+    geometry::Polygon polygon;
+    for (int i = 0; i < sides; ++i) {
+      const double angle = 2 * M_PI * i / sides;
+      polygon.emplace_back(0.01 * stretch * std::cos(angle), 0.01 * std::sin(angle));
+    }
+    return polygon;
+  };
+  for (const int sides : {16, 32, 100}) {
+    ASSERT_TRUE(RadiusOfRound(section(sides, 1)).has_value());
+    EXPECT_NEAR(*RadiusOfRound(section(sides, 1)), 0.01, 1e-12);
+    EXPECT_FALSE(RadiusOfRound(section(sides, 1.001)).has_value());
+  }
+  EXPECT_FALSE(RadiusOfRound(section(8, 1)).has_value()) << "an octagon is no circle";
+}
+
+// A part is the same whether it is written as boxes, as prisms or as hulls.
+TEST(PartFileTest, KindsOfShapesAgree) {
+  const auto with_body = [](const std::string& shape) {
+    return ParsePart(With("box: [[0, 0, 0], [60, 40, 20]]", shape), 0.001);
+  };
+  const auto boxes = ParsePart(kFile, 0.001);
+  for (const std::string shape :
+       {"prism: {outline: [[0, 0], [60, 0], [60, 40], [0, 40]], from: 0, to: 20}",
+        "prism: {outline: [[0, 0], [0, 60], [20, 60], [20, 0]], axis: y, from: 0, to: 40}",
+        "hull: [[0, 0, 0], [60, 0, 0], [0, 40, 0], [60, 40, 0], [0, 0, 20], [60, 0, 20], "
+        "[0, 40, 20], [60, 40, 20], [30, 20, 10]]"}) {
+    const auto other = with_body(shape);
+    EXPECT_NEAR(other->mass().mass, boxes->mass().mass, 1e-12) << shape;
+    EXPECT_LT((other->mass().center - boxes->mass().center).norm(), 1e-12) << shape;
+    EXPECT_LT((other->mass().inertia - boxes->mass().inertia).norm(), 1e-15) << shape;
+    ASSERT_EQ(other->stable_poses().size(), boxes->stable_poses().size()) << shape;
+    for (std::size_t i = 0; i < boxes->stable_poses().size(); ++i) {
+      EXPECT_TRUE(other->stable_poses()[i].X_TablePart.isApprox(
+          boxes->stable_poses()[i].X_TablePart, 1e-9));
+    }
+    ASSERT_EQ(other->faces().size(), boxes->faces().size()) << shape;
+    for (const Face& face : boxes->faces()) {
+      const FaceId id = FindFace(other->faces(), face.normal, face.offset);
+      ASSERT_FALSE(id.IsNone()) << shape;
+      EXPECT_NEAR(geometry::Area(other->faces()[id.index()].patches), geometry::Area(face.patches),
+                  1e-12);
+    }
+    for (const Feature& feature : boxes->features()) {
+      const Feature* same = other->FindFeature(feature.number);
+      EXPECT_TRUE(same->X_PartFeature.isApprox(feature.X_PartFeature, 1e-9)) << shape;
+      EXPECT_EQ(same->walls.size(), feature.walls.size()) << shape;
     }
   }
 }
@@ -136,6 +236,12 @@ TEST(PartFileTest, EachSlipIsNamed) {
       {"axis: [1, 0, 0]}", "axis: [1, 0, 0], chamfer: 30}", "allowed: 0 mm to 20 mm"},
       {"axis: [1, 0, 0]}", "axis: [1, 0, 0], chamfr: 1}", "did you mean 'chamfer'"},
       {"what: bottom", "chamfer: 1", "unknown key 'chamfer'"},
+      {"  1: {face: body, normal: [0, 0, -1], what: bottom}",
+       "  1-3: {faces: body, normals: [-z, +x], what: [bottom, front]}", "such as 1-2"},
+      {"  1: {face: body, normal: [0, 0, -1], what: bottom}",
+       "  1-2: {faces: body, normals: [-z, +x], what: [bottom]}", "1 names of 2 faces"},
+      {"normal: [0, 0, -1]", "normal: +w", "+x, -x"},
+      {"widen: [y]", "widen: across", "a box is not widened across an axis"},
       {"solids:\n", "solids: {}\nextra:\n", "unknown key 'extra'"},
   };
   for (const Slip& slip : slips) {

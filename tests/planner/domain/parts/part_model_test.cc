@@ -8,7 +8,6 @@
 #include "planner/domain/parts/exposed_faces.h"
 #include "planner/domain/parts/part_file.h"
 #include "planner/geometry/planar_region.h"
-#include "tests/oracle/part_boxes.h"
 #include "tests/oracle/random_pose.h"
 #include "tests/planner/domain/parts.h"
 
@@ -42,7 +41,8 @@ void ExpectClosedSurface(const PartModel& part, double volume, double tolerance)
 }
 
 bool IsSolid(const PartModel& part, const Vector3& p) {
-  return std::ranges::any_of(oracle::BoxesOf(part), [&](const auto& box) { return box.Contains(p, 0); });
+  return std::ranges::any_of(part.pieces(),
+                             [&](const auto& piece) { return Contains(piece, p, 0); });
 }
 
 FaceId FaceAt(const PartModel& part, const Vector3& normal, double offset) {
@@ -59,10 +59,9 @@ Polygon SquareAround(const Face& face, const Vector3& center, double half) {
 }
 
 void ExpectSameGeometry(const PartModel& a, const PartModel& b) {
-  ASSERT_EQ(oracle::BoxesOf(a).size(), oracle::BoxesOf(b).size());
-  for (std::size_t i = 0; i < oracle::BoxesOf(a).size(); ++i) {
-    EXPECT_EQ(oracle::BoxesOf(a)[i].X_FrameBox.matrix(), oracle::BoxesOf(b)[i].X_FrameBox.matrix());
-    EXPECT_EQ(oracle::BoxesOf(a)[i].half_extents, oracle::BoxesOf(b)[i].half_extents);
+  ASSERT_EQ(a.pieces().size(), b.pieces().size());
+  for (std::size_t i = 0; i < a.pieces().size(); ++i) {
+    EXPECT_EQ(a.pieces()[i].vertices, b.pieces()[i].vertices);
     EXPECT_EQ(a.colors()[i], b.colors()[i]);
   }
   EXPECT_EQ(a.mass().mass, b.mass().mass);
@@ -170,7 +169,9 @@ TEST(PartModelTest, TheShoulderOfThePegIsARingAroundTheShaft) {
 TEST(PartModelTest, SurfacesAreClosed) {
   for (const std::string& name : PartNames()) {
     const auto part = LoadPart(name);
-    ExpectClosedSurface(*part, part->mass().mass / 700, 1e-12);
+    // Walls that meet at an obtuse angle each cover 0.1 micrometres of the other.
+    const double strips = name == "octagonal-block" ? 1e-9 : 1e-12;
+    ExpectClosedSurface(*part, part->mass().mass / 700, strips);
   }
 }
 

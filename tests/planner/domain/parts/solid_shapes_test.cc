@@ -34,7 +34,8 @@ double VolumeOf(const SolidShape& shape) {
 }
 
 bool IsIn(const SolidShape& shape, const Vector3& p) {
-  return std::ranges::any_of(shape.pieces, [&](const auto& piece) { return Contains(piece, p, 1e-12); });
+  return std::ranges::any_of(shape.pieces,
+                             [&](const auto& piece) { return Contains(piece, p, 1e-12); });
 }
 
 TEST(SolidShapes, VolumesHaveTheirClosedForms) {
@@ -55,8 +56,9 @@ TEST(SolidShapes, VolumesHaveTheirClosedForms) {
     EXPECT_NEAR(VolumeOf(Shape("cone: {" + axle + ", radii: [2, 1]}")),
                 around * 10 * (4 + 2 + 1) / 3, 1e-6);
     EXPECT_NEAR(VolumeOf(Shape("cone: {" + axle + ", radii: [0, 3]}")), around * 10 * 9 / 3, 1e-6);
-    EXPECT_NEAR(VolumeOf(Shape("prism: {regular: {" + count + ", across_flats: 4}, from: 0, to: 10}")),
-                around * 4 * 10, 1e-6);
+    EXPECT_NEAR(
+        VolumeOf(Shape("prism: {regular: {" + count + ", across_flats: 4}, from: 0, to: 10}")),
+        around * 4 * 10, 1e-6);
   }
 }
 
@@ -64,31 +66,40 @@ TEST(SolidShapes, VolumesHaveTheirClosedForms) {
 TEST(SolidShapes, RoundSolidsAreAroundTheCircleAndRoundPocketsWithinIt) {
   RandomStream random(kSeed, "round");
   for (const int sides : {4, 12, 64}) {
-    const std::string text = fmt::format(
-        "cylinder: {{from: [10, 0, 0], to: [30, 15, 5], radius: 7, sides: {}}}", sides);
+    const std::string text =
+        fmt::format("cylinder: {{from: [10, 0, 0], to: [30, 15, 5], radius: 7, sides: {}}}", sides);
     const SolidShape around = Shape(text, Roundness::kAround);
     const SolidShape within = Shape(text, Roundness::kWithin);
     const Vector3 from(0.01, 0, 0);
     const Vector3 to(0.03, 0.015, 0.005);
     const Vector3 axis = (to - from).normalized();
     for (int i = 0; i < 2000; ++i) {
-      const Vector3 across = Vector3(random.Uniform(-1, 1), random.Uniform(-1, 1), random.Uniform(-1, 1));
+      const Vector3 across =
+          Vector3(random.Uniform(-1, 1), random.Uniform(-1, 1), random.Uniform(-1, 1));
       const Vector3 radial = (across - axis.dot(across) * axis).normalized();
       const double radius = random.Uniform(0, 0.011);
       const Vector3 p = from + random.Uniform(0.01, 0.99) * (to - from) + radius * radial;
-      if (radius < 0.007) EXPECT_TRUE(IsIn(around, p)) << "seed " << kSeed;
-      if (radius > 0.007 / std::cos(kPi / sides) + 1e-9) EXPECT_FALSE(IsIn(around, p));
-      if (radius > 0.007) EXPECT_FALSE(IsIn(within, p)) << "seed " << kSeed;
-      if (radius < 0.007 * std::cos(kPi / sides) - 1e-9) EXPECT_TRUE(IsIn(within, p));
+      if (radius < 0.007) {
+        EXPECT_TRUE(IsIn(around, p)) << "seed " << kSeed;
+      }
+      if (radius > 0.007 / std::cos(kPi / sides) + 1e-9) {
+        EXPECT_FALSE(IsIn(around, p));
+      }
+      if (radius > 0.007) {
+        EXPECT_FALSE(IsIn(within, p)) << "seed " << kSeed;
+      }
+      if (radius < 0.007 * std::cos(kPi / sides) - 1e-9) {
+        EXPECT_TRUE(IsIn(within, p));
+      }
     }
   }
 }
 
 TEST(SolidShapes, APrismLiesAlongItsAxis) {
   for (int axis = 0; axis < 3; ++axis) {
-    const SolidShape prism =
-        Shape(fmt::format("prism: {{outline: [[0, 0], [2, 0], [2, 3], [0, 3]], axis: {}, from: 5, to: 6}}",
-                          "xyz"[axis]));
+    const SolidShape prism = Shape(fmt::format(
+        "prism: {{outline: [[0, 0], [2, 0], [2, 3], [0, 3]], axis: {}, from: 5, to: 6}}",
+        "xyz"[axis]));
     Vector3 low = Vector3::Zero();
     Vector3 high;
     high[(axis + 1) % 3] = 0.002;
@@ -145,13 +156,14 @@ TEST(SolidShapes, EachSlipIsNamed) {
            {"cylinder: {from: [0, 0, 0], to: [0, 0, 1], radius: 0}", "out of range"},
            {"cylinder: {from: [0, 0, 0], to: [0, 0, 1], radius: 1, sides: 6}", "no multiple of 4"},
            {"cylinder: {from: [0, 0, 0], to: [0, 0, 1], radius: 1, sides: 1000}", "256"},
-           {"cylinder: {from: [0, 0, 0], to: [0, 0, 1], diameter: 1}", "did you mean"},
+           {"cylinder: {from: [0, 0, 0], to: [0, 0, 1], diameter: 1}", "allowed: from, to, radius"},
            {"cone: {from: [0, 0, 0], to: [0, 0, 1], radii: [0, 0]}", "both ends"},
            {"cone: {from: [0, 0, 0], to: [0, 0, 1], radii: [1]}", "two radii, not 1"},
            {"hull: [[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0]]", "in one plane"},
            {"prism: {outline: [[0, 0], [1, 1], [1, 0], [0, 1]], from: 0, to: 1}", "sides meet"},
            {"prism: {outline: [[0, 0], [1, 0], [1, 1]], from: 1, to: 0}", "long"},
-           {"prism: {outline: [[0, 0], [9, 0], [9, 9]], holes: [[[0, 0], [1, 0], [1, 1]]], from: 0, to: 1}",
+           {"prism: {outline: [[0, 0], [9, 0], [9, 9]], holes: [[[0, 0], [1, 0], [1, 1]]], from: "
+            "0, to: 1}",
             "not inside"},
            {"prism: {outline: [[0, 0], [9, 0], [9, 9], [0, 9]], holes: [[[1, 1], [3, 1], [2, 3]], "
             "[[2, 2], [4, 2], [3, 4]]], from: 0, to: 1}",

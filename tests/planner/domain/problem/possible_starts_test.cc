@@ -6,8 +6,7 @@
 
 #include "planner/base/random.h"
 #include "planner/domain/parts/part_model.h"
-#include "tests/oracle/box_pair.h"
-#include "tests/oracle/part_boxes.h"
+#include "planner/geometry/solids/separation.h"
 #include "tests/planner/domain/scenario.h"
 
 namespace assay::domain::possible_starts_test {
@@ -88,11 +87,9 @@ TEST(PossibleStarts, PartsOnEachOtherNeverOverlap) {
 }
 
 bool BoxesOverlap(const Part& a, const Pose& X_WorldA, const Part& b, const Pose& X_WorldB) {
-  for (geometry::Box of_a : oracle::BoxesOf(*a.model)) {
-    of_a.X_FrameBox = X_WorldA * of_a.X_FrameBox;
-    for (geometry::Box of_b : oracle::BoxesOf(*b.model)) {
-      of_b.X_FrameBox = X_WorldB * of_b.X_FrameBox;
-      if (oracle::Separation(of_a, of_b) < -1e-7) return true;
+  for (const geometry::ConvexHull& of_a : Transformed(a.model->pieces(), X_WorldA)) {
+    for (const geometry::ConvexHull& of_b : Transformed(b.model->pieces(), X_WorldB)) {
+      if (geometry::Separation(of_a, of_b) < -1e-7) return true;
     }
   }
   return false;

@@ -12,7 +12,6 @@
 #include <sstream>
 
 #include "planner/base/random.h"
-#include "tests/oracle/part_boxes.h"
 #include "tests/planner/domain/scenario.h"
 #include "tests/scratch_file.h"
 
@@ -298,9 +297,9 @@ TEST(Overrides, AClearanceIsAsIfTheFileSaidSo) {
   for (std::size_t p = 0; p < written.parts.size(); ++p) {
     const PartModel& a = *overridden.parts[p].model;
     const PartModel& b = *written.parts[p].model;
-    ASSERT_EQ(oracle::BoxesOf(a).size(), oracle::BoxesOf(b).size());
-    for (std::size_t i = 0; i < oracle::BoxesOf(a).size(); ++i) {
-      EXPECT_EQ(oracle::BoxesOf(a)[i].half_extents, oracle::BoxesOf(b)[i].half_extents);
+    ASSERT_EQ(a.pieces().size(), b.pieces().size());
+    for (std::size_t i = 0; i < a.pieces().size(); ++i) {
+      EXPECT_EQ(a.pieces()[i].vertices, b.pieces()[i].vertices);
     }
   }
 }

@@ -13,15 +13,14 @@
 #include <utility>
 
 #include "planner/base/random.h"
-#include "planner/geometry/solids/convex_cut.h"
 #include "planner/geometry/hull.h"
+#include "planner/geometry/solids/convex_cut.h"
 #include "tests/oracle/random_pose.h"
 
 namespace assay::finemotion::polyhedron_test {
 namespace {
 
 using geometry::Box;
-using geometry::ConvexHull;
 using geometry::ConvexHull;
 using geometry::Facet;
 using oracle::RandomPose;

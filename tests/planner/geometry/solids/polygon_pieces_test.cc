@@ -19,8 +19,8 @@ Ring RandomStar(RandomStream& random, const Vector2& center, double reach) {
   const int corners = 3 + random.Index(14);
   for (int i = 0; i < corners; ++i) {
     const double angle = 2 * std::numbers::pi * (i + random.Uniform(0, 0.8)) / corners;
-    ring.push_back(center + random.Uniform(0.2, 1) * reach *
-                                Vector2(std::cos(angle), std::sin(angle)));
+    ring.push_back(center +
+                   random.Uniform(0.2, 1) * reach * Vector2(std::cos(angle), std::sin(angle)));
   }
   return ring;
 }
@@ -53,7 +53,8 @@ TEST(ConvexPieces, AreExactlyThePolygonWithItsHoles) {
     if (trial % 2 == 0) std::ranges::reverse(outline);
     std::vector<Ring> holes;
     for (int i = random.Index(3); i > 0; --i) {
-      const Ring hole = RandomStar(random, {random.Uniform(-0.4, 0.4), random.Uniform(-0.4, 0.4)}, 0.15);
+      const Ring hole =
+          RandomStar(random, {random.Uniform(-0.4, 0.4), random.Uniform(-0.4, 0.4)}, 0.15);
       const bool fits = IsInside(outline, hole.front()) && !SidesMeet(hole, outline) &&
                         std::ranges::none_of(holes, [&](const Ring& other) {
                           return SidesMeet(hole, other) || IsInside(other, hole.front()) ||

@@ -13,9 +13,7 @@ namespace {
 constexpr std::uint64_t kSeed = 11;
 constexpr int kPairs = 2000;
 
-double Separation(const Box& a, const Box& b) {
-  return geometry::Separation(HullOf(a), HullOf(b));
-}
+double Separation(const Box& a, const Box& b) { return geometry::Separation(HullOf(a), HullOf(b)); }
 
 Box RandomBox(RandomStream& random) { return oracle::RandomBox(random, 1.0, 0.1, 0.8); }
 

@@ -42,7 +42,10 @@ TEST(CenterOfMass, AgreesWithMassOfForRandomAlignedBoxes) {
       const Vector3 low = oracle::RandomVector(random, 1);
       boxes.push_back(Box::FromCorners(low, low + Vector3(random.Uniform(0.1, 1), 0.5, 0.4)));
     }
-    EXPECT_LT((CenterOfMass(geometry::HullsOf(boxes)) - geometry::MassOf(geometry::HullsOf(boxes), 1).center).norm(), 1e-9)
+    EXPECT_LT((CenterOfMass(geometry::HullsOf(boxes)) -
+               geometry::MassOf(geometry::HullsOf(boxes), 1).center)
+                  .norm(),
+              1e-9)
         << "seed " << kSeed << " trial " << trial;
   }
 }

@@ -131,7 +131,8 @@ TEST(Measurement, HandClearIsTheHandsDistanceFromAnotherPart) {
     events.acted = &acted;
     const double observed = Observed(Measured(plan::condition::kHandClear, pickup, events),
                                      "the hand stays clear of block");
-    ExpectMeasured(Sampled(oracle::BoxesOf(*block.model), X_WorldBlock, hand, acted.tool.truth), observed);
+    ExpectMeasured(Sampled(oracle::BoxesOf(*block.model), X_WorldBlock, hand, acted.tool.truth),
+                   observed);
     overlaps += observed == kOverlap;
   }
   EXPECT_GT(overlaps, 2);
