@@ -7,8 +7,8 @@
 
 #include "planner/base/input_files/input_error.h"
 #include "planner/domain/parts/part_model.h"
+#include "planner/geometry/solids/separation.h"
 #include "sim/noise/sampling.h"
-#include "tests/oracle/box_pair.h"
 #include "tests/planner/domain/scenario.h"
 
 namespace assay::noise::possible_start_test {
@@ -58,11 +58,11 @@ class PossibleStartTest : public testing::Test {
     const Pose X_WorldBlock = noise.TruePose(kBlock, problem_.part(kBlock).X_WorldPart);
     const Pose X_WorldBrick = noise.TruePose(kBrick, problem_.part(kBrick).X_WorldPart);
     double least = 1;
-    for (geometry::Box of_block : problem_.part(kBlock).model->boxes()) {
-      of_block.X_FrameBox = X_WorldBlock * of_block.X_FrameBox;
-      for (geometry::Box of_brick : problem_.part(kBrick).model->boxes()) {
-        of_brick.X_FrameBox = X_WorldBrick * of_brick.X_FrameBox;
-        least = std::min(least, oracle::Separation(of_block, of_brick));
+    for (const auto& of_block :
+         Transformed(problem_.part(kBlock).model->pieces(), X_WorldBlock)) {
+      for (const auto& of_brick :
+           Transformed(problem_.part(kBrick).model->pieces(), X_WorldBrick)) {
+        least = std::min(least, geometry::Separation(of_block, of_brick));
       }
     }
     return least;

@@ -470,12 +470,6 @@ Heap RandomHeap(RandomStream& random) {
   return heap;
 }
 
-bool Contains(const ConvexHull& hull, const Vector3& p, double tolerance) {
-  return std::ranges::all_of(hull.facets, [&](const Facet& facet) {
-    return facet.normal.dot(p) <= facet.offset + tolerance;
-  });
-}
-
 bool InAny(const Heap& heap, const Vector3& p, double tolerance) {
   return std::ranges::any_of(heap.hulls,
                              [&](const ConvexHull& hull) { return Contains(hull, p, tolerance); });
