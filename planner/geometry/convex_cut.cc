@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "planner/base/check.h"
+#include "planner/geometry/rounded_hull.h"
 
 namespace assay::geometry {
 namespace {
@@ -104,7 +105,7 @@ Plane PlaneOf(const Facet& facet) { return {facet.normal, facet.offset}; }
 Plane Reversed(const Plane& plane) { return {-plane.normal, -plane.height}; }
 
 // Volume and its first two moments about a point.
-struct Moments {
+struct SolidMoments {
   double volume = 0;
   Vector3 first = Vector3::Zero();
   Matrix3 second = Matrix3::Zero();
@@ -214,16 +215,10 @@ Polygon ShadowBetween(const ConvexHull& solid, double low, double high) {
   return Hull2(points);
 }
 
-double Volume(const ConvexHull& solid) {
-  Moments moments;
-  moments.Add(solid, solid.vertices.front());
-  return moments.volume;
-}
-
 MassProperties MassOf(std::span<const ConvexHull> solids, double density) {
   ASSAY_CHECK(!solids.empty() && density > 0);
   const Vector3 about = solids.front().vertices.front();
-  Moments moments;
+  SolidMoments moments;
   for (const ConvexHull& piece : Disjoint(solids)) moments.Add(piece, about);
   MassProperties mass;
   mass.mass = density * moments.volume;

@@ -8,6 +8,7 @@
 #include "planner/geometry/hull.h"
 #include "planner/geometry/outline.h"
 #include "planner/geometry/polygon.h"
+#include "planner/geometry/rounded_hull.h"
 
 namespace assay::geometry {
 
@@ -36,7 +37,6 @@ std::optional<ConvexHull> Inset(const ConvexHull& solid, double depth);
 // corners, the solid is not between the planes, or only touches them.
 Polygon ShadowBetween(const ConvexHull& solid, double low, double high);
 
-double Volume(const ConvexHull& solid);
 // Returns the mass properties of a union of solids, exactly. Overlaps count once.
 MassProperties MassOf(std::span<const ConvexHull> solids, double density);
 

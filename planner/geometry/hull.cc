@@ -1,8 +1,10 @@
 #include "planner/geometry/hull.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <ranges>
+#include <tuple>
 
 extern "C" {
 #include <libqhull_r/qhull_ra.h>
@@ -170,16 +172,55 @@ ConvexHull Assemble(const std::vector<FacetOutline>& outlines, std::span<const V
   return hull;
 }
 
+// The key by which FacetsByAxis sorts. Components that differ by rounding count as equal.
+std::tuple<int, bool, long, long, long> AxisKey(const Vector3& normal) {
+  constexpr double kSame = 1e-6;
+  int axis = 0;
+  for (int i = 1; i < 3; ++i) {
+    if (std::abs(normal[i]) > std::abs(normal[axis]) + kSame) axis = i;
+  }
+  const auto rounded = [&](int i) { return std::lround(normal[i] / kSame); };
+  return {axis, normal[axis] > 0, rounded(0), rounded(1), rounded(2)};
+}
+
+// Returns the axes of a box: normals of three sides that are perpendicular to each other. Axes that
+// are those of the frame but for rounding are exactly these. Returns none if the facets are not the
+// sides of a box.
+std::optional<Matrix3> BoxAxes(const ConvexHull& hull) {
+  constexpr double kBoxAligned = 1e-9;
+  if (hull.facets.size() != 6 || hull.vertices.size() != 8) return std::nullopt;
+  std::vector<const Facet*> facets = FacetsByAxis(hull);
+  Matrix3 axes;
+  for (int axis = 0; axis < 3; ++axis) {
+    const Vector3 first = facets.front()->normal;
+    const auto opposite = std::ranges::find_if(
+        facets, [&](const Facet* facet) { return (facet->normal + first).norm() < kBoxAligned; });
+    if (opposite == facets.end()) return std::nullopt;
+    axes.col(axis) = (*opposite)->normal;
+    facets.erase(opposite);
+    facets.erase(facets.begin());
+  }
+  if (!(axes.transpose() * axes).isIdentity(kBoxAligned)) return std::nullopt;
+  if (axes.determinant() < 0) axes.col(2) = -axes.col(2);
+  const Matrix3 whole = axes.array().round();
+  return (axes - whole).cwiseAbs().maxCoeff() < kBoxAligned ? whole : axes;
+}
+
 }  // namespace
 
 // Qhull gives the planes of the facets. The points on each plane and their order are determined
 // here with one tolerance, so that repeated and coplanar points cannot cause gaps or slivers.
 // Facets are sorted by their loops, so that their order does not depend on the frame of the points.
 ConvexHull HullOf(std::span<const Vector3> points) {
+  Eigen::AlignedBox3d bounds;
+  for (const Vector3& p : points) bounds.extend(p);
+  return HullOf(points, kTolerance * bounds.diagonal().norm());
+}
+
+ConvexHull HullOf(std::span<const Vector3> points, double tolerance) {
   ASSAY_CHECK(points.size() >= 4, "{} points do not span three dimensions", points.size());
   Eigen::AlignedBox3d bounds;
   for (const Vector3& p : points) bounds.extend(p);
-  const double tolerance = kTolerance * bounds.diagonal().norm();
   const std::vector<int> kept = FirstOccurrences(points, tolerance);
   std::vector<Vector3> centered;
   for (int i : kept) centered.push_back(points[i] - bounds.center());
@@ -206,6 +247,24 @@ ConvexHull HullOf(const Box& box) {
   return HullWith(
       {corners.begin(), corners.end()},
       {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}});
+}
+
+std::optional<Box> AsBox(const ConvexHull& hull) {
+  const std::optional<Matrix3> axes = BoxAxes(hull);
+  if (!axes) return std::nullopt;
+  Eigen::AlignedBox3d bounds;  // along the axes
+  for (const Vector3& vertex : hull.vertices) bounds.extend(axes->transpose() * vertex);
+  Box box{Pose::Identity(), bounds.sizes() / 2};
+  box.X_FrameBox.linear() = *axes;
+  box.X_FrameBox.translation() = *axes * bounds.center();
+  return box;
+}
+
+std::vector<const Facet*> FacetsByAxis(const ConvexHull& hull) {
+  std::vector<const Facet*> facets;
+  for (const Facet& facet : hull.facets) facets.push_back(&facet);
+  std::ranges::stable_sort(facets, {}, [](const Facet* facet) { return AxisKey(facet->normal); });
+  return facets;
 }
 
 }  // namespace assay::geometry

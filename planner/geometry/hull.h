@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -23,10 +24,21 @@ struct ConvexHull {
 // Returns the convex hull of points that span three dimensions (checked). The order of vertices and
 // facets depends only on the points. (Qhull: Barber, Dobkin and Huhdanpaa 1996.)
 ConvexHull HullOf(std::span<const Vector3> points);
+// Returns the convex hull of points that are known up to `tolerance` metres: points closer than
+// this are one point, and points closer than this to a plane or line lie on it.
+ConvexHull HullOf(std::span<const Vector3> points, double tolerance);
 
 // Returns a hull whose facets are known, without the use of Qhull. Each loop lists the vertices of
 // a facet counter-clockwise, seen from outside.
 ConvexHull HullWith(std::vector<Vector3> vertices, std::vector<std::vector<int>> loops);
 ConvexHull HullOf(const Box& box);
+// Returns the box that has exactly this shape, up to a nanometre. Returns none for other shapes.
+// Overlaps of boxes are decided faster, and the physics engine has a better contact for them.
+std::optional<Box> AsBox(const ConvexHull& hull);
+
+// Returns the facets sorted by the axis of the frame that their normals are nearest to, those
+// against the axis before those along it. The sides of a box that is aligned with the axes come in
+// the order -x, +x, -y, +y, -z, +z.
+std::vector<const Facet*> FacetsByAxis(const ConvexHull& hull);
 
 }  // namespace assay::geometry

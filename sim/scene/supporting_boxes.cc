@@ -2,16 +2,18 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 namespace assay::scene {
 namespace {
 
 using geometry::Box;
+using geometry::ConvexHull;
 using geometry::Vector3;
 
 constexpr double kTolerance = 1e-9;  // metres for positions, relative for axes
 
-bool InHull(const geometry::ConvexHull& hull, const Box& box) {
+bool InHull(const ConvexHull& hull, const Box& box) {
   const auto corners = box.Corners();
   return std::ranges::all_of(hull.facets, [&](const geometry::Facet& facet) {
     return std::ranges::all_of(corners, [&](const Vector3& corner) {
@@ -39,7 +41,7 @@ struct Merger {
   Box around;
 };
 
-std::optional<Merger> FindMerger(const std::vector<Box>& boxes, const geometry::ConvexHull& hull) {
+std::optional<Merger> FindMerger(const std::vector<Box>& boxes, const ConvexHull& hull) {
   for (std::size_t i = 0; i < boxes.size(); ++i) {
     for (std::size_t j = i + 1; j < boxes.size(); ++j) {
       if (!ShareAxes(boxes[i], boxes[j])) continue;
@@ -50,15 +52,32 @@ std::optional<Merger> FindMerger(const std::vector<Box>& boxes, const geometry::
   return std::nullopt;
 }
 
-}  // namespace
-
-std::vector<Box> SupportingBoxes(const domain::PartModel& part) {
-  std::vector<Box> boxes = part.boxes();
-  while (const std::optional<Merger> merger = FindMerger(boxes, part.hull())) {
+// Replaces pairs of boxes by the box around them, as long as it is inside the hull.
+std::vector<Box> Merged(std::vector<Box> boxes, const ConvexHull& hull) {
+  while (const std::optional<Merger> merger = FindMerger(boxes, hull)) {
     boxes[merger->first] = merger->around;
     boxes.erase(boxes.begin() + static_cast<std::ptrdiff_t>(merger->second));
   }
   return boxes;
+}
+
+}  // namespace
+
+std::vector<Box> SupportingBoxes(const domain::PartModel& part) {
+  return Merged(part.boxes(), part.hull());
+}
+
+std::vector<ConvexHull> SupportingPieces(std::span<const ConvexHull> pieces,
+                                         const ConvexHull& hull) {
+  std::vector<Box> boxes;
+  for (const ConvexHull& piece : pieces) {
+    const std::optional<Box> box = geometry::AsBox(piece);
+    if (!box) return {hull};
+    boxes.push_back(*box);
+  }
+  std::vector<ConvexHull> supporting;
+  for (const Box& box : Merged(std::move(boxes), hull)) supporting.push_back(HullOf(box));
+  return supporting;
 }
 
 }  // namespace assay::scene
