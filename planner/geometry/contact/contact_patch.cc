@@ -3,11 +3,15 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <span>
 
 namespace assay::geometry {
 namespace {
 
 constexpr double kSamePoint = 1e-6;  // m
+// Cosine. A facet that is steeper to the plane is left out. All of it that is near the plane is at
+// the edge of another facet, and rounding must not decide whether it is looked at.
+constexpr double kSteep = 1e-3;
 // The first direction, in turns between two directions. It is not a simple fraction, so that the
 // corners of a regular polygon are not equally far in a direction.
 constexpr double kFirstDirection = 0.3819;
@@ -29,11 +33,22 @@ void ClipBelow(const Plane& plane, Outline& outline, std::vector<double>& height
   outline.swap(clipped);
 }
 
-void AddOnce(const Vector3& point, std::vector<Vector3>& points) {
-  const auto is_same = [&](const Vector3& other) {
-    return (other - point).squaredNorm() < kSamePoint * kSamePoint;
+// Removes the parts of a convex polygon beyond the sides of a facet.
+void ClipToFacet(const ContactSolid& solid, int facet, Outline& outline) {
+  const auto& [middle, radius] = solid.discs[facet];
+  const auto is_on_disc = [&](const Vector3& corner) {
+    return (corner - middle).squaredNorm() <= radius * radius;
   };
-  if (std::ranges::none_of(points, is_same)) points.push_back(point);
+  if (std::ranges::all_of(outline, is_on_disc)) return;
+  Outline clipped;
+  std::vector<double> heights;
+  for (const Plane& border : solid.borders[facet]) ClipBelow(border, outline, heights, clipped);
+}
+
+bool IsAmong(std::span<const Vector3> points, const Vector3& point) {
+  return std::ranges::any_of(points, [&](const Vector3& other) {
+    return (other - point).squaredNorm() < kSamePoint * kSamePoint;
+  });
 }
 
 }  // namespace
@@ -45,22 +60,21 @@ std::vector<Vector3> CommonCorners(const ContactSolid& of, int facet, const Cont
   const double above = margin - plane.Above(X_OfOther.translation());
   const Eigen::VectorXd heights = other.vertices * in_other;
   std::vector<Vector3> corners;
-  Outline outline;
-  Outline clipped;
-  std::vector<double> over_border;
   for (const Facet& candidate : other.hull.facets) {
     const auto is_low = [&](int vertex) { return heights[vertex] <= above; };
-    if (candidate.normal.dot(in_other) >= 0) continue;
+    if (candidate.normal.dot(in_other) > -kSteep) continue;
     if (std::ranges::none_of(candidate.loop, is_low)) continue;
-    outline.clear();
+    Outline outline;
     for (const int vertex : candidate.loop) {
       outline.push_back(X_OfOther * other.hull.vertices[vertex]);
     }
-    for (const Plane& border : of.borders[facet]) {
-      ClipBelow(border, outline, over_border, clipped);
-    }
+    ClipToFacet(of, facet, outline);
+    const std::size_t of_others = corners.size();  // facets share corners and edges
     for (const Vector3& corner : outline) {
-      if (plane.Above(corner) <= margin) AddOnce(corner, corners);
+      if (plane.Above(corner) > margin || IsAmong(std::span(corners).first(of_others), corner)) {
+        continue;
+      }
+      corners.push_back(corner);
     }
   }
   return corners;
@@ -77,7 +91,8 @@ std::vector<Vector3> Outermost(const std::vector<Vector3>& points, const Vector3
                          static_cast<double>(most);
     const Vector3 direction = std::cos(angle) * u + std::sin(angle) * v;
     const auto reach = [&](const Vector3& point) { return direction.dot(point); };
-    AddOnce(*std::ranges::max_element(points, {}, reach), outermost);
+    const Vector3& farthest = *std::ranges::max_element(points, {}, reach);
+    if (!IsAmong(outermost, farthest)) outermost.push_back(farthest);
   }
   return outermost;
 }

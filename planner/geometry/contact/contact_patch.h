@@ -11,7 +11,7 @@ namespace assay::geometry {
 
 // Returns the corners of the area that a facet of `of` has in common with the facets of another
 // solid: points of the surface of the other solid, at most `margin` above the facet, in the frame
-// of `of`. No two points are within a micrometre.
+// of `of`.
 std::vector<Vector3> CommonCorners(const ContactSolid& of, int facet, const ContactSolid& other,
                                    const Pose& X_OfOther, double margin);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <map>
 #include <utility>
 
@@ -67,6 +68,17 @@ std::vector<Plane> BordersOf(const ConvexHull& hull, const Facet& facet) {
   return borders;
 }
 
+ContactSolid::Disc DiscOn(const ConvexHull& hull, const Facet& facet,
+                          const std::vector<Plane>& borders) {
+  ContactSolid::Disc disc{Vector3::Zero(), std::numeric_limits<double>::infinity()};
+  const double count = static_cast<double>(facet.loop.size());
+  for (const int vertex : facet.loop) disc.middle += hull.vertices[vertex] / count;
+  for (const Plane& border : borders) {
+    disc.radius = std::min(disc.radius, -border.Above(disc.middle));
+  }
+  return disc;
+}
+
 }  // namespace
 
 ContactSolid::ContactSolid(ConvexHull solid) : hull(std::move(solid)), edges(EdgesOf(hull)) {
@@ -79,7 +91,10 @@ ContactSolid::ContactSolid(ConvexHull solid) : hull(std::move(solid)), edges(Edg
     const Vector3 along = hull.vertices[edges[i].end] - hull.vertices[edges[i].start];
     directions.row(i) = along.normalized();
   }
-  for (const Facet& facet : hull.facets) borders.push_back(BordersOf(hull, facet));
+  for (const Facet& facet : hull.facets) {
+    borders.push_back(BordersOf(hull, facet));
+    discs.push_back(DiscOn(hull, facet, borders.back()));
+  }
   middle = vertices.colwise().mean();
 }
 

@@ -34,6 +34,11 @@ struct ContactSolid {
   // For each facet, the planes through its sides that are perpendicular to it. Their normals point
   // away from the facet.
   std::vector<std::vector<Plane>> borders;
+  struct Disc {
+    Vector3 middle;
+    double radius = 0;  // metres
+  };
+  std::vector<Disc> discs;           // for each facet, a disc that lies on it
   Vector3 middle = Vector3::Zero();  // a point inside
 };
 
