@@ -10,6 +10,7 @@
 #include "bench/harness/contest.h"
 #include "planner/constraint_posting/posting_planner.h"
 #include "sim/execution/walk/executor.h"
+#include "sim/mujoco/convex_pieces.h"
 #include "sim/scenario/scenario.h"
 
 namespace assay {
@@ -93,6 +94,7 @@ void Execute(benchmark::State& state, const std::string& name) {
 
 void Replay(const Run::Window& window, mujoco::Data& data) {
   data.Restore(window.start);
+  const mujoco::CollidingPieces colliding(data.model().convex_pieces());
   mjModel* model = const_cast<mjModel*>(data.own_model());
   for (const Run::Told& told : window.steps) {
     model->opt.timestep = told.timestep;

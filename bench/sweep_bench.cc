@@ -41,6 +41,7 @@
 #include "planner/base/check.h"
 #include "sim/check/noise_floor/measure_noise_floor.h"
 #include "sim/execution/walk/executor.h"
+#include "sim/mujoco/convex_pieces.h"
 #include "sim/sweep/runner/machine.h"
 #include "sim/sweep/runner/runner.h"
 
@@ -265,6 +266,8 @@ Load Steps(const Recording& recording, mjModel* m, mjData* d) {
 Pace BareLoop(const Recording& recording) {
   const ModelCopy model(mj_copyModel(nullptr, recording.model.get()), mj_deleteModel);
   const std::unique_ptr<mjData, void (*)(mjData*)> data(mj_makeData(model.get()), mj_deleteData);
+  const mujoco::ConvexPieces pieces(*model);
+  const mujoco::CollidingPieces colliding(model->nmesh > 0 ? &pieces : nullptr);
   const Seconds start = Now();
   const Load load = Steps(recording, model.get(), data.get());
   const Seconds taken = Since(start);

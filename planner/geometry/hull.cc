@@ -189,23 +189,23 @@ std::tuple<int, bool, long, long, long> AxisKey(const Vector3& normal) {
 // are those of the frame but for rounding are exactly these. Returns none if the facets are not the
 // sides of a box.
 std::optional<Matrix3> BoxAxes(const ConvexHull& hull) {
-  constexpr double kAligned = 1e-9;
+  constexpr double kBoxAligned = 1e-9;
   if (hull.facets.size() != 6 || hull.vertices.size() != 8) return std::nullopt;
   std::vector<const Facet*> facets = FacetsByAxis(hull);
   Matrix3 axes;
   for (int axis = 0; axis < 3; ++axis) {
     const Vector3 first = facets.front()->normal;
     const auto opposite = std::ranges::find_if(
-        facets, [&](const Facet* facet) { return (facet->normal + first).norm() < kAligned; });
+        facets, [&](const Facet* facet) { return (facet->normal + first).norm() < kBoxAligned; });
     if (opposite == facets.end()) return std::nullopt;
     axes.col(axis) = (*opposite)->normal;
     facets.erase(opposite);
     facets.erase(facets.begin());
   }
-  if (!(axes.transpose() * axes).isIdentity(kAligned)) return std::nullopt;
+  if (!(axes.transpose() * axes).isIdentity(kBoxAligned)) return std::nullopt;
   if (axes.determinant() < 0) axes.col(2) = -axes.col(2);
   const Matrix3 whole = axes.array().round();
-  return (axes - whole).cwiseAbs().maxCoeff() < kAligned ? whole : axes;
+  return (axes - whole).cwiseAbs().maxCoeff() < kBoxAligned ? whole : axes;
 }
 
 }  // namespace
@@ -214,10 +214,15 @@ std::optional<Matrix3> BoxAxes(const ConvexHull& hull) {
 // here with one tolerance, so that repeated and coplanar points cannot cause gaps or slivers.
 // Facets are sorted by their loops, so that their order does not depend on the frame of the points.
 ConvexHull HullOf(std::span<const Vector3> points) {
+  Eigen::AlignedBox3d bounds;
+  for (const Vector3& p : points) bounds.extend(p);
+  return HullOf(points, kTolerance * bounds.diagonal().norm());
+}
+
+ConvexHull HullOf(std::span<const Vector3> points, double tolerance) {
   ASSAY_CHECK(points.size() >= 4, "{} points do not span three dimensions", points.size());
   Eigen::AlignedBox3d bounds;
   for (const Vector3& p : points) bounds.extend(p);
-  const double tolerance = kTolerance * bounds.diagonal().norm();
   const std::vector<int> kept = FirstOccurrences(points, tolerance);
   std::vector<Vector3> centered;
   for (int i : kept) centered.push_back(points[i] - bounds.center());

@@ -7,6 +7,9 @@
 #include <mutex>
 
 #include "planner/geometry/pose.h"
+#include "sim/mujoco/convex_pieces.h"
+#include "sim/mujoco/found_contact.h"
+#include "sim/mujoco/inner_faces.h"
 
 namespace assay::mujoco {
 namespace {
@@ -14,12 +17,9 @@ namespace {
 using geometry::Vector3;
 using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
 
-constexpr double kOutside = 1e-4;    // m
-constexpr double kSamePlace = 1e-6;  // m
-constexpr double kFlush = 1e-6;      // greatest gap of pieces that count as touching, m
+constexpr double kOutside = 1e-4;  // m
 // Metres. A face is inside the body if it is covered this far around a point.
 constexpr double kBeside = 2e-5;
-constexpr double kSameNormal = 1 - 1e-9;
 // Cosine. A contact's normal must have at least this much of a face's normal to concern the face.
 constexpr double kAcross = 0.2;
 
@@ -98,24 +98,11 @@ bool LeadsInside(const mjModel* m, const mjData* d, int geom, int other, const V
 
 // The contact's normal points from the first geom to the second.
 bool IsInside(const mjModel* m, const mjData* d, int g1, int g2, const mjContact& contact) {
+  const ConvexPieces* const pieces = CollidingPieces::Present();
+  if (pieces != nullptr) return IsInsideBody(*m, *d, *pieces, g1, g2, contact);
   const Eigen::Map<const Vector3> p(contact.pos);
   const Eigen::Map<const Vector3> normal(contact.frame);
   return LeadsInside(m, d, g1, g2, p, normal) || LeadsInside(m, d, g2, g1, p, -normal);
-}
-
-// Returns whether both geoms move as one body and their contacts have the same parameters.
-bool AreOneBody(const mjModel* m, int a, int b) {
-  return m->geom_bodyid[a] == m->geom_bodyid[b] && m->geom_condim[a] == m->geom_condim[b] &&
-         std::equal(m->geom_friction + 3 * a, m->geom_friction + 3 * a + 3,
-                    m->geom_friction + 3 * b);
-}
-
-bool IsFoundAlready(const mjModel* m, const mjData* d, int g1, int g2, const mjContact& contact) {
-  return std::any_of(d->contact, d->contact + d->ncon, [&](const mjContact& found) {
-    return AreOneBody(m, found.geom1, g1) && AreOneBody(m, found.geom2, g2) &&
-           mju_dist3(found.pos, contact.pos) < kSamePlace &&
-           mju_dot3(found.frame, contact.frame) > kSameNormal;
-  });
 }
 
 int CheckedBoxBox(const mjModel* m, const mjData* d, mjContact* contacts, int g1, int g2,
@@ -124,7 +111,7 @@ int CheckedBoxBox(const mjModel* m, const mjData* d, mjContact* contacts, int g1
   mjContact* const end = std::remove_if(contacts, contacts + count, [&](const mjContact& contact) {
     const Eigen::Map<const Vector3> p(contact.pos);
     return !LiesIn(m, d, g1, p, kOutside) || !LiesIn(m, d, g2, p, kOutside) ||
-           IsFoundAlready(m, d, g1, g2, contact) || IsInside(m, d, g1, g2, contact);
+           IsFoundAlready(*m, *d, g1, g2, contact) || IsInside(m, d, g1, g2, contact);
   });
   return static_cast<int>(end - contacts);
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "planner/base/check.h"
+#include "sim/mujoco/convex_pieces.h"
 #include "sim/mujoco/engine_messages.h"
 
 namespace assay::mujoco {
@@ -113,11 +114,13 @@ void Data::Step(const std::function<void()>& see_forces) {
 
 void Data::BeginStep() {
   const KeepPosition keep(qpos());
+  const CollidingPieces colliding(model_.convex_pieces());
   mj_step1(own_model_.get(), data_.get());
 }
 
 void Data::Forward() {
   const KeepPosition keep(qpos());
+  const CollidingPieces colliding(model_.convex_pieces());
   mj_forward(own_model_.get(), data_.get());
 }
 

@@ -4,10 +4,13 @@
 
 #include <array>
 #include <cstring>
+#include <utility>
 
 #include "planner/base/check.h"
 #include "sim/mujoco/box_collision.h"
+#include "sim/mujoco/convex_pieces.h"
 #include "sim/mujoco/engine_messages.h"
+#include "sim/mujoco/mesh_collision.h"
 
 namespace assay::mujoco {
 namespace {
@@ -50,9 +53,14 @@ std::string NameOf(const mjModel* model, mjtObj type, int index) {
 
 }  // namespace
 
+Model::Model(std::shared_ptr<const mjModel> model) : model_(std::move(model)) {
+  if (model_->nmesh > 0) convex_pieces_ = std::make_shared<const ConvexPieces>(*model_);
+}
+
 Model Model::FromMjcf(const std::string& mjcf) {
   HandleEngineMessages();
   CheckBoxCollisions();
+  ReplaceMeshCollisions();
   TakeEngineWarnings();
   const VirtualFile file(mjcf);
   std::array<char, 1024> message{};

@@ -21,6 +21,8 @@ using ActuatorId = Id<struct ActuatorTag>;
 using SensorId = Id<struct SensorTag>;
 using EqualityId = Id<struct EqualityTag>;
 
+class ConvexPieces;
+
 // Thrown if the engine's compiler does not accept an MJCF text, or warns about it.
 class MjcfError : public std::runtime_error {
   using std::runtime_error::runtime_error;
@@ -35,6 +37,8 @@ class Model {
 
   const mjModel_* get() const { return model_.get(); }
   double timestep() const;  // seconds
+  // Returns the solids by which meshes collide; null if the model has no mesh.
+  const ConvexPieces* convex_pieces() const { return convex_pieces_.get(); }
 
   // Each function returns the object of this name, which must exist (checked).
   BodyId Body(std::string_view name) const;
@@ -59,8 +63,10 @@ class Model {
   int SensorAddress(SensorId id) const;  // first index in sensordata
 
  private:
-  explicit Model(std::shared_ptr<const mjModel_> model) : model_(std::move(model)) {}
+  explicit Model(std::shared_ptr<const mjModel_> model);
+
   std::shared_ptr<const mjModel_> model_;
+  std::shared_ptr<const ConvexPieces> convex_pieces_;
 };
 
 }  // namespace assay::mujoco

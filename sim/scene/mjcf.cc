@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <vector>
 
-#include "planner/base/check.h"
 #include "planner/domain/parts/part_file.h"
+#include "sim/scene/piece_mjcf.h"
 #include "sim/scene/robot_mjcf.h"
 #include "sim/scene/stage_mjcf.h"
 #include "sim/scene/supporting_solids.h"
@@ -156,7 +156,7 @@ Eigen::Vector4d ColorOf(const Problem& problem, domain::PartId part, std::size_t
 }
 
 void AddPart(const Problem& problem, domain::PartId id, const SceneOptions& options,
-             XmlElement& worldbody) {
+             XmlElement& asset, XmlElement& worldbody) {
   const Part& part = problem.part(id);
   const std::shared_ptr<const domain::PartModel> true_model = TrueModel(part, options);
   const domain::PartModel& model = *true_model;
@@ -166,22 +166,20 @@ void AddPart(const Problem& problem, domain::PartId id, const SceneOptions& opti
       worldbody.Add("body").Set("name", "part/" + part.name).SetPose(part.X_WorldPart);
   body.Add("freejoint").Set("name", "part/" + part.name);
   AddMass(TrueMass(model, id, options), body);
-  const auto add_solid = [&](const char* geom_class,
+  const auto add_solid = [&](const char* geom_class, std::size_t number,
                              const geometry::ConvexHull& solid) -> XmlElement& {
-    const std::optional<geometry::Box> box = AsBox(solid);
-    ASSAY_CHECK(box.has_value(), "a solid that is no box");
-    return body.Add("geom")
-        .Set("class", geom_class)
-        .SetPose(box->X_FrameBox)
-        .Set("size", box->half_extents)
+    const std::string name = fmt::format("part/{}/{}/{}", part.name, geom_class, number);
+    return AddPiece(solid, geom_class, name, body, asset)
         .Set("friction", {friction, kTorsionFriction, kRollFriction});
   };
   for (std::size_t i = 0; i < model.pieces().size(); ++i) {
     const Eigen::Vector4d color = ColorOf(problem, id, i, options);
-    add_solid("part", model.pieces()[i]).Set("rgba", std::span(color.data(), 4));
+    add_solid("part", i, model.pieces()[i]).Set("rgba", std::span(color.data(), 4));
   }
-  for (const geometry::ConvexHull& solid : SupportingSolids(model)) {
-    add_solid("support", solid).Set("conaffinity", fmt::format("{}", kFloor | TableBit(id)));
+  const std::vector<geometry::ConvexHull> supports = SupportingSolids(model.pieces(), model.hull());
+  for (std::size_t i = 0; i < supports.size(); ++i) {
+    add_solid("support", i, supports[i])
+        .Set("conaffinity", fmt::format("{}", kFloor | TableBit(id)));
   }
 }
 
@@ -236,7 +234,8 @@ std::string ToMjcf(const Problem& problem, const SceneOptions& options) {
   AddVisualSettings(problem, options.light, mujoco);
   const std::vector<domain::Robot>& robots = problem.workcell->robots();
   AddDefaults(robots, mujoco);
-  AddMaterials(mujoco.Add("asset"));
+  XmlElement& asset = mujoco.Add("asset");
+  AddMaterials(asset);
   XmlElement& worldbody = mujoco.Add("worldbody");
   AddStage(problem, options.light, worldbody);
   const domain::WorkcellRules& rules = problem.workcell->rules();
@@ -249,7 +248,7 @@ std::string ToMjcf(const Problem& problem, const SceneOptions& options) {
   for (std::size_t i = 0; i < problem.parts.size(); ++i) {
     const domain::PartId part(i);
     AddPartTables(problem, {part, TableBit(part), options.endless_tables}, worldbody);
-    AddPart(problem, part, options, worldbody);
+    AddPart(problem, part, options, asset, worldbody);
   }
   XmlElement& equality = mujoco.Add("equality");
   for (const domain::Robot& robot : robots) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 namespace assay::scene {
 namespace {
@@ -53,14 +54,15 @@ std::optional<Merger> FindMerger(const std::vector<Box>& boxes, const ConvexHull
 
 }  // namespace
 
-std::vector<ConvexHull> SupportingSolids(const domain::PartModel& part) {
+std::vector<ConvexHull> SupportingSolids(std::span<const ConvexHull> pieces,
+                                         const ConvexHull& hull) {
   std::vector<Box> boxes;
-  for (const ConvexHull& piece : part.pieces()) {
+  for (const ConvexHull& piece : pieces) {
     const std::optional<Box> box = AsBox(piece);
-    if (!box) return {part.hull()};
+    if (!box) return {hull};
     boxes.push_back(*box);
   }
-  while (const std::optional<Merger> merger = FindMerger(boxes, part.hull())) {
+  while (const std::optional<Merger> merger = FindMerger(boxes, hull)) {
     boxes[merger->first] = merger->around;
     boxes.erase(boxes.begin() + static_cast<std::ptrdiff_t>(merger->second));
   }

@@ -21,16 +21,27 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+// A hull has its vertices and, for each facet, the indices of its corners.
+Json ShapeData(const Shape& shape) {
+  Json data = {{"type", shape.type}};
+  if (shape.hull.vertices.empty()) {
+    data["size"] = ToJson(shape.size);
+  } else {
+    data["vertices"] = Json::array();
+    data["facets"] = Json::array();
+    for (const Vector3& vertex : shape.hull.vertices) data["vertices"].push_back(ToJson(vertex));
+    for (const geometry::Facet& facet : shape.hull.facets) data["facets"].push_back(facet.loop);
+  }
+  data["pose"] = ToJson(shape.X_BodyShape);
+  data["color"] = shape.color;
+  return data;
+}
+
 Json BodiesData(const std::vector<Body>& bodies) {
   Json all = Json::array();
   for (const Body& body : bodies) {
     Json shapes = Json::array();
-    for (const Shape& shape : body.shapes) {
-      shapes.push_back({{"type", shape.type},
-                        {"size", ToJson(shape.size)},
-                        {"pose", ToJson(shape.X_BodyShape)},
-                        {"color", shape.color}});
-    }
+    for (const Shape& shape : body.shapes) shapes.push_back(ShapeData(shape));
     all.push_back({{"name", body.name}, {"shapes", shapes}});
   }
   return all;
@@ -91,7 +102,7 @@ Json ColorsData() {
 
 // What is drawn of an execution.
 Json PictureData(const plan::Plan& plan, const scene::Scene& scene, const execution::Trace& trace) {
-  const std::vector<Body> bodies = BodiesOf(scene);
+  const std::vector<Body> bodies = BodiesOf(scene.model());
   const Recording recording = Record(scene, bodies, trace);
   Json data = {{"bodies", BodiesData(bodies)},
                {"errorSets", ErrorSetsOf(plan, trace)},

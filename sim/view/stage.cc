@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "planner/base/check.h"
+#include "sim/mujoco/convex_pieces.h"
 
 namespace assay::view {
 namespace {
@@ -24,6 +25,8 @@ std::string TypeOf(int type) {
       return "sphere";
     case mjGEOM_PLANE:
       return "plane";
+    case mjGEOM_MESH:
+      return "hull";
     default:
       break;
   }
@@ -50,24 +53,33 @@ Eigen::Quaterniond TurnAt(const mjtNum* numbers) {
   return {numbers[0], numbers[1], numbers[2], numbers[3]};
 }
 
-Shape ShapeOf(const mjModel& model, int geom) {
+Shape ShapeOf(const mujoco::Model& compiled, int geom) {
+  const mjModel& model = *compiled.get();
   Pose X_BodyShape = Pose::Identity();
   X_BodyShape.linear() = TurnAt(model.geom_quat + 4 * geom).toRotationMatrix();
   X_BodyShape.translation() = VectorAt(model.geom_pos + 3 * geom);
-  return {TypeOf(model.geom_type[geom]), VectorAt(model.geom_size + 3 * geom), X_BodyShape,
-          ColorOf(model, geom)};
+  Shape shape{.type = TypeOf(model.geom_type[geom]),
+              .size = VectorAt(model.geom_size + 3 * geom),
+              .hull = {},
+              .X_BodyShape = X_BodyShape,
+              .color = ColorOf(model, geom)};
+  if (model.geom_type[geom] == mjGEOM_MESH) {
+    shape.hull = compiled.convex_pieces()->SolidOf(geom)->hull;
+  }
+  return shape;
 }
 
 }  // namespace
 
-std::vector<Body> BodiesOf(const scene::Scene& scene) {
-  const mjModel& model = *scene.model().get();
+std::vector<Body> BodiesOf(const mujoco::Model& compiled) {
+  const mjModel& model = *compiled.get();
   std::vector<Body> bodies;
   for (int b = 0; b < model.nbody; ++b) {
-    Body body{scene.model().Name(mujoco::BodyId(b)), mujoco::BodyId(b), {}};
+    Body body{compiled.Name(mujoco::BodyId(b)), mujoco::BodyId(b), {}};
     for (int i = 0; i < model.body_geomnum[b]; ++i) {
       const int geom = model.body_geomadr[b] + i;
-      if (model.geom_group[geom] < kFirstHiddenGroup) body.shapes.push_back(ShapeOf(model, geom));
+      if (model.geom_group[geom] < kFirstHiddenGroup)
+        body.shapes.push_back(ShapeOf(compiled, geom));
     }
     if (!body.shapes.empty()) bodies.push_back(std::move(body));
   }

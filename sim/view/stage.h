@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "planner/geometry/hull.h"
 #include "planner/geometry/pose.h"
 #include "sim/scene/scene.h"
 
@@ -13,8 +14,9 @@ using geometry::Vector3;
 
 // A shape that is drawn, fixed to a body.
 struct Shape {
-  std::string type;  // "box", "cylinder" (along z), "sphere", "plane" (z is 0)
-  Vector3 size;      // metres: half extents of a box; radius and half length; radius
+  std::string type;           // "box", "cylinder" (along z), "sphere", "plane" (z is 0), "hull"
+  Vector3 size;               // metres: half extents of a box; radius and half length; radius
+  geometry::ConvexHull hull;  // of a hull; otherwise empty
   Pose X_BodyShape;
   std::string color;  // "#rrggbb"
 };
@@ -25,8 +27,8 @@ struct Body {
   std::vector<Shape> shapes;
 };
 
-// Returns the bodies of a scene that are drawn, the world first.
-std::vector<Body> BodiesOf(const scene::Scene& scene);
+// Returns the bodies of a model that are drawn, the world first.
+std::vector<Body> BodiesOf(const mujoco::Model& model);
 
 // A camera that stands still. It looks along `forward`.
 struct Camera {

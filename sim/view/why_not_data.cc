@@ -17,7 +17,7 @@ using Names = std::vector<std::string>;
 class SituationData {
  public:
   SituationData(const domain::Problem& problem, const scene::Scene& scene)
-      : problem_(problem), scene_(scene), bodies_(BodiesOf(scene)), data_(scene.Start()) {
+      : problem_(problem), scene_(scene), bodies_(BodiesOf(scene.model())), data_(scene.Start()) {
     for (std::size_t i = 0; i < problem.workcell->robots().size(); ++i) {
       at_home_.push_back(scene.Posture(data_, domain::RobotId(i)));
     }

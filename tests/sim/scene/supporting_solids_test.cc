@@ -13,7 +13,7 @@ class SupportingSolidsOf : public testing::TestWithParam<std::string> {
  protected:
   std::shared_ptr<const domain::PartModel> part =
       domain::PartFile::Load(ModelsFolder() / "parts" / GetParam() / "part.yaml", 0.0005);
-  std::vector<geometry::ConvexHull> solids = SupportingSolids(*part);
+  std::vector<geometry::ConvexHull> solids = SupportingSolids(part->pieces(), part->hull());
 };
 
 TEST_P(SupportingSolidsOf, AreInsideTheHull) {
@@ -52,7 +52,7 @@ INSTANTIATE_TEST_SUITE_P(Parts, SupportingSolidsOf, testing::ValuesIn(AllParts()
 TEST(SupportingSolids, FillTheHolesOfTheBlock) {
   const auto block = domain::PartFile::Load(ModelsFolder() / "parts/block/part.yaml", 0.0005);
   ASSERT_GT(block->pieces().size(), 4u);
-  const auto solids = SupportingSolids(*block);
+  const auto solids = SupportingSolids(block->pieces(), block->hull());
   ASSERT_EQ(solids.size(), 1u);
   EXPECT_NEAR(geometry::Volume(solids[0]), 3 * 3 * 6.5 * kInch * kInch * kInch, 1e-12);
 }

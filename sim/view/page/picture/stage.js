@@ -3,7 +3,25 @@ import * as three from 'three';
 // The colours are at the vertices.
 const PAINTED = new three.MeshLambertMaterial({vertexColors: three.VertexColors});
 
-function geometryOf({type, size}) {
+// Each facet has corners of its own, so that light shows its edges.
+function hullOf({vertices, facets}) {
+  const positions = [];
+  const triangles = [];
+  for (const facet of facets) {
+    const first = positions.length / 3;
+    for (const vertex of facet) positions.push(...vertices[vertex]);
+    for (let i = 2; i < facet.length; ++i) triangles.push(first, first + i - 1, first + i);
+  }
+  const geometry = new three.BufferGeometry();
+  geometry.setAttribute('position', new three.Float32BufferAttribute(positions, 3));
+  geometry.setIndex(triangles);
+  geometry.computeVertexNormals();
+  return geometry;
+}
+
+function geometryOf(shape) {
+  const {type, size} = shape;
+  if (type === 'hull') return hullOf(shape);
   if (type === 'box') return new three.BoxBufferGeometry(2 * size[0], 2 * size[1], 2 * size[2]);
   if (type === 'sphere') return new three.SphereBufferGeometry(size[0], 16, 12);
   // three.js has cylinders along y, the data along z.

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "planner/geometry/contact/contact_solid.h"
+#include "planner/geometry/outline.h"
+#include "planner/geometry/pose.h"
+
+namespace assay::geometry {
+
+// The contact of two solids: points with one common normal.
+struct ContactManifold {
+  struct Point {
+    Vector3 at;             // midway between the two surfaces
+    double separation = 0;  // along the normal, metres; negative if the solids overlap
+  };
+  Vector3 normal = Vector3::UnitZ();  // unit, from the first solid to the second
+  std::vector<Point> points;
+};
+
+// A manifold has at most so many points. Of more points, those are kept that are farthest in so
+// many directions, which are fixed to one of the solids. Points therefore do not change while the
+// solids rest on each other.
+inline constexpr std::size_t kMostContactPoints = 8;
+
+// Returns the contact of two solids that are at most `margin` apart, or none. The manifold is in
+// the frame in which the poses are. Its normal is the axis of least overlap (separating_axis.h).
+// Where a facet touches, the points are the corners of the area that it has in common with the
+// facets of the other solid, as far as the solids are at most `margin` apart there. Where edges
+// cross, there is one point.
+//
+// Edges count only if they are less deep in each other than any facet by a micrometre. Such edges
+// are apart by less than this if they are apart at all, and an area of contact holds still where a
+// single point does not. Rounding therefore does not choose between a facet and its edges.
+std::optional<ContactManifold> ContactBetween(const ContactSolid& a, const Pose& X_WorldA,
+                                              const ContactSolid& b, const Pose& X_WorldB,
+                                              double margin);
+
+// Returns the contact of the half-space below a plane with a solid that is at most `margin` apart,
+// or none. The points are vertices of the solid. The plane is in the frame of the pose.
+std::optional<ContactManifold> ContactBetween(const Plane& plane, const ContactSolid& solid,
+                                              const Pose& X_WorldSolid, double margin);
+
+}  // namespace assay::geometry

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "planner/geometry/contact/contact_solid.h"
+
+struct mjModel_;
+
+namespace assay::mujoco {
+
+// Metres. Pieces of a body with a smaller gap lie against each other.
+inline constexpr double kFlush = 1e-6;
+
+// The convex solids of a model's boxes and meshes, prepared for contact. The engine has vertices of
+// meshes in single precision, so a solid is exact to about 1e-7 of its size.
+class ConvexPieces {
+ public:
+  explicit ConvexPieces(const mjModel_& model);
+
+  // Returns the solid of a geom in the geom's frame, or null if the geom is neither box nor mesh.
+  const geometry::ContactSolid* SolidOf(int geom) const { return pieces_[geom].solid.get(); }
+
+  // A facet of a geom's solid, and the other geoms of its body that may lie against it, with the
+  // geoms where the model has them. Some of them may not collide with what this geom collides with.
+  struct CoveredFacet {
+    int facet = 0;
+    std::vector<int> by;
+  };
+  const std::vector<CoveredFacet>& CoveredFacets(int geom) const { return pieces_[geom].covered; }
+
+ private:
+  struct Piece {
+    std::shared_ptr<const geometry::ContactSolid> solid;  // geoms of one mesh share it
+    std::vector<CoveredFacet> covered;
+  };
+  std::vector<CoveredFacet> FacetsCovered(const mjModel_& model, int geom) const;
+
+  std::vector<Piece> pieces_;  // by geom
+};
+
+// Makes the pieces of a model known to the engine's collisions on this thread while it lives. The
+// engine's collision functions have no other way to data that belong to the model (its callbacks
+// are plain functions for all models of the process).
+class CollidingPieces {
+ public:
+  explicit CollidingPieces(const ConvexPieces* pieces);
+  ~CollidingPieces();
+  CollidingPieces(const CollidingPieces&) = delete;
+  CollidingPieces& operator=(const CollidingPieces&) = delete;
+
+  // Returns the pieces that are known on this thread, or null.
+  static const ConvexPieces* Present();
+
+ private:
+  const ConvexPieces* before_;
+};
+
+}  // namespace assay::mujoco
