@@ -228,12 +228,19 @@ Polygon CrossSection(const ShaftFit& fit) {
 
 std::optional<double> RadiusOfRound(const Polygon& section) {
   constexpr std::size_t kFewestCorners = 16;
-  if (section.size() < kFewestCorners) return std::nullopt;
-  const double radius = section.front().norm();
-  const double side = (section[1] - section[0]).norm();
-  for (std::size_t i = 0; i < section.size(); ++i) {
-    const double next = (section[(i + 1) % section.size()] - section[i]).norm();
-    if (std::abs(section[i].norm() - radius) > kRounding || std::abs(next - side) > kRounding) {
+  constexpr double kSame = 1e-7;  // metres; clipping leaves corners that differ by less
+  Polygon corners;
+  for (const Vector2& corner : section) {
+    if (corners.empty() || (corner - corners.back()).norm() > kSame) corners.push_back(corner);
+  }
+  if (!corners.empty() && (corners.back() - corners.front()).norm() <= kSame) corners.pop_back();
+  if (corners.size() < kFewestCorners) return std::nullopt;
+  double radius = 0;
+  for (const Vector2& corner : corners) radius = std::max(radius, corner.norm());
+  const double side = (corners[1] - corners[0]).norm();
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const double next = (corners[(i + 1) % corners.size()] - corners[i]).norm();
+    if (radius - corners[i].norm() > kSame || std::abs(next - side) > 2 * kSame) {
       return std::nullopt;
     }
   }

@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <numbers>
 #include <optional>
 
+#include "planner/domain/parts/convex_pieces_file.h"
 #include "planner/domain/parts/exposed_faces.h"
 #include "planner/geometry/box.h"
 #include "planner/geometry/solids/polygon_pieces.h"
@@ -317,6 +319,26 @@ SolidShape ReadHull(const Value& points, const ShapeReading& reading) {
   return {{geometry::HullOf(vertices)}, {}};
 }
 
+// Reads a file beside the part file. Its axis `up` becomes the part's z.
+SolidShape ReadMesh(const Value& entry, const ShapeReading& reading) {
+  entry.AllowOnly({"file", "units", "up"});
+  const Value name = entry.At("file");
+  const std::filesystem::path file = name.Text();
+  if (file.has_parent_path() || file.empty()) {
+    name.Fail(fmt::format("'{}' is no file beside the part file", file.string()),
+              "the name of an OBJ file in the folder of the part");
+  }
+  const double unit = entry.Find("units") ? ReadLengthUnit(entry.At("units")).factor
+                                          : reading.units.length.factor;
+  const int up = entry.Find("up") ? entry.At("up").OneOf({"x", "y", "z"}) : 2;
+  Pose X_PartFile = Pose::Identity();
+  X_PartFile.linear().row(0) = Vector3::Unit((up + 1) % 3).transpose();
+  X_PartFile.linear().row(1) = Vector3::Unit((up + 2) % 3).transpose();
+  X_PartFile.linear().row(2) = Vector3::Unit(up).transpose();
+  const std::filesystem::path folder = std::filesystem::path(entry.Place().file).parent_path();
+  return {Transformed(ReadConvexPieces(folder / file, unit), X_PartFile), {}};
+}
+
 struct ShapeKind {
   std::string name;
   SolidShape (*read)(const Value& value, const ShapeReading& reading);
@@ -326,7 +348,8 @@ const std::vector<ShapeKind>& AllShapeKinds() {
                                                {"prism", ReadPrism},
                                                {"cylinder", ReadCylinder},
                                                {"cone", ReadCone},
-                                               {"hull", ReadHull}};
+                                               {"hull", ReadHull},
+                                          {"mesh", ReadMesh}};
   return kinds;
 }
 
@@ -357,7 +380,7 @@ SolidShape ReadShape(const Value& entry, const Units& units, Roundness roundness
                fmt::format("one of the keys {}", fmt::join(ShapeKinds(), ", ")));
   }
   const Value value = entry.At(given->name);
-  if (widening.across && (given->name == "box" || given->name == "hull")) {
+  if (widening.across && (given->name == "box" || given->name == "hull" || given->name == "mesh")) {
     entry.At("widen").Fail(fmt::format("a {} is not widened across an axis", given->name),
                            "a list of axes for a box");
   }

@@ -27,7 +27,7 @@ struct SolidShape {
   std::vector<geometry::Vector3> moved_sides;  // outward normals of the sides that were widened
 };
 
-// The keys of the kinds of shapes: box, prism, cylinder, cone, hull.
+// The keys of the kinds of shapes: box, prism, cylinder, cone, hull, mesh.
 const std::vector<std::string>& ShapeKinds();
 // Reads the shape of an entry that has exactly one of these keys. Throws InputError at the place of
 // what is wrong.

@@ -70,18 +70,20 @@ std::string InUnit(double value, const Unit& unit) {
   return Beside(fmt::format("{:.6g}", value / unit.factor), unit);
 }
 
-Units ReadUnits(const Value& root) {
+Unit ReadLengthUnit(const Value& value) {
   static const std::vector<std::string> kLengths = {"inch", "mm", "cm", "m"};
-  static const std::vector<std::string> kAngles = {"degree", "radian"};
   constexpr std::array kLengthUnits = {kInches, kMillimetres, kCentimetres, kMetres};
+  return kLengthUnits[static_cast<std::size_t>(value.OneOf(kLengths))];
+}
+
+Units ReadUnits(const Value& root) {
+  static const std::vector<std::string> kAngles = {"degree", "radian"};
   constexpr std::array kAngleUnits = {kDegrees, kRadians};
   Units units;
   const std::optional<Value> given = root.Find("units");
   if (!given) return units;
   given->AllowOnly({"length", "angle"});
-  if (const auto length = given->Find("length")) {
-    units.length = kLengthUnits[static_cast<std::size_t>(length->OneOf(kLengths))];
-  }
+  if (const auto length = given->Find("length")) units.length = ReadLengthUnit(*length);
   if (const auto angle = given->Find("angle")) {
     units.angle = kAngleUnits[static_cast<std::size_t>(angle->OneOf(kAngles))];
   }

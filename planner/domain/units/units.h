@@ -82,6 +82,9 @@ struct Units {
   Unit angle = kRadians;
 };
 
+// Reads the name of a unit of length: inch, mm, cm or m.
+Unit ReadLengthUnit(const Value& value);
+
 // Reads `units: {length: inch | mm | cm | m, angle: degree | radian}`. Missing units are SI.
 Units ReadUnits(const Value& root);
 

@@ -41,7 +41,8 @@ double Volume(const ConvexHull& solid) {
 }
 
 MassProperties MassOf(std::span<const ConvexHull> solids, double density) {
-  ASSAY_CHECK(!solids.empty() && density > 0);
+  ASSAY_CHECK(density > 0);
+  if (solids.empty()) return {};
   const Vector3 about = solids.front().vertices.front();
   Moments moments;
   for (const ConvexHull& piece : Disjoint(solids)) moments.Add(piece, about);

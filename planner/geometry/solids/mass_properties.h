@@ -15,7 +15,7 @@ struct MassProperties {
   Matrix3 inertia = Matrix3::Zero();  // about the centre, along the axes of the frame, kg m^2
 };
 // Returns the exact mass properties of a union of solids of one density, in kg/m^3. Overlaps count
-// once. There must be a solid (checked).
+// once.
 MassProperties MassOf(std::span<const ConvexHull> solids, double density);
 
 }  // namespace assay::geometry

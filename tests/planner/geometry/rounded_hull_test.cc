@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "planner/geometry/collision.h"
+#include "planner/geometry/solids/mass_properties.h"
 #include "tests/oracle/box_pair.h"
 #include "tests/oracle/random_pose.h"
 

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "planner/geometry/solids/convex_cut.h"
+#include "planner/geometry/solids/mass_properties.h"
 #include "sim/mujoco/convex_pieces.h"
 #include "sim/mujoco/data.h"
 #include "sim/mujoco/engine_messages.h"
