@@ -106,6 +106,20 @@ void Narrow(std::vector<FitGap>& gaps, FitGap gap) {
   known->high = std::min(known->high, gap.high);
 }
 
+// Returns the polygon without corners that are within `tolerance` metres of the line through their
+// neighbours, which clipping may leave.
+Polygon WithoutStraightCorners(const Polygon& polygon, double tolerance) {
+  Polygon corners;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Vector2& before = corners.empty() ? polygon.back() : corners.back();
+    const Vector2 along = (polygon[(i + 1) % polygon.size()] - before).normalized();
+    const Vector2 to = polygon[i] - before;
+    if (std::abs(along.x() * to.y() - along.y() * to.x()) > tolerance)
+      corners.push_back(polygon[i]);
+  }
+  return corners;
+}
+
 }  // namespace
 
 std::vector<ShaftFit> FitsOf(const Problem& problem, const Mating& mating) {
@@ -228,12 +242,8 @@ Polygon CrossSection(const ShaftFit& fit) {
 
 std::optional<double> RadiusOfRound(const Polygon& section) {
   constexpr std::size_t kFewestCorners = 16;
-  constexpr double kSame = 1e-7;  // metres; clipping leaves corners that differ by less
-  Polygon corners;
-  for (const Vector2& corner : section) {
-    if (corners.empty() || (corner - corners.back()).norm() > kSame) corners.push_back(corner);
-  }
-  if (!corners.empty() && (corners.back() - corners.front()).norm() <= kSame) corners.pop_back();
+  constexpr double kSame = 1e-7;  // metres
+  const Polygon corners = WithoutStraightCorners(section, kSame);
   if (corners.size() < kFewestCorners) return std::nullopt;
   double radius = 0;
   for (const Vector2& corner : corners) radius = std::max(radius, corner.norm());
