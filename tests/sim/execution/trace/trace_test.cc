@@ -147,7 +147,8 @@ TEST(TraceTest, SaysWhatItWasGiven) {
   EXPECT_EQ(lines[2]["holds"], false);
   EXPECT_EQ(lines[9]["action"], "pickup(peg, PG1)");
   EXPECT_EQ(lines[12]["other"], "part/peg");
-  EXPECT_EQ(lines[13]["outcome"], "overload");
+  EXPECT_EQ(lines[13]["kind"], "start");
+  EXPECT_EQ(lines[14]["outcome"], "overload");
 }
 
 TEST(TraceTest, SaysWhatSensorsTold) {
