@@ -76,7 +76,27 @@ bool StepGeometry::WorksGivenRoom(const World& world, StepId step,
   if (!kind.Has(domain::Argument::kGrasp)) return true;
   const bool is_placed = kind.leaves == domain::Leaves::kAtPlace;
   return HandWorks(world, step, action.part, grasp,
-                   is_placed ? X_WorldPart : world.X_WorldPart(action.part), blame);
+                   is_placed ? X_WorldPart : world.X_WorldPart(action.part), blame) &&
+         (kind.leaves != domain::Leaves::kInHand ||
+          PartLeaves(world, step, action.part, grasp, blame));
+}
+
+// A part on which another one stands would push it up.
+bool StepGeometry::PartLeaves(const World& world, StepId step, PartId part, GraspId grasp,
+                              Blame& blame) const {
+  constexpr double kFirst = 0.1;  // share of the straight way that leads off a touching part
+  const Pose& X_WorldPart = world.X_WorldPart(part);
+  const Pose& X_PartTool = (*problem_.part(part).grasps)[grasp.index()].X_PartTool;
+  const geometry::Vector3 way = -problem_.workcell->rules().approach_distance *
+                                (X_WorldPart.linear() * X_PartTool.linear().col(2));
+  for (const double share : {kFirst, 1.0}) {
+    const PlacedPart lifted = {part, geometry::Translation(share * way) * X_WorldPart};
+    const PartId obstacle = Obstacle(problem_, lifted, world.Others(part));
+    if (obstacle.IsNone()) continue;
+    blame.Add(world.choice(obstacle), step, obstacle);
+    return false;
+  }
+  return true;
 }
 
 bool StepGeometry::TakingWorks(const World& world, StepId step, PartId part, GraspId grasp,

@@ -67,6 +67,9 @@ class StepGeometry {
  private:
   bool HandIsFree(const World& world, StepId step, domain::PartId part, domain::PartId except,
                   const domain::Grasp& grasp, const domain::Pose& X_WorldTool, Blame& blame) const;
+  // Returns true if the hand can draw the part back from where it is in the world.
+  bool PartLeaves(const World& world, StepId step, domain::PartId part, domain::GraspId grasp,
+                  Blame& blame) const;
   bool HeldPartIsFree(const World& world, StepId step, const domain::Mating& mating,
                       const domain::Pose& X_WorldHeld, Blame& blame) const;
 

@@ -17,6 +17,7 @@
 #include "planner/uncertainty/preconditions/certify.h"
 #include "planner/verify/certificate_algebra.h"
 #include "planner/verify/certificate_check.h"
+#include "planner/verify/resolution_check.h"
 
 namespace assay::verify {
 namespace {
@@ -222,7 +223,8 @@ std::vector<Flaw> DifferencesFromAnew(const domain::Problem& problem, const plan
     }
   }
   std::ranges::move(DifferencesOfVerifications(problem, plan), std::back_inserter(flaws));
-  return flaws;
+  if (!flaws.empty()) return flaws;
+  return FlawsOfResolutions(problem, plan, propagation);
 }
 
 }  // namespace assay::verify

@@ -23,11 +23,11 @@ bool IsAssembled(const Problem& problem, PartId part) {
 }
 
 // Only parts that are in one another have room that the clearance decides.
-geometry::CollisionShape NarrowestShape(const Problem& problem, PartId part) {
-  const PartModel& model = *problem.part(part).model;
+std::shared_ptr<const PartModel> NarrowestModel(const Problem& problem, PartId part) {
+  const std::shared_ptr<const PartModel>& model = problem.part(part).model;
   const double tolerance = problem.tolerances.clearance;
-  if (tolerance == 0 || !IsAssembled(problem, part)) return model.shape();
-  return PartFile::WithClearance(model, model.clearance() - tolerance)->shape();
+  if (tolerance == 0 || !IsAssembled(problem, part)) return model;
+  return PartFile::WithClearance(*model, model->clearance() - tolerance);
 }
 
 double Middle(const Interval& range) { return (range.low + range.high) / 2; }
@@ -36,19 +36,47 @@ Interval Difference(const Interval& a, const Interval& b) {
   return {a.low - b.high, a.high - b.low};
 }
 
-// Returns the heights between which a part is.
-Interval HeightsOf(const Part& part) {
+// Returns the heights between which a box of a part is.
+Interval HeightsOf(const Pose& X_WorldPart, const geometry::Box& box) {
   Interval heights = {std::numeric_limits<double>::infinity(),
                       -std::numeric_limits<double>::infinity()};
-  for (const Vector3& vertex : part.model->hull().vertices) {
-    const double z = (part.X_WorldPart * vertex).z();
+  for (const Vector3& corner : box.Corners()) {
+    const double z = (X_WorldPart * corner).z();
     heights = {std::min(heights.low, z), std::max(heights.high, z)};
   }
   return heights;
 }
 
-bool IsAbove(const Interval& upper, const Interval& lower) {
-  return upper.low >= lower.high - PossibleStarts::kGreatestOverlap;
+bool AreAboveEachOther(const Interval& a, const Interval& b, double allowance) {
+  return a.low >= b.high - allowance || b.low >= a.high - allowance;
+}
+
+// A box of one part, and the boxes of another part that are beside it at some height.
+struct NeighbouringBoxes {
+  geometry::CollisionShape box;
+  geometry::CollisionShape others;
+};
+
+// Returns the boxes of `a` that may come upon boxes of `b`. Errors keep the heights of all points,
+// except that `b` may be raised from `a` by an amount in `raised`. A box that is above another one
+// whatever the errors are can only touch it.
+std::vector<NeighbouringBoxes> BoxesBeside(const PlacedPart& a, const PlacedPart& b,
+                                           const Interval& raised, const PossibleStarts& starts) {
+  const double allowance = raised == Interval{} ? PossibleStarts::kGreatestOverlap : 0;
+  std::vector<NeighbouringBoxes> all;
+  for (const geometry::Box& of_a : starts.boxes(a.part)) {
+    const Interval heights_of_a = HeightsOf(a.X_WorldPart, of_a);
+    std::vector<geometry::Box> others;
+    for (const geometry::Box& of_b : starts.boxes(b.part)) {
+      const Interval heights = HeightsOf(b.X_WorldPart, of_b);
+      const Interval heights_of_b = {heights.low + raised.low, heights.high + raised.high};
+      if (!AreAboveEachOther(heights_of_a, heights_of_b, allowance)) others.push_back(of_b);
+    }
+    if (!others.empty()) {
+      all.push_back({geometry::CollisionShape({&of_a, 1}), geometry::CollisionShape(others)});
+    }
+  }
+  return all;
 }
 
 // The search for errors with which two parts overlap. Only the displacement of one part from the
@@ -58,19 +86,17 @@ class OverlapSearch {
   OverlapSearch(const Problem& problem, const PossibleStarts& starts, PartPair pair)
       : a_{pair.first, problem.part(pair.first).X_WorldPart},
         b_{pair.second, problem.part(pair.second).X_WorldPart},
-        starts_(starts),
-        heights_of_a_(HeightsOf(problem.part(pair.first))),
-        heights_of_b_(HeightsOf(problem.part(pair.second))) {
+        starts_(starts) {
     const PoseError& a = problem.part(a_.part).error;
     const PoseError& b = problem.part(b_.part).error;
     const bool is_one_table = CarrierAtStart(problem, a_.part) == CarrierAtStart(problem, b_.part);
     whole_ = {Difference(b.x, a.x), Difference(b.y, a.y),
               is_one_table ? Interval{} : Difference(b.z, a.z), a.theta, b.theta};
+    beside_ = BoxesBeside(a_, b_, whole_[2], starts);
   }
 
   // Returns false if the parts surely do not overlap.
   bool MayFind() const {
-    if (OneIsAbove()) return false;
     std::vector<Errors> open = {whole_};
     for (int examined = 0; !open.empty(); ++examined) {
       if (examined == kMostBoxes) return true;
@@ -82,7 +108,7 @@ class OverlapSearch {
       if (starts_.Overlap(a, b)) return true;
       const std::array<double, 5> reach = ReachOf(errors);
       const double all = Vector3(reach[0], reach[1], reach[2]).norm() + reach[3] + reach[4];
-      if (all == 0 || starts_.Between(a, b) - kDistanceError > all) continue;
+      if (all == 0 || Between(a, b) - kDistanceError > all) continue;
       if (all < kHardlyApart) return true;
       Divide(errors, std::ranges::max_element(reach) - reach.begin(), open);
     }
@@ -99,10 +125,13 @@ class OverlapSearch {
     return turned;
   }
 
-  // Other errors than those of height keep the heights of all points.
-  bool OneIsAbove() const {
-    return whole_[2] == Interval{} &&
-           (IsAbove(heights_of_a_, heights_of_b_) || IsAbove(heights_of_b_, heights_of_a_));
+  // Returns the least distance of boxes that are beside each other, infinite if there are none.
+  double Between(const PlacedPart& a, const PlacedPart& b) const {
+    double least = std::numeric_limits<double>::infinity();
+    for (const auto& [box, others] : beside_) {
+      least = std::min(least, geometry::Distance(box, a.X_WorldPart, others, b.X_WorldPart));
+    }
+    return least;
   }
 
   // Returns how far each error moves any point of a part from where it is in the middle of its
@@ -128,9 +157,8 @@ class OverlapSearch {
   const PlacedPart a_;
   const PlacedPart b_;
   const PossibleStarts& starts_;
-  const Interval heights_of_a_;
-  const Interval heights_of_b_;
   Errors whole_;
+  std::vector<NeighbouringBoxes> beside_;
 };
 
 std::vector<PartPair> AllPairs(std::size_t parts) {
@@ -153,9 +181,9 @@ PartId CarrierAtStart(const Problem& problem, PartId part) {
 
 PossibleStarts::PossibleStarts(const Problem& problem) {
   for (std::size_t i = 0; i < problem.parts.size(); ++i) {
-    shapes_.push_back(NarrowestShape(problem, PartId(i)));
+    models_.push_back(NarrowestModel(problem, PartId(i)));
   }
-  for (const PartPair& pair : AllPairs(shapes_.size())) {
+  for (const PartPair& pair : AllPairs(models_.size())) {
     const Pose& X_WorldA = problem.part(pair.first).X_WorldPart;
     const Pose& X_WorldB = problem.part(pair.second).X_WorldPart;
     if (geometry::Overlaps(shape(pair.first), X_WorldA, shape(pair.second), X_WorldB, 0)) {
@@ -178,6 +206,14 @@ std::optional<PartPair> PossibleStarts::FirstOverlap(std::span<const Pose> X_Wor
     if (Overlap({a, X_WorldPart[a.index()]}, {b, X_WorldPart[b.index()]})) return pair;
   }
   return std::nullopt;
+}
+
+const geometry::CollisionShape& PossibleStarts::shape(PartId part) const {
+  return models_[part.index()]->shape();
+}
+
+std::span<const geometry::Box> PossibleStarts::boxes(PartId part) const {
+  return models_[part.index()]->boxes();
 }
 
 double PossibleStarts::Between(const PlacedPart& a, const PlacedPart& b) const {

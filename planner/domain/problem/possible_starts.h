@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <span>
 #include <utility>
@@ -35,10 +36,11 @@ class PossibleStarts {
   // Returns the distance of two parts, metres; 0 if they touch or overlap.
   double Between(const PlacedPart& a, const PlacedPart& b) const;
 
-  const geometry::CollisionShape& shape(PartId part) const { return shapes_[part.index()]; }
+  const geometry::CollisionShape& shape(PartId part) const;
+  std::span<const geometry::Box> boxes(PartId part) const;  // of which the shape is the union
 
  private:
-  std::vector<geometry::CollisionShape> shapes_;
+  std::vector<std::shared_ptr<const PartModel>> models_;  // by part, with the narrowest pockets
   std::vector<PartPair> touching_;  // parts whose believed poses overlap by rounding
 };
 

@@ -277,7 +277,11 @@ double CollisionScene::GreatestMotion(const BodyPair& pair, const JointVector& t
 }
 
 std::string CollisionScene::Describe(const BodyPair& pair) const {
-  return fmt::format("the {} and the {}", body(pair.second).name, body(pair.first).name);
+  const auto text = [this](BodyId id) {
+    const Body& described = body(id);
+    return described.identity.part.IsNone() ? "the " + described.name : described.name;
+  };
+  return fmt::format("{} and {}", text(pair.second), text(pair.first));
 }
 
 }  // namespace assay::motion

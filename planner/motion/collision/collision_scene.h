@@ -120,7 +120,7 @@ class CollisionScene {
   // turns by more than `turn` (radians, >= 0) one way. In metres.
   double GreatestMotion(const BodyPair& pair, const JointVector& turn) const;
 
-  // Returns a text such as "the hand and the brick".
+  // Returns a text such as "the hand and brick", where brick is the name of a part.
   std::string Describe(const BodyPair& pair) const;
 
  private:

@@ -51,7 +51,7 @@ struct Obstruction {
   JointVector at = JointVector::Zero();
 };
 
-// Returns a text such as "the hand and the brick are nearer than 10 mm".
+// Returns a text such as "the hand and brick are nearer than 10.0 mm".
 std::string Describe(const CollisionScene& scene, const MotionRules& rules,
                      const Obstruction& obstruction);
 

@@ -99,13 +99,16 @@ class CertificateCheck {
   }
 
   // The error set of a part that the step does not handle stays as it is. So a part that is
-  // believed to stay, and is thus not in the hand, must stay.
+  // believed to stay, and is thus not in the hand, must stay, on the way to the step as well.
   void CheckBystanders(const plan::Certificate& certificate, const StepEvents& events) {
-    const execution::Snapshot* const last = events.end != nullptr ? events.end : events.stopped;
-    if (certificate.before.empty() || events.poised == nullptr || last == nullptr) return;
+    if (certificate.before.empty() || events.poised == nullptr) return;
+    const execution::Snapshot* const first = events.begun != nullptr ? events.begun : events.poised;
+    const execution::Snapshot* const last = events.end != nullptr       ? events.end
+                                            : events.stopped != nullptr ? events.stopped
+                                                                        : events.poised;
     for (std::size_t i = 0; i < last->parts.size(); ++i) {
       const domain::PartId part(i);
-      const execution::TrueAndBelieved& from = events.poised->parts[i];
+      const execution::TrueAndBelieved& from = first->parts[i];
       const execution::TrueAndBelieved& to = last->parts[i];
       if (std::ranges::count(certificate.before, part, &plan::ErrorSet::part) > 0) continue;
       if (from.believed.matrix() != to.believed.matrix()) continue;

@@ -97,7 +97,9 @@ class Falsifier {
   }
 
   FalsificationResult Run() {
-    result_.noiseless = ExecuteWithoutNoise(experiment_);
+    if (!IsFinished([this] { result_.noiseless = ExecuteWithoutNoise(experiment_); })) {
+      return std::move(result_);
+    }
     if (result_.noiseless.Holds()) {
       IsFinished([this] { FalsifySteps(); });
       Shrink();
@@ -150,7 +152,8 @@ class Falsifier {
       result_.counterexamples.push_back({.claim = verdict.worst,
                                          .noise = none,
                                          .steps = experiment_.plan.step(verdict.step).executed,
-                                         .replayed = true});
+                                         .replayed = true,
+                                         .is_simplest = true});
     }
   }
 
@@ -302,7 +305,7 @@ class Falsifier {
     const auto count = std::min(violations.size(), static_cast<std::size_t>(options_.shrunk));
     const auto shrink = [&](std::size_t i) {
       Counterexample example = AsFound(*violations[i]);
-      if (!Stops()) IsFinished([&] { example = Shrunk(experiment_, *violations[i]); });
+      if (!Stops()) IsFinished([&] { check::Shrink(experiment_, example); });
       return example;
     };
     scheduler_.InOrder(count, shrink, [&](std::size_t, Counterexample example) {

@@ -20,8 +20,8 @@ struct FalsificationOptions {
   // Called with the number of attempts made so far, from one thread at a time.
   std::function<void(std::int64_t)> progress = {};
   // Asked before each attempt, from any thread. True ends the falsification with the results so
-  // far, and its violations are not shrunk. If it is true when an execution throws Stopped
-  // (planner/base/stop.h), that attempt is dropped. An empty function never ends it.
+  // far, and violations are kept as far as they are shrunk by then. If it is true when an execution
+  // throws Stopped (planner/base/stop.h), that attempt is dropped. An empty function never ends it.
   std::function<bool()> stop = {};
 };
 

@@ -22,13 +22,15 @@ struct WorstClaim {
   std::int64_t attempt = 0;  // from 1
 };
 
-// A violation made as simple as possible: if one more error is left out, or all that are left are
-// made smaller, the claim is no longer violated.
+// A violation, made as simple as possible (shrink.h).
 struct Counterexample {
   Claim claim;
   noise::Noise noise;
-  int steps = 0;  // number of steps for which the plan must be executed
-  bool replayed = false;
+  int steps = 0;          // number of steps for which the plan must be executed
+  bool replayed = false;  // it shows from the start too, not only from a state saved on the way
+  // Whether the search for a simpler violation came to its end. If so, the claim is no longer
+  // violated if one more error is left out, or if all that are left are made smaller.
+  bool is_simplest = false;
   double multiple = 1;  // the least multiple of its errors, as far as tried, that still violates
 };
 

@@ -4,14 +4,15 @@
 
 namespace assay::check {
 
-// Makes a violation as simple as possible. The plan is executed again and again from its start up
-// to the step in question. Errors are left out one by one where the claim stays violated without
-// them; the rest are made smaller together.
-Counterexample Shrunk(const Experiment& experiment, const WorstClaim& violation);
+// The greatest number of steps that are executed to simplify one violation. A violation of a late
+// step is therefore replayed less often than one of the first step.
+inline constexpr int kMostStepsReplayed = 160;
 
-// Returns the claim's result when the plan is executed up to the claim's step. It is missing if the
-// execution does not observe the claim.
-std::optional<Claim> Replayed(const Experiment& experiment, const Claim& claim,
-                              const noise::Noise& noise);
+// Makes a violation as simple as possible. The plan is executed again and again from its start up
+// to the step in question, as long as kMostStepsReplayed allows. Errors are left out, many at once where that
+// is possible, as long as the claim stays violated; the rest are made smaller together. `example`
+// is the violation as it was found. At all times it is the simplest one so far, also if an
+// execution throws Stopped (planner/base/stop.h).
+void Shrink(const Experiment& experiment, Counterexample& example);
 
 }  // namespace assay::check

@@ -140,12 +140,13 @@ Approach StepFalsification::PoiseIn(const scene::Scene& scene, const TriedWorld&
   }
   Approach approach;
   if (failure) return approach;
-  execution.trace().events.clear();
+  execution.trace().events = {execution::ExecutionStart{execution.Now()}};
   execution::StepExecution step(experiment_.plan, step_, execution);
   failure = step.Approach();
   if (failure) End(failure, execution);
+  // The attempts claim where the parts are that the step handles.
   for (Claim& claim : ClaimsOf(execution.trace())) {
-    if (!claim.dimension) approach.claims.push_back(std::move(claim));
+    if (claim.about == Claimed::kAfter) approach.claims.push_back(std::move(claim));
   }
   if (!failure) approach.poised = PoisedTrial{&world, noise, execution.Save()};
   return approach;

@@ -9,7 +9,7 @@ class Sorter {
 
   void operator()(const execution::Milestone& milestone) {
     if (steps_.empty() || steps_.back().step != milestone.step) {
-      steps_.push_back({.step = milestone.step});
+      steps_.push_back({.step = milestone.step, .begun = begun_});
     }
     StepEvents& step = steps_.back();
     const execution::Snapshot*& snapshot =
@@ -20,6 +20,7 @@ class Sorter {
     if (snapshot == nullptr || milestone.stage == execution::Stage::kPoised)
       snapshot = &milestone.snapshot;
   }
+  void operator()(const execution::ExecutionStart& start) { begun_ = &start.snapshot; }
   void operator()(const execution::GuardRecord& guard) {
     if (!steps_.empty() && !steps_.back().resisted) steps_.back().resisted = guard.resisted;
   }
@@ -27,7 +28,10 @@ class Sorter {
     if (!steps_.empty()) steps_.back().look = &look;
   }
   void operator()(const execution::RecoveryRecord&) { steps_.back().recovered = true; }
-  void operator()(const execution::StepEnd& end) { steps_.back().end = &end.snapshot; }
+  void operator()(const execution::StepEnd& end) {
+    steps_.back().end = &end.snapshot;
+    begun_ = &end.snapshot;
+  }
   void operator()(const execution::ExecutionEnd& end) {
     if (!steps_.empty() && steps_.back().end == nullptr) steps_.back().stopped = &end.snapshot;
   }
@@ -35,6 +39,7 @@ class Sorter {
 
  private:
   std::vector<StepEvents> steps_;
+  const execution::Snapshot* begun_ = nullptr;  // where the next step begins
 };
 
 }  // namespace

@@ -11,6 +11,8 @@ namespace assay::check {
 // happen.
 struct StepEvents {
   plan::StepId step;
+  // Snapshot where the step before ended, or where the execution started.
+  const execution::Snapshot* begun = nullptr;
   const execution::Snapshot* poised = nullptr;  // snapshot before the first attempt
   // Snapshot of the first attempt, where the tool acts.
   const execution::Snapshot* reached = nullptr;

@@ -27,6 +27,7 @@ class NoiselessExecution {
         penetrations_(plan.steps.size()) {}
 
   void Run(bool holds_still) {
+    execution_.trace().events.emplace_back(execution::ExecutionStart{execution_.Now()});
     for (const plan::StepId id : plan_.ExecutionOrder()) {
       execution::StepExecution step(plan_, id, execution_);
       if (step.Approach()) return;

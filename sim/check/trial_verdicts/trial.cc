@@ -102,6 +102,21 @@ Trial RunTrial(const Experiment& experiment, const noise::Noise& noise,
   return trial;
 }
 
+std::optional<Claim> ObserveAgain(const Experiment& experiment, const Claim& claim,
+                                  const noise::Noise& noise) {
+  execution::ExecutorOptions options;
+  options.noise = noise;
+  options.sample_rate = 0;
+  options.last = claim.step;
+  options.recovers = false;
+  std::vector<Claim> claims =
+      ClaimsOf(experiment, Traced(experiment, experiment.scene, options, Sensing::kDrawn));
+  std::erase_if(claims, [&](const Claim& other) { return !IsSame(claim, other); });
+  if (claims.empty()) return std::nullopt;
+  WithHalfTheTimestep finer(experiment, options, Sensing::kDrawn);
+  return Confirmed(std::move(claims), [&] { return ClaimsOf(experiment, finer.trace()); }).front();
+}
+
 Verdict JudgeTrial(const Experiment& experiment, const noise::Noise& noise,
                    execution::ExecutorOptions options) {
   options.noise = noise;

@@ -16,7 +16,9 @@
 #include "planner/base/input_files/input_error.h"
 #include "planner/base/input_files/nearest_name.h"
 #include "planner/base/input_files/quotation.h"
+#include "planner/base/stop.h"
 #include "sim/cli/command_line/console.h"
+#include "sim/cli/command_line/interruption.h"
 #include "sim/cli/command_line/usage_error.h"
 #include "sim/cli/command_line/verb.h"
 
@@ -172,6 +174,9 @@ ExitCode RunCommandLine(const std::vector<std::string>& arguments) {
     PrintError(error.what());
   } catch (const std::bad_alloc&) {
     PrintError("out of memory");
+  } catch (const Stopped&) {
+    PrintError("interrupted: nothing is there yet");
+    return Interruption::CodeOr(ExitCode::kEnvironment);
   } catch (const std::exception& error) {
     PrintError(fmt::format("internal error of assay: {}", error.what()));
   } catch (...) {

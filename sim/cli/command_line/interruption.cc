@@ -6,6 +6,8 @@
 #include <atomic>
 #include <csignal>
 
+#include "planner/base/stop.h"
+
 namespace assay::cli {
 namespace {
 
@@ -16,6 +18,7 @@ static_assert(std::atomic<int>::is_always_lock_free, "it is set by a signal's ha
 
 extern "C" void TakeDown(int signal) {
   taken_down = signal;
+  stop_requested = true;
   std::signal(signal, SIG_DFL);
 }
 
@@ -29,16 +32,16 @@ void Handle(void (*handler)(int)) {
 
 Interruption::Interruption() {
   taken_down = 0;
+  stop_requested = false;
   Handle(TakeDown);
 }
 
-Interruption::~Interruption() { Handle(SIG_DFL); }
+Interruption::~Interruption() {
+  Handle(SIG_DFL);
+  stop_requested = false;
+}
 
 bool Interruption::Requested() { return taken_down != 0; }
-
-void Interruption::BreakOffIfRequested() {
-  if (Requested()) throw BrokenOff();
-}
 
 ExitCode Interruption::CodeOr(ExitCode code) {
   if (!Requested()) return code;

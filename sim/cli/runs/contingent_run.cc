@@ -95,11 +95,9 @@ class RunningTrees {
   TreeTrial Run(int number, bool is_pictured) const {
     execution::TrialSettings settings{.seed = seed_, .sensing_errors = run_.command.sensing_errors};
     std::optional<StepPictures> pictures;
-    settings.on_step_end = [&](const execution::StepPicture& step) {
-      if (is_pictured) Take(step, pictures);
-      Interruption::BreakOffIfRequested();
-    };
-
+    if (is_pictured) {
+      settings.on_step_end = [&](const execution::StepPicture& step) { Take(step, pictures); };
+    }
     TreeTrial trial =
         execution::RunTrial(scenario_, tree_, {number, worlds_.WorldOf(number)}, settings);
     if (pictures) pictures->Write(run_.folder);

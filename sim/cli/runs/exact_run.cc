@@ -70,7 +70,6 @@ class ExactTrials {
   // The pictures show the first trial.
   check::Trial RunOne(int number, StepPictures* pictures) const {
     execution::ExecutorOptions executor;
-    executor.on_timestep = Interruption::BreakOffAfter;
     executor.observer = number == 1 ? pictures : nullptr;
     check::Trial trial = check::RunTrial(planned_.problem, planned_.result.plan, scene_, executor);
     trial.number = number;

@@ -26,6 +26,10 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+constexpr char kPerhapsSimpler[] =
+    "  (the search for fewer and smaller errors was cut short; these are the fewest found so "
+    "far)\n";
+
 class FalsificationReport {
  public:
   explicit FalsificationReport(const FalsificationRun& run)
@@ -41,6 +45,7 @@ class FalsificationReport {
         .attempts = run_.attempts, .seed = run_.seed, .jobs = run_.jobs};
     options.progress = [&](std::int64_t made) {
       progress_->Tell({made, run_.attempts, "attempts"});
+      if (made == run_.attempts) progress_->Tell("reducing what was violated to fewer errors");
     };
     options.stop = Interruption::Requested;
     result_ = check::Falsify(experiment_, options);
@@ -108,6 +113,7 @@ class FalsificationReport {
       Json row = ToJson(plan_, example.claim);
       row["steps"] = example.steps;
       row["replayed"] = example.replayed;
+      row["simplest"] = example.is_simplest;
       row["noise"] = noise::Text(example.noise);
       row["replay"] = ReplayCommand(example.noise);
       result["counterexamples"].push_back(row);
@@ -135,6 +141,7 @@ class FalsificationReport {
       ++number;
       if (!run_.folder.empty()) text += "look:  " + ViewCommand(number) + "\n";
       if (!example.replayed) text += "  (only from a state saved on the way)\n";
+      if (example.replayed && !example.is_simplest) text += kPerhapsSimpler;
     }
     return text;
   }

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "planner/base/input_files/input_error.h"
+#include "planner/base/stop.h"
 #include "planner/plan/plan_files/json_layout.h"
 #include "sim/check/noise_floor/noiseless.h"
 #include "sim/check/trial_verdicts/ledger.h"
@@ -65,9 +66,7 @@ class NoisyTrials {
 
   ExitCode Execute() {
     const Interruption interruption;
-    if (!run_.command.errors && !run_.command.trial)
-      noiseless_ = check::ExecuteWithoutNoise(experiment_);
-    if (noiseless_.Holds()) {
+    if (HoldsWithoutNoise()) {
       execution::Scheduler(run_.jobs, Interruption::Requested)
           .InOrder(
               static_cast<std::size_t>(Wanted()),
@@ -88,6 +87,17 @@ class NoisyTrials {
   }
 
  private:
+  // Returns false, too, if an interruption came before the answer.
+  bool HoldsWithoutNoise() {
+    if (run_.command.errors || run_.command.trial) return true;
+    try {
+      noiseless_ = check::ExecuteWithoutNoise(experiment_);
+    } catch (const Stopped&) {
+      return false;
+    }
+    return noiseless_.Holds();
+  }
+
   int Wanted() const { return run_.command.trial ? 1 : run_.trials; }
   bool IsSingle() const { return Wanted() == 1; }
 
@@ -99,7 +109,6 @@ class NoisyTrials {
 
   Trial RunOne(int number) const {
     execution::ExecutorOptions options;
-    options.on_timestep = Interruption::BreakOffAfter;
     if (run_.folder.empty()) options.sample_rate = 0;
     Trial trial = RunTrial(experiment_, NoiseOf(number), options,
                            is_camera_ ? check::Sensing::kCamera : check::Sensing::kDrawn);

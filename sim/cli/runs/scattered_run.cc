@@ -74,9 +74,7 @@ class Scattering {
     if (!check.flaws.empty()) return {number, "flawed-plan", check.flaws.front().what, actions};
 
     const scene::Scene scene(*problem, scenario_.simulation.scene);
-    execution::ExecutorOptions executor;
-    executor.on_timestep = Interruption::BreakOffAfter;
-    check::Trial trial = check::RunTrial(*problem, result.plan, scene, executor);
+    check::Trial trial = check::RunTrial(*problem, result.plan, scene, {});
     trial.number = number;
     const bool succeeded = trial.verdict.outcome == execution::TrialOutcome::kSucceeded;
     if (!run_.folder.empty() && (run_.command.trial || !succeeded)) WriteTrace(trial);

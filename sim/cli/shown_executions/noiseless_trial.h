@@ -4,8 +4,7 @@
 
 namespace assay::cli {
 
-// Executes a plan once without noise, in order to show it. Shows progress to people, and can be
-// interrupted.
+// Executes a plan once without noise, in order to show it. Shows progress to people.
 check::Trial NoiselessTrial(const check::Experiment& experiment);
 
 }  // namespace assay::cli

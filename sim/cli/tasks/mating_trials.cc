@@ -4,11 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <string>
 #include <utility>
 
 #include "planner/base/random.h"
-#include "sim/cli/command_line/interruption.h"
 #include "sim/cli/command_line/usage_error.h"
 #include "sim/execution/trial/finding.h"
 #include "sim/noise/possible_start.h"
@@ -28,11 +28,8 @@ MatedTrial MatingTrials::RunStrategy(int number, const check::PlannedContacts& c
                                      double sample_rate) const {
   const Drawn drawn = DrawnFor(number);
   check::ContactObserver observer(scene_, problem_.mating(assemble_.mating), geometry_, contacts);
-  execution::MatingTrialOptions options{.sample_rate = sample_rate};
-  options.observer = [&observer](const mujoco::Data& data, int motion) {
-    Interruption::BreakOffIfRequested();
-    observer(data, motion);
-  };
+  const execution::MatingTrialOptions options{.observer = std::ref(observer),
+                                              .sample_rate = sample_rate};
   MatedTrial trial =
       Recorded(number, drawn,
                execution::RunMatingTrial(problem_, scene_, drawn.setting, strategy_, options));

@@ -49,9 +49,8 @@ class MatingTrials {
   MatingTrials(const MatingTask& task, const finemotion::MatingGeometry& geometry,
                const plan::Strategy& strategy, const MatingTrialSettings& settings);
 
-  // RunStrategy and RunStraight throw BrokenOff as soon as an interruption is requested
-  // (interruption.h).
-  // `sample_rate` is that of execution::ExecutorOptions.
+  // Both throw Stopped as soon as a stop is requested (planner/base/stop.h). `sample_rate` is that
+  // of execution::ExecutorOptions.
   MatedTrial RunStrategy(int number, const check::PlannedContacts& contacts,
                          double sample_rate = 0) const;
   MatedTrial RunStraight(int number, double sample_rate = 0) const;

@@ -11,6 +11,7 @@
 
 #include "planner/assembly/contingent_assembly.h"
 #include "planner/base/input_files/input_error.h"
+#include "planner/base/stop.h"
 #include "planner/domain/parts/part_file.h"
 #include "planner/domain/workcell/workcell_file.h"
 #include "planner/plan/plan_files/json_layout.h"
@@ -112,6 +113,8 @@ struct Summary {
       PrintError(error.what());
       files.push_back({{"file", file.string()}, {"holds", false}, {"error", error.what()}});
       all_right = false;
+    } catch (const Stopped&) {
+      // An interruption came before the answer about this file.
     }
   }
 };

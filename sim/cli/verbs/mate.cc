@@ -205,7 +205,6 @@ MatingStudy Tried(const Planning& of, const kinematics::JointVector& near, const
           numbers.size(),
           [&](std::size_t i) {
             MatedTrial strategy = trials.RunStrategy(numbers[i], contacts);
-            Interruption::BreakOffIfRequested();
             return std::pair(std::move(strategy), trials.RunStraight(numbers[i]));
           },
           [&](std::size_t i, std::pair<MatedTrial, MatedTrial> made) {
@@ -246,7 +245,7 @@ void Try(const kinematics::JointVector& near, const Options& options, Planning& 
 
 // Writes the page of one trial.
 void View(const kinematics::JointVector& near, const Options& options, Planning& of) {
-  if (options.page.empty()) return;
+  if (options.page.empty() || Interruption::Requested()) return;
   const double rate = execution::ExecutorOptions().sample_rate;
   const int number = options.trial.value_or(1);
   const MatingTrialSettings settings = TrialSettings(of, near, options);
@@ -301,7 +300,9 @@ ExitCode Execute(const Options& options) {
   Search(planning);
   if (!planning.plan.motions.empty()) {
     Execute(options, planning);
-    if (!options.pictures.empty()) Picture(options.pictures, planning);
+    if (!options.pictures.empty() && !Interruption::Requested()) {
+      Picture(options.pictures, planning);
+    }
   }
   Print(options.json ? plan::JsonText(planning.json) : planning.text);
   return Interruption::CodeOr(planning.code);

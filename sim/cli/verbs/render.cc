@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "planner/base/stop.h"
 #include "planner/plan/plan_files/json_layout.h"
 #include "sim/check/trial_verdicts/trial.h"
 #include "sim/cli/command_line/console.h"
@@ -36,10 +37,9 @@ std::optional<execution::ExecutionEnd> Execute(const PlannedProblem& planned,
                                                const scene::Scene& scene, StepPictures& pictures) {
   const Progress progress("executing the plan for " + planned.problem.name);
   try {
-    return check::RunTrial(planned.problem, planned.result.plan, scene,
-                           {.on_timestep = Interruption::BreakOffAfter, .observer = &pictures})
+    return check::RunTrial(planned.problem, planned.result.plan, scene, {.observer = &pictures})
         .trace.end();
-  } catch (const BrokenOff&) {
+  } catch (const Stopped&) {
     return std::nullopt;
   }
 }

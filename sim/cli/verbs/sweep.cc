@@ -115,9 +115,10 @@ class Narrator {
   Progress progress_{"sweep"};
 };
 
-// Ends an interrupted program while plans are made. A plan that is being made cannot be broken off,
-// and nothing of it could be kept. The watch ends the program within a second or two of an
-// interruption. The plans before it are on the disk, where transactions leave nothing half done.
+// Ends an interrupted program while plans are made. Some parts of planning cannot be broken off,
+// and nothing of a plan that is being made could be kept. The watch ends the program within a
+// second or two of an interruption. The plans before it are on the disk, where transactions leave
+// nothing half done.
 class PlanningWatch {
  public:
   explicit PlanningWatch(const fs::path& database)

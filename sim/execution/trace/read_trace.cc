@@ -71,6 +71,7 @@ class TraceParser {
  private:
   TraceEvent EventOf(const TraceLine& line) {
     const std::string kind = line.at("kind");
+    if (kind == "start") return ExecutionStart{SnapshotOf(line)};
     if (kind == "sample") return SampleOf(line);
     if (kind == "grasp") return GraspOf(line);
     if (kind == "look") return LookOf(line);

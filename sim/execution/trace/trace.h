@@ -159,6 +159,11 @@ struct RestRecord {
   std::vector<Speeds> parts = {};  // by PartId
 };
 
+// The beginning of an execution, or of the part of it that a trace records.
+struct ExecutionStart {
+  Snapshot snapshot;
+};
+
 // A robot touched something that it should not (CollisionWatch). Each pair of bodies occurs once,
 // by name.
 struct CollisionRecord {
@@ -175,9 +180,9 @@ struct ExecutionEnd {
   std::int64_t steps = 0;  // number of the engine's steps
 };
 
-using TraceEvent = std::variant<Sample, GraspFact, LookRecord, GuardRecord, MotionRecord, Milestone,
-                                VerificationRecord, RecoveryRecord, StepEnd, RestRecord,
-                                CollisionRecord, ExecutionEnd>;
+using TraceEvent = std::variant<ExecutionStart, Sample, GraspFact, LookRecord, GuardRecord,
+                                MotionRecord, Milestone, VerificationRecord, RecoveryRecord,
+                                StepEnd, RestRecord, CollisionRecord, ExecutionEnd>;
 
 // All records of one execution, in the order of time.
 struct Trace {

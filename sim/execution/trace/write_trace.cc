@@ -113,6 +113,7 @@ class TraceWriter {
             {"robot", collision.robot},
             {"other", collision.other}};
   }
+  Json operator()(const ExecutionStart& start) const { return Of("start", start.snapshot); }
   Json operator()(const ExecutionEnd& end) const {
     Json json = Of("end", end.snapshot);
     json["outcome"] = NameOfEnd(end.outcome);

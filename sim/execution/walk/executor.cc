@@ -96,6 +96,7 @@ Progress Rest(Execution& execution, RestRecord& rest) {
 Trace Execute(const domain::Problem& problem, const plan::Plan& plan, const scene::Scene& scene,
               mujoco::Data& data, const ExecutorOptions& options) {
   Execution execution(problem, scene, data, options);
+  execution.trace().events.emplace_back(ExecutionStart{execution.Now()});
   if (options.observer != nullptr) options.observer->SeeStart(data);
   const Progress failure = RunPlan(plan, execution);
   ExecutionEnd end{.snapshot = execution.Now(), .steps = execution.steps()};

@@ -7,7 +7,7 @@ const SHOWN = {
 // Returns the number with so many digits, without zeros at its end, and with a true minus sign.
 export function numberText(value, digits = 4) {
   if (value === null || !Number.isFinite(value)) return '∞';
-  const small = Math.abs(value) < 1e-9 ? 0 : value;
+  const small = Math.abs(value) < 1e-7 ? 0 : value; // rounding, in any unit that is shown
   return String(Number(small.toPrecision(digits))).replace('-', '−');
 }
 

@@ -99,6 +99,27 @@ TEST(PostingPlanner, Figure16RegraspsThePeg) {
   EXPECT_EQ(plan[3], "assemble peg block");
 }
 
+// The hand could not draw the lower brick back, and the upper one would fall.
+TEST(PostingPlanner, WhatStandsOnAPartIsTakenAwayFirst) {
+  const domain::Problem problem = ScenarioFrom(R"(
+format: assay-scenario/1
+units: {length: mm, angle: degree}
+workcell: puma762-table
+parts:
+  lower: {model: brick, pose: {stable: upright, at: [600, 200]}}
+  upper: {model: brick,
+          pose: {columns: [[1, 0, 0], [0, 1, 0], [0, 0, 1], [600, 200, 152.4]]}}
+goal:
+  - located: {part: lower, stable: [on-side]}
+)");
+  const auto plan = PlanOf(problem);
+  ASSERT_EQ(plan.size(), 4u);
+  EXPECT_EQ(plan[0], "pickup upper");
+  EXPECT_THAT(plan[1], HasSubstr("putdown upper"));
+  EXPECT_EQ(plan[2], "pickup lower");
+  EXPECT_EQ(plan[3], "putdown lower on-side");
+}
+
 // In figure 8, assemble, pickup peg, putdown block and pickup block are added in this order, and
 // are executed 4, 3, 2, 1. In figure 9 the ordering is 2 before 1, 3 before 1, 4 before 3, and 3
 // before 2.

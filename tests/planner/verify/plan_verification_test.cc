@@ -76,5 +76,67 @@ TEST_F(PlanVerification, EachPartIsAnnounced) {
                                  "computing the certificates anew"));
 }
 
+// A plan with a remedy for what was not proved at first.
+struct RemediedPlan {
+  std::string scenario;
+  std::string resolver;  // of some step
+};
+
+class Remedies : public ::testing::TestWithParam<RemediedPlan> {
+ protected:
+  using Resolutions = std::vector<plan::Resolution>;
+
+  std::vector<plan::Flaw> FlawsAfter(const std::function<void(Resolutions&)>& change) const {
+    plan::Plan plan = plan_;
+    for (plan::PlannedStep& step : plan.steps) {
+      Resolutions& resolutions = step.certificate.resolutions;
+      if (std::ranges::count(resolutions, GetParam().resolver, &plan::Resolution::resolver) == 0) {
+        continue;
+      }
+      change(resolutions);
+      return Verify({problem_, plan, "plan.json", true}, kOrders).flaws;
+    }
+    ADD_FAILURE() << "no remedy of this kind";
+    return {};
+  }
+  static plan::Resolution& Of(Resolutions& resolutions) {
+    return *std::ranges::find(resolutions, GetParam().resolver, &plan::Resolution::resolver);
+  }
+
+  const domain::Problem problem_ = constraint_posting::LoadScenario(GetParam().scenario);
+  const plan::Plan plan_ = assembly::MakeCertifiedPlan(problem_, {}, {}).plan;
+};
+
+TEST_P(Remedies, AreComparedWithThePlan) {
+  const auto refused = Contains(Field(&plan::Flaw::what, HasSubstr("certificate.resolutions: ")));
+  EXPECT_THAT(FlawsAfter([](Resolutions&) {}), IsEmpty());
+  for (const char* other : {"sensing", "squeezing", "fine-motion", "verification", "magic"}) {
+    if (other == GetParam().resolver) continue;
+    EXPECT_THAT(FlawsAfter([&](Resolutions& all) { Of(all).resolver = other; }), refused) << other;
+  }
+  EXPECT_THAT(FlawsAfter([](Resolutions& all) { Of(all).why = "because"; }), refused);
+  if (GetParam().resolver == "moving") return;  // why parts were moved is not computed anew
+  EXPECT_THAT(FlawsAfter([](Resolutions& all) { Of(all).why.insert(0, "it is "); }), refused);
+  EXPECT_THAT(FlawsAfter([](Resolutions& all) { Of(all).steps.clear(), all.clear(); }), refused);
+  EXPECT_THAT(FlawsAfter([](Resolutions& all) { all.push_back(all.front()); }), refused);
+}
+
+TEST_P(Remedies, AreNotInvented) {
+  plan::Plan plan = plan_;
+  for (plan::PlannedStep& step : plan.steps) {
+    if (!step.certificate.resolutions.empty()) continue;
+    step.certificate.resolutions = {{"verification", {}, "not proved that it works"}};
+    EXPECT_THAT(Verify({problem_, plan, "plan.json", true}, kOrders).flaws, Not(IsEmpty()));
+    return;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(OfScenarios, Remedies,
+                         ::testing::Values(RemediedPlan{"uncertain-held", "sensing"},
+                                           RemediedPlan{"uncertain-squeezing", "squeezing"},
+                                           RemediedPlan{"uncertain-failing", "verification"},
+                                           RemediedPlan{"uncertain-clutter", "moving"}),
+                         [](const auto& remedied) { return remedied.param.resolver; });
+
 }  // namespace
 }  // namespace assay::verify::plan_verification_test

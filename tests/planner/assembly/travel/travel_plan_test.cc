@@ -200,7 +200,7 @@ TEST(TravelPlan, FlawsAreTold) {
   expect([](plan::Travel& t) { t.path.back()[4] += 0.01; }, "does not end where");
   expect([](plan::Travel& t) { t.clearance = 0; }, "a clearance of 0.00 mm is less");
   expect([](plan::Travel& t) { t.clearance = 0.2; }, "are nearer than");
-  expect([](plan::Travel& t) { t.path = {t.path.front(), t.path.back()}; }, "the mast");
+  expect([](plan::Travel& t) { t.path = {t.path.front(), t.path.back()}; }, "and mast");
 }
 
 // The mast is moved by 5 cm to where the forearm is while the hand takes the peg.
@@ -211,7 +211,7 @@ TEST(TravelPlan, TellsWhatIsInTheWay) {
   const auto obstruction = AddTravels(problem, {.budget = 2000}, plan);
   ASSERT_TRUE(obstruction);
   EXPECT_THAT(obstruction->text, HasSubstr("no way to action_"));
-  EXPECT_THAT(obstruction->text, HasSubstr("the mast are nearer than"));
+  EXPECT_THAT(obstruction->text, HasSubstr("and mast are nearer than"));
   ASSERT_TRUE(obstruction->situation);
   const plan::Situation& situation = *obstruction->situation;
   ASSERT_EQ(situation.colliding.size(), 2u);

@@ -54,6 +54,27 @@ goal:
                      lower, upper);
 }
 
+// A peg in a block that lies on its back, and the error of each. The clearance is 1 mm.
+std::string PegInBlock(const std::string& peg, const std::string& block) {
+  return fmt::format(R"(
+format: assay-scenario/1
+units: {{length: mm, angle: degree}}
+workcell: puma762-table
+clearance: 1
+parts:
+  block: {{model: block, pose: {{stable: on-back, at: [600, 50], yaw: 30}}, error: {}}}
+  peg: {{model: peg, error: {}}}
+  other: {{model: brick, pose: {{stable: upright, at: [600, -300]}}}}
+initially:
+  - assembled: {{held: peg, fixed: block, features: [[7, 8], [7, 8]],
+                pose: {{columns: [[-1, 0, 0], [0, 1, 0], [0, 0, -1], [76.2, 0, 82.55]]}},
+                mating_vector: [-101.6, 0, 0]}}
+goal:
+  - located: {{part: other, stable: [upright]}}
+)",
+                     block, peg);
+}
+
 std::string MessageOf(const std::string& text) {
   try {
     ParseScenario(text);
@@ -84,6 +105,17 @@ TEST(PossibleStarts, PairsAreNamedIfTheirErrorsCloseTheGap) {
 // Without errors of height, a part stays above what it stands on.
 TEST(PossibleStarts, PartsOnEachOtherNeverOverlap) {
   EXPECT_THAT(PairsOf(OneOnTheOther("{x: 0.5, y: 0.5, theta: 5}", "{x: 0.5}")), IsEmpty());
+}
+
+// The seat of a peg touches the block's, but the walls of the hole leave room for small errors.
+TEST(PossibleStarts, APegInAHoleOverlapsItsWallsOnly) {
+  EXPECT_THAT(PairsOf(PegInBlock("{}", "{}")), IsEmpty());
+  EXPECT_THAT(PairsOf(PegInBlock("{x: 0.05, y: 0.05, theta: 0.02}", "{z: 0.5}")), IsEmpty());
+  EXPECT_THAT(PairsOf(PegInBlock("{x: 0.2, y: 0.2}", "{x: 0.2, y: 0.2, theta: 0.1}")), IsEmpty());
+  const auto both = ElementsAre(Pair(PartId(0), PartId(1)));
+  EXPECT_THAT(PairsOf(PegInBlock("{x: 3}", "{}")), both);
+  EXPECT_THAT(PairsOf(PegInBlock("{}", "{y: 3}")), both);
+  EXPECT_THAT(PairsOf(PegInBlock("{theta: 10}", "{}")), both);
 }
 
 bool BoxesOverlap(const Part& a, const Pose& X_WorldA, const Part& b, const Pose& X_WorldB) {
@@ -137,6 +169,30 @@ TEST(PossibleStarts, NoPairThatOverlapsSomewhereIsMissed) {
   }
   EXPECT_GT(found, 10);
   EXPECT_GT(free, 10);
+}
+
+TEST(PossibleStarts, NoWallThatAPegOverlapsIsMissed) {
+  RandomStream random(11, "pegs");
+  int found = 0, free = 0;
+  for (int i = 0; i < 40; ++i) {
+    const auto error = [&] {
+      return fmt::format("{{x: {:.2f}, y: {:.2f}, theta: {:.2f}}}", random.Uniform(0, 0.7),
+                         random.Uniform(0, 0.7), random.Uniform(0, 0.5));
+    };
+    const std::string peg = error();
+    const Problem problem = ParseScenario(PegInBlock(peg, error()));
+    const PossibleStarts starts(problem);
+    bool overlaps = false;
+    for (int draw = 0; draw < 500 && !overlaps; ++draw) {
+      const Pose X_WorldBlock = DrawnPose(problem.parts[0], random);
+      overlaps = starts.Overlap({PartId(0), X_WorldBlock},
+                                {PartId(1), DrawnPose(problem.parts[1], random)});
+    }
+    EXPECT_LE(overlaps, !PairsThatMayOverlap(problem).empty()) << i;
+    ++(overlaps ? found : free);
+  }
+  EXPECT_GT(found, 5);
+  EXPECT_GT(free, 5);
 }
 
 TEST(PossibleStarts, PosesOverlapBeyondContactOnly) {

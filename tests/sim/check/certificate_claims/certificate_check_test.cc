@@ -239,6 +239,23 @@ TEST_F(CertificateCheckTest, APartThatTheStepDoesNotHandleStaysWhereItIs) {
   EXPECT_EQ(Worst(shoved(0, 2e-3)), ClaimVerdict::kContained);
 }
 
+// A tower may fall before the tool is poised, and shove the block.
+TEST_F(CertificateCheckTest, APartStaysWhereItIsOnTheWayToAStepAsWell) {
+  const std::size_t block = execution::PartNamed(problem_, "block").index();
+  execution::Snapshot before = snapshot_;
+  before.parts[block].truth.translation().x() += 1e-3;
+  const auto claims_from = [&](const execution::TraceEvent& event) {
+    execution::Trace trace;
+    trace.events.push_back(event);
+    trace.events.push_back(execution::Milestone{kPickup, Stage::kPoised, snapshot_});
+    return CheckCertificates(problem_, plan_, trace, {}, kPickup);
+  };
+  EXPECT_TRUE(Named(claims_from(execution::ExecutionStart{before}), Claimed::kAfter,
+                    "leaves block where it is")
+                  .IsViolated());
+  EXPECT_EQ(Worst(claims_from(execution::ExecutionStart{snapshot_})), ClaimVerdict::kContained);
+}
+
 // Each finger has its own bounds. A bound that is proved for one finger is checked even if the
 // other finger's bound is not proved. The unproved bound cannot be violated.
 TEST_F(CertificateCheckTest, WhatIsProvedIsTestedEvenIfAnotherOfItsNameIsNot) {

@@ -3,7 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
+#include <thread>
 
+#include "planner/base/stop.h"
 #include "sim/check/falsification/conservatism.h"
 #include "sim/check/falsification/shrink.h"
 #include "sim/check/noise_floor/measure_noise_floor.h"
@@ -142,9 +145,25 @@ TEST(PaperPropagation, TheMissingLeverArmIsFoundAndShrunk) {
   }
   EXPECT_LE(left, 6u);
   EXPECT_TRUE(turned);
-  const auto again = Replayed(experiment, example.claim, example.noise);
+  const auto again = ObserveAgain(experiment, example.claim, example.noise);
   ASSERT_TRUE(again);
   EXPECT_EQ(again->observed, example.claim.observed);
+  EXPECT_TRUE(example.is_simplest);
+
+  // A stop while a violation is shrunk keeps what was found so far.
+  const auto violated = [](const WorstClaim& worst) { return worst.claim.IsViolated(); };
+  const WorstClaim& found = *std::ranges::find_if(result.worst, violated);
+  Counterexample cut_short = {.claim = found.claim, .noise = found.noise};
+  {
+    const std::jthread stop([] {
+      std::this_thread::sleep_for(std::chrono::milliseconds(200));
+      stop_requested = true;
+    });
+    EXPECT_THROW(Shrink(experiment, cut_short), Stopped);
+  }
+  stop_requested = false;
+  EXPECT_TRUE(cut_short.claim.IsViolated());
+  EXPECT_FALSE(cut_short.is_simplest);
 }
 
 }  // namespace

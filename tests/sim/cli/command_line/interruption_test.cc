@@ -14,8 +14,11 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
+// Much more than the second or two that it takes, for machines that are busy.
+constexpr std::chrono::seconds kSoon{30};
+
 // Ends a command that would run for ever by a signal. The signal is sent as soon as the program has
-// a handler for it.
+// a handler for it, and the program must end soon after it.
 std::optional<Ended> Interrupted(const std::vector<std::string>& arguments, int signal) {
   Running running(arguments);
   for (int waits = 0; !running.Catches(signal); ++waits) {
@@ -26,7 +29,10 @@ std::optional<Ended> Interrupted(const std::vector<std::string>& arguments, int 
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
   }
   running.Signal(signal);
-  return running.Wait();
+  const auto from = std::chrono::steady_clock::now();
+  const Ended ended = running.Wait();
+  EXPECT_LT(std::chrono::steady_clock::now() - from, kSoon);
+  return ended;
 }
 
 constexpr const char* kForEver = "100000000";

@@ -78,7 +78,7 @@ Trace OneOfEach() {
                  Milestone{plan::StepId(2), Stage::kReached, SomeSnapshot(0.78)}, check, recovery,
                  StepEnd{plan::StepId(0), "action_1", "pickup(peg, PG1)", SomeSnapshot(1)}, motion,
                  RestRecord{.duration = 0.5, .parts = {{1e-6, 2e-6}}},
-                 CollisionRecord{1.5, "arm/forearm", "part/peg"},
+                 CollisionRecord{1.5, "arm/forearm", "part/peg"}, ExecutionStart{SomeSnapshot(0)},
                  ExecutionEnd{.outcome = TrialOutcome::kOverload,
                               .reason = "too much",
                               .snapshot = SomeSnapshot(2)}}};
@@ -93,7 +93,7 @@ class TraceSchema : public testing::Test {
 
 TEST_F(TraceSchema, EveryLineFollowsIt) {
   const std::vector<Json> lines = Lines(OneOfEach());
-  ASSERT_EQ(lines.size(), 14u);
+  ASSERT_EQ(lines.size(), 15u);
   for (const Json& line : lines) EXPECT_THAT(schema_.Errors(line), IsEmpty()) << line.dump(2);
 }
 
@@ -147,7 +147,8 @@ TEST(TraceTest, SaysWhatItWasGiven) {
   EXPECT_EQ(lines[2]["holds"], false);
   EXPECT_EQ(lines[9]["action"], "pickup(peg, PG1)");
   EXPECT_EQ(lines[12]["other"], "part/peg");
-  EXPECT_EQ(lines[13]["outcome"], "overload");
+  EXPECT_EQ(lines[13]["kind"], "start");
+  EXPECT_EQ(lines[14]["outcome"], "overload");
 }
 
 TEST(TraceTest, SaysWhatSensorsTold) {
