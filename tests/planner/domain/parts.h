@@ -35,8 +35,9 @@ inline const kinematics::Gripper& ParallelJaw() {
 
 inline const std::vector<std::string>& PartNames() {
   static const std::vector<std::string> names = {
-      "block", "brick",         "keyed-block", "keyed-peg", "octagonal-block", "octagonal-peg",
-      "peg",   "stepped-block", "stepped-peg", "t-rail",    "t-slide",         "twin-block"};
+      "block",         "brick",  "keyed-block", "keyed-peg", "octagonal-block",
+      "octagonal-peg", "peg",    "round-block", "round-peg", "stepped-block",
+      "stepped-peg",   "t-rail", "t-slide",     "twin-block"};
   return names;
 }
 

@@ -3,6 +3,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
+#include "planner/base/random.h"
 #include "planner/domain/problem/problem_file.h"
 #include "planner/geometry/collision.h"
 #include "tests/planner/domain/parts.h"
@@ -25,11 +29,11 @@ bool IsStopped(const Problem& problem, const Mating& mating, const Vector3& move
                   problem.part(mating.fixed).model->shape(), Pose::Identity(), 0);
 }
 
-// The oracle uses only the boxes of the parts, and no features and walls.
+// The oracle uses only the solids of the parts, and no features and walls.
 TEST(ShaftFit, GapsAreHowFarTheSeatedPartCanMove) {
   for (const char* scenario :
        {"spar-fig15", "two-pegs", "keyed", "uncertain-sensing", "uncertain-squeezing",
-        "mate-octagonal", "mate-stepped", "mate-t-slot"}) {
+        "mate-octagonal", "mate-stepped", "mate-t-slot", "round-peg"}) {
     const Problem problem = Load(scenario);
     for (const Mating& mating : problem.matings) {
       const std::vector<FitGap> gaps = GapsOf(problem, mating);
@@ -43,6 +47,36 @@ TEST(ShaftFit, GapsAreHowFarTheSeatedPartCanMove) {
       }
     }
   }
+}
+
+// A round shaft whose circle is inside the walls is inside them however it is turned.
+TEST(ShaftFit, WhatHoldsOfTheCircleHoldsForEveryTurn) {
+  const Problem problem = Load("round-peg");
+  const Mating& mating = problem.matings.front();
+  const std::vector<ShaftFit> fits = FitsOf(problem, mating);
+  ASSERT_EQ(fits.size(), 1u);
+  const ShaftFit& fit = fits.front();
+  const std::optional<double> radius = RadiusOfRound(CrossSection(fit));
+  ASSERT_TRUE(radius.has_value());
+  EXPECT_NEAR(*radius, 0.75 * kInch / std::cos(M_PI / 64), 1e-9);
+  RandomStream random(5, "round fit");
+  int inside = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const Vector3 shift(0, random.Uniform(-5e-4, 5e-4), random.Uniform(-5e-4, 5e-4));
+    const Pose X_FixedHeld = geometry::Translation(shift) * mating.X_FixedHeld *
+                             geometry::RotationX(random.Uniform(-M_PI, M_PI));
+    const Vector3 center = X_FixedHeld * fit.shaft.X_PartFeature.translation();
+    const bool fits_circle = std::ranges::all_of(SideWalls(fit, 0), [&](const SideWall& wall) {
+      return wall.normal.dot(center) > wall.offset + *radius;
+    });
+    if (!fits_circle) continue;
+    ++inside;
+    EXPECT_TRUE(FitsInside(fits, X_FixedHeld)) << "seed 5, draw " << i;
+    EXPECT_FALSE(Overlaps(problem.part(mating.held).model->shape(), X_FixedHeld,
+                          problem.part(mating.fixed).model->shape(), Pose::Identity(), 1e-6))
+        << "seed 5, draw " << i;
+  }
+  EXPECT_GT(inside, 500);
 }
 
 TEST(ShaftFit, OffTheMiddleOneGapIsWiderByAsMuchAsTheOtherIsNarrower) {

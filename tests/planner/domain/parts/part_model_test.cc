@@ -170,7 +170,8 @@ TEST(PartModelTest, SurfacesAreClosed) {
   for (const std::string& name : PartNames()) {
     const auto part = LoadPart(name);
     // Walls that meet at an obtuse angle each cover 0.1 micrometres of the other.
-    const double strips = name == "octagonal-block" ? 1e-9 : 1e-12;
+    const bool is_slanting = name == "octagonal-block" || name == "round-block";
+    const double strips = is_slanting ? 1e-8 : 1e-12;
     ExpectClosedSurface(*part, part->mass().mass / 700, strips);
   }
 }
