@@ -48,7 +48,7 @@ Json CamerasData(const scene::Scene& scene) {
   return all;
 }
 
-// Each part has its edges, for its outlines.
+// Returns the parts with the edges of which their outlines are drawn.
 Json PartsData(const domain::Problem& problem) {
   Json all = Json::array();
   for (const domain::Part& part : problem.parts) {
@@ -89,7 +89,7 @@ Json ColorsData() {
   return colors;
 }
 
-// What is drawn of an execution.
+// The data of one picture of an execution.
 Json PictureData(const plan::Plan& plan, const scene::Scene& scene, const execution::Trace& trace) {
   const std::vector<Body> bodies = BodiesOf(scene);
   const Recording recording = Record(scene, bodies, trace);

@@ -158,8 +158,8 @@ inline constexpr ConditionKind kTipTurn = {
 
 // ---- Letting a part go -----------------------------------------------------------------------
 
-// The moment that a leaning part has over an edge of its support, over that with which it falls
-// back, is below 1.
+// A part that leans turns about an edge of its support. The moment that tips it over, divided by
+// the moment with which it falls back, is below 1.
 inline constexpr ConditionKind kStanding = {
     "standing", "once let go, the part falls back on what it stands on, however it leans",
     Dimension::kRatio, NeededBy::kRelease, Origin::kSoundMode};

@@ -204,7 +204,8 @@ TEST_F(PageOfFigure15, HasTheContactPointsOfTheTrace) {
   EXPECT_GT(compared, 1000);
 }
 
-// Each key of an object, with the keys inside of it. Of a list, its first item counts.
+// Returns each key of an object with the keys inside of it. For a list, it returns those of the
+// first item.
 std::set<std::string> KeysOf(const Json& data, const std::string& path = "") {
   if (data.is_array() && !data.empty()) return KeysOf(data[0], path + "[]");
   std::set<std::string> keys;

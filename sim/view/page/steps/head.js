@@ -3,7 +3,7 @@ import {countText} from '../units.js';
 
 import {summaryOf} from './standing.js';
 
-// What was viewed, and what came of it.
+// The head of a page: the title, what was viewed, the outcome, and a summary of the certificates.
 export function headOf(data) {
   const {title, source, outcome} = data;
   const isGood = outcome.name === 'succeeded' || outcome.name === 'reached';

@@ -7,8 +7,8 @@ import {bodiesNamedIn} from './names.js';
 import {standingOf, uncoveredOf, verdictOf} from './standing.js';
 import {treeOf} from './tree.js';
 
-// The steps as a list or a tree, and the certificate of the one that is shown. A click goes to the
-// step.
+// The steps as a list or a tree, and the certificate of the step that is shown. A click on a step
+// goes to its beginning.
 export class Steps {
   constructor(data, player, viewport) {
     Object.assign(this, {data, player, viewport});
@@ -33,7 +33,8 @@ export class Steps {
     return {buttons, list: element('ol', {class: 'steps'}, ...items)};
   }
 
-  // How the step's certificate stands. Actions that belong to no plan have none.
+  // Returns whether the step's certificate is proved, as a text with a mark. Actions that belong to
+  // no plan have no certificate.
   noteOf(step) {
     if (!step.planned) return null;
     const {mark, color, text, isOpen} = standingOf(step, this.data.colors);
@@ -47,7 +48,8 @@ export class Steps {
         element('span', {class: 'mark'}, mark), ` ${notes}`);
   }
 
-  // The step in which a time lies; what follows the last step belongs to it.
+  // Returns the index of the step in which a time lies. Times after the last step belong to the
+  // last step.
   at(time) {
     const index = this.data.steps.findIndex((step) => step.from !== undefined && time < step.to);
     if (index >= 0) return index;
@@ -58,8 +60,8 @@ export class Steps {
     if (step.from !== undefined) this.player.seek(step.from);
     this.select(step.number - 1);
   }
-  // Goes to the step before or after. Within the first second of a step, "before" is the previous
-  // one.
+  // Goes to the beginning of the next step (count 1), or of this step (count -1). Within the first
+  // second of a step, it goes back to the previous step.
   go(count) {
     if (this.data.steps.length === 0) return;
     const index = this.at(this.player.time);
@@ -71,7 +73,8 @@ export class Steps {
       this.goTo(this.data.steps[Math.max(0, wanted)]);
   }
 
-  // Goes where a step acts, looks there, and marks the bodies that a sentence about it names.
+  // Goes to the time when a step acts, turns the camera there, and marks the bodies that the
+  // sentence names.
   showWhere(step, sentence) {
     this.player.playing = false;
     // A step that is verified acts at its very end, where the next one begins.

@@ -1,7 +1,7 @@
 import {element} from '../dom.js';
 
-// The lines of a plan tree. Those that the execution went along are links to what was done there;
-// the others are pale. Returns the list and, for each step, its button.
+// The lines of a plan tree. Lines on the way of the execution lead to their steps, and all other
+// lines are pale. Returns the list and, for each step, its button.
 export function treeOf(data, noteOf, goTo) {
   const buttons = [];
   const items = data.tree.map((line) => {

@@ -5,8 +5,8 @@ import {numberText} from '../units.js';
 const scaleOf = ({perCentimetre}) =>
     element('p', {}, `force arrows: a centimetre for ${numberText(perCentimetre)}\u202fN`);
 
-// What is read off the shown time, over the picture: how far each part is from where it is believed
-// to be, and what touches.
+// Readings at the shown time, over the picture: the distance of each part's true pose from its
+// believed pose, and the bodies that touch.
 export class Readings {
   constructor(data, recording, player, contactMarks) {
     Object.assign(this, {data, recording, points: contactMarks.points});
