@@ -15,6 +15,7 @@
 #include "sim/view/pose_data.h"
 #include "sim/view/recording/recording.h"
 #include "sim/view/step_data.h"
+#include "sim/view/unproved_way_data.h"
 
 namespace assay::view {
 namespace {
@@ -144,6 +145,7 @@ Json DataOf(const Subject& subject) {
                {"guards", GuardsOf(subject.trace)},
                {"contacts", ContactsOf(subject.trace)},
                {"occurrences", OccurrencesOf(subject.trace)}};
+  AddUnprovedWays(subject.problem, subject.plan, subject.scene, data["steps"]);
   data.update(PictureData(subject.plan, subject.scene, subject.trace));
   if (!subject.summary.empty()) data["summary"] = subject.summary;
   if (subject.way) AddWay(*subject.way, data);

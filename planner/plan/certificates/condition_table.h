@@ -199,7 +199,8 @@ inline constexpr ConditionKind kReach = {
     Origin::kSoundMode,
     AbsorbedBy::kNothing,
     kNamedAsNotCovered,
-    "errors that lead the arm to the end of a joint's range, or into another configuration"};
+    "errors with which a joint comes to the end of its range, or the arm into another "
+    "configuration"};
 
 // Arm, hand and held part are clear of everything on the way, and the arm is clear on the straight
 // lines of the work, wherever parts and joints are within their errors.
@@ -207,7 +208,7 @@ inline constexpr ConditionKind kWayClear = {
     "way clear",        "the arm and what it carries stay clear of everything on the way",
     Dimension::kLength, NeededBy::kWay,
     Origin::kSoundMode, AbsorbedBy::kNothing,
-    kNamedAsNotCovered, "errors that lead the arm into something on its way"};
+    kNamedAsNotCovered, "errors with which the arm touches something on its way"};
 
 }  // namespace condition
 

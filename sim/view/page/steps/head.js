@@ -22,6 +22,6 @@ function notCovered(data) {
   return [element(
       'details', {class: 'more'},
       element(
-          'summary', {}, `${countText(names.length, 'danger')} not covered by any precondition`),
+          'summary', {}, `${countText(names.length, 'effect')} not covered by any precondition`),
       element('ul', {}, ...names.map((name) => element('li', {}, name))))];
 }

@@ -1,5 +1,6 @@
 import {element} from '../dom.js';
 import {WorkView} from '../picture/work_view.js';
+import {countText} from '../units.js';
 
 import {certificateOf} from './certificate.js';
 import {headOf} from './head.js';
@@ -40,7 +41,7 @@ export class Steps {
     const {mark, color, text, isOpen} = standingOf(step, this.data.colors);
     const uncovered = uncoveredOf(step, this.data).length;
     const notes = [
-      text, uncovered > 0 ? `${uncovered} not covered` : '', verdictOf(step),
+      text, uncovered > 0 ? `${countText(uncovered, 'effect')} not covered` : '', verdictOf(step),
       step.from === undefined ? 'not reached' : ''
     ].filter(Boolean).join(', ');
     return element(
@@ -73,14 +74,17 @@ export class Steps {
       this.goTo(this.data.steps[Math.max(0, wanted)]);
   }
 
-  // Goes to the time when a step acts, turns the camera there, and marks the bodies that the
-  // sentence names.
-  showWhere(step, sentence) {
+  // Goes to the time when a step acts and turns the camera there. Marks the bodies of a situation
+  // and draws its ghosts, or marks the bodies that the sentence names.
+  showWhere(step, sentence, situation) {
     this.player.playing = false;
     // A step that is verified acts at its very end, where the next one begins.
     if (step.acts !== undefined) this.player.seek(Math.min(step.acts, step.to - 1e-3));
     this.viewport.choose(WorkView.NAME);
-    this.viewport.mark(bodiesNamedIn(sentence, this.data));
+    if (situation)
+      this.viewport.mark(situation.marked, situation.ghosts);
+    else
+      this.viewport.mark(bodiesNamedIn(sentence, this.data));
   }
 
   select(index) {
@@ -93,7 +97,7 @@ export class Steps {
     this.scrollTo(current);
     const step = this.data.steps[index];
     this.detail.replaceChildren(
-        certificateOf(step, this.data, (sentence) => this.showWhere(step, sentence)));
+        certificateOf(step, this.data, (...what) => this.showWhere(step, ...what)));
     this.detail.scrollTop = 0;
   }
 

@@ -21,5 +21,6 @@ function itemOf(line, data, noteOf, goTo) {
   const times = line.steps.length > 1 ? ` (${line.steps.length} times)` : '';
   return element(
       'button', {onclick: () => goTo(data.steps[first])},
+      element('span', {class: 'number'}, String(data.steps[first].number)),
       element('span', {class: 'action'}, line.text + times), noteOf(data.steps[first]));
 }

@@ -53,5 +53,5 @@ export class WhyNot {
 function excessText({unit, value, limit}) {
   const [is, most, more] =
       [value, limit, value - limit].map((quantity) => quantityText(quantity, unit));
-  return `${is}, at most ${most} allowed: ${more} too much`;
+  return `${is}; at most ${most} is allowed; ${more} too much`;
 }
