@@ -203,13 +203,14 @@ void AddContest(const char* family, const std::string& instance, const Questions
 // range.
 void AddOneEvaluation(const std::vector<std::pair<std::string, Questions>>& expressions) {
   const char* family = "one-evaluation";
-  bench::Announce(family,
-                  {.measured = "SUP and INF of the paper's expression as in bounds, and one "
-                               "evaluation of its expanded form by Boost.Interval, with its "
-                               "default policy, as it was measured with IBEX",
-                   .unfair = "as bounds; a processor's rounding that is set once for a whole "
-                             "evaluation is quicker than assay, see there",
-                   .never_below = 1});
+  bench::Announce(
+      family,
+      {.measured = "SUP and INF of the paper's expression, measured as in the section bounds, and "
+                   "one evaluation of the expanded expression by Boost.Interval with its default "
+                   "policy, which was also used beside IBEX",
+       .unfair = "the section bounds has the reasons. An evaluation by Boost.Interval that sets "
+                 "the processor's rounding mode only once is quicker than assay",
+       .never_below = 1});
   for (const auto& [name, questions] : expressions) {
     bench::AddContestant(family, name, "assay",
                          [questions](benchmark::State& state) { Bounded(state, questions); });
@@ -224,18 +225,20 @@ void AddMeasured() {
       workloads::LoadMeasuredExpressions(ASSAY_SOURCE_DIR "/bench/workloads/expressions");
   bench::Announce(
       "bounds",
-      {.measured =
-           "SUP and INF to a gap of 1e-6, certified, rounding errors included, of an expression "
-           "that is ready: assay's in normal form, Boost.Interval's expanded, evaluated once; as "
-           "measured: with the sines and cosines of all angles, as where IBEX was measured",
+      {.measured = "certified SUP and INF of an expression to a gap of 1e-6, rounding errors "
+                   "included. The expression is prepared before the clock runs: for assay it is in "
+                   "normal form, for Boost.Interval it is expanded. Boost.Interval evaluates it "
+                   "once. The contestant as_measured also computes the sines and cosines of all "
+                   "angles, as in the measurement beside IBEX",
        .unfair =
-           "Boost.Interval's one evaluation bounds 1.0 to 3.3 times as widely, and serves any "
-           "expression; set_once sets the processor's rounding for an evaluation as a whole, which "
-           "the library's default policy, the one that was measured with IBEX, does for every "
-           "operation. Bringing assay's to normal form does not count where an expression is asked "
-           "again and again; it does in from_scratch. IBEX's optimizer reaches the same gap and "
-           "serves any problem; it was measured on another machine, next to Boost.Interval, and is "
-           "scaled by that, which can be done for these 17 files alone: it was asked no other",
+           "the bounds of Boost.Interval's one evaluation are 1.0 to 3.3 times as wide, but "
+           "Boost.Interval serves any expression. The contestant set_once sets the processor's "
+           "rounding mode once for a whole evaluation. The library's default policy, which was "
+           "measured beside IBEX, sets it for every operation. The time in which assay computes "
+           "the normal form counts only in from_scratch. IBEX's optimizer reaches the same gap and "
+           "serves any problem. It was measured on another machine beside Boost.Interval, and its "
+           "times are scaled by those of Boost.Interval. This is possible for these 17 expressions "
+           "only, because IBEX bounded no others",
        .against = "ibex (scaled)",
        .at_least = 3000});
   for (const workloads::MeasuredExpression& measured : expressions) {
@@ -271,11 +274,14 @@ Questions RandomChains(const std::string& kind, int fewest, int most, const Chai
 
 void AddChains() {
   const char* family = "bounds-of-chains";
-  bench::Announce(family,
-                  {.measured = "The same of 30 random chains of transforms: planar ones of 2 to 6 "
-                               "links, spatial ones of 2 to 4, wide ones (30 degrees) of 2 to 4, "
-                               "arms of 2 to 6 joints, cancelling ones of 1 to 3",
-                   .unfair = "As above; what cancels is not expanded for Boost.Interval"});
+  bench::Announce(
+      family,
+      {.measured =
+           "bounds as in the section bounds, of 30 random chains of transforms for each kind and "
+           "size: planar chains of 2 to 6 links, spatial chains of 2 to 4, chains with wide errors "
+           "(30 degrees) of 2 to 4, arms of 2 to 6 joints, and chains whose terms cancel of 1 to 3",
+       .unfair = "the section bounds has the reasons. Terms that cancel are not expanded for "
+                 "Boost.Interval"});
   const auto add = [&](const char* kind, int fewest, int most, const Chain& chain) {
     AddContest(family, kind, RandomChains(kind, fewest, most, chain));
   };

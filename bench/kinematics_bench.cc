@@ -116,12 +116,12 @@ void AddInverse(const char* family, void (*ours)(benchmark::State&), double at_l
                 const std::string& unfair_besides) {
   bench::Announce(
       family,
-      {.measured = "4,096 random reachable poses: assay all eight solutions of each, "
-                   "KDL's Levenberg-Marquardt solver one",
+      {.measured = "4,096 random reachable poses. For each pose, assay computes all eight "
+                   "solutions, and KDL's Levenberg-Marquardt solver computes one",
        .unfair =
-           std::string("KDL serves any chain and iterates, and finds a solution for a share of "
-                       "the poses only (kdl: found); assay knows the arm's closed form. "
-                       "KDL is built at the processor's baseline, as Debian has it") +
+           std::string("KDL serves any chain and iterates. It finds a solution only for a part of "
+                       "the poses (kdl: found). assay uses the closed form of the arm. Debian "
+                       "builds KDL for the oldest processors of the architecture") +
            unfair_besides,
        .against = "kdl",
        .at_least = at_least});
@@ -136,7 +136,8 @@ void AddInverse(const char* family, void (*ours)(benchmark::State&), double at_l
 const bool kAdded = [] {
   AddInverse("inverse-kinematics", OneByOne, 150, "");
   AddInverse("inverse-kinematics-in-batches", InBatches, 800,
-             ". Assay's poses are in batches before the clock runs, and solutions stay in them");
+             ". The poses for assay are put into batches before the clock runs, and the solutions "
+             "stay in the batches");
   return true;
 }();
 

@@ -48,10 +48,9 @@ void PlanWithCertificates(benchmark::State& state, const std::string& scenario) 
 const bool kAnnounced = [] {
   bench::Announce(
       "PlanWithCertificates",
-      {.measured =
-           "both phases and gross motion of a scenario that has been read, but for its first "
-           "plan, which pays for cold memory; ReadScenario has what reading takes, with "
-           "stable poses and grasps"});
+      {.measured = "both phases of planning and gross motion, for a scenario that has been read. "
+                   "The first plan of a scenario does not count, because it fills the caches. "
+                   "ReadScenario is the time of reading a scenario, with stable poses and grasps"});
   return true;
 }();
 

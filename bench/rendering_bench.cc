@@ -107,14 +107,15 @@ void DrawBare(benchmark::State& state) {
 const bool kAdded = [] {
   // OSMesa would otherwise draw with threads of its own, whose time does not count.
   setenv("LP_NUM_THREADS", "0", 1);
-  bench::Announce("rendering",
-                  {.measured = "a picture of figure 13's start, 640 x 480, all effects, one sample "
-                               "a pixel; the engine's mjv_updateScene, mjr_render and "
-                               "mjr_readPixels in a row",
-                   .unfair = "assay also turns the rows round and gives every picture memory of "
-                             "its own. `assay render` takes 2 x 2 samples a pixel unless told "
-                             "otherwise (column smooth)",
-                   .never_below = 0.95});
+  bench::Announce(
+      "rendering",
+      {.measured = "a picture of the start of figure 13 with 640 x 480 pixels, all effects and one "
+                   "sample for each pixel. The peer calls the engine's mjv_updateScene, mjr_render "
+                   "and mjr_readPixels one after another",
+       .unfair =
+           "assay also reverses the order of the rows and allocates memory for every picture. By "
+           "default, `assay render` takes 2 x 2 samples for each pixel (column smooth)",
+       .never_below = 0.95});
   if (render::AvailableRenderer().empty()) {
     bench::AddMissing("rendering", "mujoco", "libosmesa6");
     return false;

@@ -214,25 +214,25 @@ void AddGecode(Contest<LabelingAnswer>&, Contest<CountAnswer>&) {
 
 void AnnounceFamilies() {
   const std::string in_turn =
-      ", asked in turn: each network once in a round, after all others, by the wall clock, since "
-      "reading processor time takes as long as the quickest answers";
+      ", if networks take turns. In each round, every network is asked once. Times are those of "
+      "the wall clock, because reading the processor time takes as long as the quickest answers";
   const std::string one_by_one =
-      ". Networks take turns, contestants do not: each is asked all rounds in a row, so that what "
-      "else the machine does may fall on one of them";
+      ". The networks take turns, but the contestants do not. Each contestant runs all of its "
+      "rounds in a row, so other load of the machine may affect only one contestant";
   bench::Announce(
       "labeling-in-turn",
       {.measured = "the first labeling, or the proof that there is none" + in_turn,
-       .unfair = "as labeling, but that nobody gains by being asked the same again: the "
-                 "quickest networks take as long as it takes to read them from memory" +
+       .unfair = "the section labeling has the reasons. Here no contestant gains from repeated "
+                 "questions. The quickest networks take as long as reading them from memory" +
                  one_by_one,
        .against = "gecode",
        .at_least = 20});
-  bench::Announce(
-      "counting-in-turn",
-      {.measured = "the number of all labelings" + in_turn,
-       .unfair = "as counting, but that nobody gains by being asked the same again" + one_by_one,
-       .against = "gecode",
-       .at_least = 10});
+  bench::Announce("counting-in-turn", {.measured = "the number of all labelings" + in_turn,
+                                       .unfair = "the section counting has the reasons. Here no "
+                                                 "contestant gains from repeated questions" +
+                                                 one_by_one,
+                                       .against = "gecode",
+                                       .at_least = 10});
 }
 
 const bool kAdded = [] {

@@ -133,13 +133,14 @@ void AddTrying(int parts) {
 }
 
 const bool kAdded = [] {
-  bench::Announce(
-      "trying-an-arc",
-      {.measured = "one more arc in a network that holds the rest of a plan: assay's saved, "
-                   "posted, answered, undone; Gecode's space cloned, posted, searched, dropped",
-       .unfair = "assay knows from the last time a labeling that satisfies the arc, as a planner's "
-                 "network mostly does; Gecode keeps none, and its clone copies what stays as well",
-       .against = "gecode"});
+  bench::Announce("trying-an-arc",
+                  {.measured = "one more arc in a network that has the rest of a plan. assay saves "
+                               "its network, posts the arc, answers and undoes the arc. Gecode "
+                               "clones its space, posts the arc, searches and drops the clone",
+                   .unfair = "assay still has a labeling that satisfies the arc, as is mostly the "
+                             "case in a planner's network. Gecode keeps no labeling, and its clone "
+                             "also copies what does not change",
+                   .against = "gecode"});
 #ifndef ASSAY_PEER_GECODE_LABELING
   bench::AddMissing("trying-an-arc", "gecode", "libgecode-dev");
 #endif

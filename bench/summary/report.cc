@@ -107,8 +107,9 @@ void VariantRow(std::string& out, const Family& family, const std::string& varia
 
 void Headline(std::string& out, const std::vector<Family>& families) {
   out +=
-      "## Ratios\n\nA peer's time over that of assay, single thread: geometric mean over the "
-      "instances, then least and greatest. Above 1 assay is quicker.\n\n";
+      "## Ratios\n\nA ratio is a peer's time divided by the time of assay, on a single thread. The "
+      "table has the geometric mean over the instances, the least and the greatest ratio. If a "
+      "ratio is above 1, assay is quicker.\n\n";
   out += Heading({"work", "peer", "instances", "ratio", "least", "greatest", "wanted", ""});
   for (const Family& family : families) {
     for (const Cells& cells : HeadlineOf(family)) out += Row(cells);
@@ -230,7 +231,9 @@ void Section(std::string& out, const Family& family) {
 void GrowthSection(std::string& out, const Measurements& measurements) {
   const std::vector<Growth> growths = Growths(measurements);
   if (growths.empty()) return;
-  out += "## Growth\n\nTimes grow as the size to this power (least squares in logarithms).\n\n";
+  out +=
+      "## Growth\n\nTimes grow in proportion to a power of the size. The exponent is fitted by "
+      "least squares in logarithms.\n\n";
   out += Heading({"program", "work", "size", "from", "to", "least", "greatest", "exponent"});
   for (const Growth& growth : growths) {
     const Growth::Point& first = growth.points.front();
@@ -369,11 +372,12 @@ void WrongSection(std::string& out, const Measurements& measurements) {
 std::string Report(const Measurements& measurements) {
   const std::vector<Family> families = Families(measurements);
   std::string out =
-      "# Benchmarks\n\nMade by `bench/run.sh`. Medians of processor time over passes in which all "
-      "contestants take turns, single thread; where a section says so, of the wall clock, and "
-      "contestants one after another. A contestant's answer is compared with that of assay before "
-      "its time counts. A contestant that had not answered when its time was up counts as if it "
-      "had answered then, marked \">\".\n\n";
+      "# Benchmarks\n\nMade by `bench/run.sh`. All times are medians over passes. In a pass, all "
+      "contestants take turns. The times are processor times of a single thread. Where a section "
+      "says so, they are times of the wall clock, and the contestants run one after another. A "
+      "contestant's answer is compared with that of assay before its time counts. The mark \">\" "
+      "means that a contestant had not answered when its time was up. It then counts as if it had "
+      "answered at this moment.\n\n";
   WrongSection(out, measurements);
   if (!families.empty()) Headline(out, families);
   KindSection(out, families);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <string>
 
 #include "planner/base/check.h"
 
@@ -27,9 +28,15 @@ std::vector<Walked> StepsOf(const Subject& subject) {
 std::vector<Caption> CaptionsOf(const Subject& subject) {
   std::vector<Caption> captions;
   std::optional<double> from = 0;
+  int number = 0;
   for (const Walked& step : subject.walked ? *subject.walked : StepsOf(subject)) {
     if (!from) break;
-    captions.push_back({*from, fmt::format("{} {}", captions.size() + 1, step.action)});
+    const std::string text = fmt::format("{} {}", ++number, step.action);
+    if (!captions.empty() && captions.back().from == *from) {
+      captions.back().text += ", " + text;
+    } else {
+      captions.push_back({*from, text});
+    }
     from = step.end;
   }
   captions.push_back({from.value_or(subject.trace.end().snapshot.time), subject.end});

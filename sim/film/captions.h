@@ -14,7 +14,8 @@ struct Caption {
 };
 
 // Returns the captions of an execution in the order of time, the first from its beginning: one for
-// each step that was begun, and one that tells how the execution ended.
+// each step that was begun, and one that tells how the execution ended. A step that takes no time,
+// such as a look of an arm at home, shares the caption of the next step.
 std::vector<Caption> CaptionsOf(const Subject& subject);
 
 // Returns the text of the last caption whose time has come. The captions must begin at 0 or before.

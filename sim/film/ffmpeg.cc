@@ -26,7 +26,7 @@ std::vector<std::string> ArgumentsFor(const Format& format) {
   return {"ffmpeg", "-y", "-nostdin", "-loglevel", "error", "-f", "rawvideo", "-pixel_format",
           "rgb24", "-video_size", fmt::format("{}x{}", format.width, format.height), "-framerate",
           fmt::format("{}", format.pictures_per_second), "-i", "pipe:0",
-          // The usual colour format halves width and height.
+          // The usual colour format needs an even width and height.
           "-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2", "-pix_fmt", "yuv420p", "-movflags", "+faststart",
           "-f", "mp4", "file:" + format.file.string()};
 }

@@ -7,7 +7,7 @@
 
 namespace assay::film {
 
-// Returns the path of the program ffmpeg, which the PATH leads to; empty if there is none.
+// Returns the path of the program ffmpeg, found in the folders of PATH; empty if there is none.
 std::filesystem::path FindFfmpeg();
 
 // Begins a film in the format MP4, which the program ffmpeg encodes. ffmpeg is started as a program

@@ -13,11 +13,11 @@ class WebpEncoder {
  public:
   virtual ~WebpEncoder() = default;
 
-  // Appends a picture of the film that is shown from this time on, milliseconds. Returns whether
-  // that worked.
+  // Appends a picture of the film. It is shown from the time `from` on, in milliseconds. Returns
+  // whether the picture was appended.
   virtual bool Add(const render::Image& image, int from) = 0;
-  // Returns the bytes of the film's file, whose last picture ends at this time, milliseconds; none
-  // if that failed.
+  // Returns the bytes of the film's file. Its last picture ends at the time `end`, in milliseconds.
+  // Returns no bytes if the encoder failed.
   virtual std::vector<std::uint8_t> Finish(int end) = 0;
 };
 

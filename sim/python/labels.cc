@@ -31,7 +31,7 @@ std::shared_ptr<const network::Relation> RelationOf(const Allowed& allowed) {
       [&](network::Label row, network::Label column) { return matrix(row, column); });
 }
 
-// Returns the network with as many labels at each node. Labels are named by their numbers.
+// Returns the network whose nodes have these numbers of labels. Labels are named by their numbers.
 network::NamedNetwork NetworkOf(const std::vector<int>& counts, const std::vector<ArrayArc>& arcs) {
   network::NamedNetwork named;
   for (const int count : counts) {

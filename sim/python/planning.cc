@@ -141,8 +141,10 @@ std::string PlanHandle::Text() const { return cli::Text(planned_.problem, planne
 
 std::string PlanHandle::Explanation(int executed) const {
   const std::vector<plan::StepId> order = plan().ExecutionOrder();
-  return cli::Explanation(planned_.problem, plan(),
-                          order.at(static_cast<std::size_t>(executed) - 1), planned_.file());
+  const plan::StepId step = order.at(static_cast<std::size_t>(executed) - 1);
+  const std::string text = cli::Explanation(planned_.problem, plan(), step, planned_.file());
+  if (!Checked().flaws.empty()) return text;
+  return text + cli::UnprovedWaysText(planned_.problem, plan(), step);
 }
 
 Json PlanHandle::Proofs() const {

@@ -48,7 +48,8 @@ std::string TreeText(const cli::ContingentAnswer& answer, const PlannedWorlds* p
                             : cli::Text(answer, false, budget);
 }
 
-// Returns the words for the tree's actions where it has none for people.
+// Returns the words with which people read the actions of an assembly's tree, whose names are made
+// by the program. The actions of other trees have readable names already.
 std::map<std::string, std::string> WordsIn(const KnowledgeScenario& scenario) {
   const PlannedWorlds* const planned = scenario.interpretation.planned.get();
   if (planned == nullptr) return {};

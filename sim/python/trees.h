@@ -32,8 +32,8 @@ class TreeHandle {
   std::string Dot() const;                // for Graphviz
   // Returns the lines of the tree: how many branches are above it, kind and text of each.
   nlohmann::ordered_json Lines() const;
-  // Runs the tree in the worlds that the initial knowledge allows, of more than `worlds` in as
-  // many. The result has a text for people.
+  // Runs the tree in all worlds that the initial knowledge allows, or in `worlds` of them if there
+  // are more. The result has a text for people.
   nlohmann::ordered_json Checked(std::int64_t worlds) const;
 
  private:

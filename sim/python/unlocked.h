@@ -8,8 +8,8 @@
 
 namespace assay::python {
 
-// While an object of this class lives, Ctrl-C requests a stop (planner/base/stop.h) as well as what
-// Python does about it. Objects may live in several threads at once.
+// While an object of this class lives, Ctrl-C requests a stop (planner/base/stop.h) and also calls
+// Python's own handler. Objects may live in several threads at once.
 class StopOnInterrupt {
  public:
   StopOnInterrupt();
@@ -18,13 +18,13 @@ class StopOnInterrupt {
   StopOnInterrupt& operator=(const StopOnInterrupt&) = delete;
 };
 
-// Returns whether Ctrl-C was pressed and makes Python forget it. Throws what another handler of the
-// signal raises.
+// Returns whether Ctrl-C was pressed, and clears Python's record of it. Throws the exception that
+// another handler of the signal raises.
 bool TakeInterrupt();
 [[noreturn]] void RaiseKeyboardInterrupt();
 
-// The result of work during which Ctrl-C may have been pressed. It then has what was there until
-// then.
+// The result of work during which Ctrl-C may have been pressed. After Ctrl-C, the result is what
+// the work had made by then.
 template <class Result>
 struct Interruptible {
   std::optional<Result> result = {};
@@ -32,7 +32,7 @@ struct Interruptible {
 };
 
 // Returns the result of the work, during which other threads of Python run. Ctrl-C requests a stop.
-// If the work throws Stopped, because nothing is there yet, KeyboardInterrupt is raised.
+// If the work throws Stopped because it has no result yet, KeyboardInterrupt is raised.
 template <class Work>
 auto UnlockedUntilStopped(const Work& work) {
   Interruptible<decltype(work())> made;

@@ -1,7 +1,7 @@
 #include "sim/view/bundle.h"
 
-// The assembler takes in the file that the build has made (CMakeLists.txt). As a literal, it would
-// be longer than compilers must accept.
+// The assembler includes the file that the build has made (CMakeLists.txt). As a string literal,
+// the file would be longer than compilers must accept.
 asm(".section .rodata\n"
     ".global assay_view_bundle\n"
     ".global assay_view_bundle_end\n"

@@ -90,6 +90,7 @@ Json PreconditionsOf(const plan::PlannedStep& step, const std::string& file) {
                  {"bound", claim.bound},
                  {"limit", claim.limit},
                  {"margin", claim.margin}};
+    if (claim.IsUnborne()) data["unborne"] = true;
     AddProof(proofs.Of(claim), data);
     all.push_back(std::move(data));
   }

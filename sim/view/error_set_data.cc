@@ -14,7 +14,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// An error set that holds from one time on, until another one of the same part does.
+// An error set of a part, with the times between which the page shows it.
 struct ShownSet {
   plan::StepId step;
   const plan::ErrorSet* set;
@@ -41,8 +41,8 @@ class SetCollector {
     for (const check::StepEvents& events : check::EventsByStep(trace)) AddStep(events);
   }
 
-  // A set ends at the latest where the next one of its part begins. Before its first step, a part
-  // rests where it always did.
+  // A set is shown no longer than until the next set of its part. The set before the first step on
+  // a part is shown from the start, because the part rests until then.
   std::vector<ShownSet> Take() {
     for (std::size_t i = 0; i < sets_.size(); ++i) {
       const auto same_part = [&](const ShownSet& other) {

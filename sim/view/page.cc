@@ -15,6 +15,7 @@
 #include "sim/view/pose_data.h"
 #include "sim/view/recording/recording.h"
 #include "sim/view/step_data.h"
+#include "sim/view/unproved_way_data.h"
 
 namespace assay::view {
 namespace {
@@ -59,7 +60,7 @@ Json CamerasData(const scene::Scene& scene) {
   return all;
 }
 
-// Each part has its edges, for its outlines.
+// Returns the parts with the edges of which their outlines are drawn.
 Json PartsData(const domain::Problem& problem) {
   Json all = Json::array();
   for (const domain::Part& part : problem.parts) {
@@ -100,7 +101,7 @@ Json ColorsData() {
   return colors;
 }
 
-// What is drawn of an execution.
+// The data of one picture of an execution.
 Json PictureData(const plan::Plan& plan, const scene::Scene& scene, const execution::Trace& trace) {
   const std::vector<Body> bodies = BodiesOf(scene.model());
   const Recording recording = Record(scene, bodies, trace);
@@ -155,6 +156,7 @@ Json DataOf(const Subject& subject) {
                {"guards", GuardsOf(subject.trace)},
                {"contacts", ContactsOf(subject.trace)},
                {"occurrences", OccurrencesOf(subject.trace)}};
+  AddUnprovedWays(subject.problem, subject.plan, subject.scene, data["steps"]);
   data.update(PictureData(subject.plan, subject.scene, subject.trace));
   if (!subject.summary.empty()) data["summary"] = subject.summary;
   if (subject.way) AddWay(*subject.way, data);

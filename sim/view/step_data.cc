@@ -57,7 +57,7 @@ Json VerdictsOn(plan::StepId step, const std::vector<check::Claim>& claims) {
   return all;
 }
 
-// Returns when the tool was where it acts, for each step that came so far.
+// Returns the time at which the tool reached the place where it acts, for each step that did so.
 std::map<plan::StepId, double> ReachedBySteps(const execution::Trace& trace) {
   std::map<plan::StepId, double> times;
   for (const execution::Milestone* milestone : trace.All<execution::Milestone>()) {

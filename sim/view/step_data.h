@@ -12,8 +12,8 @@
 
 namespace assay::view {
 
-// A plan, its execution, and the verdicts on its certificates; without verdicts if nothing measured
-// what the engine can resolve.
+// A plan, its execution, and the verdicts on its certificates. There are no verdicts if the noise
+// floor was not measured.
 struct Executed {
   const domain::Problem& problem;
   const plan::Plan& plan;
@@ -29,7 +29,8 @@ nlohmann::ordered_json TimesOf(const plan::Plan& plan, const execution::Trace& t
 // Returns the steps in the order of execution, each with its certificate, its times and its
 // verdicts (page/data.md).
 nlohmann::ordered_json StepsOf(const Executed& executed);
-// Returns the actions of a way. Actions that are steps of the plan have what such steps have.
+// Returns the actions of a way in the same form. Actions that are no steps of the plan have no
+// certificates.
 nlohmann::ordered_json StepsOf(const Executed& executed, const std::vector<WalkedAction>& walked);
 
 }  // namespace assay::view

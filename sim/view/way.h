@@ -23,7 +23,7 @@ struct Region {
   std::vector<geometry::Pose> extremes;
 };
 
-// A sentence about an action: "in contact after it", "vertex 3 on face 1".
+// A fact about an action with its name: "contacts at its end", "vertex 3 on face 1".
 struct Fact {
   std::string name;
   std::string value;

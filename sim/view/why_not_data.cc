@@ -57,7 +57,7 @@ class SituationData {
     ghosts_.push_back({{"body", body}, {"pose", ToJson(pose)}});
   }
 
-  // A part that is where it starts is marked itself.
+  // A part at its start pose is marked and needs no ghost.
   void AddPart(const domain::PlacedPart& part) {
     const std::string body = "part/" + problem_.part(part.part).name;
     if (part.X_WorldPart.isApprox(problem_.part(part.part).X_WorldPart)) {

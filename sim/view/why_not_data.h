@@ -12,7 +12,7 @@ namespace assay::view {
 
 // Why there is no plan: reasons of one kind.
 struct Reasons {
-  std::string title;  // "These cannot hold together"
+  std::string title;  // "These conditions cannot hold together"
   std::vector<plan::Reason> reasons;
 };
 

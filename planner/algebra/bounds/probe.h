@@ -68,7 +68,7 @@ class Probe {
   std::int64_t splits_ = 0;
 };
 
-// Returns the midpoint of each variable's interval.
+// Returns the midpoint of each variable's interval, where searches for good points begin.
 std::vector<double> CentreOf(std::span<const Interval> box);
 
 }  // namespace assay::algebra

@@ -101,26 +101,19 @@ std::vector<std::string> FlawsOfTravel(const plan::Travel& travel, const PlanWal
   return flaws;
 }
 
-bool SaysWhatIsCertain(const plan::Plan& plan) {
-  return std::ranges::any_of(plan.steps, [](const plan::PlannedStep& step) {
-    return std::ranges::any_of(step.certificate.preconditions,
-                               [](const auto& claim) { return IsWayCondition(claim.condition); });
-  });
-}
-
 // Returns whether the plan says anything about the arm's ways. If so, it must have all of them.
 bool HasWays(const plan::Plan& plan) {
   const auto has_travel = [](const plan::PlannedStep& step) { return step.travel.has_value(); };
-  return plan.homing || std::ranges::any_of(plan.steps, has_travel) || SaysWhatIsCertain(plan);
+  return plan.homing || std::ranges::any_of(plan.steps, has_travel) || ClaimsWays(plan);
 }
 
 }  // namespace
 
 std::vector<plan::Flaw> FlawsOfTravels(const domain::Problem& problem, const plan::Plan& plan) {
   std::vector<plan::Flaw> flaws;
-  PlanWalk walk(problem, plan,
-                SaysWhatIsCertain(plan) ? uncertainty::Propagation::kSound
-                                        : uncertainty::Propagation::kPaper);
+  PlanWalk walk(
+      problem, plan,
+      ClaimsWays(plan) ? uncertainty::Propagation::kSound : uncertainty::Propagation::kPaper);
   const bool has_ways = HasWays(plan);
   std::optional<JointVector> posture = problem.workcell->home();
   for (const StepId id : walk.Steps()) {

@@ -123,6 +123,21 @@ std::optional<WayCertainty> TravelSearch::CertaintyOf(const Way& way, double cle
   return WayCertainty{way.sway, 0};
 }
 
+double TravelSearch::ClearShareOfErrors(const Way& way) {
+  constexpr int kShares = 100;
+  const ArmErrors all = ErrorsOf(way);
+  int clear = 0;
+  int refused = kShares;
+  while (refused - clear > 1) {
+    const int middle = (clear + refused) / 2;
+    const double share = static_cast<double>(middle) / kShares;
+    const ArmErrors some = {share * all.joints,
+                            {share * all.tool.shift, share * all.tool.turn, share * all.tool.spin}};
+    (AreLinesFree(way, some) ? clear : refused) = middle;
+  }
+  return static_cast<double>(clear) / kShares;
+}
+
 // Returns the tool's pose at safe height above its work, or its pose at home.
 Pose TravelSearch::Above() const {
   return route_.to_work.empty() ? route_.poised : plan::AtSafeHeight(workcell_, route_.poised);

@@ -72,6 +72,10 @@ class TravelSearch {
   // errors of the arm, or if the travel does not keep the claimed clearance.
   std::optional<WayCertainty> CertaintyOf(const Way& way, double clearance);
 
+  // Returns the greatest share of the tool's pose errors with which the arm surely stays clear on
+  // the straight lines, to a hundredth. The lines must be free without these errors.
+  double ClearShareOfErrors(const Way& way);
+
   const plan::Reason& in_the_way() const { return in_the_way_; }  // what stopped the last search
 
  private:

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <string>
 
 #include "planner/algebra/bounds/bounds.h"
@@ -47,6 +48,13 @@ std::vector<plan::CertifiedPrecondition> WayConditions(const WayCertainty& certa
 
 bool IsWayCondition(plan::Condition condition) {
   return condition->needed_by == plan::NeededBy::kWay;
+}
+
+bool ClaimsWays(const plan::Plan& plan) {
+  return std::ranges::any_of(plan.steps, [](const plan::PlannedStep& step) {
+    return std::ranges::any_of(step.certificate.preconditions,
+                               [](const auto& claim) { return IsWayCondition(claim.condition); });
+  });
 }
 
 void RemoveWayConditions(plan::Certificate& certificate) {

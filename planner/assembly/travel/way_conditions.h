@@ -4,6 +4,7 @@
 
 #include "planner/motion/collision/sway.h"
 #include "planner/plan/certificates/certificate.h"
+#include "planner/plan/data/plan.h"
 
 namespace assay::assembly {
 
@@ -27,6 +28,8 @@ inline plan::Circumstance WayOf(plan::StepId step) {
   return step.IsNone() ? plan::Circumstance::kWayHome : plan::Circumstance::kUsual;
 }
 bool IsWayCondition(plan::Condition condition);
+// Returns whether the certificates of a plan claim anything about the arm's ways.
+bool ClaimsWays(const plan::Plan& plan);
 // Removes from a certificate all claims about ways, and the statements that such claims are
 // missing.
 void RemoveWayConditions(plan::Certificate& certificate);

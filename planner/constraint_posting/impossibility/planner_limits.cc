@@ -28,7 +28,7 @@ std::string MatingText(const Problem& problem, const Mating& mating) {
 struct PartRoles {
   std::vector<std::string> at_start = {};  // the part's matings at the start
   std::vector<std::string> goals = {};     // goals that do not hold at the start
-  // true if it is a fixed part in the goals' matings and has no other role
+  // true if the part is a fixed part in the goals' matings and has no other role
   bool is_only_fixed = true;
 };
 

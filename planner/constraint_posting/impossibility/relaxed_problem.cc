@@ -159,8 +159,8 @@ class FixedPoint {
 
   enum class Standing {
     kFails,
-    kHolds,    // it holds because a condition is left out or waived
-    kHoldsAll  // it holds without leaving out any condition
+    kHolds,    // some conditions are left out or waived, and all others hold
+    kHoldsAll  // all conditions hold
   };
   Standing StandingOf(const HoldOption& hold, int asked) const {
     const int broken = relaxed_.Broken(hold) & asked;

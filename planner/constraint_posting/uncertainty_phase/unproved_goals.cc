@@ -30,6 +30,9 @@ std::vector<algebra::Expression> ExpressionsOf(const std::vector<Unproved>& goal
 }
 
 std::string WhyUnproved(const plan::CertifiedPrecondition& claim) {
+  if (claim.IsUnborne()) {
+    return fmt::format("not proved that {}: at worst, nothing bears the load", claim.meaning);
+  }
   const bool less = claim.relation == plan::Relation::kLess;
   const domain::Unit unit = domain::ShownUnitOf(claim.condition->dimension);
   const std::string limit = fmt::format("{:.4g}", claim.limit / unit.factor);

@@ -78,7 +78,7 @@ class AtomKnowledge {
   void SpreadEntanglement(KnowledgeState& state);
   void SpreadEntanglement(KnowledgeState& state, const std::vector<int>& variables) const;
   void Unrelate(KnowledgeState& state, AtomId atom);
-  // Adds a relation to the state. Returns false if all relations cannot hold together.
+  // Adds a relation to the state. Returns false if the relations cannot all hold.
   bool RelateAsWell(KnowledgeState& state, Diagram relation);
   // Removes the relations that contain one of the variables. If a variable stands for a value of a
   // function, relations that contain another value of this function are removed, too. Returns the

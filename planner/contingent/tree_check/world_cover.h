@@ -28,7 +28,8 @@ class WorldCover {
   WorldProgression& progression_;
 };
 
-// Returns true if all that was sensed in `begun` was sensed in `history`, with errors as small.
+// Returns true if all that was sensed in `begun` was sensed in `history`, with errors that are no
+// larger.
 bool HasSensed(const History& history, const History& begun);
 // Returns `begun` with only those of its sensed facts that were sensed in `history`, too.
 History WithSensedOf(const History& history, History begun);

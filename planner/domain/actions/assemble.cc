@@ -39,7 +39,7 @@ std::vector<ActionTemplate> AchieveByAssembling(const Problem& problem, const Co
 }  // namespace
 
 const ActionKind kAssemble{.name = "assemble",
-                           .summary = "mates the held part with one that rests",
+                           .summary = "mates the held part with a part that rests",
                            .arguments = {Argument::kMating, Argument::kGrasp, Argument::kPosition},
                            .short_arguments = {Argument::kMating},
                            .needs = {Need::kHolding, Need::kAtPlace},

@@ -53,7 +53,7 @@ std::vector<ActionTemplate> AchieveByTaking(const Problem& problem, const Condit
 }  // namespace
 
 const ActionKind kPickup{.name = "pickup",
-                         .summary = "takes a part from where it rests",
+                         .summary = "takes a part from the place where it rests",
                          .arguments = {Argument::kPart, Argument::kGrasp, Argument::kPosition},
                          .short_arguments = {Argument::kPart, Argument::kGrasp},
                          .needs = {Need::kOpenHand, Need::kAtPlace, Need::kAlone},

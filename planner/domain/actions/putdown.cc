@@ -53,7 +53,7 @@ std::vector<ActionTemplate> AchieveByPuttingDown(const Problem& problem, const C
 }  // namespace
 
 const ActionKind kPutdown{.name = "putdown",
-                          .summary = "rests the held part on the table",
+                          .summary = "puts the held part down on the table",
                           .arguments = {Argument::kPart, Argument::kGrasp, Argument::kPosition},
                           .short_arguments = {Argument::kPart, Argument::kPosition},
                           .needs = {Need::kHolding},

@@ -36,12 +36,12 @@ Interval Difference(const Interval& a, const Interval& b) {
   return {a.low - b.high, a.high - b.low};
 }
 
-// Returns the heights between which a box of a part is.
-Interval HeightsOf(const Pose& X_WorldPart, const geometry::Box& box) {
+// Returns the heights between which a piece of a part is.
+Interval HeightsOf(const Pose& X_WorldPart, const geometry::ConvexHull& piece) {
   Interval heights = {std::numeric_limits<double>::infinity(),
                       -std::numeric_limits<double>::infinity()};
-  for (const Vector3& corner : box.Corners()) {
-    const double z = (X_WorldPart * corner).z();
+  for (const Vector3& vertex : piece.vertices) {
+    const double z = (X_WorldPart * vertex).z();
     heights = {std::min(heights.low, z), std::max(heights.high, z)};
   }
   return heights;
@@ -51,29 +51,30 @@ bool AreAboveEachOther(const Interval& a, const Interval& b, double allowance) {
   return a.low >= b.high - allowance || b.low >= a.high - allowance;
 }
 
-// A box of one part, and the boxes of another part that are beside it at some height.
-struct NeighbouringBoxes {
-  geometry::CollisionShape box;
+// A piece of one part, and the pieces of another part that are beside it at some height.
+struct NeighbouringPieces {
+  geometry::CollisionShape piece;
   geometry::CollisionShape others;
 };
 
-// Returns the boxes of `a` that may come upon boxes of `b`. Errors keep the heights of all points,
-// except that `b` may be raised from `a` by an amount in `raised`. A box that is above another one
-// whatever the errors are can only touch it.
-std::vector<NeighbouringBoxes> BoxesBeside(const PlacedPart& a, const PlacedPart& b,
-                                           const Interval& raised, const PossibleStarts& starts) {
+// Returns the pieces of `a` that may come upon pieces of `b`. Errors keep the heights of all
+// points, except that `b` may be raised from `a` by an amount in `raised`. A piece that is above
+// another one whatever the errors are can only touch it.
+std::vector<NeighbouringPieces> PiecesBeside(const PlacedPart& a, const PlacedPart& b,
+                                             const Interval& raised, const PossibleStarts& starts) {
   const double allowance = raised == Interval{} ? PossibleStarts::kGreatestOverlap : 0;
-  std::vector<NeighbouringBoxes> all;
-  for (const geometry::Box& of_a : starts.boxes(a.part)) {
+  std::vector<NeighbouringPieces> all;
+  for (const geometry::ConvexHull& of_a : starts.pieces(a.part)) {
     const Interval heights_of_a = HeightsOf(a.X_WorldPart, of_a);
-    std::vector<geometry::Box> others;
-    for (const geometry::Box& of_b : starts.boxes(b.part)) {
+    std::vector<geometry::ConvexHull> others;
+    for (const geometry::ConvexHull& of_b : starts.pieces(b.part)) {
       const Interval heights = HeightsOf(b.X_WorldPart, of_b);
       const Interval heights_of_b = {heights.low + raised.low, heights.high + raised.high};
       if (!AreAboveEachOther(heights_of_a, heights_of_b, allowance)) others.push_back(of_b);
     }
     if (!others.empty()) {
-      all.push_back({geometry::CollisionShape({&of_a, 1}), geometry::CollisionShape(others)});
+      all.push_back(
+          {geometry::CollisionShape(std::span(&of_a, 1)), geometry::CollisionShape(others)});
     }
   }
   return all;
@@ -92,7 +93,7 @@ class OverlapSearch {
     const bool is_one_table = CarrierAtStart(problem, a_.part) == CarrierAtStart(problem, b_.part);
     whole_ = {Difference(b.x, a.x), Difference(b.y, a.y),
               is_one_table ? Interval{} : Difference(b.z, a.z), a.theta, b.theta};
-    beside_ = BoxesBeside(a_, b_, whole_[2], starts);
+    beside_ = PiecesBeside(a_, b_, whole_[2], starts);
   }
 
   // Returns false if the parts surely do not overlap.
@@ -125,11 +126,11 @@ class OverlapSearch {
     return turned;
   }
 
-  // Returns the least distance of boxes that are beside each other, infinite if there are none.
+  // Returns the least distance of pieces that are beside each other, infinite if there are none.
   double Between(const PlacedPart& a, const PlacedPart& b) const {
     double least = std::numeric_limits<double>::infinity();
-    for (const auto& [box, others] : beside_) {
-      least = std::min(least, geometry::Distance(box, a.X_WorldPart, others, b.X_WorldPart));
+    for (const auto& [piece, others] : beside_) {
+      least = std::min(least, geometry::Distance(piece, a.X_WorldPart, others, b.X_WorldPart));
     }
     return least;
   }
@@ -158,7 +159,7 @@ class OverlapSearch {
   const PlacedPart b_;
   const PossibleStarts& starts_;
   Errors whole_;
-  std::vector<NeighbouringBoxes> beside_;
+  std::vector<NeighbouringPieces> beside_;
 };
 
 std::vector<PartPair> AllPairs(std::size_t parts) {
@@ -212,8 +213,8 @@ const geometry::CollisionShape& PossibleStarts::shape(PartId part) const {
   return models_[part.index()]->shape();
 }
 
-std::span<const geometry::Box> PossibleStarts::boxes(PartId part) const {
-  return models_[part.index()]->boxes();
+std::span<const geometry::ConvexHull> PossibleStarts::pieces(PartId part) const {
+  return models_[part.index()]->pieces();
 }
 
 double PossibleStarts::Between(const PlacedPart& a, const PlacedPart& b) const {

@@ -61,6 +61,9 @@ std::span<const ErrorComponent> ErrorComponents();
 
 enum class Relation { kLess, kGreater };
 
+// The ratio of a load to the bearable load if nothing bears the load. It stands for infinity.
+inline constexpr double kNothingBorne = 1e6;
+
 // An uncertainty-reduction precondition, expression < limit (or >), with the result of its proof.
 struct CertifiedPrecondition {
   Condition condition;
@@ -76,6 +79,11 @@ struct CertifiedPrecondition {
   Circumstance circumstance = Circumstance::kUsual;
 
   bool holds() const { return margin > 0; }
+  // Returns whether nothing bears the load of a ratio of loads for some errors, as far as is
+  // proved.
+  bool IsUnborne() const {
+    return condition->dimension == domain::Dimension::kRatio && bound >= kNothingBorne;
+  }
   bool operator==(const CertifiedPrecondition&) const = default;
 };
 

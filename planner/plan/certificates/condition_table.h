@@ -158,8 +158,8 @@ inline constexpr ConditionKind kTipTurn = {
 
 // ---- Letting a part go -----------------------------------------------------------------------
 
-// The moment that a leaning part has over an edge of its support, over that with which it falls
-// back, is below 1.
+// A part that leans turns about an edge of its support. The moment that tips it over, divided by
+// the moment with which it falls back, is below 1.
 inline constexpr ConditionKind kStanding = {
     "standing", "once let go, the part falls back on what it stands on, however it leans",
     Dimension::kRatio, NeededBy::kRelease, Origin::kSoundMode};
@@ -199,7 +199,8 @@ inline constexpr ConditionKind kReach = {
     Origin::kSoundMode,
     AbsorbedBy::kNothing,
     kNamedAsNotCovered,
-    "errors that lead the arm to the end of a joint's range, or into another configuration"};
+    "errors with which a joint comes to the end of its range, or the arm into another "
+    "configuration"};
 
 // Arm, hand and held part are clear of everything on the way, and the arm is clear on the straight
 // lines of the work, wherever parts and joints are within their errors.
@@ -207,7 +208,7 @@ inline constexpr ConditionKind kWayClear = {
     "way clear",        "the arm and what it carries stay clear of everything on the way",
     Dimension::kLength, NeededBy::kWay,
     Origin::kSoundMode, AbsorbedBy::kNothing,
-    kNamedAsNotCovered, "errors that lead the arm into something on its way"};
+    kNamedAsNotCovered, "errors with which the arm touches something on its way"};
 
 }  // namespace condition
 

@@ -49,8 +49,8 @@ inline constexpr ErrorKind kThetaRest = {"theta_rest", domain::Dimension::kAngle
 
 std::span<const ErrorKind* const> KnownErrors();
 
-// Returns the kind whose variables have names like this one, or null if there is none. Of several
-// stems that fit, the longest counts.
+// Returns the kind whose variables have names like this one, or null if there is none. If several
+// stems fit, the longest stem counts.
 const ErrorKind* ErrorKindOf(std::string_view variable);
 
 }  // namespace assay::plan

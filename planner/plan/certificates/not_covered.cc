@@ -14,18 +14,17 @@ namespace {
 
 constexpr char kServos[] = "oscillation of the servos while a part is carried";
 constexpr char kStuck[] =
-    "a part so heavy that the friction of what it stands on keeps it from turning flat between the "
-    "pads";
-constexpr char kPushes[] = "pads that slide, and an arm that does not follow, as a strategy pushes";
+    "a part so heavy that friction at its support keeps it from turning until its faces lie flat "
+    "on the pads";
+constexpr char kPushes[] = "pads that slip, and an arm that lags, under the pushes of a strategy";
 
 constexpr char kBeside[] =
-    "parts beside the two that are mated: as a strategy runs they are kept clear of without errors "
-    "only";
+    "parts beside the two that are mated: during a strategy, the plan keeps clear of them only if "
+    "there are no errors";
 
 constexpr char kYields[] =
-    "a wrist that yields, and bevelled edges: simulated arms and parts have neither, so that a "
-    "trial "
-    "may stop at a rim that they would lead over";
+    "a wrist that yields, and bevelled edges: simulated arms and parts have neither, so a trial "
+    "may stop at a rim over which these would lead the shaft";
 
 // Returns whether the proof of a mating counts on a wrist that yields.
 bool CountsOnYielding(const PlannedStep& step) {

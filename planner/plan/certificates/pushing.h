@@ -15,9 +15,9 @@ inline constexpr double kGreatestPush = 30;
 // Greatest force of a fine-motion strategy along a crevice. None of its contacts is pressed harder.
 inline constexpr double kStrategyPush = 25;
 
-// Returns whether certificates may rely on closed pads to bear the force that stops a guarded move.
-// If the pads do not bear it, they may slide down on the held part after it has met an obstacle, so
-// that the move does not stop.
+// Returns whether certificates may assume that closed pads bear the force that stops a guarded
+// move. If the pads do not bear this force, they may slide down on the held part after it has met
+// an obstacle, so that the move does not stop.
 inline bool PadsBearResistance(const domain::Problem& problem) {
   const domain::WorkcellRules& rules = problem.workcell->rules();
   const double friction = rules.pad_friction - problem.tolerances.pad_friction;

@@ -28,9 +28,9 @@ std::array<PadContact, 2> PadContactsOf(const Hold& hold,
 // further into the part, and none 10 micrometres out of it.
 int PointsOffSurface(const PadContact& contact, std::span<const geometry::ConvexHull> part);
 
-// Checks whether the contact touches or covers a feature (its faces, or the mouth of a hole). The
-// test uses the points of the pad's grid and the corners of the feature. Points on the rims do not
-// count.
+// Returns whether the pads of a checked grasp touch or cover a feature (its faces, or the mouth of
+// a hole). The test uses the points of the pad's grid and the corners of the feature. Points on the
+// rims do not count.
 bool Covers(const PadContact& contact, const domain::PartModel& part,
             const domain::Feature& feature);
 

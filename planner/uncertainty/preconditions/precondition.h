@@ -23,8 +23,7 @@ struct Precondition {
   plan::Circumstance circumstance = plan::Circumstance::kUsual;
 };
 
-// The ratio of a load to the bearable load if nothing bears the load. It stands for infinity.
-inline constexpr double kNothingBorne = 1e6;
+using plan::kNothingBorne;
 
 // The preconditions of one action. Equal claims about the same expression are kept once.
 class Preconditions {

@@ -65,8 +65,8 @@ class CommandLine {
     app_.require_subcommand(1);
     app_.get_formatter()->label("SUBCOMMAND", "VERB");
     app_.footer(
-        fmt::format("assay VERB --help tells more, with an example.\n\n{}"
-                    "\nExample:\n  assay run scenarios/spar-fig13.yaml --renders -o out",
+        fmt::format("assay VERB --help describes a verb, with an example.\n\n{}\nExample:\n  assay "
+                    "run scenarios/spar-fig13.yaml --renders -o out",
                     ExitCodeTable()));
     for (const Verb* verb : Verbs()) AddVerb(*verb);
   }

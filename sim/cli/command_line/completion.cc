@@ -241,7 +241,7 @@ Execution Declare(CLI::App& command) {
 
 const Verb kCompletion = {
     .name = "completion",
-    .summary = "prints what a shell needs to complete the command line",
+    .summary = "prints a script with which a shell completes command lines",
     .page = "sim/running.md",
     .example = "assay completion bash > ~/.local/share/bash-completion/completions/assay",
     .declare = completion_verb::Declare,

@@ -93,7 +93,7 @@ Execution Declare(CLI::App& command) {
 
 const Verb kDoctor = {
     .name = "doctor",
-    .summary = "tells what this machine has, and what to install",
+    .summary = "lists what the program found on this machine, and what to install",
     .page = "sim/running.md",
     .example = "assay doctor",
     .declare = doctor_verb::Declare,

@@ -13,20 +13,22 @@ struct Meaning {
 };
 
 constexpr std::array kMeanings = {
-    Meaning{ExitCode::kDone, "done, and everything asked for holds"},
-    Meaning{ExitCode::kWrongCommandLine, "wrong command line"},
-    Meaning{ExitCode::kWrongInput, "wrong input file"},
-    Meaning{ExitCode::kEnvironment, "the environment lacks something (renderer, room on the disk)"},
+    Meaning{ExitCode::kDone, "the command has succeeded, and all its checks hold"},
+    Meaning{ExitCode::kWrongCommandLine, "the command line is wrong"},
+    Meaning{ExitCode::kWrongInput, "an input file is wrong"},
+    Meaning{ExitCode::kEnvironment,
+            "the environment lacks something, for example a renderer or room on the disk"},
     Meaning{ExitCode::kNoPlan,
-            "proved that there is no plan with the listed robots, actions, grasps and places "
-            "(label: no labeling; mate: all sequences tried)"},
+            "it is proved that there is no plan with the listed robots, actions, grasps and places "
+            "(label: no labeling; mate: no strategy among all sequences)"},
     Meaning{ExitCode::kBudgetSpent,
-            "no answer: the budget was spent, or a limit of the planner, which the output names, "
-            "was met"},
-    Meaning{ExitCode::kFailed, "a prediction or check was violated, or a trial failed"},
+            "there is no answer: the budget was spent, or the planner met a limit, which the "
+            "output names"},
+    Meaning{ExitCode::kFailed, "a check was violated, or a trial failed"},
     Meaning{ExitCode::kInterrupted,
-            "interrupted (Ctrl-C); what was done until then is printed and written"},
-    Meaning{ExitCode::kTerminated, "the same after SIGTERM or SIGHUP"},
+            "Ctrl-C interrupted the command; finished trials, attempts and plans are printed and "
+            "written"},
+    Meaning{ExitCode::kTerminated, "SIGTERM or SIGHUP interrupted the command"},
 };
 
 }  // namespace

@@ -97,7 +97,7 @@ std::string TextOf(const ContactChain& chain, const FineMotionPlan& plan) {
   for (int dimension = kPoseDimensions - 1; dimension >= 0; --dimension)
     columns.push_back({fmt::format("{}-D", dimension), Align::kRight});
   for (const char* name : {"from", "to"}) columns.push_back({name});
-  for (const char* name : {"least transitions", "of the strategy"})
+  for (const char* name : {"fewest transitions", "of strategy"})
     columns.push_back({name, Align::kRight});
   Table table(columns);
   int planned = 0;
@@ -119,9 +119,10 @@ std::string TextOf(const ContactChain& chain, const FineMotionPlan& plan) {
     table.Add(row);
   }
   const std::string has =
-      planned == 0 ? ""
-                   : fmt::format("of the strategy's {} contact states, the graphs have {}\n",
-                                 planned, in_graph);
+      planned == 0
+          ? ""
+          : fmt::format("the strategy has {} contact states; the graphs have {} of these\n",
+                        planned, in_graph);
   return "contact graphs\n" + table.Text() + has;
 }
 

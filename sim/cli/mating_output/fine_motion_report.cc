@@ -56,7 +56,7 @@ Json MarginsJson(const FineMotionPlan& plan) {
 // Returns what stands in the way of a strategy, and how much was searched.
 std::string WhyNone(const FineMotionPlan& plan, const finemotion::StrategyOptions& search) {
   const std::string in_the_way =
-      plan.obstacle ? "; in the way: " + UnwantedText(*plan.obstacle) : "";
+      plan.obstacle ? "; this is prevented by " + UnwantedText(*plan.obstacle) : "";
   const std::string looked =
       plan.outcome == Outcome::kNone
           ? fmt::format("all sequences of the planner's maneuvers from {} starts were tried",
@@ -78,8 +78,8 @@ std::vector<std::string> NamesOf(std::span<const finemotion::ContactKey> keys) {
 
 std::string SummaryOf(const finemotion::MatingGeometry& geometry, const FineMotionPlan& plan) {
   return fmt::format(
-      "{} critical points; {} motions, certain for {:.2f} times the errors and friction up "
-      "to {:.2f}; as planned in {} replays in exact geometry",
+      "{} critical points; {} motions, certain for {:.2f} times the errors and for friction up to "
+      "{:.2f}; {} replays in exact geometry went as planned",
       geometry.critical_points.size(), plan.motions.size(), plan.absorbed, plan.friction_limit,
       plan.exact_replays);
 }
@@ -89,7 +89,8 @@ std::vector<report::MatingSubject::Motion> MotionsOf(const FineMotionPlan& plan)
   for (const finemotion::CertainMotion& motion : plan.motions) {
     const auto& unwanted = motion.check.unwanted;
     motions.push_back(
-        {.ends_with = motion.command.until ? finemotion::Name(*motion.command.until) : "its way",
+        {.ends_with =
+             motion.command.until ? finemotion::Name(*motion.command.until) : "its planned length",
          .contacts = fmt::format("{}", fmt::join(NamesOf(motion.check.after.kept), ", ")),
          .unwanted = unwanted.empty() ? "none" : UnwantedText(unwanted.front())});
   }
@@ -102,7 +103,7 @@ std::string TextOf(const finemotion::MatingGeometry& geometry, const FineMotionP
     return fmt::format("{} critical points; no sequence of contacts was found{}",
                        geometry.critical_points.size(), WhyNone(plan, search));
   }
-  Table table({{""}, {"ends with"}, {"in contact after it"}, {"first unwanted"}});
+  Table table({{""}, {"ends with"}, {"in contact at its end"}, {"first unwanted contact"}});
   int number = 0;
   for (const auto& motion : MotionsOf(plan)) {
     table.Add({fmt::format("{}", ++number), motion.ends_with, motion.contacts, motion.unwanted});
@@ -110,8 +111,9 @@ std::string TextOf(const finemotion::MatingGeometry& geometry, const FineMotionP
   std::string text = fmt::format("{}\n{}", SummaryOf(geometry, plan), table.Text());
   const finemotion::TestComparison& comparison = plan.comparison;
   if (comparison.compared > 0) {
-    text += fmt::format("of {} intersections, the edge test was compared in {} and misses {}\n",
-                        comparison.tests, comparison.compared, comparison.missed);
+    text += fmt::format(
+        "{} tests of intersections: the edge test was compared in {} of them, and misses {}\n",
+        comparison.tests, comparison.compared, comparison.missed);
   }
   if (!plan.found())
     text += "no strategy was found that absorbs the errors" + WhyNone(plan, search);
@@ -138,15 +140,16 @@ Json ToJson(const finemotion::MatingGeometry& geometry, const FineMotionPlan& pl
 
 std::string TextOf(const MatingTask& task, const assembly::Unreached& unreached) {
   const std::string where = unreached.motion == 0
-                                ? "where it starts"
+                                ? "where the strategy starts"
                                 : fmt::format("where motion {} ends", unreached.motion);
   const std::string why = unreached.obstacle.IsNone()
-                              ? "the arm does not get there"
+                              ? "the arm does not reach this place"
                               : fmt::format("the hand would go through '{}'",
                                             task.planned.problem.part(unreached.obstacle).name);
-  return fmt::format("the arm cannot execute it with any grasp; with {}, {}, the tool at {}: {}\n",
-                     task.assemble.hold.grasp, where,
-                     plan::InMillimetres(unreached.X_WorldTool.translation()), why);
+  return fmt::format(
+      "the arm cannot execute the strategy with any grasp; with {}, {}, the tool at {}: {}\n",
+      task.assemble.hold.grasp, where, plan::InMillimetres(unreached.X_WorldTool.translation()),
+      why);
 }
 
 Json ToJson(const MatingTask& task, const assembly::Unreached& unreached) {

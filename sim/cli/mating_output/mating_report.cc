@@ -91,19 +91,20 @@ SequenceTally SequencesOf(const MatingStudy& study) {
 }
 
 std::string DivergenceText(const check::Divergence& divergence) {
-  return fmt::format(
-      "motion {}: planned {}, observed {}", divergence.motion + 1, ContactsText(divergence.planned),
-      divergence.observed ? ContactsText(*divergence.observed) : "its end before that");
+  return fmt::format("motion {}: planned {}, observed {}", divergence.motion + 1,
+                     ContactsText(divergence.planned),
+                     divergence.observed ? ContactsText(*divergence.observed)
+                                         : "the end of the motion before this");
 }
 
 std::string RecognizedText(const std::optional<execution::RecognizedContact>& recognized) {
   if (!recognized) return {};
-  return fmt::format("; by its forces {}{}", recognized->is_loss ? "the loss of " : "",
+  return fmt::format("; recognized by its forces: {}{}", recognized->is_loss ? "the loss of " : "",
                      recognized->name);
 }
 
 std::string HoldingText(const std::optional<execution::Holding>& holding) {
-  return holding ? fmt::format("; what can hold it: {}", execution::Name(*holding)) : "";
+  return holding ? fmt::format("; it may be held by: {}", execution::Name(*holding)) : "";
 }
 
 // Returns a line for each error state that did not end the trial.
@@ -120,8 +121,8 @@ std::string ErrorStatesText(int trial, const std::vector<execution::ErrorState>&
 // Returns what went wrong in a trial, one event on each line; empty if nothing did.
 std::string MatedTrialText(const MatingStudy& study, const MatedTrial& trial) {
   const execution::StrategyEnd& end = trial.result.end;
-  std::string text = ErrorStatesText(trial.number, end.recovered, "drew back");
-  text += ErrorStatesText(trial.number, end.ignored, "went on");
+  std::string text = ErrorStatesText(trial.number, end.recovered, "the arm drew back");
+  text += ErrorStatesText(trial.number, end.ignored, "the arm went on");
   if (!trial.seated) {
     text += fmt::format("  trial {}: {}: {}{}{}\n", trial.number, NameOfEnd(end.outcome),
                         end.reason, HoldingText(end.holding), RecognizedText(end.recognized));
@@ -130,7 +131,7 @@ std::string MatedTrialText(const MatingStudy& study, const MatedTrial& trial) {
     text += fmt::format("  trial {}: {}\n", trial.number,
                         DivergenceText(*trial.sequence->comparison.divergence));
   }
-  if (!trial.seated) text += fmt::format("  again: {}{}\n", study.replay, trial.number);
+  if (!trial.seated) text += fmt::format("  to repeat it: {}{}\n", study.replay, trial.number);
   return text;
 }
 
@@ -151,14 +152,16 @@ std::string RecognitionText(const check::RecognitionTally& tally) {
   std::string text;
   if (const auto& states = tally.states; states.errors > 0) {
     text += fmt::format(
-        "error states: {} by the engine's contacts; {} recognized as an error state of the plan, "
-        "{} of them rightly; {} in trials without an unwanted contact\n",
+        "error states: the engine's contacts show {}; the controller recognized {} as an error "
+        "state of the plan, {} of these rightly; it reported {} in trials without an unwanted "
+        "contact\n",
         states.errors, states.named, states.right, tally.needless);
   }
   if (const auto& trials = tally.unwanted; trials.errors > 0) {
-    text +=
-        fmt::format("unwanted contacts: made in {} trials; named rightly in {}, wrongly in {}\n",
-                    trials.errors, trials.right, trials.named - trials.right);
+    text += fmt::format(
+        "unwanted contacts: they happened in {} trials; the controller named them rightly in {} "
+        "and wrongly in {}\n",
+        trials.errors, trials.right, trials.named - trials.right);
   }
   return text;
 }
@@ -171,11 +174,11 @@ std::string RankingText(const check::MarginRanking& ranking) {
       ranking.contacts, [](const check::RankedContact& contact) { return contact.happened > 0; });
   const auto& interval = ranking.interval;
   const std::string within =
-      interval ? fmt::format("95 % in {:.2f} .. {:.2f}", interval->low, interval->high)
-               : "too little happened for an interval";
+      interval ? fmt::format("95 % interval {:.2f} to {:.2f}", interval->low, interval->high)
+               : "too few events for an interval";
   return fmt::format(
       "margins and frequencies of unwanted contacts: rank correlation {:.2f}, {}, of {} pairs; {} "
-      "of them ever happened\n",
+      "of these happened\n",
       *ranking.correlation, within, ranking.contacts.size(), happened);
 }
 
@@ -302,11 +305,15 @@ int MatingStudy::CoveredFailures() const {
 std::string TextOf(const MatingStudy& study) {
   std::string text = MatedTrialsText("strategy", study.strategy);
   const SequenceTally tally = SequencesOf(study);
-  text += fmt::format("contact sequences: {} of {} as planned; {} of {} that are certain\n",
-                      tally.matching, study.strategy.size(), tally.covered_matching, tally.covered);
+  text += fmt::format(
+      "contact sequences: {} of {} as planned; {} of {} among trials whose errors the strategy "
+      "absorbs\n",
+      tally.matching, study.strategy.size(), tally.covered_matching, tally.covered);
   for (const MatedTrial& trial : study.strategy) text += MatedTrialText(study, trial);
   if (const int redrawn = TallyOf(study.strategy).redrawn; redrawn > 0)
-    text += fmt::format("errors with which no trial can begin: {}, drawn anew\n", redrawn);
+    text += fmt::format(
+        "errors with which the parts would overlap at the start: {} draws, which were repeated\n",
+        redrawn);
   if (tally.unmapped > 0) {
     text += fmt::format(
         "contact points of the engine that belong to no contact of the model: {} of {}; first {}\n",

@@ -17,8 +17,8 @@ void AddModelsOption(CLI::App& command, domain::ModelPath& models) {
       };
   command
       .add_option_function("--models", take,
-                           "folder with parts/ or workcells/, looked through before the usual "
-                           "one; may be given several times")
+                           "folder with parts/ or workcells/, which is searched before the "
+                           "program's own models; may be given several times")
       ->check(CLI::ExistingDirectory)
       ->allow_extra_args(false);
 }

@@ -8,8 +8,8 @@ namespace assay::cli {
 CLI::Option* AddResolvers(CLI::App& command, std::vector<std::string>& names) {
   return command
       .add_option("--resolvers", names,
-                  "what may be done about uncertainty, with commas between, instead of what the "
-                  "scenario says")
+                  "ways in which the planner may reduce uncertainty, with commas between them, "
+                  "instead of those in the scenario")
       ->delimiter(',')
       ->type_name("NAME")
       ->check(CLI::IsMember(domain::ResolverNames()));

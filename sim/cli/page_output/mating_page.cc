@@ -73,11 +73,11 @@ class MotionLister {
     const CertainMotion& motion = mating_.plan.motions[i];
     const report::MatingSubject::Motion& row = rows_[i];
     view::WalkedAction action{
-        .action = motion.command.until ? "until " + row.ends_with : "to the end of its way",
-        .facts = {{"kept on the way", KeptText(motion.command.kept)},
-                  {"in contact after it", row.contacts},
-                  {"errors left after it", ErrorsText(motion.check.after)},
-                  {"first unwanted", row.unwanted}},
+        .action = "until " + std::string(motion.command.until ? "contact " : "") + row.ends_with,
+        .facts = {{"contacts kept", KeptText(motion.command.kept)},
+                  {"contacts at its end", row.contacts.empty() ? "none" : row.contacts},
+                  {"errors at its end", ErrorsText(motion.check.after)},
+                  {"first unwanted contact", row.unwanted}},
         .drawing = motion.critical_point};
     if (const auto end = ends_.find(static_cast<int>(i)); end != ends_.end()) {
       action.end = end->second;

@@ -55,8 +55,9 @@ void AddQualityOptions(CLI::App& command, PictureQuality& quality) {
 }
 
 void AddPictureOptions(CLI::App& command, PictureOptions& options, const std::string& with) {
-  command.add_option("--camera", options.cameras,
-                     "cameras; the scenario's if left out; 'work' follows the hand and the parts");
+  command.add_option(
+      "--camera", options.cameras,
+      "names of cameras; those of the scenario if left out; 'work' follows the hand and the parts");
   AddQualityOptions(command, options.quality);
   command.add_flag("--no-ghosts", options.hides_ghosts,
                    "leave out the ghosts: parts at the extremes of their predicted error sets");

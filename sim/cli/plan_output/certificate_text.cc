@@ -28,27 +28,28 @@ std::string RecoveryText(const plan::Plan& plan, StepId step, const std::string&
   const std::string strategy =
       domain::RecoveryStrategyNames()[static_cast<std::size_t>(found->strategy)];
   if (found->strategy != domain::RecoveryStrategy::kGropingSearch) {
-    return fmt::format("{}, {}", error, strategy);
+    return fmt::format("{} ({})", error, strategy);
   }
-  return fmt::format("{}, {} within {}", error, strategy, QuantityText(found->radius, kLengthUnit));
+  return fmt::format("{} ({} within {})", error, strategy,
+                     QuantityText(found->radius, kLengthUnit));
 }
 
 std::string VerificationText(const plan::Plan& plan, const plan::Verification& verification) {
   std::string text =
-      fmt::format("    check {}: {} {:.4g} +- {}", verification.name,
+      fmt::format("    verification {}: the expected {} is {:.4g} +- {}", verification.name,
                   domain::MeasuredQuantityNames()[static_cast<std::size_t>(verification.quantity)],
                   verification.expected / kLengthUnit.factor,
                   QuantityText(verification.tolerance, kLengthUnit));
   if (!verification.below.empty()) {
-    text += "; if less: " + RecoveryText(plan, verification.step, verification.below);
+    text += "; less means " + RecoveryText(plan, verification.step, verification.below);
   }
   if (!verification.above.empty()) {
-    text += "; if more: " + RecoveryText(plan, verification.step, verification.above);
+    text += "; more means " + RecoveryText(plan, verification.step, verification.above);
   }
   return text + "\n";
 }
 
-constexpr char kExceptWhatIsNotCovered[] = ", except what is named as not covered";
+constexpr char kSomeIsNotCovered[] = " No precondition covers the effects that are listed below.";
 
 bool AnyStrategy(const plan::Plan& plan) {
   return std::ranges::any_of(
@@ -123,15 +124,16 @@ std::string UncertaintyText(const domain::Problem& problem, const plan::Plan& pl
   }
   const std::string summary =
       plan.errors == 0
-          ? fmt::format("Every precondition{} is proved{}{}.{}",
+          ? fmt::format("Every precondition{} is proved{}.{}{}",
                         plan::IsAsPublished(plan) ? " of the paper" : "",
-                        AnyStrategy(plan) ? " or absorbed" : "",
-                        plan::NotCovered(problem, plan).empty() ? "" : kExceptWhatIsNotCovered,
+                        AnyStrategy(plan) ? ", or absorbed by fine motion" : "",
+                        plan::NotCovered(problem, plan).empty() ? "" : kSomeIsNotCovered,
                         UnaskedText(plan))
-          : fmt::format("Not all preconditions of {} are proved: the plan has {} and {} for them.",
+          : fmt::format("Some preconditions of {} are not proved. The plan has {} and {} for {}.",
                         Counted(plan.errors, "step", "steps"),
                         Counted(plan.verifications.size(), "verification", "verifications"),
-                        Counted(plan.recoveries.size(), "recovery", "recoveries"));
+                        Counted(plan.recoveries.size(), "recovery", "recoveries"),
+                        plan.errors == 1 ? "this step" : "these steps");
   const std::string text = done.empty() ? fmt::format("\n{} Nothing was inserted.\n", summary)
                                         : fmt::format("\nuncertainty\n{}{}\n", done, summary);
   return text + NotCoveredText(problem, plan);

@@ -10,6 +10,8 @@
 #include <string_view>
 #include <vector>
 
+#include "planner/assembly/travel/unproved_ways.h"
+#include "planner/plan/certificates/condition_table.h"
 #include "planner/verify/proof.h"
 #include "sim/cli/options/quantity.h"
 #include "sim/cli/plan_output/certificate_text.h"
@@ -136,7 +138,7 @@ std::string FoldedSum(const std::vector<std::string>& terms) {
   text += fmt::format("{}{}\n", kIndent, line);
   if (shown == terms.size()) return text;
   return text +
-         fmt::format("{}... and {} terms more that vary less\n", kIndent, terms.size() - shown);
+         fmt::format("{}... and {} more terms that vary less\n", kIndent, terms.size() - shown);
 }
 
 // Returns how many of the variables cost enough to be shown.
@@ -167,7 +169,7 @@ std::string VariablesText(const Proof& proof) {
   }
   if (shown == proof.variables.size()) return table.Text();
   const double next = proof.variables[shown].cost;
-  return table.Text() + fmt::format("{}{} more cost at most {} each\n", kIndent,
+  return table.Text() + fmt::format("{}{} more variables cost at most {} each\n", kIndent,
                                     proof.variables.size() - shown, QuantityText(next, unit));
 }
 
@@ -175,20 +177,22 @@ std::string Verdict(const Proof& proof) {
   if (proof.claim.holds()) {
     return fmt::format("proved with {} to spare", MarginText(proof.claim));
   }
+  if (proof.claim.IsUnborne()) return "at worst, nothing bears the load";
   const std::string short_by = QuantityText(-proof.claim.margin, UnitOf(proof.claim));
   return proof.IsRefuted()
-             ? fmt::format("{} short; at the worst corner it is false", short_by)
-             : fmt::format("{} short; no corner is known where it is false", short_by);
+             ? fmt::format("{} short of a proof; at the worst corner it is false", short_by)
+             : fmt::format("{} short of a proof; no corner is known at which it is false",
+                           short_by);
 }
 
 std::string RemedyText(const Proof& proof) {
   if (proof.claim.holds()) return "";
-  if (!proof.remedy) return "  Tightening one variable's range alone is not enough.\n";
+  if (!proof.remedy) return "  No smaller range of a single variable is enough for a proof.\n";
   const NarrowedVariable& remedy = *proof.remedy;
   const Unit unit = ShownUnitOf(remedy.dimension);
-  return fmt::format("  Enough alone: tighten {} from {} to {} {}.\n", remedy.name,
-                     RangeText(remedy.range, unit), NarrowRangeText(remedy.enough, unit),
-                     unit.name);
+  return fmt::format("  A smaller range of {} is enough for a proof: {} instead of {} {}.\n",
+                     remedy.name, NarrowRangeText(remedy.enough, unit),
+                     RangeText(remedy.range, unit), unit.name);
 }
 
 // Returns the whole proof of one precondition.
@@ -222,7 +226,7 @@ std::string ClaimsTable(const std::vector<const CertifiedPrecondition*>& claims)
     if (claim->gap > line->widest->gap) line->widest = claim;
     ++line->count;
   }
-  Table table({{"    how many", Align::kRight},
+  Table table({{"    cases", Align::kRight},
                {"bound", Align::kRight},
                {"must be", Align::kRight},
                {"margin", Align::kRight},
@@ -238,9 +242,14 @@ std::string ClaimsTable(const std::vector<const CertifiedPrecondition*>& claims)
 }
 
 std::string StandingText(std::size_t unproved, std::size_t all, bool absorbed) {
-  if (unproved == 0) return fmt::format("{} proved", all);
-  return fmt::format("{} of {} {}", unproved, all,
-                     absorbed ? "not proved, and absorbed by fine motion" : "NOT PROVED");
+  std::string cases;
+  if (all > 1) {
+    cases = unproved == 0 || unproved == all ? fmt::format(" in all {} cases", all)
+                                             : fmt::format(" in {} of {} cases", unproved, all);
+  }
+  if (unproved == 0) return "proved" + cases;
+  if (absorbed) return fmt::format("not proved{}, and absorbed by fine motion", cases);
+  return "NOT PROVED" + cases;
 }
 
 // Returns the text of a kind. With `in_full`, its tightest claim is explained in full.
@@ -256,14 +265,14 @@ std::string KindText(const ClaimKind& kind, const CertificateProofs& proofs, boo
   }
   text += ChainText(proofs.Of(*kind.claims.front()));
   if (all == 1) return text;
-  return text + "  The others:\n" + ClaimsTable({kind.claims.begin() + 1, kind.claims.end()});
+  return text + "  The other cases:\n" + ClaimsTable({kind.claims.begin() + 1, kind.claims.end()});
 }
 
 // Explains in full the kinds that are not proved. If all are proved, the tightest kind is explained
 // in full.
 std::string PreconditionsText(const PlannedStep& step, const std::string& file) {
   const std::vector<CertifiedPrecondition>& all = step.certificate.preconditions;
-  if (all.empty()) return "\nIt has no uncertainty-reduction preconditions.\n";
+  if (all.empty()) return "\nThe step has no uncertainty-reduction preconditions.\n";
   const CertificateProofs proofs(step, file);
   const std::vector<ClaimKind> kinds = KindsOf(all);
   std::string text = fmt::format(
@@ -277,7 +286,12 @@ std::string PreconditionsText(const PlannedStep& step, const std::string& file) 
     is_tightest &= absorbed;
   }
   for (const auto& [condition, reason] : step.certificate.not_needed) {
+    if (condition->needed_by == plan::NeededBy::kWay) continue;
     text += fmt::format("\n{}: not needed: {}\n", condition.name(), reason);
+  }
+  for (const plan::NotNeeded& kind : step.certificate.not_needed) {
+    if (kind.condition->needed_by != plan::NeededBy::kWay) continue;
+    text += fmt::format("\n{}: NOT PROVED\n", kind.condition.name());
   }
   return text;
 }
@@ -303,12 +317,12 @@ std::string ErrorSetsText(const domain::Problem& problem, const plan::Certificat
   Table table(std::move(columns));
   AddErrorSets("before", certificate.before, problem, table);
   AddErrorSets("after", certificate.after, problem, table);
-  return "\nTrue pose of each part about the believed one\n" + table.Text();
+  return "\nRanges of the true pose of each part about its believed pose\n" + table.Text();
 }
 
 std::string InsertedText(const plan::Plan& plan, plan::StepId id) {
   const std::string text = ResolutionsText(plan, id);
-  return text.empty() ? text : "\nDone about it: " + text;
+  return text.empty() ? text : "\nWhat the plan does about errors: " + text;
 }
 
 // Returns the steps for which this one was inserted.
@@ -330,10 +344,26 @@ std::string Explanation(const domain::Problem& problem, const plan::Plan& plan, 
   std::string text = fmt::format("step {} of {}, {}: {}\n{}", step.executed, plan.steps.size(),
                                  step.name, FullText(problem, step.action), PurposeText(plan, id));
   if (step.certificate.before.empty()) {
-    return text + "It has no certificate: the plan was made without regard to uncertainty.\n";
+    return text + "The step has no certificate: the plan was made without regard to uncertainty.\n";
   }
   return text + ErrorSetsText(problem, step.certificate) + InsertedText(plan, id) +
          PreconditionsText(step, file);
+}
+
+std::string UnprovedWaysText(const domain::Problem& problem, const plan::Plan& plan,
+                             plan::StepId id) {
+  const bool is_last = plan.ExecutionOrder().back() == id;
+  std::string text;
+  for (const assembly::UnprovedWay& way : assembly::UnprovedWays(problem, plan)) {
+    if (way.step != id && !(way.step.IsNone() && is_last)) continue;
+    text += fmt::format("  With errors{}, {}.\n", way.step.IsNone() ? " on the way home" : "",
+                        way.why.text);
+    if (way.condition == plan::Condition(plan::condition::kWayClear)) {
+      text += fmt::format("  With {:.0f} % of the errors of the tool's pose, it is proved.\n",
+                          100 * way.share);
+    }
+  }
+  return text;
 }
 
 }  // namespace assay::cli

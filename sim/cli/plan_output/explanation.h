@@ -15,5 +15,9 @@ namespace assay::cli {
 // the certificate cannot be read.
 std::string Explanation(const domain::Problem& problem, const plan::Plan& plan, plan::StepId step,
                         const std::string& file);
+// Returns what errors may cause on the ways of the arm to the step, and home after the last step,
+// if these are not proved; empty if they are. The plan must have no flaws.
+std::string UnprovedWaysText(const domain::Problem& problem, const plan::Plan& plan,
+                             plan::StepId step);
 
 }  // namespace assay::cli

@@ -24,11 +24,11 @@ std::string TravelText(const plan::Plan& plan) {
     if (step.travel) tell(fmt::format("step {}", step.executed), *step.travel);
   }
   if (plan.homing) tell("home", *plan.homing);
-  return text.empty() ? text : "\npaths around what is in the way\n" + text;
+  return text.empty() ? text : "\npaths around obstacles\n" + text;
 }
 
 constexpr const char* kSpentBudget =
-    "The budget was spent before an answer; --budget gives a greater one.\n";
+    "The budget was spent before there was an answer. --budget sets a greater budget.\n";
 
 // Returns whether the planner, with its limits, had anything to search.
 bool HasSearched(const plan::PlanResult& result) {
@@ -70,10 +70,10 @@ std::string Text(const Problem& problem, const plan::PlanResult& result) {
       return PlanTable(problem, result.plan) + TravelText(result.plan) +
              UncertaintyText(problem, result.plan);
     case Outcome::kNone:
-      return "No plan exists" + Listed(", with", result.hypotheses) +
-             Listed(result.hypotheses.empty() ? ". These cannot hold together"
-                                              : "These cannot hold together",
-                    TextsOf(result.conflict)) +
+      return (result.hypotheses.empty()
+                  ? "No plan exists.\n"
+                  : Listed("No plan exists under these hypotheses", result.hypotheses)) +
+             Listed("These conditions cannot hold together", TextsOf(result.conflict)) +
              Listed("The nearest misses", TextsOf(result.near_misses));
     case Outcome::kBudget:
       if (result.obstruction) {
@@ -81,8 +81,10 @@ std::string Text(const Problem& problem, const plan::PlanResult& result) {
                            result.obstruction->text);
       }
       if (!result.limits.empty()) {
-        return Listed("No plan was found, and none is proved not to exist. This planner's limits",
-                      result.limits) +
+        return Listed(
+                   "No plan was found, and it is not proved that none exists. A plan may exist "
+                   "beyond these limits of the planner",
+                   result.limits) +
                (HasSearched(result) ? kSpentBudget : "");
       }
       return kSpentBudget;

@@ -135,7 +135,7 @@ class ExactTrials {
     if (succeeded < Trials()) {
       const auto failed = std::ranges::find_if(
           summaries_, [](const auto& entry) { return !entry.second.Succeeded(); });
-      text += fmt::format("trial {}: {}\nagain: {}\n", failed->first, failed->second.reason,
+      text += fmt::format("trial {}: {}\nto repeat it: {}\n", failed->first, failed->second.reason,
                           ReplayCommand());
     }
     text += Interruption::Text(Trials(), run_.trials);

@@ -50,7 +50,7 @@ class FalsificationReport {
     options.stop = Interruption::Requested;
     result_ = check::Falsify(experiment_, options);
     if (run_.conservatism && result_.noiseless.Holds()) {
-      progress_->Tell("how much more noise it takes");
+      progress_->Tell("measuring conservatism");
       ratios_ = check::Conservatism(
           experiment_, {.seed = run_.seed, .jobs = run_.jobs, .stop = Interruption::Requested});
     }
@@ -135,12 +135,12 @@ class FalsificationReport {
     std::string text;
     int number = 0;
     for (const check::Counterexample& example : result_.counterexamples) {
-      text += fmt::format("\nviolated: step {}: {}\n  {}\nagain: {}\n", example.steps,
+      text += fmt::format("\nviolated: step {}: {}\n  {}\nto repeat it: {}\n", example.steps,
                           Text(example.claim), noise::Text(example.noise),
                           ReplayCommand(example.noise));
       ++number;
-      if (!run_.folder.empty()) text += "look:  " + ViewCommand(number) + "\n";
-      if (!example.replayed) text += "  (only from a state saved on the way)\n";
+      if (!run_.folder.empty()) text += "to see it: " + ViewCommand(number) + "\n";
+      if (!example.replayed) text += "  (seen only in an execution from a saved state)\n";
       if (example.replayed && !example.is_simplest) text += kPerhapsSimpler;
     }
     return text;
@@ -155,12 +155,12 @@ class FalsificationReport {
   std::string NotAttempted() const {
     const std::vector<plan::StepId> steps = StepsNotAttempted();
     if (steps.empty()) return "";
-    return fmt::format("no attempt was made at {}, so that nothing is said of {}\n",
+    return fmt::format("no attempt was made at {}, so nothing is known about {}\n",
                        StepsText(plan_, steps), steps.size() == 1 ? "it" : "them");
   }
 
   std::string Outcome(std::int64_t violated) const {
-    if (result_.attempts == 0) return "no attempt was made, so that nothing is said of the plan\n";
+    if (result_.attempts == 0) return "no attempt was made, so nothing is known about the plan\n";
     if (violated == 0) {
       return fmt::format("not falsified in {} attempt{}\n", result_.attempts,
                          result_.attempts == 1 ? "" : "s") +
@@ -200,7 +200,7 @@ class FalsificationReport {
                  number(ratio.ratio())});
     }
     std::string text =
-        "\nmultiples of the noise: the greatest with guaranteed success, and the least with a "
+        "\nmultiples of the errors: the greatest with guaranteed success, and the least with a "
         "failed trial\n" +
         table.Text();
     for (const check::ConservatismRatio& ratio : ratios_) {
@@ -224,8 +224,7 @@ class FalsificationReport {
     text += "\n" + Outcome(total.violated) + HardlyTested();
     text += Interruption::Text(result_.attempts, run_.attempts, "attempts were made");
     if (Interruption::Requested() && run_.conservatism) {
-      text += fmt::format("how much more noise it takes was measured of {} variables\n",
-                          ratios_.size());
+      text += fmt::format("conservatism was measured for {} variables\n", ratios_.size());
     }
     text += NotCoveredText(run_.planned.problem, plan_);
     if (!run_.folder.empty()) text += fmt::format("files in {}\n", run_.folder.string());

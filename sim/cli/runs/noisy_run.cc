@@ -222,8 +222,9 @@ class NoisyTrials {
     int listed = 0;
     for (const NoisyRow& row : rows_) {
       if (!row.Failed() || ++listed > kMostListed) continue;
-      text += fmt::format("trial {}: {}{}{}\nagain: {}\n", row.number, execution::Name(row.outcome),
-                          row.reason.empty() ? "" : ": ", row.reason, ReplayCommand(row.number));
+      text += fmt::format("trial {}: {}{}{}\nto repeat it: {}\n", row.number,
+                          execution::Name(row.outcome), row.reason.empty() ? "" : ": ", row.reason,
+                          ReplayCommand(row.number));
     }
     if (listed > kMostListed) text += fmt::format("and {} more\n", listed - kMostListed);
     if (listed > 0) text += "\n";

@@ -89,7 +89,8 @@ class Scattering {
     return result.outcome == Outcome::kNone
                ? ScatteredRow{number, "no-plan",
                               fmt::format("{}", fmt::join(TextsOf(result.conflict), "; "))}
-               : ScatteredRow{number, "budget", "the planner's budget was spent before an answer"};
+               : ScatteredRow{number, "budget",
+                              "the planner's budget was spent before there was an answer"};
   }
 
   void WriteTrace(const check::Trial& trial) const {
@@ -150,8 +151,8 @@ class Scattering {
     std::string text = counts.Text();
     for (const ScatteredRow& row : rows_) {
       if (row.outcome == kSucceeded) continue;
-      text += fmt::format("\ntrial {}: {}: {}\nagain: {}\n", row.number, row.outcome, row.reason,
-                          ReplayCommand(row.number));
+      text += fmt::format("\ntrial {}: {}: {}\nto repeat it: {}\n", row.number, row.outcome,
+                          row.reason, ReplayCommand(row.number));
     }
     text += fmt::format("\n{} of {} trials succeeded\n", Succeeded(), rows_.size());
     text += Interruption::Text(std::ssize(rows_), Wanted());

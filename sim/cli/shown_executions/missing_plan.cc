@@ -21,19 +21,27 @@ std::vector<plan::Reason> WithoutSituations(const std::vector<std::string>& sent
   return reasons;
 }
 
+// An empty situation has no bodies to be shown, even if the sentence names some.
+std::vector<plan::Reason> AboutNoBodies(const std::vector<std::string>& sentences) {
+  std::vector<plan::Reason> reasons = WithoutSituations(sentences);
+  for (plan::Reason& reason : reasons) reason.situation.emplace();
+  return reasons;
+}
+
 // The sentences are those of `assay plan`.
 std::vector<view::Reasons> ReasonsOf(const plan::PlanResult& result) {
   std::vector<view::Reasons> reasons;
   const auto add = [&](const char* title, const std::vector<plan::Reason>& of_kind) {
     if (!of_kind.empty()) reasons.push_back({title, of_kind});
   };
-  add("These cannot hold together", result.conflict);
+  add("These conditions cannot hold together", result.conflict);
   add("The nearest misses", result.near_misses);
-  if (result.obstruction) add("No plan can be executed by the arm", {*result.obstruction});
+  if (result.obstruction) add("The arm can execute no plan that was found", {*result.obstruction});
   add("Limits of the planner", WithoutSituations(result.limits));
-  add("This was proved for", WithoutSituations(result.hypotheses));
+  add("The proof holds under these hypotheses", AboutNoBodies(result.hypotheses));
   if (reasons.empty()) {
-    add("The budget was spent before an answer", {{.text = "--budget gives a greater one"}});
+    add("The budget was spent before there was an answer",
+        {{.text = "--budget sets a greater budget"}});
   }
   return reasons;
 }

@@ -17,23 +17,24 @@ void AddShowOptions(CLI::App& command, ShowRequest& request) {
   const CLI::Range numbers(1, std::numeric_limits<int>::max());
   command
       .add_option("number", request.number,
-                  "of the trial in a database; of the trial or counterexample in a result; of the "
-                  "trial of a plan tree (1 if left out)")
+                  "number of the trial in a database, of the trial or counterexample in a "
+                  "result.json, or of the trial of a plan tree (1 if left out)")
       ->check(numbers);
   command
       .add_option("--counterexample", request.counterexample,
-                  "which one, if the trial of the database is a falsification; the first if left "
-                  "out")
+                  "number of the counterexample, if the trial of the database is a falsification; "
+                  "1 if left out")
       ->check(numbers);
   command
       .add_option_function<std::string>(
           "--worlds",
           [&request](const std::string& worlds) { request.is_every_leaf = worlds == "all"; },
-          "of a plan tree: drawn: hidden facts are drawn; all: the trials go through the leaves "
+          "for a plan tree: drawn: hidden facts are drawn; all: the trials go through the leaves "
           "and repeats of the tree in turn")
       ->check(CLI::IsMember({"drawn", "all"}));
-  command.add_option("--plan", request.plan,
-                     "plan file of a trace or a result; plan.json beside it if left out");
+  command.add_option(
+      "--plan", request.plan,
+      "plan file that belongs to a trace or a result.json; plan.json beside it if left out");
   AddModelsOption(command, request.models);
 }
 

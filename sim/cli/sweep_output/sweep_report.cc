@@ -124,10 +124,10 @@ std::string CommandOf(const std::string& replay, const std::string& database) {
 std::string CounterexampleText(const sweep::CounterexampleRecord& example,
                                const std::string& database) {
   const Unit unit = ShownUnitOf(example.dimension);
-  return fmt::format("  {}: {}: {} is not in [{:.6g}, {:.6g}] {}{}\n    again: {}\n",
+  return fmt::format("  {}: {}: {} is not in [{:.6g}, {:.6g}] {}{}\n    to repeat it: {}\n",
                      example.action, example.name, InUnit(example.observed, unit),
                      example.low / unit.factor, example.high / unit.factor, unit.name,
-                     example.replayed ? "" : " (only from a state saved on the way)",
+                     example.replayed ? "" : " (seen only in an execution from a saved state)",
                      CommandOf(example.replay, database));
 }
 
@@ -139,9 +139,10 @@ std::string FalsificationText(const CellFalsification& cell, const std::string& 
     text += CounterexampleText(example, database);
   }
   for (const sweep::ConservatismRecord& ratio : falsification.conservatism) {
-    text += fmt::format("  {}: guaranteed up to x {:.3g}, {}\n", ratio.variable, ratio.guaranteed,
-                        ratio.broken ? fmt::format("broken at x {:.3g}", *ratio.broken)
-                                     : std::string("never broken"));
+    text += fmt::format("  {}: guaranteed up to {:.3g} times the errors; {}\n", ratio.variable,
+                        ratio.guaranteed,
+                        ratio.broken ? fmt::format("a trial failed at {:.3g} times", *ratio.broken)
+                                     : std::string("no trial failed"));
   }
   return text;
 }
@@ -286,13 +287,13 @@ std::string ForPeople(const SweepResults& results) {
   for (const auto& [outcome, count] : Failures(results)) {
     text += fmt::format("{}: {}\n", outcome, count);
   }
-  if (results.first_bad > 0) text += fmt::format("again: {}\n", ReplayCommand(results));
+  if (results.first_bad > 0) text += fmt::format("to repeat it: {}\n", ReplayCommand(results));
   for (const CellSummary& summary : results.cells) {
     if (summary.cell.conflict.empty()) continue;
     text += fmt::format("cell {}: {}\n", summary.cell.cell, summary.cell.conflict);
   }
   if (done < results.trials) {
-    text += fmt::format("{} of {} trials are there\n", done, results.trials);
+    text += fmt::format("{} of {} trials are in the database\n", done, results.trials);
   }
   for (const sweep::RunRecord& run : results.runs) text += SpeedText(run);
   return text;
@@ -339,7 +340,7 @@ Report ReportOn(const sweep::Sweep& sweep, const domain::ModelPath& models) {
   report.text = fmt::format("sweep {}: {} trials in {} cells, {} plans\n",
                             sweep.file.stem().string(), trials, cells.size(), plans);
   if (falsifications > 0) {
-    report.text += fmt::format("{} of the trials are attacks with {} attempts each\n",
+    report.text += fmt::format("{} of the trials are falsifications with {} attempts each\n",
                                falsifications, sweep.attempts);
   }
   report.json = std::make_shared<const Json>(Json{{"sweep", sweep.file.stem().string()},

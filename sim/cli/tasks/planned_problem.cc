@@ -47,9 +47,8 @@ void Locate(const PlannedProblem& planned, std::vector<plan::Flaw>& flaws) {
 
 void RequireGoal(const Document& document, const domain::Problem& problem) {
   if (!problem.goals.empty()) return;
-  throw InputError(
-      {.file = document.file()}, "the goal is about knowledge, so its plan is a tree",
-      "a scenario with a key `goal`; or assay plan and assay run, which know plan trees");
+  throw InputError({.file = document.file()}, "the goal is about knowledge, so its plan is a tree",
+                   "a scenario with a key `goal`; assay plan and assay run also accept plan trees");
 }
 
 // Runs both phases of the planner, and shows progress to people on a terminal.
@@ -145,7 +144,7 @@ void RequireSound(const PlannedProblem& planned) {
   const plan::Flaw& first = report.flaws.front();
   FilePlace place = first.place;
   if (place.line == 0) place.file = planned.plan_file;
-  throw InputError(place, fmt::format("the plan does not hold up: {}", first.what),
+  throw InputError(place, fmt::format("the plan has a flaw: {}", first.what),
                    "a plan in which assay check finds no flaws");
 }
 

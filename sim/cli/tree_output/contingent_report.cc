@@ -109,13 +109,15 @@ std::string Text(const ContingentAnswer& answer, bool unfolds, std::int64_t budg
   const TreeSize size = contingent::SizeOf(plan.tree);
   if (unfolds && size.leaves > kMostUnfolded) {
     throw UsageError(
-        fmt::format("contingent: --unfold: the tree has {} leaves; at most {} are told",
+        fmt::format("contingent: --unfold: the tree has {} leaves; at most {} can be printed",
                     size.leaves, kMostUnfolded));
   }
   std::string text =
       size.nesting > kDeepestPrinted
-          ? fmt::format("The tree has {} branches in each other; as text at most {} are told.\n",
-                        size.nesting, kDeepestPrinted)
+          ? fmt::format(
+                "The tree has {} nested branches; at most {} are printed as text. --json prints "
+                "the whole tree.\n",
+                size.nesting, kDeepestPrinted)
           : TextOf(answer.task, plan.tree,
                    unfolds ? contingent::Sharing::kUnfolded : contingent::Sharing::kOnce);
   text += fmt::format(

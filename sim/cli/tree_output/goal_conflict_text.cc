@@ -10,18 +10,19 @@ namespace assay::cli {
 
 std::string Text(const contingent::GroundTask& task, const contingent::GoalConflict& conflict) {
   std::string text = fmt::format(
-      "There is no plan: no tree of these actions without repeats leads surely to {}:\n",
+      "There is no plan. No tree of these actions without repeats is sure to reach {}:\n",
       conflict.parts.size() == 1 ? "this part of the goal" : "these parts of the goal");
   for (const contingent::GroundQuery& part : conflict.parts) {
     text += "  " + TextOf(task, part) + "\n";
   }
-  if (!conflict.is_minimal) text += "  (perhaps even fewer of them)\n";
+  if (!conflict.is_minimal) text += "  (some of these parts alone may be unreachable already)\n";
   return text;
 }
 
 std::string NotFoundText(const contingent::ContingentPlan& plan, std::int64_t budget) {
   if (plan.doubt.empty()) return fmt::format("No plan within {} knowledge states.\n", budget);
-  return fmt::format("No plan was found. That is no proof that there is none: {}.\n", plan.doubt);
+  return fmt::format("No plan was found. This does not prove that there is none: {}.\n",
+                     plan.doubt);
 }
 
 nlohmann::ordered_json ToJson(const contingent::GroundTask& task,

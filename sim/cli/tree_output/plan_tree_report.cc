@@ -91,7 +91,7 @@ std::string Text(const std::vector<domain::Problem>& worlds, const ContingentAss
   for (std::size_t p = 0; p < assembly.plans.size(); ++p) {
     const auto& [of, plan] = assembly.plans[p];
     text += fmt::format("\nplan {}", p + 1);
-    if (worlds.size() > 1) text += fmt::format(", where it is: {}", WorldsText(worlds, of));
+    if (worlds.size() > 1) text += fmt::format(", for the worlds with: {}", WorldsText(worlds, of));
     text += "\n" + Text(worlds[of.front()], {Outcome::kFound, plan, {}, {}});
   }
   return text;

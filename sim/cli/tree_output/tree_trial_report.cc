@@ -167,7 +167,7 @@ std::string FailuresText(const TreeStudy& study) {
   int listed = 0;
   for (const TreeTrial& trial : study.trials) {
     if (!trial.IsFailed() || ++listed > kMostListed) continue;
-    text += fmt::format("trial {}: {}: {}{}\nagain: {}\n", trial.number, Name(trial.outcome),
+    text += fmt::format("trial {}: {}: {}{}\nto repeat it: {}\n", trial.number, Name(trial.outcome),
                         ReasonOf(trial, study), trial.is_goal_true ? "; the goal is true" : "",
                         ReplayCommand(study, trial.number));
   }
@@ -188,11 +188,11 @@ std::string TextOf(const TreeStudy& study) {
   const TreeTally all = TallyOf(study);
   const Interval rate = sweep::WilsonInterval(all.reached, all.trials);
   text += fmt::format(
-      "{} of {} trials reached the goal with nothing touched, spilled or claimed falsely (95 % "
+      "{} of {} trials reached the goal without a collision, a spill or a false claim (95 % "
       "interval of the rate: {:.1f} to {:.1f} %)\n",
       all.reached, all.trials, 100 * rate.low, 100 * rate.high);
   if (all.called > 0) {
-    text += fmt::format("{} ended with a person who takes over, as the tree has it\n", all.called);
+    text += fmt::format("{} ended with a call of the operator, as the tree demands\n", all.called);
   }
   const auto unreached = std::ranges::count_if(
       study.leaves, [&](const Leaf& leaf) { return TallyOf(leaf, study).trials == 0; });
@@ -200,11 +200,11 @@ std::string TextOf(const TreeStudy& study) {
       fmt::format("{} of {} leaves were reached",
                   study.leaves.size() - static_cast<std::size_t>(unreached), study.leaves.size());
   text += study.can_spill
-              ? fmt::format("; the greatest tilt of what can spill was {:.3f} degrees\n",
+              ? fmt::format("; the greatest tilt of parts that can spill was {:.3f} degrees\n",
                             all.greatest_tilt / kDegree)
               : "\n";
   if (study.command.sensing_errors > 0) {
-    text += fmt::format("sensor results were falsified in {} trials; the audit found it in {}\n",
+    text += fmt::format("sensor results were made wrong in {} trials; the audit noticed it in {}\n",
                         CountFlipped(study, false), CountFlipped(study, true));
   }
   return text;

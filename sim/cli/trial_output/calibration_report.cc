@@ -168,14 +168,14 @@ std::string CalibrationReport::NotFoundForPeople() const {
   }
   std::string text;
   for (const auto& [what, trials] : missed) {
-    text += fmt::format("not found: {}: {} times\nagain: {}\n", what, trials.size(),
+    text += fmt::format("not found: {}: {} times\nto repeat one: {}\n", what, trials.size(),
                         ReplayCommand(*trials.front()));
   }
   return text;
 }
 
 std::string CalibrationReport::ForPeople(const CalibrationTrial& trial) const {
-  return fmt::format("{}, trial {}: {}, {}: the error is greater than promised\nagain: {}\n",
+  return fmt::format("{}, trial {}: {}, {}: the error is greater than promised\nto repeat it: {}\n",
                      trial.scenario->file.stem().string(), trial.number, trial.part().name,
                      trial.resting().name, ReplayCommand(trial));
 }

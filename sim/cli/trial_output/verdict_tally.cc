@@ -75,12 +75,11 @@ std::string VerdictTally::Text(const domain::Problem& problem) const {
                std::to_string(counts.not_claimed),
                worst == worst_.end() ? "" : cli::Text(worst->second)});
   }
-  return table.Text() +
-         fmt::format(
-             "\nof {} claims {} contained, {} inconclusive, {} violated, {} not claimed; the "
-             "verdict on a step is that of its worst claim\n",
-             claims_.Total(), claims_.contained, claims_.inconclusive, claims_.violated,
-             claims_.not_claimed);
+  return table.Text() + fmt::format(
+                            "\n{} claims: {} contained, {} inconclusive, {} violated, {} not "
+                            "claimed. The verdict on a step is the verdict on its worst claim.\n",
+                            claims_.Total(), claims_.contained, claims_.inconclusive,
+                            claims_.violated, claims_.not_claimed);
 }
 
 Json VerdictTally::ClaimsToJson() const { return cli::ToJson(claims_); }

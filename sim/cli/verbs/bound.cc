@@ -284,20 +284,23 @@ Execution Declare(CLI::App& command) {
       ->required();
   command
       .add_option("--rung", options->method,
-                  "termwise: each term alone, as in the paper; refined: to the gap")
+                  "termwise: bound each term alone, as in the paper; refined: refine the bounds "
+                  "until the gap is reached")
       ->check(CLI::IsMember({"termwise", "refined"}))
       ->capture_default_str();
-  command.add_option("--gap", options->request.gap, "refine until a bound is known this tightly")
+  command
+      .add_option("--gap", options->request.gap,
+                  "wanted gap between a bound and the true extreme value")
       ->check(Within(domain::kAtLeastZero, domain::kRatio))
       ->capture_default_str();
   command
       .add_option("--evaluations", options->request.evaluations,
-                  "how many evaluations each bound may take; exit code 11 if the gap needs more")
+                  "limit of evaluations for each bound; if the gap needs more, the exit code is 11")
       ->check(CLI::Range(1, std::numeric_limits<int>::max()))
       ->capture_default_str();
   command
       .add_option("--keep", options->keep,
-                  "also bounds that are expressions in these variables, as x,y")
+                  "also print bounds that are expressions in these variables, given as x,y")
       ->delimiter(',');
   command.add_flag("--json", options->json, "print JSON instead of a table");
   command.add_option("-o,--output", options->output, "write JSON to this file");

@@ -143,7 +143,7 @@ std::string PromiseForPeople(const CalibrationReport& result,
                                                .angle = domain::kDegrees};
   std::string text = fmt::format("{} times the greatest errors, in metres and degrees: {}\n",
                                  result.margin(), PromiseText(result.Promise(), kMetresAndDegrees));
-  for (const fs::path& file : written) text += fmt::format("promised in {}\n", file.string());
+  for (const fs::path& file : written) text += fmt::format("written into {}\n", file.string());
   return text;
 }
 
@@ -178,19 +178,23 @@ Execution Declare(CLI::App& command) {
   const auto options = std::make_shared<Options>();
   command
       .add_option("scenarios", options->scenarios,
-                  "scenario files: which parts, on the tables of which workcells")
+                  "scenario files; their parts are measured on the tables of their workcells")
       ->required();
-  command.add_option("--trials", options->trials, "how many placements in each scenario")
+  command.add_option("--trials", options->trials, "number of random placements in each scenario")
       ->check(CLI::Range(1, std::numeric_limits<int>::max()));
-  command.add_option("--trial", options->trial, "only this one of the placements")
+  command.add_option("--trial", options->trial, "measure only the placement with this number")
       ->check(CLI::Range(1, std::numeric_limits<int>::max()));
-  command.add_option("--seed", options->seed, "of the placements; the scenario's if left out")
+  command
+      .add_option("--seed", options->seed,
+                  "seed of the placements; the scenario's seed if left out")
       ->check(CLI::NonNegativeNumber);
   command
-      .add_option("--margin", options->margin, "what is promised, over the greatest error measured")
+      .add_option("--margin", options->margin,
+                  "the promise is the greatest measured error, times this factor")
       ->check(Within({1, 100}, kRatioUnit));
-  command.add_flag("--write", options->write,
-                   "write the promise into the workcells' files; nothing else in them changes");
+  command.add_flag(
+      "--write", options->write,
+      "write the promise into the files of the workcells; nothing else in them changes");
   command.add_flag("--json", options->json, "print the result as JSON, in metres and radians");
   AddModelsOption(command, options->models);
   return [options] { return Execute(*options); };
@@ -200,7 +204,7 @@ Execution Declare(CLI::App& command) {
 
 const Verb kCalibrate = {
     .name = "calibrate",
-    .summary = "measures the camera's errors at random placements against its promise",
+    .summary = "measures whether the camera keeps its promise at random placements",
     .page = "sim/running.md",
     .example =
         "assay calibrate scenarios/spar-fig15.yaml --trials 1000 --seed 1\n"

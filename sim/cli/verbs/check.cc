@@ -146,9 +146,13 @@ Execution Declare(CLI::App& command) {
       ->required();
   command.add_flag("--json", options->json, "print the reports as JSON");
   command.add_option("-o,--output", options->output, "write the reports, as JSON, to this file");
-  command.add_option("--workcell", options->workcell, "the workcell whose gripper takes a part")
+  command
+      .add_option("--workcell", options->workcell,
+                  "for a part file: workcell whose gripper takes the part")
       ->capture_default_str();
-  command.add_option("--clearance", options->clearance_mm, "clearance of a part's holes, mm")
+  command
+      .add_option("--clearance", options->clearance_mm,
+                  "for a part file: clearance of the part's holes in mm")
       ->check(Within({0, 0.01}, domain::kMillimetres))
       ->capture_default_str();
   AddModelsOption(command, options->models);
@@ -160,7 +164,8 @@ Execution Declare(CLI::App& command) {
 const Verb kCheck = {
     .name = "check",
     .summary =
-        "checks scenario, sweep, part, workcell and plan files, and reports what follows from them",
+        "checks scenario, sweep, part, workcell and plan files, and reports what it computes from "
+        "them",
     .page = "scenarios/scenario-files.md",
     .example = "assay check scenarios/spar-fig13.yaml models/parts/block/part.yaml",
     .declare = check_verb::Declare,

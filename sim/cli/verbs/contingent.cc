@@ -99,15 +99,17 @@ Execution Declare(CLI::App& command) {
   command.add_option("domain", options->domain, "domain, .pks or .pddl")->required();
   command.add_option("problem", options->problem, "problem in the same language")->required();
   command.add_flag("--shortest", options->shortest,
-                   "the tree of least depth; looks at all states that are near enough");
+                   "find the tree of least depth; only for small problems");
   command.add_flag("--check", options->check,
                    "run the tree in every world that the initial knowledge allows");
   command
       .add_option("--worlds", options->worlds,
-                  "how many worlds to run one by one; of more, all as sets, or as many drawn")
+                  "up to this many worlds are run one by one; more worlds are run as sets or, if "
+                  "sets cannot decide, this many are drawn at random")
       ->check(CLI::Range(1, 100'000'000))
       ->capture_default_str();
-  command.add_option("--tree", options->tree, "check this tree, of --json, instead of planning");
+  command.add_option("--tree", options->tree,
+                     "check the tree in this file, which --json has written, instead of planning");
   command.add_flag("--unfold", options->unfold, "print shared sub-plans in each branch");
   CLI::Option* const json = command.add_flag("--json", options->json, "print the result as JSON");
   command.add_flag("--dot", options->dot, "print the tree for Graphviz")->excludes(json);
@@ -124,11 +126,12 @@ Execution Declare(CLI::App& command) {
 
 const Verb kContingent = {
     .name = "contingent",
-    .summary = "plans with what will be known only during execution (PKS, contingent PDDL)",
+    .summary =
+        "plans with knowledge that is available only during execution (PKS, contingent PDDL)",
     .page = "planner/contingent-planning.md",
     .example =
-        "assay contingent scenarios/know/force-sensing.pks scenarios/know/two-cans.pks --check\n"
-        "  The format is described in scenarios/know/README.md.",
+        "assay contingent scenarios/know/force-sensing.pks scenarios/know/two-cans.pks "
+        "--check\n\nThe page scenarios/know/README.md describes the formats of both files.",
     .declare = contingent_verb::Declare,
 };
 

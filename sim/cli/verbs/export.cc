@@ -146,7 +146,9 @@ void RequireOneThing(const Options& options) {
   const bool names_graph = options.contacts || options.network;
   const int things = (options.dot && !names_graph) + options.mjcf + options.network +
                      options.contacts + options.commands + !options.pddl.empty() + options.pks;
-  if (things != 1) throw UsageError("export: one thing at a time is exported (see --help)");
+  if (things != 1)
+    throw UsageError(
+        "export: only one of these options is allowed at a time (see assay export --help)");
 }
 
 Execution Declare(CLI::App& command) {
@@ -157,21 +159,21 @@ Execution Declare(CLI::App& command) {
       ->required();
   CLI::Option_group* const what = command.add_option_group("what");
   what->add_flag("--mjcf", options->mjcf,
-                 "the scene as a model for MuJoCo, with the key frame home; where a pose is open, "
-                 "as in the first of its worlds");
+                 "the scene as a model for MuJoCo, with the key frame home; a part whose pose is "
+                 "open has its first pose");
   what->add_flag("--dot", options->dot,
-                 "the plan's ordering graph for Graphviz; with --contacts or --network that graph, "
-                 "which they write without it, too");
+                 "the plan's ordering graph for Graphviz; may also be given with --contacts or "
+                 "--network, and then changes nothing");
   what->add_flag("--network", options->network, "the plan's constraint network for Graphviz");
   what->add_flag(
       "--contacts", options->contacts,
       "the contact states of the last mating at all of its critical points, for Graphviz");
-  what->add_flag("--commands", options->commands, "what the robot is told, command by command");
-  what->add_option("--pddl", options->pddl,
-                   "this contingent problem of a domain, and the domain, as contingent PDDL");
+  what->add_flag("--commands", options->commands,
+                 "the commands to the robot, in the order of execution");
+  what->add_option("--pddl", options->pddl, "a .pks domain and this problem, as contingent PDDL");
   what->add_flag("--pks", options->pks,
-                 "what is known while the scenario's plans are executed: looks, verifications and "
-                 "recoveries as domain and problem for assay contingent");
+                 "the knowledge in the scenario's plans (looks, verifications and recoveries), as "
+                 "a domain and a problem for assay contingent");
   what->require_option(1, 2);
   command.add_option("-o,--output", options->output, "write to this file instead of printing");
   AddModelsOption(command, options->models);
@@ -191,12 +193,13 @@ Execution Declare(CLI::App& command) {
 
 const Verb kExport = {
     .name = "export",
-    .summary = "writes a scenario's scene, graphs and commands of its plan, or a domain as PDDL",
+    .summary =
+        "writes the scene of a scenario, graphs and commands of its plan, or a problem as PDDL",
     .page = "sim/running.md",
     .example =
-        "assay export scenarios/spar-fig13.yaml --mjcf -o fig13.xml\n"
-        "assay export scenarios/know/force-sensing.pks --pddl scenarios/know/two-cans.pks -o cans\n"
-        "  writes cans-domain.pddl and cans-problem.pddl",
+        "assay export scenarios/spar-fig13.yaml --mjcf -o fig13.xml\n  assay export "
+        "scenarios/know/force-sensing.pks --pddl scenarios/know/two-cans.pks -o cans\n\nThe second "
+        "command writes cans-domain.pddl and cans-problem.pddl.",
     .declare = export_verb::Declare,
 };
 

@@ -122,11 +122,14 @@ ExitCode Execute(const Options& options) {
 Execution Declare(CLI::App& command) {
   const auto options = std::make_shared<Options>();
   AddShowOptions(command, options->request);
-  command.add_option("-o,--output", options->film, "film to write: .webp, or .mp4 with ffmpeg")
+  command
+      .add_option("-o,--output", options->film,
+                  "file for the film, which ends with .webp, or with .mp4 if ffmpeg is installed")
       ->required();
   command
       .add_option("--camera", options->camera,
-                  "camera; 'work' stands where it sees the parts and the hand all the time")
+                  "name of the camera; 'work' stands still where it sees the parts and the hand "
+                  "all the time")
       ->capture_default_str();
   AddQualityOptions(command, options->quality);
   command.add_option("--rate", options->pictures_per_second, "pictures in a second of the film")
@@ -142,7 +145,7 @@ Execution Declare(CLI::App& command) {
 
 const Verb kFilm = {
     .name = "film",
-    .summary = "makes a moving picture of an execution, with the steps' names and the time",
+    .summary = "makes a moving picture of an execution, with the names of the steps and the time",
     .page = "sim/viewing.md",
     .example =
         "assay film scenarios/spar-fig13.yaml -o out/fig13.webp --speed 4\n"

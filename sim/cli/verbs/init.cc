@@ -58,8 +58,8 @@ ExitCode Execute(const Options& options) {
     text += fmt::format("{}\n", (folder / file).string());
   }
   text += fmt::format(
-      "\nNow try:\n  assay plan {0}/{1}\n  assay run {0}/{1} --noise uniform "
-      "--trials 4\n  assay sweep {0}/{2}\n{0}/README.md tells more.\n",
+      "\nNow try:\n  assay plan {0}/{1}\n  assay run {0}/{1} --noise uniform --trials 4\n  assay "
+      "sweep {0}/{2}\n{0}/README.md describes the files.\n",
       folder.string(), kScenario, kSweep);
   Print(text);
   return ExitCode::kDone;
@@ -68,8 +68,9 @@ ExitCode Execute(const Options& options) {
 Execution Declare(CLI::App& command) {
   const auto options = std::make_shared<Options>();
   command
-      .add_option("folder", options->folder,
-                  "folder for the files, which is made if it is not there; no file is overwritten")
+      .add_option(
+          "folder", options->folder,
+          "folder for the files, which is made if it does not exist; no file is overwritten")
       ->required();
   return [options] { return Execute(*options); };
 }
@@ -78,7 +79,7 @@ Execution Declare(CLI::App& command) {
 
 const Verb kInit = {
     .name = "init",
-    .summary = "writes a scenario, two parts and a sweep of your own to start from",
+    .summary = "writes a template for your own assembly: a scenario, two parts and a sweep",
     .page = "scenarios/your-own-part.md",
     .example = "assay init own\n  assay plan own/plate-on-stud.yaml",
     .declare = init_verb::Declare,

@@ -85,9 +85,9 @@ Execution Declare(CLI::App& command) {
   first->excludes(all)->excludes(count);
   all->excludes(count);
   command.add_flag_callback(
-      "--json", [] {}, "JSON, which is what is printed anyway");
+      "--json", [] {}, "print JSON; this is also the default");
   command.add_option("-o,--output", options->output, "write to this file instead of printing");
-  command.add_option("--budget", options->budget, "how many nodes of the search tree to visit")
+  command.add_option("--budget", options->budget, "limit of visited nodes of the search tree")
       ->check(CLI::Range(1, std::numeric_limits<int>::max()))
       ->capture_default_str();
   return [options] { return Execute(*options); };

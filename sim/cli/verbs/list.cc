@@ -183,7 +183,7 @@ Execution Declare(CLI::App& command) {
   const auto options = std::make_shared<Options>();
   std::vector<std::string> names;
   for (const Kind& kind : kKinds) names.push_back(kind.name);
-  command.add_option("kind", options->kind, "only these")->check(CLI::IsMember(names));
+  command.add_option("kind", options->kind, "list only these")->check(CLI::IsMember(names));
   command.add_flag("--json", options->json, "print as JSON");
   AddModelsOption(command, options->models);
   return [options] { return Execute(*options); };
@@ -194,7 +194,8 @@ Execution Declare(CLI::App& command) {
 const Verb kList = {
     .name = "list",
     .summary =
-        "lists scenarios, parts, workcells, actions, and skills and meanings for key knowledge",
+        "lists scenarios, parts, workcells, actions, and the skills and meanings for the key "
+        "knowledge of scenarios",
     .page = "scenarios/README.md",
     .example = "assay list scenarios",
     .declare = list_verb::Declare,

@@ -276,7 +276,8 @@ void Execute(const Options& options, Planning& of) {
   }
   const auto& [reaching, start] = std::get<assembly::ReachingHold>(chosen);
   if (reaching.grasp != hold.grasp)
-    of.text += fmt::format("held by {}: {} does not reach\n", reaching.grasp, hold.grasp);
+    of.text += fmt::format("held with grasp {}; with {} the arm does not reach all motions\n",
+                           reaching.grasp, hold.grasp);
   hold = reaching;
   of.json["grasp"] = hold.grasp;
   Try(start, options, of);
@@ -311,73 +312,77 @@ ExitCode Execute(const Options& options) {
 void AddUncertainty(CLI::App& command, Options& options) {
   command
       .add_option("--displacement", options.displacement_mm,
-                  "largest displacement of the held part, mm, in x, y and z, instead of the "
-                  "scenario's mating_errors")
+                  "greatest displacement of the held part along each of x, y and z, in mm, instead "
+                  "of the scenario's mating_errors")
       ->check(Within(domain::kMatingDisplacements, kLengthUnit));
   command
       .add_option("--rotation", options.rotation_deg,
-                  "largest rotation of the held part, degrees, about x, y and z")
+                  "greatest rotation of the held part about each of x, y and z, in degrees")
       ->check(Within(domain::kMatingRotations, kAngleUnit));
   command
-      .add_option(
-          "--velocity", options.velocity,
-          "largest error of the direction of motion, as a share of the motion: 0.002 is 0.2 %")
+      .add_option("--velocity", options.velocity,
+                  "greatest error of a motion at its end, as a share of its length: 0.002 is 0.2 %")
       ->check(Within(domain::kMatingVelocities, kRatioUnit));
   command
-      .add_option("--clearance", options.clearance_mm, "mm on each side, instead of the scenario's")
+      .add_option("--clearance", options.clearance_mm,
+                  "gap on each side in mm, instead of the scenario's")
       ->check(Within({0, 0.1}, kLengthUnit));
-  command.add_option("--friction", options.friction, "of the parts, instead of the part files'")
+  command
+      .add_option("--friction", options.friction,
+                  "friction of the parts, instead of the value in the part files")
       ->check(Within({0, 10}, kRatioUnit));
   command
-      .add_option(
-          "--intersection", options.intersection,
-          "how it is decided whether errors can make a contact: exact (the default), edges "
-          "(as Dakin and Popplestone have it, which misses some), or compare (exact, and how "
-          "often edges differs)")
+      .add_option("--intersection", options.intersection,
+                  "how the planner decides whether a motion with errors can meet a contact: exact "
+                  "(the default), edges (the test of Dakin and Popplestone, which misses some "
+                  "contacts), or compare (exact, and counts what edges misses)")
       ->transform(CLI::CheckedTransformer(Intersections()));
-  command.add_option("--search-seed", options.search_seed, "of all that is random in planning")
+  command
+      .add_option("--search-seed", options.search_seed, "seed of the random numbers in planning")
       ->capture_default_str();
   command
       .add_option("--nodes", options.nodes,
-                  "limit of nodes for each critical point when no strategy was found and all "
-                  "sequences of contacts are tried; if that is not enough, exit code 11")
+                  "limit of nodes for each critical point in the search through all sequences of "
+                  "contacts; if the limit is reached, the exit code is 11")
       ->check(CLI::Range(1, kMostNodes))
       ->capture_default_str();
 }
 
 void AddTrials(CLI::App& command, Options& options) {
   command
-      .add_option("--trials", options.trials, "execute it so often, and a straight line beside it")
+      .add_option("--trials", options.trials,
+                  "number of trials of the strategy; each is compared with a straight motion")
       ->check(CLI::Range(0, std::numeric_limits<int>::max()));
-  command.add_option("--trial", options.trial, "run only this one of the trials")
+  command.add_option("--trial", options.trial, "run only the trial with this number")
       ->check(CLI::Range(1, std::numeric_limits<int>::max()));
   command
       .add_option("--beyond", options.beyond,
-                  "trials draw errors from a box so many times as wide as planned for")
+                  "factor by which the box of errors in the trials is wider than the planned box")
       ->check(Within({0, 100}, kRatioUnit))
       ->capture_default_str();
-  command.add_option("--jobs", options.jobs, "how many threads")->check(CLI::Range(1, 1024));
-  command.add_option("--seed", options.seed, "of the trials' errors")->capture_default_str();
+  command.add_option("--jobs", options.jobs, "number of threads")->check(CLI::Range(1, 1024));
+  command.add_option("--seed", options.seed, "seed of the errors in the trials")
+      ->capture_default_str();
   command
       .add_option("--grasp", options.grasp,
-                  "how the gripper holds parts: friction or weld (the default)")
+                  "how the gripper holds the part: friction or weld (the default)")
       ->transform(CLI::CheckedTransformer(std::map<std::string, scene::GraspMode>{
           {"friction", scene::GraspMode::kFriction}, {"weld", scene::GraspMode::kWeld}}));
 }
 
 Execution Declare(CLI::App& command) {
   const auto options = std::make_shared<Options>();
-  command.add_option("scenario", options->scenario, "scenario file with an assembled goal")
+  command.add_option("scenario", options->scenario, "scenario file whose goal has an assembly")
       ->required();
   AddUncertainty(command, *options);
   AddTrials(command, *options);
   command.add_option("--pictures", options->pictures,
-                     "folder for pictures of the contact states and their graphs; index.html has "
-                     "all of it");
+                     "folder for pictures of the contact states and their graphs, and for a page "
+                     "with all of them, index.html");
   command.add_option(
       "--view", options->page,
-      "HTML file that shows a trial in three dimensions, with the contact states and "
-      "the errors that are left in each: --trial, or the first");
+      "HTML file for a page that shows a trial in three dimensions (the trial of --trial, or the "
+      "first), with its contact states and the errors that are left");
   command.add_flag("--json", options->json, "print the result as JSON");
   AddModelsOption(command, options->models);
   return [options] { return Execute(*options); };
@@ -387,7 +392,7 @@ Execution Declare(CLI::App& command) {
 
 const Verb kMate = {
     .name = "mate",
-    .summary = "plans the fine motion of one mating, and tries it in physics",
+    .summary = "plans the fine motion of one mating, and executes it in physics",
     .page = "planner/fine-motion.md",
     .example = "assay mate scenarios/mate-square.yaml --trials 20",
     .declare = mate_verb::Declare,

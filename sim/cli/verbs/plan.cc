@@ -109,15 +109,17 @@ std::string CountersText(const plan::PlanResult& result, double seconds) {
   for (const auto& [name, count] : result.counters) {
     counters.push_back(fmt::format("{} {}", name, count));
   }
-  return fmt::format("{}; {:.2f} s\n", fmt::join(counters, ", "), seconds);
+  return fmt::format("counters: {}; planned in {:.2f} s\n", fmt::join(counters, ", "), seconds);
 }
 
 std::string ForPeople(const PlannedProblem& planned, const std::vector<plan::Plan>& instances,
                       const Options& options) {
   const bool found = planned.result.outcome == Outcome::kFound;
   if (options.explain && found) {
-    return Explanation(planned.problem, planned.result.plan,
-                       StepToExplain(planned.result.plan, *options.explain), planned.file());
+    const plan::Plan& plan = planned.result.plan;
+    const plan::StepId step = StepToExplain(plan, *options.explain);
+    return Explanation(planned.problem, plan, step, planned.file()) +
+           UnprovedWaysText(planned.problem, plan, step);
   }
   std::string text = Text(planned.problem, planned.result);
   for (std::size_t i = 0; i < instances.size(); ++i) {
@@ -141,8 +143,8 @@ void RequireTreeOptions(const Options& options) {
   if (!options.explain && !options.check && options.instances == 1 && options.output.empty())
     return;
   throw UsageError(
-      "a plan tree is printed, with --json for programs: --explain, --check, --instances and "
-      "--output are for plans of one world (see assay plan --help)");
+      "the plan of this scenario is a tree; --explain, --check, --instances and --output are for "
+      "plans of one world only, and --json prints the tree for programs (see assay plan --help)");
 }
 
 ExitCode ExecuteTree(const std::vector<domain::Problem>& worlds, const Options& options) {
@@ -233,35 +235,37 @@ void DeclarePlanning(CLI::App& command, Options& options) {
   options.of_planning = {
       command.add_flag("--trace", options.trace, "print the planner's decisions to standard error"),
       command
-          .add_option("--instances", options.instances,
-                      "also list so many plan instances of the first phase, without certificates")
+          .add_option(
+              "--instances", options.instances,
+              "also list up to this many plan instances of the first phase, without certificates")
           ->check(CLI::Range(1, 1'000'000)),
       command
           .add_option("--propagation", options.propagation,
-                      "how errors are carried from step to step: sound, so that no certificate is "
-                      "false; paper, as published")
+                      "how errors pass from step to step: sound (correct for all errors) or paper "
+                      "(as published)")
           ->check(CLI::IsMember({"sound", "paper"}))
           ->capture_default_str(),
       AddResolvers(command, options.resolvers),
-      command.add_option("--budget", options.budget, "how many partial plans to look at")
+      command
+          .add_option("--budget", options.budget,
+                      "greatest number of partial plans that the search looks at")
           ->check(CLI::Range(1, std::numeric_limits<int>::max()))
           ->capture_default_str()};
 }
 
 Execution Declare(CLI::App& command) {
   const auto options = std::make_shared<Options>();
-  command.add_option("input", options->input, "scenario file, or plan file to look at")->required();
+  command.add_option("input", options->input, "scenario file, or a plan file to show")->required();
   command.add_option("-o,--output", options->output, "write the plan to this file");
-  CLI::Option* const json =
-      command.add_flag("--json", options->json, "print the plan as JSON, with the seconds it took");
+  CLI::Option* const json = command.add_flag(
+      "--json", options->json, "print the plan as JSON, with the planning time in seconds");
   command
-      .add_option("--explain", options->explain,
-                  "instead of the plan, tell why this step of it, named by its place or id, is "
-                  "safe or not")
+      .add_option(
+          "--explain", options->explain,
+          "instead of printing the plan, tell why the step with this place or id is safe or not")
       ->type_name("STEP")
       ->excludes(json);
-  command.add_flag("--check", options->check,
-                   "check the plan with the independent checker, and its certificates");
+  command.add_flag("--check", options->check, "check the plan and its certificates");
   command.add_flag("--tree", options->tree,
                    "print the plan as a tree: verifications branch, recoveries repeat");
   DeclarePlanning(command, *options);
@@ -273,7 +277,7 @@ Execution Declare(CLI::App& command) {
 
 const Verb kPlan = {
     .name = "plan",
-    .summary = "makes a plan for a scenario, with certificates, or a plan tree",
+    .summary = "makes a plan with certificates, or a plan tree, for a scenario",
     .page = "planner/planning.md",
     .example =
         "assay plan scenarios/spar-fig13.yaml -o plan.json\n"

@@ -58,7 +58,7 @@ Json ToJson(const StepPictures& pictures, const std::optional<execution::Executi
 std::string ForPeople(const StepPictures& pictures,
                       const std::optional<execution::ExecutionEnd>& end) {
   std::string text = fmt::format("{}\n", fmt::join(pictures.FileNames(), "\n"));
-  if (!end) return text + "interrupted: the pictures after these were not taken\n";
+  if (!end) return text + "interrupted: later pictures were not taken\n";
   if (end->outcome != execution::TrialOutcome::kSucceeded) {
     text +=
         fmt::format("the execution ended early: {}: {}\n", NameOfEnd(end->outcome), end->reason);

@@ -127,8 +127,8 @@ Again Repeat(const sweep::Store& store, const sweep::Work& work, const sweep::Pl
   }
   if (options.renders) {
     throw UsageError(fmt::format(
-        "replay: trial {} is an attack, which has no pictures; allowed: --renders for other "
-        "trials. Commands for its counterexamples: assay sweep show {}",
+        "replay: trial {} is a falsification, which has no pictures; allowed: --renders for other "
+        "trials. assay sweep show {} prints the commands for its counterexamples",
         stored.trial, store.file().string()));
   }
   return FalsificationAgain(store, work, cell, stored);
@@ -158,11 +158,12 @@ std::string ForPeople(const plan::Plan& plan, const TrialRecord& stored, const A
   std::string text =
       fmt::format("trial {}: number {} of cell {}\nnoise, in m and rad: {}\n", stored.trial,
                   stored.number, stored.cell, stored.noise.empty() ? "none" : stored.noise);
-  text += fmt::format("stored: {}\nagain:  {}\n\n{}\n", OutcomeText(stored),
+  text += fmt::format("stored:   {}\nrepeated: {}\n\n{}\n", OutcomeText(stored),
                       OutcomeText(again.record), VerdictTable(plan, again.verdicts));
   if (!again.ledger.empty()) text += Text(again.ledger) + "\n";
-  if (again.differences.empty()) return text + "equal to what is stored, to the last bit\n";
-  text += "different from what is stored (stored and again):\n";
+  if (again.differences.empty())
+    return text + "the result is the same as the stored result, to the last bit\n";
+  text += "the result differs from the stored result (stored; repeated):\n";
   for (const std::string& difference : again.differences) text += fmt::format("  {}\n", difference);
   return text;
 }
@@ -205,8 +206,8 @@ ExitCode Execute(const Options& options) {
 
 Execution Declare(CLI::App& command) {
   const auto options = std::make_shared<Options>();
-  command.add_option("database", options->database, "of a sweep")->required();
-  command.add_option("trial", options->trial, "its number")
+  command.add_option("database", options->database, "database of a sweep")->required();
+  command.add_option("trial", options->trial, "number of the trial")
       ->required()
       ->check(CLI::Range(1, std::numeric_limits<int>::max()));
   CLI::Option* const folder =
@@ -225,7 +226,7 @@ Execution Declare(CLI::App& command) {
 
 const Verb kReplay = {
     .name = "replay",
-    .summary = "runs one trial of a sweep again, and tells whether it comes out the same",
+    .summary = "runs one trial of a sweep again, and tells whether the result is the same",
     .page = "sim/sweeps.md",
     .example = "assay replay fig15.sqlite 17 --renders -o out/trial-17",
     .declare = replay_verb::Declare,

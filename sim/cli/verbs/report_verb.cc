@@ -131,12 +131,12 @@ ExitCode Execute(const Options& options) {
 
 Execution Declare(CLI::App& command) {
   const auto options = std::make_shared<Options>();
-  command.add_option("database", options->database, "of a sweep")->required();
-  command.add_option("-o,--output", options->page, "the page, one HTML file")->required();
-  command.add_option("--csv", options->tables, "folder for the tables, one CSV file each");
+  command.add_option("database", options->database, "database of a sweep")->required();
+  command.add_option("-o,--output", options->page, "HTML file for the page")->required();
+  command.add_option("--csv", options->tables, "folder for the tables, as CSV files");
   command.add_option("--views", options->views,
-                     "folder for pages in three dimensions of each failed trial and counterexample "
-                     "that the page lists");
+                     "folder for pages that show in three dimensions each failed trial and each "
+                     "counterexample that the report lists");
   command
       .add_option("--cells", options->cells_in_full,
                   "largest number of cells whose certificates are shown step by step")
@@ -153,7 +153,7 @@ Execution Declare(CLI::App& command) {
 
 const Verb kReport = {
     .name = "report",
-    .summary = "makes one HTML page of the database of a sweep, and tables",
+    .summary = "makes an HTML page and tables of the results of a sweep",
     .page = "sim/sweeps.md",
     .example = "assay report fig15.sqlite -o fig15.html --csv fig15-tables --pictures",
     .declare = report_verb::Declare,

@@ -183,36 +183,42 @@ ExitCode Execute(const Options& options) {
 void AddNoise(CLI::App& command, Options& options, CLI::Option* scatter) {
   std::vector<std::string> modes = noise::ModeNames();
   modes.push_back("attack");
-  CLI::Option* const noise = command
-                                 .add_option("--noise", options.command.noise,
-                                             "errors in the bounds that the planner assumes")
-                                 ->check(CLI::IsMember(modes))
-                                 ->excludes(scatter);
+  CLI::Option* const noise =
+      command
+          .add_option("--noise", options.command.noise,
+                      "how errors are drawn within the bounds that the planner assumes; attack "
+                      "searches for errors that violate the certificates")
+          ->check(CLI::IsMember(modes))
+          ->excludes(scatter);
   options.of_one_world = {
       noise,
       command
           .add_option("--errors", options.command.errors,
-                      "the errors of the one trial: 'dx_block=0.002 theta_hand@action_2=-0.001', "
-                      "metres and radians")
+                      "run one trial with these errors, in metres and radians: 'dx_block=0.002 "
+                      "theta_hand@action_2=-0.001'")
           ->excludes(noise)
           ->excludes(scatter),
       command
-          .add_option(
-              "--sensing", options.command.sensing,
-              "drawn: within the sensor's promise, as the noise says; camera: from pictures")
+          .add_option("--sensing", options.command.sensing,
+                      "drawn: the noise gives the error of each look, within the sensor's promise; "
+                      "camera: looks measure the parts in rendered pictures")
           ->check(CLI::IsMember({"drawn", "camera"})),
-      command.add_option("--attempts", options.attempts, "of an attack, at single steps")
+      command
+          .add_option("--attempts", options.attempts,
+                      "number of attempts of --noise attack; each attempt executes one step")
           ->check(CLI::Range(std::int64_t{1}, std::numeric_limits<std::int64_t>::max())),
-      command.add_flag("--conservatism", options.conservatism,
-                       "of an attack: how much more noise than is guaranteed breaks the plan"),
+      command.add_flag(
+          "--conservatism", options.conservatism,
+          "with --noise attack: measure how much more error than guaranteed makes the plan fail"),
       command
           .add_option("--propagation", options.command.propagation,
-                      "of errors by actions, in planning: sound or paper")
+                      "how errors pass from step to step in planning: sound (correct for all "
+                      "errors, the default) or paper (as published)")
           ->check(CLI::IsMember({"sound", "paper"})),
       AddResolvers(command, options.command.resolvers)->excludes(scatter),
       command
           .add_option("--error-scale", options.command.error_scale,
-                      "multiplies all errors, in planning too")
+                      "factor by which all error bounds are multiplied, in planning too")
           ->check(Within(domain::kAtLeastZero, domain::kRatio))};
 }
 
@@ -225,29 +231,30 @@ void AddTrees(CLI::App& command, Options& options, CLI::Option* scatter) {
   options.of_trees = {
       command
           .add_option("--worlds", options.command.worlds,
-                      "of a tree: drawn: hidden facts are drawn; all: the trials go through the "
-                      "leaves and repeats of the tree in turn")
+                      "for a plan tree: drawn: hidden facts are drawn; all: the trials go through "
+                      "the leaves and repeats of the tree in turn")
           ->check(CLI::IsMember({"drawn", "all"}))
           ->capture_default_str(),
       command
           .add_option("--sensing-errors", options.command.sensing_errors,
-                      "of a tree: the probability with which an observation is made wrong")
+                      "for a plan tree: probability with which an observation is made wrong")
           ->check(Within({0, 1}, domain::kRatio))};
 }
 
 Execution Declare(CLI::App& command) {
   const auto options = std::make_shared<Options>();
   command.add_option("input", options->command.input, "scenario file, or plan file")->required();
-  CLI::Option* const folder = command.add_option(
-      "-o,--output", options->folder, "folder for plan.json, trace.jsonl, result.json, pictures");
+  CLI::Option* const folder =
+      command.add_option("-o,--output", options->folder,
+                         "folder for plan.json, trace.jsonl, result.json and pictures");
   command
       .add_option("--trials", options->trials,
-                  "how many trials: 1 if left out, with --worlds all one for each leaf")
+                  "number of trials: 1 if left out, or with --worlds all one for each leaf")
       ->check(CLI::Range(1, std::numeric_limits<int>::max()));
-  command.add_option("--jobs", options->jobs, "how many threads")->check(CLI::Range(1, 1024));
+  command.add_option("--jobs", options->jobs, "number of threads")->check(CLI::Range(1, 1024));
   command
       .add_option("--seed", options->command.seed,
-                  "of all that is random; the scenario's if left out")
+                  "seed of all random numbers; the scenario's seed if left out")
       ->check(CLI::NonNegativeNumber);
   static const std::map<std::string, scene::GraspMode> kGraspModes = {
       {"friction", scene::GraspMode::kFriction}, {"weld", scene::GraspMode::kWeld}};
@@ -255,16 +262,16 @@ Execution Declare(CLI::App& command) {
                                  .add_option("--grasp", options->command.grasp,
                                              "how the gripper holds parts: friction or weld")
                                  ->transform(CLI::CheckedTransformer(kGraspModes));
-  command.add_option("--trial", options->command.trial, "run only this one of the trials")
+  command.add_option("--trial", options->command.trial, "run only the trial with this number")
       ->check(CLI::Range(1, std::numeric_limits<int>::max()));
   command
       .add_flag("--renders", options->renders,
                 "take pictures of the start, each step's end, and grasps and matings on the way")
       ->needs(folder);
   AddPictureOptions(command, options->pictures, "--renders");
-  CLI::Option* const scatter = command.add_flag(
-      "--scatter", options->command.scatter,
-      "in each trial the parts lie at other places, drawn from the seed, and a plan is made anew");
+  CLI::Option* const scatter =
+      command.add_flag("--scatter", options->command.scatter,
+                       "in each trial, put the parts at other random places and make a new plan");
   AddNoise(command, *options, scatter);
   options->of_one_world.push_back(grasp);
   AddTrees(command, *options, scatter);
@@ -277,7 +284,7 @@ Execution Declare(CLI::App& command) {
 
 const Verb kRun = {
     .name = "run",
-    .summary = "executes a plan or a plan tree in physics and judges what came of it",
+    .summary = "executes a plan or a plan tree in physics, and judges the result",
     .page = "sim/running.md",
     .example =
         "assay run scenarios/spar-fig13.yaml --renders -o out/fig13\n"

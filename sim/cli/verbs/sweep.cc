@@ -269,18 +269,20 @@ void AddDatabase(CLI::App& command, Options& options) {
 void AddModels(CLI::App& command, Options& options) { AddModelsOption(command, options.models); }
 
 constexpr std::array kParts = {
-    Part{"merge", "puts the databases of shards together",
-         "assay sweep merge all.sqlite fig15-1.sqlite fig15-2.sqlite",
-         [](CLI::App& command, Options& options) {
-           command.add_option("out", options.out, "the database to be made")->required();
-           command.add_option("databases", options.parts, "those of the shards")->required();
-           AddJson(command, options);
-         },
-         ExecuteMerge},
-    Part{"show", "tells what is in a database: rates of success, counts of verdicts, attacks",
+    Part{
+        "merge", "puts the databases of shards together into one",
+        "assay sweep merge all.sqlite fig15-1.sqlite fig15-2.sqlite",
+        [](CLI::App& command, Options& options) {
+          command.add_option("out", options.out, "the database to be made")->required();
+          command.add_option("databases", options.parts, "the databases of the shards")->required();
+          AddJson(command, options);
+        },
+        ExecuteMerge},
+    Part{"show",
+         "prints what is in a database: rates of success, counts of verdicts, falsifications",
          "assay sweep show fig15.sqlite",
          [](CLI::App& command, Options& options) {
-           command.add_option("database", options.database, "of a sweep")->required();
+           command.add_option("database", options.database, "database of a sweep")->required();
            AddJson(command, options);
          },
          ExecuteShow},
@@ -288,10 +290,10 @@ constexpr std::array kParts = {
          "assay sweep slurm scenarios/sweeps/spar-fig15.yaml --tasks 8 > fig15.sh",
          [](CLI::App& command, Options& options) {
            command.add_option("sweep", options.sweep, "sweep file")->required();
-           command.add_option("--tasks", options.tasks, "how many shards")
+           command.add_option("--tasks", options.tasks, "number of shards")
                ->check(CLI::Range(1, 100'000))
                ->capture_default_str();
-           command.add_option("--jobs", options.jobs_of_task, "threads of each task")
+           command.add_option("--jobs", options.jobs_of_task, "number of threads of each task")
                ->check(CLI::Range(1, 1024))
                ->capture_default_str();
            AddDatabase(command, options);
@@ -303,11 +305,12 @@ constexpr std::array kParts = {
 void DeclareRun(CLI::App& command, Options& options) {
   command.add_option("sweep", options.sweep, "sweep file");
   AddDatabase(command, options);
-  command.add_option("--jobs", options.jobs, "how many threads; all cores if left out")
+  command.add_option("--jobs", options.jobs, "number of threads; all cores if left out")
       ->check(CLI::Range(1, 1024));
   command.add_flag("--resume", options.resume,
-                   "go on with the trials that are not in the database yet");
-  command.add_option("--shard", options.shard, "I/N: do every N-th trial only, from the I-th on");
+                   "run only the trials that are not in the database yet");
+  command.add_option("--shard", options.shard,
+                     "I/N: run only every N-th trial, beginning with trial I");
   AddJson(command, options);
   AddModels(command, options);
 }
@@ -335,12 +338,12 @@ Execution Declare(CLI::App& command) {
 
 const Verb kSweep = {
     .name = "sweep",
-    .summary = "runs the trials of a grid in parallel, into a database",
+    .summary = "runs a grid of trials in parallel, and writes the results into a database",
     .page = "sim/sweeps.md",
     .example =
-        "assay sweep scenarios/sweeps/spar-fig15.yaml --db fig15.sqlite\n"
-        "  assay sweep scenarios/sweeps/spar-fig15.yaml --db fig15.sqlite --resume\n"
-        "\nInterrupted, it ends with 130 or 143, and --resume goes on where it was.",
+        "assay sweep scenarios/sweeps/spar-fig15.yaml --db fig15.sqlite\n  assay sweep "
+        "scenarios/sweeps/spar-fig15.yaml --db fig15.sqlite --resume\n\nAn interrupted sweep ends "
+        "with exit code 130 or 143. --resume runs the remaining trials.",
     .declare = sweep_verb::Declare,
 };
 

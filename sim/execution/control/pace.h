@@ -19,7 +19,7 @@ inline constexpr Pace kFingersPace = {.speed = 0.2, .final_speed = 0.02, .final_
 // weighs as much as many parts. A part that the arm hits at 20 mm/s slides on by 0.1 mm. The
 // distance grows with the square of the speed; at this speed it is a micrometre.
 inline constexpr double kContactSpeed = 0.002;
-// Returns the pace of a part that comes down on the table, which it may meet in the last `length`
+// Returns the pace with which the arm lowers a part, which may meet the table in the last `length`
 // metres.
 inline constexpr Pace LandingPace(double length) {
   return {.speed = 0.5, .final_speed = kContactSpeed, .final_length = length};

@@ -18,7 +18,7 @@ class At : public Predicate {
 
 const PredicateWord kAt = {
     .name = "at",
-    .summary = "the part stands within the place, as it stood at the start",
+    .summary = "the part stands within the place, in the stable pose that it had at the start",
     .read = [](const Value& map, const PredicateContext&) -> std::unique_ptr<const Predicate> {
       map.AllowOnly({"is"});
       return std::make_unique<At>();

@@ -32,7 +32,7 @@ class Colored : public Predicate {
 
 const PredicateWord kColored = {
     .name = "colored",
-    .summary = "the part has the `color`, one of the scenario's `colors`; told by looking",
+    .summary = "the part has the `color`, one of the scenario's `colors`; observed by look",
     .read = [](const Value& map,
                const PredicateContext& context) -> std::unique_ptr<const Predicate> {
       map.AllowOnly({"is", "color"});

@@ -21,7 +21,7 @@ class HandEmpty : public Predicate {
 
 const PredicateWord kHandEmpty = {
     .name = "hand-empty",
-    .summary = "no finger touches a part: of the robot of the arguments",
+    .summary = "no finger touches a part; with a robot among the arguments, only its fingers count",
     .read = [](const Value& map, const PredicateContext&) -> std::unique_ptr<const Predicate> {
       map.AllowOnly({"is"});
       return std::make_unique<HandEmpty>();

@@ -37,7 +37,7 @@ class Heavier : public Predicate {
 
 const PredicateWord kHeavier = {
     .name = "heavier",
-    .summary = "the part's mass is more than `than`, kg; told by weighing",
+    .summary = "the part's mass is more than `than`, in kg; observed by weigh",
     .read = [](const Value& map, const PredicateContext&) -> std::unique_ptr<const Predicate> {
       map.AllowOnly({"is", "than"});
       return std::make_unique<Heavier>(

@@ -17,7 +17,8 @@ class Held : public Predicate {
 
 const PredicateWord kHeld = {
     .name = "held",
-    .summary = "both fingers touch the part: those of the robot of the arguments",
+    .summary =
+        "both fingers touch the part; with a robot among the arguments, only its fingers count",
     .read = [](const Value& map, const PredicateContext&) -> std::unique_ptr<const Predicate> {
       map.AllowOnly({"is"});
       return std::make_unique<Held>();

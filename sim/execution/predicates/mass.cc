@@ -26,7 +26,7 @@ class Mass : public Quantity {
 
 const QuantityWord kMass = {
     .name = "mass",
-    .summary = "of a numeric function: the part's mass, kg; told by weighing",
+    .summary = "for a numeric function: the part's mass in kg; observed by weigh",
     .read = [](const Value& map) -> std::unique_ptr<const Quantity> {
       map.AllowOnly({"is"});
       return std::make_unique<Mass>();

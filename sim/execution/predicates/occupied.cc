@@ -21,7 +21,7 @@ class Occupied : public Predicate {
 
 const PredicateWord kOccupied = {
     .name = "occupied",
-    .summary = "as many parts stand within the place as find room there",
+    .summary = "the place is full: it has no room for another part",
     .read = [](const Value& map, const PredicateContext&) -> std::unique_ptr<const Predicate> {
       map.AllowOnly({"is"});
       return std::make_unique<Occupied>();

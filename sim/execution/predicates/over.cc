@@ -27,7 +27,9 @@ class Over : public Predicate {
 
 const PredicateWord kOver = {
     .name = "over",
-    .summary = "the part's whole shadow is on the table: `place`, or the one of the arguments",
+    .summary =
+        "the part's whole vertical projection is on the table `place`, or on the table among the "
+        "arguments",
     .read = [](const Value& map,
                const PredicateContext& context) -> std::unique_ptr<const Predicate> {
       map.AllowOnly({"is", "place"});

@@ -34,7 +34,9 @@ std::unique_ptr<const Predicate> ReadPredicate(const Value& map, const Predicate
 
 const PredicateWord kInternal = {
     .name = "internal",
-    .summary = "nothing in the workcell, also of a numeric function: not audited",
+    .summary =
+        "for a predicate or a numeric function that has no meaning in the workcell: it is not "
+        "audited",
     .read = [](const Value& map, const PredicateContext&) -> std::unique_ptr<const Predicate> {
       map.AllowOnly({"is"});
       return nullptr;

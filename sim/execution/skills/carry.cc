@@ -54,8 +54,8 @@ class Carry : public Skill {
 const SkillWord kCarry = {
     .name = "carry",
     .summary =
-        "goes with the held part over a free place of the table `to`, or of the arguments, where "
-        "it can be put down; never tilted by more than `upright`",
+        "carries the held part over a free place of the table `to`, or of the table among the "
+        "arguments, where the arm can put it down; never tilts it by more than `upright`",
     .read = [](const Value& map, const SkillContext& context) -> std::unique_ptr<const Skill> {
       map.AllowOnly({"skill", "to", "upright"});
       const auto to = map.Find("to");

@@ -28,8 +28,8 @@ class LookAtColors : public Skill {
 const SkillWord kLook = {
     .name = "look",
     .summary =
-        "looks with the overhead camera which of the scenario's `colors` each of the parts has, "
-        "the arms at their homes",
+        "sends the arm home, and determines with the overhead camera which of the scenario's "
+        "`colors` each part has",
     .read = [](const Value& map, const SkillContext& context) -> std::unique_ptr<const Skill> {
       map.AllowOnly({"skill"});
       if (context.colors.empty()) map.Fail("there are no colours to tell", "a key colors");

@@ -35,7 +35,7 @@ class PickUp : public Skill {
 
 const SkillWord kPickUp = {
     .name = "pick-up",
-    .summary = "takes the part, as far from above as the arm can, and lifts it straight up",
+    .summary = "takes the part, from above if the arm can, and lifts it straight up",
     .read = [](const Value& map, const SkillContext&) -> std::unique_ptr<const Skill> {
       map.AllowOnly({"skill"});
       return std::make_unique<PickUp>();

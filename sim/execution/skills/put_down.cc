@@ -41,8 +41,8 @@ class PutDown : public Skill {
 const SkillWord kPutDown = {
     .name = "put-down",
     .summary =
-        "puts the held part down, at the place of the arguments or else straight below the "
-        "hand, and lets go",
+        "puts the held part down and lets go, at the place among the arguments or, without one, "
+        "straight below the hand",
     .read = [](const Value& map, const SkillContext&) -> std::unique_ptr<const Skill> {
       map.AllowOnly({"skill"});
       return std::make_unique<PutDown>();

@@ -37,7 +37,9 @@ class Weigh : public Skill {
 
 const SkillWord kWeigh = {
     .name = "weigh",
-    .summary = "holds the part still and reads its weight at the wrist, within `error` newtons",
+    .summary =
+        "holds the part still and reads its weight at the wrist; the reading is off by at most "
+        "`error` newtons",
     .read = [](const Value& map, const SkillContext&) -> std::unique_ptr<const Skill> {
       map.AllowOnly({"skill", "error"});
       const auto error = map.Find("error");

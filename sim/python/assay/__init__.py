@@ -8,8 +8,8 @@
     p.falsify(attempts=200, seed=1).counterexamples
 
 All numbers are in SI units: metres, radians, newtons, seconds. Tables are pandas DataFrames. Each
-exit code of the program is an exception (assay.errors). Long calls let other threads run. Ctrl-C
-ends them, and what was there until then is in the exception (assay.Interrupted).
+exit code of the program is an exception (assay.errors). Other threads run during long calls. Ctrl-C
+ends a long call; the exception (assay.Interrupted) has the results that the call had by then.
 """
 
 from ._assay import __version__

@@ -21,13 +21,13 @@ Number = npt.NDArray[np.float64]
 class Bounds(NamedTuple):
     """Guaranteed bounds, rounded outward.
 
-    Each member has the shape of the variables' ends, and one axis more at the end if several
-    expressions were given. It is a number if there is one box and one expression.
+    Each member has the shape of the variables' ends. If several expressions were given, it has one
+    more axis at its end. For one box and one expression, each member is a number.
 
-    inf, sup: no value of the expression is below inf or above sup. Where no point satisfies the
+    inf, sup: no value of the expression is below inf or above sup. If no point satisfies the
         constraints, inf is infinite and sup is minus infinite.
-    gap: how far a bound may be from the least or greatest value.
-    evaluations: how many were made for both bounds.
+    gap: an upper limit of the distance between a bound and the true least or greatest value.
+    evaluations: the number of evaluations for both bounds together.
     method: the bounding method that gave the looser bound.
     """
 
@@ -66,9 +66,11 @@ class Expressions:
               evaluations: int = 200_000) -> Bounds:
         """Bounds the expressions over each box.
 
-        method: "refined", to the gap, or "termwise", each term alone as in the paper.
-        gap: the work for a bound ends when it is known this tightly.
-        evaluations: at most so many for each bound. Bounds are guaranteed even if they are spent.
+        method: "refined" refines the bounds until the gap is reached; "termwise" bounds each term
+            alone, as in the paper.
+        gap: the wanted gap between a bound and the true least or greatest value.
+        evaluations: the limit of evaluations for each bound. Bounds are guaranteed even if the
+            limit is reached.
         """
         if method not in ("refined", "termwise"):
             raise WrongUsage(f"there is no method {method!r}; allowed: refined, termwise")

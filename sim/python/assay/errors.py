@@ -1,4 +1,4 @@
-"""The exit codes of the program as exceptions. Their messages are those that the program prints."""
+"""The exit codes of the program as exceptions, with the messages that the program prints."""
 
 from __future__ import annotations
 
@@ -6,10 +6,10 @@ from typing import Any, NoReturn
 
 
 class Error(Exception):
-    """The base of all errors here.
+    """The base class of all errors of this package except Interrupted.
 
     exit_code: the program's exit code for this error (sim/exit-codes.md).
-    details: what the program prints with --json about it, or None.
+    details: what the program prints about the error with --json, or None.
     """
 
     exit_code = 0
@@ -29,7 +29,7 @@ class WrongInput(Error, ValueError):
 
 
 class EnvironmentLacks(Error, OSError):
-    """The environment lacks something: a renderer, room on the disk."""
+    """The environment lacks something, for example a renderer or room on the disk."""
 
     exit_code = 4
 
@@ -53,11 +53,10 @@ class Failed(Error):
 
 
 class Interrupted(KeyboardInterrupt):
-    """Ctrl-C ended a call, and what was there until then is kept.
+    """Ctrl-C ended a call, and the results that the call had by then are kept.
 
-    result: what the call returns, with what was there: a Run, TreeRun, Falsification or
-        SweepDatabase. Where nobody caught the exception, as in a notebook, it is
-        `sys.last_value.result`.
+    result: a Run, TreeRun, Falsification or SweepDatabase with the finished trials or attempts. If
+        the exception was not caught, as in a notebook, it is in `sys.last_value.result`.
     """
 
     def __init__(self, what: str, result: Any) -> None:

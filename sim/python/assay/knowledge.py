@@ -1,4 +1,4 @@
-"""Planning with what will be known only during execution (PKS, contingent PDDL)."""
+"""Planning with knowledge that is available only during execution (PKS, contingent PDDL)."""
 
 from __future__ import annotations
 
@@ -61,10 +61,11 @@ def contingent(domain: str | os.PathLike[str], problem: str | os.PathLike[str], 
 
     domain, problem: files that end in .pks or .pddl, or their texts. A text that begins with "("
         is PDDL.
-    shortest: the tree of least depth; looks at all states that are near enough.
-    check: run the tree in every world that the initial knowledge allows; of more than `worlds`, all
-        as sets, or as many drawn.
-    budget: how many knowledge states are met.
+    shortest: finds the tree of least depth. This search is for small problems.
+    check: runs the tree in every world that the initial knowledge allows. Up to `worlds` worlds are
+        run one by one. If there are more, all of them are run as sets. If sets cannot decide,
+        `worlds` worlds are drawn at random.
+    budget: the limit of knowledge states that the search may look at.
 
     Raises NoPlan if no tree follows from the known facts, NoAnswer if the budget was spent or the
     search left out a step, and WrongInput if a text is wrong.

@@ -19,10 +19,10 @@ _REQUESTS = ("first", "all", "count")
 class Labels:
     """The labelings of a network.
 
-    labelings: a list of dicts, a label for each node; at most one for "first", none for "count".
-    count: how many labelings there are; None for "first".
-    or_more: whether there are that many or more.
-    visited: how many nodes of the search tree were visited.
+    labelings: a list of dicts with a label for each node: one dict for "first", none for "count".
+    count: the number of labelings; None for "first".
+    or_more: whether there may be more labelings than `count`.
+    visited: the number of visited nodes of the search tree.
     """
 
     def __init__(self, labelings: list[dict[Hashable, Hashable]], count: int | None, or_more: bool,
@@ -61,7 +61,7 @@ def label(network: str | os.PathLike[str] | Mapping[str, Any], request: str = "f
         nodes, with the allowed `pairs`, the `forbidden` ones, or `allowed`, a matrix of bools whose
         rows are the labels of the first node and whose columns are those of the second.
     request: "first" for one labeling, "all", or "count" for their number alone.
-    budget: how many nodes of the search tree are visited.
+    budget: the limit of visited nodes of the search tree.
 
     Raises NoPlan if there is no labeling, NoAnswer if the budget was spent, and WrongInput if the
     network is wrong.

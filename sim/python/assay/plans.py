@@ -20,12 +20,12 @@ PathLike = str | os.PathLike[str]
 
 
 class Check:
-    """What the independent checker and a second proof say about a plan.
+    """What the independent checker, and a second computation of the certificates, say about a plan.
 
-    holds: whether nothing was found.
-    flaws: a DataFrame with columns step (the step's id, or None for the plan) and what.
-    text: the same for people.
-    orders: how many orders of the steps were simulated.
+    holds: whether no flaw was found.
+    flaws: a DataFrame with the columns step (the step's id, or None for the whole plan) and what.
+    text: the result of the check as a text for people.
+    orders: the number of orders of the steps that the checker went through.
     """
 
     def __init__(self, report: Mapping[str, Any]) -> None:
@@ -42,10 +42,11 @@ class Check:
 
 
 class Plan:
-    """A plan with its certificates, which Scenario.plan makes and Plan.read reads.
+    """A plan with its certificates. Scenario.plan makes it, and Plan.read reads it.
 
-    Steps are numbered from 1 in the order of execution. `world` is None, or if the plan is one of a
-    PlanTree, the poses that parts have in its worlds, such as {"peg": ["lying"]}.
+    Steps are numbered from 1 in the order of execution. If the plan belongs to a PlanTree, `world`
+    has the poses of the parts in the plan's worlds, such as {"peg": ["lying"]}. Otherwise it is
+    None.
     """
 
     def __init__(self, handle: _assay.Plan, world: dict[str, list[str]] | None = None) -> None:
@@ -58,9 +59,10 @@ class Plan:
         return cls(_assay.Plan.read(os.fspath(path), [os.fspath(folder) for folder in models]))
 
     def save(self, path: PathLike) -> Path:
-        """Writes the plan file, which `assay` reads. Returns its path.
+        """Writes a plan file, which the program `assay` can read. Returns the file's path.
 
-        Raises WrongUsage for a plan of some worlds of a PlanTree, which no plan file can name.
+        Raises WrongUsage if the plan belongs to a PlanTree, because no plan file can name its
+        worlds.
         """
         if self.world:
             raise WrongUsage("the plan is for some worlds of a scenario, which no plan file can "
@@ -150,7 +152,7 @@ class Plan:
 
     @cached_property
     def error_sets(self) -> pd.DataFrame:
-        """The boxes of possible true poses of the parts about the believed ones, at each step.
+        """The ranges of the parts' true poses about their believed poses, around each step.
 
         Columns: step, id, action, when ("before" or "after"), part, in_hand, component (x, y, z,
         theta; in the hand also tip and twist), low, high, unit.
@@ -172,14 +174,14 @@ class Plan:
 
     @cached_property
     def error_box(self) -> pd.DataFrame:
-        """The errors that the proofs assume, one row each: variable, unit, low, high.
+        """One row for each bounded error that the proofs assume: variable, unit, low, high.
 
-        The errors of `run(errors=...)` are of these variables.
+        The argument `errors` of `run` gives values to these variables.
         """
         return pd.DataFrame(self._handle.error_box(), columns=["variable", "unit", "low", "high"])
 
     def explain(self, step: int | str) -> str:
-        """Tells from the certificate why a step, by its number or id, is safe or not.
+        """Explains from the certificate why a step is safe or not. `step` is its number or its id.
 
         Raises WrongUsage if there is no such step.
         """
@@ -190,7 +192,7 @@ class Plan:
                          f"such as {self._actions[0]['id']}")
 
     def check(self) -> Check:
-        """Checks the plan by the independent checker, and its certificates by their own algebra."""
+        """Checks the plan by the independent checker, and computes its certificates again."""
         return Check(self._handle.check())
 
     def view(self) -> View:
@@ -205,10 +207,13 @@ class Plan:
 
         noise: how errors are drawn within the bounds that the planner assumes: "none", "uniform",
             "vertices" or "low-discrepancy". Without noise no certificate is judged.
-        trials: how many. jobs: on how many threads; the result does not depend on it.
-        seed: of the errors; the scenario's if left out.
-        errors: the errors of all trials instead, by variable of `error_box`, metres and radians.
-        sensing: "drawn", within the sensors' promises, or "camera", from rendered pictures.
+        trials: the number of trials.
+        jobs: the number of threads. The result does not depend on it.
+        seed: the seed of the errors; the scenario's seed if left out.
+        errors: instead of `noise`, the errors of all trials: a value for each variable of
+            `error_box`, in metres and radians.
+        sensing: "drawn" draws the errors of sensors within their promises; "camera" measures the
+            parts in rendered pictures.
         grasp: how the gripper holds parts, "friction" or "weld"; the scenario's if left out.
 
         Failed trials are in the result. Raises Failed if the plan itself has flaws, WrongUsage or
@@ -230,7 +235,8 @@ class Plan:
                 grasp: str | None = None) -> Falsification:
         """Tries to falsify each certificate by errors within the bounds.
 
-        attempts: at single steps, in all. The other arguments and exceptions are those of `run`.
+        attempts: the number of attempts for all steps together; each attempt executes one step.
+        The other arguments and the exceptions are those of `run`.
         """
         require_count("attempts", attempts)
         require_jobs(jobs)

@@ -15,8 +15,8 @@ class Scenario:
     """A scenario file: parts, a workcell, bounded errors and a goal.
 
     path: the scenario file.
-    models: further folders of models, searched first.
-    clearance: metres on each side of a mated shaft, instead of the file's.
+    models: more folders of models, which are searched first.
+    clearance: the gap on each side of a mated shaft in metres, instead of the file's.
     error_scale: a factor on the errors of all parts and of the hand.
 
     Raises WrongInput if the file or the clearance is wrong, and WrongUsage for a negative factor.
@@ -54,12 +54,12 @@ class Scenario:
 
     @property
     def resolvers(self) -> list[str]:
-        """What may be done about uncertainty, in the order in which it is tried."""
+        """The ways of reducing uncertainty, in the order in which they are tried."""
         return self._described["resolvers"]
 
     @property
     def clearance(self) -> float:
-        """Metres on each side of a mated shaft."""
+        """The gap on each side of a mated shaft, in metres."""
         return self._described["clearance"]
 
     @property
@@ -71,17 +71,17 @@ class Scenario:
              budget: int | None = None, tree: bool = False) -> Plan | PlanTree:
         """Makes a plan with certificates, or a plan tree if the scenario needs one.
 
-        resolvers: what may be done about uncertainty, of "sensing", "squeezing" and
+        resolvers: the ways of reducing uncertainty that may be used: "sensing", "squeezing" and
             "fine-motion"; those of the scenario if left out or empty.
-        propagation: how errors are carried from step to step: "sound", so that no certificate is
-            false, or "paper", as published.
-        budget: how many partial plans are looked at, or knowledge states if the goal is about
-            knowledge; the usual number if left out.
-        tree: make a tree even if none is needed: verifications branch, recoveries repeat.
+        propagation: how errors pass from step to step: "sound" is correct for all errors, "paper"
+            uses the published rules, by which certificates can be false.
+        budget: the limit of partial plans that the search may look at, or of knowledge states if
+            the goal is about knowledge; the program's limit if left out.
+        tree: makes a tree even if none is needed: verifications branch, recoveries repeat.
 
         Raises NoPlan with the conflict if it is proved that there is no plan, NoAnswer if the
-        budget was spent or a limit was met, and WrongUsage for a wrong argument. Resolvers and
-        propagation are wrong if the goal is about knowledge.
+        budget was spent or the planner met one of its limits, and WrongUsage for a wrong argument.
+        If the goal is about knowledge, `resolvers` and `propagation` are wrong arguments.
         """
         settings = _assay.PlanSettings()
         for name in ("scenario", "models", "clearance", "error_scale"):

@@ -21,7 +21,7 @@ _TABLES = ("attack", "attack_worst", "cell", "claim", "conservatism", "counterex
 
 
 class SweepDatabase:
-    """The results of a sweep. sim/sweeps.md tells the columns of all tables.
+    """The results of a sweep. sim/sweep/database/schema.cc defines the columns of all tables.
 
     Raises WrongInput if the file is no database of a sweep, or a damaged one.
     """
@@ -60,7 +60,7 @@ class SweepDatabase:
         return self.query(f"SELECT * FROM {name}")
 
     def query(self, sql: str, parameters: Sequence[Any] = ()) -> pd.DataFrame:
-        """Returns the rows that an SQL query reads. The database cannot be changed by it."""
+        """Returns the rows that an SQL query reads. The query cannot change the database."""
         uri = f"{self.path.absolute().as_uri()}?mode=ro"
         with closing(sqlite3.connect(uri, uri=True)) as connection:
             return pd.read_sql_query(sql, connection, params=list(parameters))
@@ -74,14 +74,14 @@ def sweep(file: str | os.PathLike[str], database: str | os.PathLike[str], *, job
           resume: bool = False, models: Iterable[str | os.PathLike[str]] = ()) -> SweepDatabase:
     """Runs the trials of a sweep file into a database, and returns the database.
 
-    jobs: on how many threads; the results do not depend on it.
-    resume: go on with the trials that are not in the database yet. Without it the database must
-        not exist.
-    models: further folders of models.
+    jobs: the number of threads. The results do not depend on it.
+    resume: whether only the trials are run that are not in the database yet. If it is false, the
+        database must not exist.
+    models: more folders of models.
 
     Raises WrongInput for a wrong file or a database of another sweep, WrongUsage for wrong
-    arguments, and Interrupted at Ctrl-C. `result` of that is the database, which lacks only the
-    trials that were being executed.
+    arguments, and Interrupted at Ctrl-C. The attribute `result` of Interrupted is the database with
+    all trials that were finished.
     """
     require_jobs(jobs)
     if os.fspath(database) == ":memory:":

@@ -19,12 +19,12 @@ from .view import View
 
 
 class PlanTree:
-    """A plan that branches on what sensors tell, which Scenario.plan makes.
+    """A plan that branches on what sensors tell. Scenario.plan makes it.
 
-    name: of the scenario.
-    plans: the plans for the worlds that a scenario of open poses allows, each with certificates of
-        its own. Empty if the goal is about knowledge: then no precondition has a bound, and what is
-        about certificates raises WrongUsage.
+    name: the name of the scenario.
+    plans: the plans for the worlds that the open poses of a scenario allow. Each plan has its own
+        certificates. The list is empty if the goal is about knowledge. Such a tree has no
+        certificates, and everything that needs certificates raises WrongUsage.
     """
 
     def __init__(self, handle: _assay.Tree, name: str) -> None:
@@ -79,7 +79,7 @@ class PlanTree:
     @cached_property
     def sensitivity(self) -> pd.DataFrame:
         """Plan.sensitivity of all plans, with the column plan. The column precondition is the index
-        in `certificates` here."""
+        in PlanTree.certificates."""
         table = self._joined("sensitivity")
         before = np.cumsum([0, *(len(plan.certificates) for plan in self.plans)])
         table["precondition"] += before[table["plan"].to_numpy(dtype=int) - 1]
@@ -96,7 +96,7 @@ class PlanTree:
         return self._joined("error_box")
 
     def explain(self, step: int | str, plan: int = 1) -> str:
-        """Tells why a step of one of `plans`, by its number from 1, is safe or not."""
+        """Explains why a step of a plan is safe or not. `plan` is the plan's number, from 1."""
         plans = self._certified("certificates to explain")
         if not 1 <= plan <= len(plans):
             raise WrongUsage(f"there is no plan {plan!r}; allowed: 1 to {len(plans)}")
@@ -105,28 +105,31 @@ class PlanTree:
     def check(self, *, worlds: int = _assay.WORLDS) -> TreeCheck:
         """Runs the tree in the worlds that the initial knowledge allows, and checks each plan.
 
-        worlds: of more worlds than this, all are run as sets, or as many drawn.
+        worlds: up to this many worlds are run one by one. If there are more, all of them are run as
+            sets. If sets cannot decide, this many worlds are drawn at random.
         """
         require_count("worlds", worlds)
         return TreeCheck(self._handle.check(worlds), self.plans)
 
     def view(self, trial: int = 1, *, worlds: str = "drawn") -> View:
-        """Executes a trial, by its number from 1, and returns the page that shows it."""
+        """Executes the trial with this number, from 1, and returns the page that shows it."""
         require_count("trial", trial)
         return View(_assay.TreeTrials(self._handle, _settings(worlds)).traced(trial).page())
 
     def run(self, *, noise: str | None = "uniform", trials: int | None = None,
             seed: int | None = None, jobs: int = 1, worlds: str = "drawn",
             sensing_errors: float = 0.0) -> TreeRun:
-        """Executes the tree in physics, and audits what it claims to know.
+        """Executes the tree in physics, and compares what it claims to know with the simulator.
 
-        noise: of parts and hand; trials of trees always draw it uniformly within the bounds.
-        trials: how many; if left out, one, or with worlds="all" one for each leaf that a world
-            leads to. jobs: on how many threads; the result does not depend on it.
-        seed: of errors and hidden facts; the scenario's if left out.
-        worlds: "drawn", hidden facts are drawn, or "all", the trials go through the leaves and
+        noise: "uniform" or None. Trials of trees always draw the errors of parts and hand uniformly
+            within their bounds.
+        trials: the number of trials. If left out, there is one trial, or with worlds="all" one
+            trial for each leaf that a world leads to.
+        jobs: the number of threads. The result does not depend on it.
+        seed: the seed of errors and hidden facts; the scenario's seed if left out.
+        worlds: "drawn" draws the hidden facts; with "all", the trials go through the leaves and
             repeats of the tree in turn.
-        sensing_errors: the probability, 0 to 1, with which an observation is made wrong.
+        sensing_errors: the probability, from 0 to 1, with which an observation is made wrong.
 
         Failed trials are in the result. Raises WrongUsage for wrong arguments, and Interrupted at
         Ctrl-C, with the trials that were done in `result`.
@@ -144,8 +147,10 @@ class PlanTree:
         return made
 
     def falsify(self, **_: Any) -> NoReturn:
-        """Raises WrongUsage: attempts are made at the steps of one plan. Those of `plans` can be
-        falsified, and `run(sensing_errors=...)` attacks what the tree claims to know."""
+        """Raises WrongUsage, because attempts are made at the steps of one plan.
+
+        Each of `plans` can be falsified, and `run(sensing_errors=...)` makes sensed values wrong.
+        """
         self._certified("certificates to falsify")
         raise WrongUsage("attempts are made at the steps of one plan, and the plan for "
                          f"{self.name} is a tree; allowed: plans[0].falsify(), and "
@@ -172,10 +177,10 @@ class PlanTree:
 class TreeCheck:
     """What the check of a plan tree says.
 
-    holds: whether nothing was found.
-    flaws: a DataFrame with columns plan (from 1, or None for the tree), step (the step's id, or
-        None for all) and what.
-    text: the same for people.
+    holds: whether no flaw was found.
+    flaws: a DataFrame with the columns plan (its number from 1, or None for the tree), step (the
+        step's id, or None for the whole plan) and what.
+    text: the result of the check as a text for people.
     """
 
     def __init__(self, tree: Mapping[str, Any], plans: list[Plan]) -> None:
@@ -199,9 +204,9 @@ class TreeRun:
     """Trials of a plan tree.
 
     trials: a DataFrame with one row for each trial: trial (from 1), outcome ("reached" or what
-        failed), reason, mishap (what befell a part, or empty), goal (whether it is true in the
-        end), greatest_tilt (radians, of what can spill), spilled, fallen (lists of parts),
-        simulated (seconds), holds.
+        failed), reason, mishap (the fault that the simulator added, or empty), goal (whether it is
+        true in the end), greatest_tilt (of parts that can spill, radians), spilled, fallen (lists
+        of parts), simulated (seconds), holds.
     steps: one row for each action that was executed: trial, step (from 1), action, end (simulated
         seconds).
     branches: one row for each branch that was taken: trial, outcome, flipped (whether the
@@ -210,8 +215,8 @@ class TreeRun:
         atom, claimed, true, truth.
     leaves: one row for each leaf of the tree: outcomes (the branches to it), unreachable (why no
         world leads there, or empty), trials, reached, operator_called, greatest_tilt (radians).
-    collisions: one row for each: trial, time (seconds), robot, other.
-    seed: of errors and hidden facts.
+    collisions: one row for each collision: trial, time (seconds), robot, other.
+    seed: the seed of errors and hidden facts.
     """
 
     def __init__(self, runner: _assay.TreeTrials, result: Mapping[str, Any]) -> None:
@@ -237,13 +242,13 @@ class TreeRun:
 
     @property
     def verdicts(self) -> NoReturn:
-        """Raises WrongUsage: no certificate is judged. `false_claims` has what was claimed."""
+        """Raises WrongUsage, because trials of trees judge no certificates. See `false_claims`."""
         raise WrongUsage("trials of a plan tree judge no certificates; allowed: false_claims, "
                          "which has what the tree claimed to know falsely")
 
     @property
     def holds(self) -> bool:
-        """Whether every trial reached the goal, or ended with a person as the tree has it."""
+        """Whether every trial reached the goal, or called a person after a fault, as planned."""
         return bool(self.trials["holds"].all())
 
     def require(self) -> TreeRun:
@@ -255,7 +260,7 @@ class TreeRun:
                      f"trial {failed['trial']}: {failed['outcome']}: {failed['reason']}")
 
     def trace(self, trial: int) -> Trace:
-        """Executes a trial, by its number from 1, again and returns its trace."""
+        """Executes the trial with this number, from 1, again and returns its trace."""
         require_count("trial", trial)
         return Trace(self._runner.traced(trial))
 

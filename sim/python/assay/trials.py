@@ -74,13 +74,14 @@ class Run:
         their certificate), errors_signalled, recovered, operator_called, simulated (seconds), steps
         (of the engine), warnings, noise (the errors, metres and radians).
     verdicts: one row for each trial and step: trial, step, action (the step's id), verdict
-        ("contained", "inconclusive", "violated", "not-claimed"), claim (the worst one), observed,
-        low, high, margin, gate (what the engine cannot resolve). Empty without noise.
+        ("contained", "inconclusive", "violated", "not-claimed"), claim (the worst claim), observed,
+        low, high, margin, gate (the noise floor). The table is empty without noise.
     claims: one row for each trial and claim of a certificate: trial, claim, step (from 1), action
         (the step's id), about ("before", "precondition" or "after"), name, unit, low, high (the
         predicted range), gate, proved, observed (None if nothing was observed).
-    seed: of the errors.
-    untestable: what the plan violates without any noise, so that no trial was made; else empty.
+    seed: the seed of the errors.
+    untestable: what the plan violates even without noise, if no trial was made for this reason;
+        otherwise empty.
     """
 
     def __init__(self, runner: _assay.Trials, rows: list[dict[str, Any]], untestable: str) -> None:
@@ -106,9 +107,10 @@ class Run:
                      f"{int(self.trials['violated'].sum())} claims are violated")
 
     def trace(self, trial: int) -> Trace:
-        """Executes a trial, by its number from 1, again and returns its trace.
+        """Executes the trial with this number, from 1, again and returns its trace.
 
-        Trials that were not made can be executed, too: all are drawn from the seed.
+        The number may be greater than the number of trials that were made, because the errors of
+        every trial follow from the seed and the number.
         """
         require_count("trial", trial)
         return Trace(self._runner.traced(trial))
@@ -141,7 +143,7 @@ class Trace:
 
     @property
     def outcome(self) -> str:
-        """"done" if every command was executed, else what went wrong."""
+        """"done" if every command was executed; otherwise what went wrong."""
         return self.events[-1]["outcome"]
 
     @cached_property
@@ -183,19 +185,20 @@ class Trace:
 class Falsification:
     """The result of trying to falsify a plan.
 
-    attempts: how many were made.
-    counterexamples: a DataFrame with one row for each violation that was made as simple as
-        possible: number (from 1), claim, action, unit, observed, low, high, margin, gate, steps (to
-        be executed), multiple (of its errors that still violates), replayed, noise (the errors),
-        replay (the command that shows it again).
+    attempts: the number of attempts that were made.
+    counterexamples: a DataFrame with one row for each violation, whose errors were reduced as far
+        as possible: number (from 1), claim, action, unit, observed, low, high, margin, gate, steps
+        (to be executed), multiple (the least tried multiple of these errors with a violation),
+        replayed, noise (the errors), replay (the command that repeats it).
     worst: a DataFrame with one row for each claim: claim, step (from 1), action (the step's id),
         about ("before", "precondition" or "after"), name, unit, verdict, observed, low, high (the
-        predicted range), margin, gate (what the engine cannot resolve), phase and attempt (which
-        made the worst observation), noise (its errors).
-    counts: how many attempts had each verdict on the step's certificate.
-    seed: of the attempts.
-    reason: what was violated, or empty.
-    untestable: what the plan violates without any noise, so that no attempt was made; else empty.
+        predicted range), margin, gate (the noise floor), phase and attempt (those that made the
+        worst observation), noise (the errors of this attempt).
+    counts: the number of attempts with each verdict on the step's certificate.
+    seed: the seed of the attempts.
+    reason: the claim that was violated, or empty.
+    untestable: what the plan violates even without noise, if no attempt was made for this reason;
+        otherwise empty.
     """
 
     def __init__(self, plan: Plan, seed: int, untestable: str, trial: dict[str, Any],
@@ -216,7 +219,8 @@ class Falsification:
         return not self.untestable and self.attempts > 0 and self.counts["violated"] == 0
 
     def require(self) -> Falsification:
-        """Returns the result if nothing was violated. Raises Failed if something was."""
+        """Returns the result if attempts were made and no claim was violated. Otherwise raises
+        Failed."""
         if self.holds:
             return self
         if self.attempts == 0:
@@ -225,7 +229,7 @@ class Falsification:
                      f"{self.attempts} attempts: {self.reason}")
 
     def replay(self, number: int) -> Run:
-        """Executes the plan with the errors of a counterexample, by its number from 1.
+        """Executes the plan with the errors of the counterexample that has this number, from 1.
 
         Raises WrongUsage if there is no such counterexample.
         """

@@ -186,7 +186,7 @@ std::string ErrorWords(const ClaimFindings& row) {
   const Observed& seen = row.observed;
   std::string words = fmt::format("{}: predicted {}", claim.name,
                                   IntervalText({claim.low, claim.high}, claim.dimension));
-  if (seen.claimed() == 0) return words + "; nothing observed that was claimed";
+  if (seen.claimed() == 0) return words + "; no observation of a claim";
   return words +
          fmt::format("; observed {}, half of it {}",
                      IntervalText({seen.least, seen.greatest}, claim.dimension),

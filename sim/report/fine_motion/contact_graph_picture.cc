@@ -97,10 +97,10 @@ struct Kind {
   const char* meaning;
 };
 constexpr std::array kKinds = {
-    Kind{"state", 2.5, "a contact state, in the row of the dimensions that are left to move in"},
-    Kind{"initial", 4, "where it may begin"},
+    Kind{"state", 2.5, "a contact state, in the row of its dimension"},
+    Kind{"initial", 4, "a state in which the way begins"},
     Kind{"goal", 4, "a goal"},
-    Kind{"planned", 5, "where motions of the plan end, by their numbers"},
+    Kind{"planned", 5, "a state in which motions of the plan end, with their numbers"},
     Kind{"neighbour", 0, "one contact is made or broken"},
     Kind{"way", 0, "the way of the plan"},
 };

@@ -30,12 +30,13 @@ Element Graphs(std::vector<Element> pictures) {
   }
   graphs
       .Add("p",
-           "Contact states at each critical point, a row for each dimension; lines where one "
-           "contact is made or broken. Blue: states that the way begins in; green: goals. Those "
-           "of the crevice between two critical points are goals of the one and beginnings of the "
-           "next. Rings: states of the plan, joined in its order and numbered by the motions that "
-           "end in them; those beside the graph exist where the part is tilted. Point at a state "
-           "to read its contacts and how many transitions it is from a goal.")
+           "Contact states at each critical point, with a row for each dimension. A line joins two "
+           "states if one contact is made or broken between them. Blue states are those in which "
+           "the way begins, and green states are goals. States of the crevice between two critical "
+           "points are goals of the first graph and beginnings of the second. Rings are states of "
+           "the plan, joined in their order and numbered by the motions that end in them. Rings "
+           "beside the graph exist only if the part is tilted. Point at a state to read its "
+           "contacts and its number of transitions to a goal.")
       .Set("class", "note");
   return graphs;
 }
@@ -65,14 +66,14 @@ Element Motions(const std::vector<MatingSubject::Motion>& motions) {
         {fmt::format("{}", rows.size() + 1), motion.ends_with, motion.contacts, motion.unwanted});
   }
   return TableOf("Motions of the strategy",
-                 {"", "ends with", "in contact after it", "first unwanted"}, rows);
+                 {"", "ends with", "in contact at its end", "first unwanted contact"}, rows);
 }
 
 Element Ranked(const std::vector<MatingSubject::Trials::Ranked>& contacts) {
   std::vector<Row> rows;
   for (const auto& ranked : contacts)
     rows.push_back({ranked.contact, ranked.motion, ranked.scale, ranked.happened});
-  return TableOf("What must not happen, by its margin",
+  return TableOf("Unwanted contacts, by their margins",
                  {"contact", "motion", "times the errors", "happened in trials"}, rows);
 }
 
@@ -102,11 +103,13 @@ std::string MatingPage(MatingSubject subject) {
   beside.Add(Graphs(std::move(subject.graphs)));
   beside.Add(Motions(subject.motions));
   main.Add("h2", "Where the motions end");
-  main.Add("p", "If there are no errors: the held part as lines, crosses where the parts touch.")
+  main.Add("p",
+           "The pictures show the motions without errors. The held part is drawn as lines, and "
+           "crosses mark where the parts touch.")
       .Set("class", "note");
   main.Add(States(subject.pictures));
   if (const auto& trials = subject.trials) {
-    main.Add("h2", "What happened in physics");
+    main.Add("h2", "Trials in physics");
     main.Add("p", trials->outcome);
     main.Add("p", trials->ranking);
     main.Add(Ranked(trials->contacts));

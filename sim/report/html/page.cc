@@ -32,7 +32,7 @@ std::string TitleOf(const Findings& findings) {
 
 std::string AboutText(const Findings& findings) {
   std::string text =
-      fmt::format("Plans tried in physics: {} in {}", CountText(findings.done(), "trial"),
+      fmt::format("Plans executed in physics: {} in {}", CountText(findings.done(), "trial"),
                   CountText(static_cast<std::int64_t>(findings.cells.size()), "cell"));
   if (findings.runs.empty()) return text;
   const sweep::RunRecord& run = findings.runs.front();
@@ -90,9 +90,10 @@ std::string Page(const Findings& findings, const PageOptions& options) {
   Subject subject = SubjectOf(findings, options.cells_in_full);
   subject.view = options.view;
   body.Add(Main(subject, options));
-  body.Add("footer",
-           "Intervals of rates are Wilson's, for 95 %. Lengths are in millimetres, angles in "
-           "degrees. “Not violated” means not falsified in so many evaluations.");
+  body.Add(
+      "footer",
+      "Intervals of rates are Wilson's, for 95 %. Lengths are in millimetres, angles in degrees. "
+      "“Not violated” means that this number of tests did not falsify the prediction.");
   return "<!DOCTYPE html>\n" + page.Markup() + "\n";
 }
 

@@ -41,16 +41,17 @@ void AddRow(DataTable& table, const ConservatismRecord& row, double greatest) {
 Element ConservatismRatios(const Subject& subject) {
   Element section("div");
   if (std::ranges::none_of(subject.findings.cells, &CellFindings::has_conservatism)) {
-    section.Add("p", "How much more noise it would take to break a plan was not measured.");
+    section.Add("p", "The sweep did not measure how much more error the plans tolerate.");
     return section;
   }
   section.Add("p",
-              "The ratio is the smallest multiple of the noise that broke the plan in physics over "
-              "the multiple that the planner guarantees: 1 means that the guarantee is tight, 3 "
-              "that the noise could be three times as great before anything went wrong.");
+              "The ratio is the least multiple of the errors at which a trial failed, divided by "
+              "the greatest multiple that the planner guarantees. A ratio of 1 means that the "
+              "guarantee is tight. A ratio of 3 means that trials failed only when the errors were "
+              "three times the guaranteed ones.");
   for (const CellFindings& cell : subject.findings.cells) {
     if (!cell.has_conservatism()) continue;
-    DataTable table(fmt::format("{}: multiples of the noise", subject.NameOf(cell)),
+    DataTable table(fmt::format("{}: multiples of the errors", subject.NameOf(cell)),
                     {{"variable"},
                      {"guaranteed (bar), broken (cross)", "chart"},
                      {"guaranteed", "number"},

@@ -15,9 +15,11 @@ struct About {
   const char* title;
 };
 constexpr std::array kAbouts = {
-    About{"before", "before the step: errors of the poses that it starts from"},
-    About{"precondition", "preconditions: how much room there is; negative: they do not hold"},
-    About{"after", "after the step: errors of the poses that it leaves"},
+    About{"before", "before the step: errors of the poses at its start"},
+    About{"precondition",
+          "preconditions: their margins; a negative margin means that the precondition does not "
+          "hold"},
+    About{"after", "after the step: errors of the poses at its end"},
 };
 
 std::string ObservedText(const ClaimFindings& row) {
@@ -87,11 +89,11 @@ Element DrawingKey() {
   key.Set("class", "key").Set("aria-label", "How to read the drawings");
   Element& item = key.Add("li").Set("class", "drawn");
   item.Add(ErrorChart(example));
-  item.Add(
-      "span",
-      "Wide bar: what was predicted, with its two ends; pale beside it: the noise floor. Line: "
-      "what was observed, from least to greatest, a box for the middle half, a gap at the median. "
-      "Each row has its own axis; a dashed bar is not proved, and nothing is claimed.");
+  item.Add("span",
+           "The wide bar is the predicted range, and the pale bars beside it are the noise floor. "
+           "The line goes from the least to the greatest observed value. Its box has the middle "
+           "half of the values, with a gap at the median. Each row has its own axis. A dashed bar "
+           "is not proved, so nothing is claimed about it.");
   return key;
 }
 
@@ -112,8 +114,9 @@ Element ErrorSets(const Subject& subject) {
   }
   if (subject.left_out() > 0) {
     section
-        .Add("p", fmt::format("Not told here, but in error_sets.csv: {}.",
-                              CountText(subject.left_out(), "cell")))
+        .Add("p",
+             fmt::format("The file error_sets.csv also has the cells that are not shown here: {}.",
+                         CountText(subject.left_out(), "cell")))
         .Set("class", "note");
   }
   return section;

@@ -20,16 +20,17 @@ constexpr std::size_t kMostClaims = 12;    // shown for one cell
 constexpr std::size_t kMostExamples = 20;  // shown on the page
 
 Element CountTable(const Subject& subject) {
-  DataTable table("Attempts on single steps from saved states, and how the certificates came out",
-                  {{"cell"},
-                   {"attacked steps", "number"},
-                   {"contained", "number"},
-                   {"inconclusive, or within the engine’s resolution", "number"},
-                   {"violated", "number"},
-                   {"not claimed", "number"},
-                   {"claims", "number"},
-                   {"claims contained", "number"},
-                   {"claims violated", "number"}});
+  DataTable table(
+      "Attempts at single steps from saved states, with the verdicts on their certificates",
+      {{"cell"},
+       {"attempts", "number"},
+       {"contained", "number"},
+       {"inconclusive, or within the engine’s resolution", "number"},
+       {"violated", "number"},
+       {"not claimed", "number"},
+       {"claims", "number"},
+       {"claims contained", "number"},
+       {"claims violated", "number"}});
   for (const CellFindings& cell : subject.findings.cells) {
     if (!cell.falsification) continue;
     const auto& [certificates, claims] =
@@ -61,8 +62,7 @@ std::vector<sweep::WorstClaimRecord> Tightest(const sweep::FalsificationRecord& 
 }
 
 Element WorstTable(const Subject& subject, const CellFindings& cell) {
-  DataTable table(fmt::format("{}: the claims that came nearest to being violated, or beyond",
-                              subject.NameOf(cell)),
+  DataTable table(fmt::format("{}: the claims with the least margins", subject.NameOf(cell)),
                   {{"claim"},
                    {"verdict"},
                    {"observed", "number"},
@@ -109,18 +109,18 @@ Element Example(const Subject& subject, const CellFindings& cell,
   box.Add("h4")
       .Add(StandingWords(Standing::kViolated))
       .Text(fmt::format(": {} of {}", example.name, example.action));
-  box.Add("p",
-          fmt::format("{}. Observed {} where {} was predicted: outside by {}, with a gate of {}.",
-                      subject.NameOf(cell), QuantityText(example.observed, example.dimension),
-                      IntervalText({example.low, example.high}, example.dimension),
-                      QuantityText(-example.margin, example.dimension),
-                      QuantityText(example.gate, example.dimension)));
-  box.Add("p", fmt::format("Errors that are left: {}. {}, {}.", NoiseText(example.noise),
+  box.Add("p", fmt::format("{}. Observed: {}. Predicted: {}. The observation is outside by {}; the "
+                           "noise floor is {}.",
+                           subject.NameOf(cell), QuantityText(example.observed, example.dimension),
+                           IntervalText({example.low, example.high}, example.dimension),
+                           QuantityText(-example.margin, example.dimension),
+                           QuantityText(example.gate, example.dimension)));
+  box.Add("p", fmt::format("Remaining errors: {}. {}, {}.", NoiseText(example.noise),
                            CountText(example.steps, "step"),
                            example.replayed ? "replayed from the start of the plan"
-                                            : "seen from a saved state only"));
+                                            : "seen only in an execution from a saved state"));
   if (example.multiple != 1) {
-    box.Add("p", fmt::format("It is violated still with {} of these errors.",
+    box.Add("p", fmt::format("It is still violated with {} of these errors.",
                              NumberText(example.multiple)));
   }
   box.Add(Command(WithDatabase(example.replay, subject.findings.database)));
@@ -142,13 +142,14 @@ void AddExamples(Element& section, const Subject& subject) {
   }
   if (examples.empty()) return;
   section.Add("h3", "Counterexamples");
-  section.Add(
-      "p", fmt::format("Each is shrunk: leave out one more error and nothing is violated. The "
-                       "first command runs it again, {} a page that shows it in three dimensions.",
-                       subject.view ? "and the link leads to" : "the second one makes"));
+  section.Add("p", fmt::format("The errors of each counterexample are reduced: without any one of "
+                               "them, nothing is violated. The first command repeats the "
+                               "counterexample, {} a page that shows it in three dimensions.",
+                               subject.view ? "and the link leads to" : "the second one makes"));
   for (Element& example : examples) section.Add(std::move(example));
   if (all > kMostExamples) {
-    section.Add("p", fmt::format("Not told here, but in counterexamples.csv: {} more.",
+    section.Add("p", fmt::format("The file counterexamples.csv also has the counterexamples that "
+                                 "are not shown here: {}.",
                                  CountText(static_cast<std::int64_t>(all - kMostExamples))));
   }
 }
@@ -160,22 +161,23 @@ Element Falsifications(const Subject& subject) {
   const auto& cells = subject.findings.cells;
   if (std::ranges::none_of(cells,
                            [](const auto& cell) { return cell.falsification.has_value(); })) {
-    section.Add("p", "Nothing was attacked: the sweep has no cell with noise “attack”.");
+    section.Add("p", "There was no falsification: the sweep has no cell with noise “attack”.");
     return section;
   }
   section.Add("p",
-              "Corners of the error box, then points that fill it evenly, then local search on the "
-              "least margins found, each attempt from a state saved where the step begins.");
+              "The attempts are at corners of the error box, then at evenly spread points, then at "
+              "points of a local search for the least margin. Each attempt starts from a state "
+              "that was saved before the step.");
   section.Add(CountTable(subject));
   AddExamples(section, subject);
-  section.Add("h3", "Worst claims found");
+  section.Add("h3", "Claims with the least margins");
   std::size_t told = 0;
   for (const CellFindings& cell : cells) {
     if (!cell.falsification || cell.falsification->worst.empty()) continue;
     if (++told > kMostClaims) break;
     section.Add(WorstTable(subject, cell));
   }
-  section.Add("p", "All of them are in attacked_claims.csv.").Set("class", "note");
+  section.Add("p", "All claims are in attacked_claims.csv.").Set("class", "note");
   return section;
 }
 

@@ -29,7 +29,7 @@ std::string DoneText(const sweep::CellSummary& summary) {
 }
 
 std::string ControlText(const CellFindings& cell) {
-  if (cell.is_control()) return "this is it";
+  if (cell.is_control()) return "this cell";
   if (cell.control_done == 0) return "–";
   return fmt::format("{} of {}", CountText(cell.control_succeeded), CountText(cell.control_done));
 }
@@ -51,8 +51,9 @@ Element CellTable(const Subject& subject) {
                                  {"plan", "short"},
                                  {"failures"}});
   DataTable table(
-      "Success of each cell's trials, with Wilson’s 95 % interval, and of the same plan without "
-      "noise. Drawn: dark and filled under noise, grey and hollow without.",
+      "Success of the trials of each cell, with Wilson’s 95 % interval, and of the same plan "
+      "without noise. Marks of trials under noise are dark and filled. Marks of trials without "
+      "noise are grey and hollow.",
       std::move(columns));
   table.AddToHead(plot, RateAxis());
   for (const CellFindings& cell : subject.findings.cells | std::views::take(kMostRows)) {
@@ -96,8 +97,8 @@ std::vector<Group> GroupsOf(const Findings& findings, const CellAxis& axis) {
 
 Element AxisTable(const Subject& subject) {
   DataTable table(
-      "All cells together, by each axis of the grid; trials under noise, but for the axis of noise "
-      "itself",
+      "All cells together, by each axis of the grid; only trials under noise, except for the axis "
+      "of noise itself",
       {{"value"},
        {"cells", "number"},
        {"trials", "number"},
@@ -128,8 +129,9 @@ Element Outcomes(const Subject& subject) {
   if (subject.findings.cells.size() > 4) section.Add(AxisTable(subject));
   section.Add(CellTable(subject));
   if (subject.findings.cells.size() > kMostRows) {
-    section.Add("p", fmt::format("The first {} cells of {}; all of them are in outcomes.csv.",
-                                 kMostRows, CountText(subject.findings.cells.size())));
+    section.Add(
+        "p", fmt::format("The table has the first {} cells of {}. All cells are in outcomes.csv.",
+                         kMostRows, CountText(subject.findings.cells.size())));
   }
   return section;
 }

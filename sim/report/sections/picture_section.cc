@@ -13,8 +13,9 @@ Element Pictures(const Findings& findings, const std::function<std::string(int t
                              std::pair("worst", notable.worst)};
   Element section("div");
   section.Add("p",
-              "The end of every step, executed again. Trials are in order of success, then of "
-              "their worst verdict, then of the least margin; the typical one is in the middle.");
+              "The pictures show the end of every step in a repeated execution. Trials are ordered "
+              "by success, then by their worst verdict, then by the least margin. The typical "
+              "trial is in the middle of this order.");
   for (const auto& [name, trial] : trials) {
     if (trial == 0) continue;
     const std::string words = fmt::format("The {} trial, number {}", name, trial);

@@ -26,7 +26,7 @@ void AddRow(DataTable& table, const Subject& subject, const CellFindings& cell) 
 }  // namespace
 
 Element Recoveries(const Subject& subject) {
-  DataTable table("Trials in which a verification signalled an error, and what became of them",
+  DataTable table("Trials in which a verification signalled an error, and their results",
                   {{"cell"},
                    {"trials", "number"},
                    {"with an error", "number"},
@@ -41,13 +41,13 @@ Element Recoveries(const Subject& subject) {
   }
   Element section("div");
   if (table.empty()) {
-    section.Add("p", "No plan has verifications: all that they assume is proved.");
+    section.Add("p", "No plan has verifications, because all preconditions are proved.");
     return section;
   }
   section.Add("p",
-              "Where a precondition could not be proved, the plan measures after the step whether "
-              "it went well, and mends what did not. Without recoveries, every trial with an error "
-              "would have failed; a trial is recovered if it succeeded all the same.");
+              "If a precondition could not be proved, the plan verifies the step by a measurement, "
+              "and recovers from an error. Without recoveries, every trial with an error would "
+              "have failed. A trial is recovered if it had an error and succeeded.");
   section.Add(table.Take());
   return section;
 }

@@ -45,9 +45,9 @@ const std::vector<Section>& Sections() {
       {"recoveries", "Verifications and recoveries", Recoveries},
       {"verdicts", "Verdicts on certificates", Verdicts},
       {"error-sets", "Predicted and observed errors", ErrorSets},
-      {"attacks", "Attacks", Falsifications},
+      {"attacks", "Falsification", Falsifications},
       {"conservatism", "Conservatism", ConservatismRatios},
-      {"setup", "How it was done", Setup},
+      {"setup", "Setup", Setup},
   };
   return kSections;
 }

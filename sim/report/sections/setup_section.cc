@@ -41,13 +41,13 @@ Element Facts(const Findings& findings) {
 }
 
 Element RunTable(const Findings& findings) {
-  DataTable table("Starts of the program that wrote this database", {{"started"},
-                                                                     {"shard"},
-                                                                     {"threads", "number"},
-                                                                     {"version"},
-                                                                     {"machine"},
-                                                                     {"cores", "number"},
-                                                                     {"system"}});
+  DataTable table("Runs of the program that wrote this database", {{"started"},
+                                                                   {"shard"},
+                                                                   {"threads", "number"},
+                                                                   {"version"},
+                                                                   {"machine"},
+                                                                   {"cores", "number"},
+                                                                   {"system"}});
   constexpr std::size_t kMostRuns = 50;
   for (const sweep::RunRecord& run : findings.runs | std::views::take(kMostRuns)) {
     table.AddRow({Words(run.started), Words(run.shard), Words(std::to_string(run.jobs)),

@@ -61,8 +61,8 @@ Element Counted(std::int64_t violated) {
 std::string TrialWords(const Findings& findings) {
   const int done = findings.done();
   const std::string cells = fmt::format("in {}", CountText(findings.cells.size(), "cell"));
-  if (done == findings.trials()) return cells + ": all that the sweep asks for";
-  return fmt::format("{}, of {} that the sweep asks for", cells, CountText(findings.trials()));
+  if (done == findings.trials()) return cells + ", which is the whole sweep";
+  return fmt::format("{}, of {} in the whole sweep", cells, CountText(findings.trials()));
 }
 
 std::string SuccessWords(const Tally& tally) {
@@ -94,28 +94,26 @@ Element Tiles(const Findings& findings, const Tally& tally) {
               CountText(tally.certificates.Total()), CountOf(tally, Standing::kWithinResolution),
               CountOf(tally, Standing::kInconclusive), CountOf(tally, Standing::kNotClaimed)));
   if (tally.tried > 0) {
-    AddTile(
-        tiles, "Violated in attacked steps", Counted(tally.tried_violated),
-        fmt::format("of {}; {} inconclusive or within the engine’s resolution",
-                    CountText(tally.tried, "attacked step"), CountText(tally.tried_inconclusive)));
+    AddTile(tiles, "Violated in attempts", Counted(tally.tried_violated),
+            fmt::format("of {}; {} inconclusive or within the engine’s resolution",
+                        CountText(tally.tried, "attempt"), CountText(tally.tried_inconclusive)));
   } else {
-    AddTile(tiles, "Attacked steps", Words("0"), "the sweep attacks nothing");
+    AddTile(tiles, "Attempts of falsification", Words("0"), "the sweep has no falsification");
   }
   return tiles;
 }
 
 std::string EvaluationsText(const Tally& tally) {
   std::string text = CountText(tally.certificates.Total(), "certificate") + " of trials";
-  if (tally.tried > 0) text += " and " + CountText(tally.tried, "attacked step");
+  if (tally.tried > 0) text += " and " + CountText(tally.tried, "attempt");
   return text;
 }
 
 std::string Lead(const Tally& tally) {
-  if (tally.certificates.Total() + tally.tried == 0) return "No prediction has been tried yet.";
+  if (tally.certificates.Total() + tally.tried == 0) return "No prediction has been tested yet.";
   if (tally.all_violated() == 0) {
-    return fmt::format(
-        "No prediction was violated in {}: not falsified, which is less than proved.",
-        EvaluationsText(tally));
+    return fmt::format("No prediction was violated in {}. This does not prove the predictions.",
+                       EvaluationsText(tally));
   }
   return fmt::format(
       "Predictions were violated {} in {}.",
@@ -146,13 +144,13 @@ void AddKey(Element& key, Standing standing, const std::string& words) {
 Element MarkKey() {
   Element key("ul");
   key.Set("class", "key").Set("aria-label", "What the marks mean");
-  AddKey(key, Standing::kContained, "observed where it was predicted");
+  AddKey(key, Standing::kContained, "the observation is within the prediction");
   AddKey(key, Standing::kWithinResolution,
          "outside by less than the noise floor, the error that the engine itself makes; no sign of "
          "a wrong prediction");
   AddKey(key, Standing::kInconclusive,
-         "outside by more than that, and not confirmed with half the timestep");
-  AddKey(key, Standing::kViolated, "outside by more than that, and confirmed");
+         "outside by more than the noise floor, but not confirmed with half the timestep");
+  AddKey(key, Standing::kViolated, "outside by more than the noise floor, and confirmed");
   AddKey(key, Standing::kNotClaimed, "an assumption that the planner left unproved did not hold");
   return key;
 }

@@ -63,11 +63,11 @@ void AddRow(DataTable& table, const Findings& findings, const StepFindings& step
 }
 
 Element CellTable(const Subject& subject, const CellFindings& cell) {
-  DataTable table(fmt::format("{}: certificates of {}, and the claim that came out worst",
+  DataTable table(fmt::format("{}: certificates of {}, and their worst claims",
                               subject.NameOf(cell), CountText(cell.summary.done, "trial")),
                   {{"step"},
                    {"certificates"},
-                   {"worst claim, and the command that runs it again"},
+                   {"worst claim, and the command that repeats the trial"},
                    {"observed", "number"},
                    {"predicted", "number"},
                    {"margin", "number"},
@@ -81,22 +81,21 @@ Element CellTable(const Subject& subject, const CellFindings& cell) {
 Element Verdicts(const Subject& subject) {
   Element section("div");
   if (subject.in_full.empty()) {
-    section.Add("p", "No certificate has been held against a trial yet.");
+    section.Add("p", "No certificate has been compared with a trial yet.");
     return section;
   }
-  section.Add(
-      "p",
-      "The verdict on a step's certificate is that of its worst claim: if one claim is within "
-      "the engine’s resolution, so is the certificate, however well the other claims do; "
-      "that is no sign of a wrong prediction. The margin is the distance to the nearer end "
-      "of what was predicted, negative outside; the gate is the noise floor, the error that "
-      "the engine itself makes.");
+  section.Add("p",
+              "The verdict on a step's certificate is the verdict on its worst claim. If this "
+              "claim is within the engine’s resolution, so is the certificate, which is no sign of "
+              "a wrong prediction. The margin is the distance to the nearer end of the predicted "
+              "range, and is negative outside of it. The gate is the noise floor, that is, the "
+              "error that the engine itself makes.");
   for (const CellFindings* cell : subject.in_full) section.Add(CellTable(subject, *cell));
   if (subject.left_out() > 0) {
     section
-        .Add("p",
-             fmt::format("Not told here, but in verdicts.csv: {}. Violations and noise come first.",
-                         CountText(subject.left_out(), "cell")))
+        .Add("p", fmt::format("The file verdicts.csv also has the cells that are not shown here: "
+                              "{}. Cells with violations and with noise are shown first.",
+                              CountText(subject.left_out(), "cell")))
         .Set("class", "note");
   }
   return section;

@@ -218,8 +218,8 @@ TEST(ContingentAssembly, APartWhosePoseIsKnownIsLookedAtInAStep) {
   EXPECT_EQ(Count(assembly, Kind::kStep), steps);
 }
 
-// The tree has one look at the first part, and then one at the other part in either case. Nothing
-// is looked at twice.
+// The tree has one look at the first part. On both branches after this look, it has one look at the
+// other part. No part is looked at twice.
 TEST(ContingentAssembly, TwoOpenPosesAreLookedAtOnceEach) {
   const ContingentAssembly assembly = MakeContingentPlan(
       WorldsFrom(Uncertain(kBlockHereOrThere, kLyingOrStanding, "coarse-camera")), {}, {});

@@ -119,6 +119,15 @@ TEST(Captions, AreOfTheWalkedActionsIfThereAreAny) {
   EXPECT_EQ(captions[2].from, kEnd);
 }
 
+// The arm is at home when the plan tree begins with a look.
+TEST(Captions, AnActionThatTakesNoTimeSharesTheNextCaption) {
+  Subject subject = Rising().subject();
+  subject.walked = {{"look(peg)", 0}, {"pickup(peg)", 1.5}};
+  const std::vector<Caption> captions = CaptionsOf(subject);
+  EXPECT_THAT(TextsOf(captions), ElementsAre("1 look(peg), 2 pickup(peg)", subject.end));
+  EXPECT_EQ(captions[0].from, 0);
+}
+
 TEST(TextAt, IsThatOfTheLastCaptionWhoseTimeHasCome) {
   const std::vector<Caption> captions = {{0, "a"}, {1.5, "b"}, {4, "c"}};
   EXPECT_EQ(TextAt(captions, 0), "a");

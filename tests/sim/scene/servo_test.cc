@@ -65,7 +65,7 @@ TEST_P(ServoAt, AMotionAtConstantSpeedDoesNotLag) {
     const double phase = i * dt < 0.2 ? i * dt * ramp / 2 : i * dt - 0.1;
     const JointVector q = start + phase * speed;
     Follow(q, ramp * speed);
-    // A command is for the end of its step. It is one timestep behind the next command.
+    // The arm reaches a command at the start of the step. At its end, the next command is due.
     if (i * dt > 0.6) {
       error = std::max(error, (scene.ArmPosition(data) - q - dt * speed).cwiseAbs().maxCoeff());
     }

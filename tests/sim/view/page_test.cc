@@ -103,6 +103,25 @@ TEST_F(PageOfFigure15, CountsEveryPrecondition) {
   }
 }
 
+// A way of the arm is either proved, or the page says what errors may cause on it.
+TEST_F(PageOfFigure15, SaysWhyAWayIsNotProved) {
+  int unproved = 0;
+  for (const Json& step : data()["steps"]) {
+    const auto& lacking = step["notNeeded"];
+    const bool lacks_way = std::ranges::any_of(
+        lacking, [](const Json& kind) { return kind["condition"] == "way clear"; });
+    EXPECT_EQ(step["unprovedWays"].empty(), !lacks_way) << step["number"];
+    for (const Json& way : step["unprovedWays"]) {
+      ++unproved;
+      EXPECT_EQ(way["condition"], "way clear");
+      EXPECT_THAT(way["text"].get<std::string>(), HasSubstr("are nearer than"));
+      EXPECT_FALSE(way["marked"].empty());
+      EXPECT_LT(way["share"].get<double>(), 1);
+    }
+  }
+  EXPECT_EQ(unproved, 1);
+}
+
 TEST_F(PageOfFigure15, NamesWhatIsNotCovered) {
   EXPECT_EQ(data()["notCovered"],
             Json(plan::NotCovered(Figure15().scenario.problem, Figure15().plan)));
@@ -204,7 +223,8 @@ TEST_F(PageOfFigure15, HasTheContactPointsOfTheTrace) {
   EXPECT_GT(compared, 1000);
 }
 
-// Each key of an object, with the keys inside of it. Of a list, its first item counts.
+// Returns each key of an object with the keys inside of it. For a list, it returns those of the
+// first item.
 std::set<std::string> KeysOf(const Json& data, const std::string& path = "") {
   if (data.is_array() && !data.empty()) return KeysOf(data[0], path + "[]");
   std::set<std::string> keys;

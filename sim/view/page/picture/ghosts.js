@@ -2,8 +2,8 @@ import * as three from 'three';
 
 import {edgesOf, meshOf, setPose} from './stage.js';
 
-// Bodies where they would have to be, and are not: translucent, and in the colour of what is wrong
-// if they collide.
+// Translucent bodies at poses that a plan would need and that are not possible. Bodies that collide
+// there have the colour of what is wrong.
 export class Ghosts {
   constructor(data) {
     this.data = data;

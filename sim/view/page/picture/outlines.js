@@ -4,8 +4,8 @@ import {edgesOf} from './stage.js';
 
 export const BELIEVED = '#7b3fa8';
 
-// What is not real: each part where it is believed to be, and at the extremes of its predicted
-// error set about that pose.
+// Outlines of each part at its believed pose, and at the extremes of its predicted error set about
+// this pose.
 export class Outlines {
   constructor(data, recording) {
     this.recording = recording;

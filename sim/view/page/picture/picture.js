@@ -27,7 +27,8 @@ function drawsInSoftware(context) {
 }
 
 // Without a graphics card, smooth edges and fine pixels would take most of the time of each frame.
-// The context that tells whether there is a card is then used itself, since contexts take time.
+// A first context tells whether there is a card. Without a card, the picture is drawn by this first
+// context, because making another context takes time.
 function newRenderer() {
   const canvas = newSurface();
   const context = canvas.getContext('webgl', {antialias: false, alpha: false, stencil: false});

@@ -97,8 +97,8 @@ export class Viewport {
     this.stale = true;
   }
 
-  // Shows or hides the execution beside ("showsBeside"), or what Picture.toggle knows. Returns
-  // whether it is shown now.
+  // Shows or hides the second execution ("showsBeside"), or one of the kinds of Picture.toggle.
+  // Returns whether it is shown now.
   toggle(kind) {
     const [shown] = kind === 'showsBeside' ? [this.toggleBeside()] :
                                              this.pictures().map((other) => other.toggle(kind));

@@ -11,10 +11,30 @@ export function certificateOf(step, data, showWhere) {
   return element(
       'section', {class: 'certificate', 'aria-label': `Certificate of step ${step.number}`},
       element('h2', {}, `Step ${step.number}: ${step.action}`), ...leadsOf(step, standing),
-      ...factsOf(step, data), ...uncoveredTexts(step, data),
+      ...factsOf(step, data), ...unprovedWaysOf(step, data, showWhere),
+      ...uncoveredTexts(step, data),
       ...step.preconditions.map(
           (group, i) => preconditionOf(group, data.colors, i === 0, showWhere)),
       ...notNeededOf(step), ...doneOf(step), ...observedOf(step, data.colors));
+}
+
+function unprovedWaysOf({unprovedWays}, {colors}, showWhere) {
+  return unprovedWays.map((way) => {
+    const {condition, text, home, share, marked, ghosts} = way;
+    const enough = share === undefined ?
+        [] :
+        [element(
+            'p', {},
+            `With ${Math.round(100 * share)} % of the errors of the tool's pose, it is proved.`)];
+    const button = marked ? [whereButton(() => showWhere(text, {marked, ghosts}))] : [];
+    return element(
+        'details',
+        {class: 'claim open', open: true, style: `--standing: ${colorOf('open', colors)}`},
+        element(
+            'summary', {}, element('span', {class: 'mark', title: 'open'}, MARKS.open),
+            element('span', {class: 'name'}, home ? `${condition}, way home` : condition)),
+        element('p', {}, `Not proved: with errors, ${text}.`), ...enough, ...button);
+  });
 }
 
 function leadsOf(step, standing) {
@@ -35,19 +55,26 @@ function factsOf(step, data) {
 
 function leadOf(step, standing) {
   if (!step.certified)
-    return 'The plan was made without regard to uncertainty: nothing is certified.';
+    return 'The plan was made without regard to uncertainty, so nothing is certified.';
   const open = step.preconditions.filter((group) => group.standing === 'open');
-  if (open.length > 0) {
-    const worst = open[0];
-    return `Not proved: ${worst.condition}. It is short by ${
-        quantityText(-worst.margin, worst.unit)}.`;
-  }
+  if (open.length > 0) return openText(open);
   if (step.preconditions.length === 0)
     return 'The step has no uncertainty-reduction preconditions.';
   const tightest = step.preconditions.find((group) => group.standing === 'proved');
-  if (!tightest) return `Certificate: ${standing.text}.`;
-  return `${standing.text}. The tightest, ${tightest.condition}, has ` +
-      `${quantityText(tightest.margin, tightest.unit)} to spare.`;
+  if (!tightest || step.unprovedWays.length > 0) return `Preconditions: ${standing.text}.`;
+  return `Preconditions: ${standing.text}. The least margin is ` +
+      `${quantityText(tightest.margin, tightest.unit)}, of ${tightest.condition}.`;
+}
+
+function openText(open) {
+  const [worst] = open;
+  const missing = worst.unborne ?
+      'At worst, nothing bears the load.' :
+      `${quantityText(-worst.margin, worst.unit)} are missing for a proof.`;
+  const first = open.length === 1 ?
+      'Not proved' :
+      `${open.length} kinds of preconditions are not proved. The worst`;
+  return `${first}: ${worst.condition} (${worst.meaning}). ${missing}`;
 }
 
 function uncoveredTexts(step, data) {
@@ -61,8 +88,8 @@ function uncoveredTexts(step, data) {
 function preconditionOf(group, colors, isFirst, showWhere) {
   const color = colorOf(group.standing, colors);
   const margin = group.standing === 'open' ?
-      element('b', {}, `${quantityText(-group.margin, group.unit)} short`) :
-      element('span', {}, quantityText(group.margin, group.unit));
+      element('b', {}, group.unborne ? 'no bound' : `${marginText(group, -1)} short`) :
+                                       element('span', {}, marginText(group));
   return element(
       'details', {
         class: `claim ${group.standing}`,
@@ -76,26 +103,33 @@ function preconditionOf(group, colors, isFirst, showWhere) {
               'span', {class: 'name'}, group.condition,
               element('small', {}, group.count > 1 ? ` × ${group.count}` : '')),
           marginChart(group, color), element('span', {class: 'value'}, margin)),
-      element('p', {}, `${group.meaning}. ${standingSentence(group)}`),
-      ...(group.standing === 'open' ? [whereButton(group, showWhere)] : []), boundTable(group),
+      element('p', {}, `${capitalized(group.meaning)}. ${standingSentence(group)}`),
+      boundTable(group),
+      ...(group.standing === 'open' ? [whereButton(() => showWhere(group.meaning))] : []),
       ...costsOf(group), ...remedyOf(group));
 }
 
-function whereButton(group, showWhere) {
-  return element('button', {class: 'where', onclick: () => showWhere(group.meaning)}, 'Show where');
+const capitalized = (text) => text.charAt(0).toUpperCase() + text.slice(1);
+
+function whereButton(onclick) {
+  return element('button', {class: 'where', onclick}, 'Show where');
 }
 
-function standingSentence(group) {
-  if (group.standing === 'proved') {
-    return group.count > 1 ? `All ${group.count} are proved; the tightest:` : 'Proved.';
+function marginText({margin, unit, unborne}, sign = 1) {
+  return unborne ? '−∞' : quantityText(sign * margin, unit);
+}
+
+// Returns whether the precondition is proved. The table below the sentence is about one case.
+function standingSentence({standing, count, open, refuted, unborne}) {
+  const shown = count > 1 ? ' The case with the least margin:' : '';
+  if (standing === 'proved') {
+    return `Proved${count > 1 ? ` in all ${count} cases` : ''}.${shown}`;
   }
-  const open = group.count > 1 ?
-      `${group.open} of ${group.count} ${group.open === 1 ? 'is' : 'are'} not proved` :
-      'Not proved';
-  if (group.standing === 'absorbed') return `${open}, and absorbed by fine motion.`;
-  return `${open}. ${
-      group.refuted ? 'At the worst corner it is false.' :
-                      'No corner is known where it is false.'}`;
+  const proof = `Not proved${count > 1 ? ` in ${open} of ${count} cases` : ''}`;
+  if (standing === 'absorbed') return `${proof}, and absorbed by fine motion.${shown}`;
+  const corner =
+      refuted ? 'At the worst corner it is false.' : 'No corner is known at which it is false.';
+  return `${proof}. ${unborne ? 'At worst, nothing bears the load.' : corner}${shown}`;
 }
 
 function boundTable(group) {
@@ -104,9 +138,9 @@ function boundTable(group) {
   const q = (value) => quantityText(value, group.unit);
   const extreme = group.relation === '<' ? 'at most' : 'at least';
   return element(
-      'table', {class: 'bound'}, row('if all is as believed', q(group.nominal)),
-      row(`under all errors, ${extreme}`, q(group.bound)),
-      row('must be', `${group.relation} ${q(group.limit)}`), row('margin', q(group.margin)));
+      'table', {class: 'bound'}, row('without errors', q(group.nominal)),
+      row(`under all errors, ${extreme}`, group.unborne ? '∞' : q(group.bound)),
+      row('must be', `${group.relation} ${q(group.limit)}`), row('margin', marginText(group)));
 }
 
 function costsOf(group) {
@@ -123,27 +157,30 @@ function costsOf(group) {
   return [element(
       'table', {class: 'costs'},
       element(
-          'caption', {}, 'What costs most: how much the bound would gain if the error were known'),
+          'caption', {},
+          'Errors that cost most: what the bound would gain if the error were known'),
       ...rows)];
 }
 
 function remedyOf({remedy, standing}) {
   if (standing !== 'open') return [];
   if (!remedy)
-    return [element('p', {}, 'No single error, if it were smaller, would be enough for a proof.')];
+    return [element('p', {}, 'No smaller range of a single error is enough for a proof.')];
   return [element(
       'p', {},
-      `Enough for a proof: ${remedy.name} in ${rangeText(remedy.enough, remedy.unit)} ` +
-          `instead of ${rangeText(remedy.range, remedy.unit)}.`)];
+      `A smaller range of ${remedy.name} is enough for a proof: ` +
+          `${rangeText(remedy.enough, remedy.unit)} instead of ` +
+          `${rangeText(remedy.range, remedy.unit)}.`)];
 }
 
-function notNeededOf(step) {
-  if (step.notNeeded.length === 0) return [];
-  const items =
-      step.notNeeded.map(({condition, reason}) => element('li', {}, `${condition}: ${reason}`));
+function notNeededOf({notNeeded, unprovedWays}) {
+  const isShown = ({condition}) => unprovedWays.some((way) => way.condition === condition);
+  const left = notNeeded.filter((kind) => !isShown(kind));
+  if (left.length === 0) return [];
+  const items = left.map(({condition, reason}) => element('li', {}, `${condition}: ${reason}`));
   return [element(
       'details', {class: 'more'},
-      element('summary', {}, `${countText(step.notNeeded.length, 'condition')} not asked for`),
+      element('summary', {}, `${countText(left.length, 'condition')} not needed`),
       element('ul', {}, ...items))];
 }
 
@@ -153,15 +190,15 @@ function doneOf(step) {
           'li', {},
           `${resolver}${steps.length ? ` (step ${steps.join(', ')})` : ''}, because ${why}`));
   const checks = step.verifications.map(({name, expected, tolerance, below, above}) => {
-    const errors = [below && `${below} if less`, above && `${above} if more`].filter(Boolean);
+    const errors = [below && `less means ${below}`, above && `more means ${above}`].filter(Boolean);
     return element(
         'li', {},
-        `check ${name}: ${quantityText(expected, 'm')} ± ${quantityText(tolerance, 'm')}; ${
-            errors.join(', ')}`);
+        `verification ${name}: expected ${quantityText(expected, 'm')} ± ${
+            quantityText(tolerance, 'm')}; ${errors.join('; ')}`);
   });
   const items = [...inserted, ...checks];
-  return items.length === 0 ? [] :
-                              [element('h3', {}, 'Done about it'), element('ul', {}, ...items)];
+  if (items.length === 0) return [];
+  return [element('h3', {}, 'What the plan does about errors'), element('ul', {}, ...items)];
 }
 
 // What this execution showed about the claims, the worst first.

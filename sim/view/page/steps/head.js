@@ -3,7 +3,7 @@ import {countText} from '../units.js';
 
 import {summaryOf} from './standing.js';
 
-// What was viewed, and what came of it.
+// The head of a page: the title, what was viewed, the outcome, and a summary of the certificates.
 export function headOf(data) {
   const {title, source, outcome} = data;
   const isGood = outcome.name === 'succeeded' || outcome.name === 'reached';
@@ -22,6 +22,6 @@ function notCovered(data) {
   return [element(
       'details', {class: 'more'},
       element(
-          'summary', {}, `${countText(names.length, 'danger')} not covered by any precondition`),
+          'summary', {}, `${countText(names.length, 'effect')} not covered by any precondition`),
       element('ul', {}, ...names.map((name) => element('li', {}, name))))];
 }

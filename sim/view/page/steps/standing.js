@@ -23,6 +23,10 @@ export function standingOf(step, colors) {
   if (!step.certified) {
     return {text: 'no certificate', mark: '–', color: colors['not-claimed'], isOpen: false};
   }
+  if (open === 0 && step.unprovedWays.length > 0) {
+    const color = colorOf('open', colors);
+    return {text: `${all} proved, the arm's way not`, mark: MARKS.open, color, isOpen: true};
+  }
   if (all === 0) {
     return {text: 'nothing to prove', mark: MARKS.proved, color: colors.contained, isOpen: false};
   }
@@ -36,23 +40,30 @@ export function standingOf(step, colors) {
 // Returns one sentence about all certificates.
 export function summaryOf(data) {
   if (data.summary) return data.summary;
-  const open = data.steps.filter((step) => standingOf(step, data.colors).isOpen);
+  const open =
+      data.steps.filter((step) => step.preconditions.some((kind) => kind.standing === 'open'));
   const certified = data.steps.filter((step) => step.certified);
   if (data.tree && certified.length === 0) {
     return 'The plan tree is about knowledge. The executor compared what it claims to know with the truth.';
   }
   if (certified.length === 0) return 'The plan was made without regard to uncertainty.';
-  const rest = data.notCovered.length > 0 ? ', but for what is not covered (below)' : '';
   if (open.length === 0) {
     const absorbs = data.steps.some((s) => s.preconditions.some((p) => p.standing === 'absorbed'));
-    return `Every precondition is proved${absorbs ? ' or absorbed' : ''}${rest}.`;
+    const ways = data.steps.filter((step) => step.unprovedWays.length > 0);
+    return `Every precondition is proved${absorbs ? ', or absorbed by fine motion' : ''}${
+        ways.length > 0 ? `, except for the arm's way in ${stepsText(ways)}` : ''}.`;
   }
-  const numbers = open.map((step) => step.number).join(', ');
-  return `Not all preconditions of step${open.length === 1 ? '' : 's'} ${numbers} are proved.`;
+  return `Some preconditions of ${stepsText(open)} are not proved.`;
 }
 
-// Returns what no precondition of a step covers: the sentences that end in the step's number.
+function stepsText(steps) {
+  return `step${steps.length === 1 ? '' : 's'} ${steps.map((step) => step.number).join(', ')}`;
+}
+
+// Returns what no precondition of a step covers: the sentences that end in the step's number. What
+// is shown as an unproved way is left out.
 export function uncoveredOf(step, data) {
+  if (step.unprovedWays.length > 0) return [];
   return data.notCovered.filter((sentence) => {
     const found = sentence.match(/: steps? ([\d, ]+)$/);
     return found !== null && found[1].split(',').map(Number).includes(step.planNumber);

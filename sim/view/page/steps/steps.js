@@ -1,5 +1,6 @@
 import {element} from '../dom.js';
 import {WorkView} from '../picture/work_view.js';
+import {countText} from '../units.js';
 
 import {certificateOf} from './certificate.js';
 import {headOf} from './head.js';
@@ -7,8 +8,8 @@ import {bodiesNamedIn} from './names.js';
 import {standingOf, uncoveredOf, verdictOf} from './standing.js';
 import {treeOf} from './tree.js';
 
-// The steps as a list or a tree, and the certificate of the one that is shown. A click goes to the
-// step.
+// The steps as a list or a tree, and the certificate of the step that is shown. A click on a step
+// goes to its beginning.
 export class Steps {
   constructor(data, player, viewport) {
     Object.assign(this, {data, player, viewport});
@@ -33,13 +34,14 @@ export class Steps {
     return {buttons, list: element('ol', {class: 'steps'}, ...items)};
   }
 
-  // How the step's certificate stands. Actions that belong to no plan have none.
+  // Returns whether the step's certificate is proved, as a text with a mark. Actions that belong to
+  // no plan have no certificate.
   noteOf(step) {
     if (!step.planned) return null;
     const {mark, color, text, isOpen} = standingOf(step, this.data.colors);
     const uncovered = uncoveredOf(step, this.data).length;
     const notes = [
-      text, uncovered > 0 ? `${uncovered} not covered` : '', verdictOf(step),
+      text, uncovered > 0 ? `${countText(uncovered, 'effect')} not covered` : '', verdictOf(step),
       step.from === undefined ? 'not reached' : ''
     ].filter(Boolean).join(', ');
     return element(
@@ -47,7 +49,8 @@ export class Steps {
         element('span', {class: 'mark'}, mark), ` ${notes}`);
   }
 
-  // The step in which a time lies; what follows the last step belongs to it.
+  // Returns the index of the step in which a time lies. Times after the last step belong to the
+  // last step.
   at(time) {
     const index = this.data.steps.findIndex((step) => step.from !== undefined && time < step.to);
     if (index >= 0) return index;
@@ -58,8 +61,8 @@ export class Steps {
     if (step.from !== undefined) this.player.seek(step.from);
     this.select(step.number - 1);
   }
-  // Goes to the step before or after. Within the first second of a step, "before" is the previous
-  // one.
+  // Goes to the beginning of the next step (count 1), or of this step (count -1). Within the first
+  // second of a step, it goes back to the previous step.
   go(count) {
     if (this.data.steps.length === 0) return;
     const index = this.at(this.player.time);
@@ -71,13 +74,17 @@ export class Steps {
       this.goTo(this.data.steps[Math.max(0, wanted)]);
   }
 
-  // Goes where a step acts, looks there, and marks the bodies that a sentence about it names.
-  showWhere(step, sentence) {
+  // Goes to the time when a step acts and turns the camera there. Marks the bodies of a situation
+  // and draws its ghosts, or marks the bodies that the sentence names.
+  showWhere(step, sentence, situation) {
     this.player.playing = false;
     // A step that is verified acts at its very end, where the next one begins.
     if (step.acts !== undefined) this.player.seek(Math.min(step.acts, step.to - 1e-3));
     this.viewport.choose(WorkView.NAME);
-    this.viewport.mark(bodiesNamedIn(sentence, this.data));
+    if (situation)
+      this.viewport.mark(situation.marked, situation.ghosts);
+    else
+      this.viewport.mark(bodiesNamedIn(sentence, this.data));
   }
 
   select(index) {
@@ -90,7 +97,7 @@ export class Steps {
     this.scrollTo(current);
     const step = this.data.steps[index];
     this.detail.replaceChildren(
-        certificateOf(step, this.data, (sentence) => this.showWhere(step, sentence)));
+        certificateOf(step, this.data, (...what) => this.showWhere(step, ...what)));
     this.detail.scrollTop = 0;
   }
 

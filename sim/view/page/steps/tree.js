@@ -1,7 +1,7 @@
 import {element} from '../dom.js';
 
-// The lines of a plan tree. Those that the execution went along are links to what was done there;
-// the others are pale. Returns the list and, for each step, its button.
+// The lines of a plan tree. Lines on the way of the execution lead to their steps, and all other
+// lines are pale. Returns the list and, for each step, its button.
 export function treeOf(data, noteOf, goTo) {
   const buttons = [];
   const items = data.tree.map((line) => {
@@ -21,5 +21,6 @@ function itemOf(line, data, noteOf, goTo) {
   const times = line.steps.length > 1 ? ` (${line.steps.length} times)` : '';
   return element(
       'button', {onclick: () => goTo(data.steps[first])},
+      element('span', {class: 'number'}, String(data.steps[first].number)),
       element('span', {class: 'action'}, line.text + times), noteOf(data.steps[first]));
 }

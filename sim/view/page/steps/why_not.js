@@ -3,8 +3,8 @@ import {quantityText} from '../units.js';
 
 import {bodiesNamedIn} from './names.js';
 
-// Why there is no plan. A click on a reason draws the bodies that it is about: as ghosts where they
-// are not, and marked where they are.
+// The reasons why there is no plan. A click on a reason marks the bodies that it is about. Bodies
+// at other poses than the present ones are drawn as ghosts.
 export class WhyNot {
   constructor(data, viewport) {
     Object.assign(this, {data, viewport, chosen: null});
@@ -43,7 +43,7 @@ export class WhyNot {
     this.viewport.mark(this.chosen ? names : [], this.chosen ? ghosts : []);
   }
 
-  // The picture shows the first reason from the start.
+  // Shows the first reason when the page is opened.
   showFirst() {
     const first = this.root.querySelector('.reasons button');
     if (first) first.click();
@@ -53,5 +53,5 @@ export class WhyNot {
 function excessText({unit, value, limit}) {
   const [is, most, more] =
       [value, limit, value - limit].map((quantity) => quantityText(quantity, unit));
-  return `${is}, at most ${most} allowed: ${more} too much`;
+  return `${is}; at most ${most} is allowed; ${more} too much`;
 }

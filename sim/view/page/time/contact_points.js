@@ -28,7 +28,7 @@ export class ContactPoints {
         };
       });
       const frame = bodies.findIndex((body) => body.name === names[0]);
-      // Forces are shown on what people look at: on a part and not on the table.
+      // People look at a part and not at the table, so the force on the part is shown.
       return {names, counts, points, frame, isTurned: names[1] === 'world'};
     });
   }

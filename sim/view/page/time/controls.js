@@ -81,7 +81,8 @@ export class ViewOptions {
     return element(
         'button', {
           'aria-pressed': 'true',
-          title: `Show or hide (${key})`,
+          title:
+              `Show or hide ${kind === 'showsBeside' ? this.viewport.beside.name : text} (${key})`,
           style: `--line: ${color}`,
           class: 'toggle',
           onclick: () => this.toggle(kind)

@@ -7,22 +7,22 @@ export function timeKeys({player, steps}) {
     {
       keys: ['ArrowRight'],
       shown: '→',
-      text: 'a second on; with shift one sample',
+      text: 'one second forward; with shift, one sample',
       act: (e) => (e.shiftKey ? player.step(1) : player.seek(player.time + 1))
     },
     {
       keys: ['ArrowLeft'],
       shown: '←',
-      text: 'a second back; with shift one sample',
+      text: 'one second back; with shift, one sample',
       act: (e) => (e.shiftKey ? player.step(-1) : player.seek(player.time - 1))
     },
-    {keys: ['.'], shown: '.', text: 'one sample on', act: () => player.step(1)},
+    {keys: ['.'], shown: '.', text: 'one sample forward', act: () => player.step(1)},
     {keys: [','], shown: ',', text: 'one sample back', act: () => player.step(-1)},
     {keys: ['ArrowDown', 'PageDown'], shown: '↓', text: 'next step', act: () => steps.go(1)},
     {
       keys: ['ArrowUp', 'PageUp'],
       shown: '↑',
-      text: 'this step again, or the one before',
+      text: 'beginning of this step, or previous step',
       act: () => steps.go(-1)
     },
     {keys: ['Home'], shown: 'home', text: 'to the start', act: () => player.seek(player.start)},
@@ -44,7 +44,7 @@ export function cameraKeys({viewport, options, help}) {
     {
       keys: ['r'],
       shown: 'r',
-      text: 'camera back to where it was',
+      text: 'reset the camera',
       act: () => viewport.choose(viewport.chosen)
     },
     {keys: ['b'], shown: 'b', text: 'believed poses', act: () => options.toggle('showsBelieved')},
@@ -63,7 +63,7 @@ export function cameraKeys({viewport, options, help}) {
       act: () => options.toggle('showsBeside')
     }] :
                           []),
-    {keys: ['?', 'h'], shown: '?', text: 'these keys', act: help},
+    {keys: ['?', 'h'], shown: '?', text: 'this list', act: help},
   ];
 }
 
@@ -85,8 +85,8 @@ export function listenToKeys(keys) {
 // The list of keys, and how the mouse turns the picture.
 export function helpOf(keys) {
   const mouse = [
-    ['drag', 'turn'], ['right drag, shift drag', 'move'], ['wheel', 'nearer or farther'],
-    ['press on the time line', 'go there']
+    ['drag', 'turn the picture'], ['right drag, shift drag', 'move the picture'], ['wheel', 'zoom'],
+    ['press or drag on the time line', 'go to this time']
   ];
   const rows = [...mouse, ...keys.map(({shown, text}) => [shown, text])];
   return element(

@@ -3,10 +3,10 @@ import {plainName} from '../steps/names.js';
 import {numberText} from '../units.js';
 
 const scaleOf = ({perCentimetre}) =>
-    element('p', {}, `force arrows: a centimetre for ${numberText(perCentimetre)}\u202fN`);
+    element('p', {}, `a centimetre of a force arrow: ${numberText(perCentimetre)}\u202fN`);
 
-// What is read off the shown time, over the picture: how far each part is from where it is believed
-// to be, and what touches.
+// Readings at the shown time, over the picture: the distance of each part's true pose from its
+// believed pose, and the bodies that touch.
 export class Readings {
   constructor(data, recording, player, contactMarks) {
     Object.assign(this, {data, recording, points: contactMarks.points});
@@ -18,7 +18,7 @@ export class Readings {
     this.root = element(
         'div', {class: 'readings'},
         element(
-            'table', {}, element('caption', {}, 'truly off the believed pose'),
+            'table', {}, element('caption', {}, 'distance of the true pose from the believed pose'),
             ...this.rows.map(({row}) => row)),
         this.contacts, contactMarks.exist ? scaleOf(contactMarks) : null);
     this.bodies =

@@ -6,7 +6,8 @@ const BAND = 22;  // pixels: the steps
 const FOOT = 18;  // pixels: the seconds
 const EDGE = 8;   // pixels at both ends
 
-// Steps, forces and occurrences over time, and the time that is shown. A press or drag goes there.
+// Steps, forces and occurrences over time, and the time that is shown. Pressing or dragging changes
+// the time that is shown.
 export class Timeline {
   constructor(data, recording, player) {
     Object.assign(this, {data, recording, player});
@@ -133,7 +134,7 @@ export class Timeline {
     pen.stroke();
   }
 
-  // The resistance that a guarded move met, and the force that ends the move.
+  // Draws the resistance that a guarded move met, and the force that ends the move.
   drawGuard({from, to, force, direction}) {
     const {pen, recording} = this;
     const [first, last] = [recording.indexAt(from), recording.indexAt(to)];

@@ -137,7 +137,7 @@ TEST(Derivatives, KnowWhereThereIsNoValue) {
   EXPECT_TRUE(over.DefinedEverywhere());
 }
 
-// ---- What the methods make of them ----
+// ---- Uses of derivatives by the bounding methods ----
 
 TEST(MonotoneVariables, AreSetOneAfterAnother) {
   ExpressionPool pool;

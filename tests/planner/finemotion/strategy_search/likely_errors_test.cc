@@ -54,9 +54,9 @@ const plan::TipError* LikelyErrorOf(const plan::Strategy& strategy, const Deviat
   return nullptr;
 }
 
-// The errors lead to an error state. If the likely error of that state is subtracted, most of the
-// motions go as planned. Otherwise hardly any does. The directions of motion err anew, which makes
-// a few of them succeed.
+// The errors lead to an error state. If the likely error of that state is subtracted, most motions
+// go as planned. Without this subtraction only a few motions go as planned, because the directions
+// of motion have new errors.
 TEST(LikelyErrors, LeadMostErrorsOutOfTheirErrorStates) {
   const PlannedMating mating = SquarePeg();
   RandomStream random(31, "errors that were not drawn before");

@@ -249,7 +249,7 @@ double GapOf(const Passage& passage, const ContactKey& key, const Pose& X) {
       const OuterEdge& a = passage.moving.edges[moving];
       const OuterEdge& b = passage.stationary.edges[stationary];
       const Vector3 n = (X.linear() * a.direction()).cross(b.direction());
-      // Outside the features the sign may be either.
+      // Outside of the features, either sign is right.
       return n.dot(X * a.start - b.start) / n.norm();
     }
   }

@@ -55,7 +55,7 @@ TEST(NoiseFloor, GatesOfOtherClaimsAndUnitsAreNotTaken) {
   EXPECT_NEAR(landing.predicted.low, -3e-6, 2 * kRounding);
   EXPECT_EQ(landing.predicted.high, kInfinity);
   EXPECT_EQ(landing.gate, 0);
-  // A claim about another time has another gate, although its name is the same.
+  // A claim about another time has another noise floor, although its name is the same.
   EXPECT_EQ(Gate().Passed(Of("x of peg", Dimension::kLength, {0, 0}, Claimed::kBefore)).gate, 0);
   const Claim end = Gate().Passed(Of("comes to its end", std::nullopt, {1, 1}));
   EXPECT_EQ(end.predicted, (Interval{1, 1}));

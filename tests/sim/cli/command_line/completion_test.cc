@@ -70,7 +70,7 @@ TEST_F(Completion, ZshFindsTheFile) {
   EXPECT_EQ(ended.code, 0);
   EXPECT_EQ(ended.err, "");
   EXPECT_THAT(ended.out, HasSubstr("_assay\n"));
-  EXPECT_THAT(ended.out, HasSubstr("--explain[instead of the plan"));
+  EXPECT_THAT(ended.out, HasSubstr("--explain[instead of printing the plan"));
 }
 
 TEST_F(Completion, NoOtherShells) {

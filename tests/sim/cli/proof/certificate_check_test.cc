@@ -79,7 +79,7 @@ TEST_F(CertificateCheck, UntouchedPlansHoldUp) {
 TEST_F(CertificateCheck, PlansWithoutCertificatesHaveNothingToHoldUp) {
   Json plan = PlanOf(kTwoActions);
   for (Json& action : plan["actions"]) action.erase("certificate");
-  EXPECT_THAT(FlawsOf(plan), Contains(HasSubstr("not_covered does not name 'errors that ")));
+  EXPECT_THAT(FlawsOf(plan), Contains(HasSubstr("not_covered does not name 'errors with which ")));
   plan.erase("not_covered");
   EXPECT_THAT(FlawsOf(plan), IsEmpty());
 }
@@ -340,7 +340,7 @@ TEST_F(CertificateCheck, NoClaimOfAFlawedPlanIsShown) {
   for (const char* what : {"--commands", "--dot"}) {
     const Ended exported = Assay({"export", file, what});
     EXPECT_EQ(exported.code, 3);
-    EXPECT_THAT(exported.err, HasSubstr("the plan does not hold up: the error count is "));
+    EXPECT_THAT(exported.err, HasSubstr("the plan has a flaw: the error count is "));
   }
 }
 

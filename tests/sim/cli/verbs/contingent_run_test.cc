@@ -32,7 +32,7 @@ TEST(ContingentRun, AFalseClaimFailsATrialWithTheGoalReached) {
       ended.out,
       AllOf(HasSubstr("trial 1: false-claim: after step 2 isSpillable(can1) is claimed"),
             HasSubstr("; the goal is true"), HasSubstr("--sensing-errors 1 --seed 0 --trial 1"),
-            HasSubstr("falsified in 1 trials; the audit found it in 1")));
+            HasSubstr("made wrong in 1 trials; the audit noticed it in 1")));
 }
 
 // The models' folder was given, so the command that repeats the trial must give it as well.
@@ -117,9 +117,10 @@ TEST(ContingentRun, WithoutAPlanTellsWhatNoGraspServes) {
   const std::string high = folder.Write("high.yaml", text);
   const Ended ended = Assay({"run", high, "--models", kTree / "models"});
   EXPECT_EQ(ended.code, 11) << ended.err;
-  EXPECT_THAT(ended.out, AllOf(HasSubstr("No plan was found. That is no proof that there is none"),
-                               HasSubstr("bottle (tableRight, left): "),
-                               HasSubstr("; the arm gets there from 1300 mm above the table")));
+  EXPECT_THAT(ended.out,
+              AllOf(HasSubstr("No plan was found. This does not prove that there is none"),
+                    HasSubstr("bottle (tableRight, left): "),
+                    HasSubstr("; the arm gets there from 1300 mm above the table")));
   const Ended json = Assay({"run", high, "--models", kTree / "models", "--json"});
   EXPECT_THAT(SchemaErrors("sim/cli/verbs/contingent_run.schema.json", json.Json()), IsEmpty());
 }

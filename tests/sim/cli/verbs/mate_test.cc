@@ -35,7 +35,7 @@ TEST(Mate, PlansAStrategyThatIsCertainForAllTheErrors) {
 TEST(Mate, WithoutAStrategyThereIsNoPlan) {
   const Ended ended = Assay({"mate", kSquare, "--displacement", "20", "--rotation", "10"});
   EXPECT_EQ(ended.code, 10) << ended.err;
-  EXPECT_THAT(ended.out, HasSubstr("; in the way: "));
+  EXPECT_THAT(ended.out, HasSubstr("; this is prevented by "));
   EXPECT_THAT(ended.out, HasSubstr("all sequences of the planner's maneuvers from"));
 }
 
@@ -60,7 +60,7 @@ TEST(Mate, TheMarginOfTheObstacleIsOneOfTheErrors) {
 TEST(Mate, ASpentBudgetIsNoProof) {
   const Ended ended = Assay({"mate", kSquare, "--displacement", "5", "--nodes", "1"});
   EXPECT_EQ(ended.code, 11) << ended.err;
-  EXPECT_THAT(ended.out, HasSubstr("; in the way: "));
+  EXPECT_THAT(ended.out, HasSubstr("; this is prevented by "));
   EXPECT_THAT(ended.out, HasSubstr("--nodes"));
 }
 
@@ -158,7 +158,7 @@ TEST(Mate, WhereTheArmDoesNotReachNoPlanIsFound) {
     if (told.code == 0) continue;
     ++unreached;
     EXPECT_EQ(told.code, 11) << told.out;
-    EXPECT_THAT(told.out, HasSubstr("the arm cannot execute it with any grasp"));
+    EXPECT_THAT(told.out, HasSubstr("the arm cannot execute the strategy with any grasp"));
     EXPECT_THAT(told.out, HasSubstr("where "));
     std::vector<std::string> with_trials = command;
     with_trials.insert(with_trials.end(), {"--trials", "1", "--json"});

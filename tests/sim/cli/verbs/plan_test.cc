@@ -51,8 +51,8 @@ TEST(Plan, TableTellsWhatIsProved) {
   EXPECT_THAT(ended.out, ContainsRegex("pickup\\(peg, .*\\)  +[0-9]+ proved\n"));
   EXPECT_THAT(ended.out, ContainsRegex("assemble\\(peg, .*\\)  +[0-9]+ proved\n"));
   EXPECT_THAT(ended.out,
-              HasSubstr("Every precondition is proved, except what is named as not covered. "
-                        "Nothing was inserted.\n"));
+              HasSubstr("Every precondition is proved. No precondition covers the effects that are "
+                        "listed below. Nothing was inserted.\n"));
 }
 
 // Fine motion is used where looks and squeezes are not enough, and it is reported.
@@ -65,7 +65,10 @@ TEST(Plan, TellsOfTheStrategyThatAbsorbsErrors) {
               ContainsRegex("assemble\\(peg, .*\\) +[0-9]+ of [0-9]+ proved, [0-9]+ abs"));
   EXPECT_THAT(ended.out, HasSubstr("for step 3: fine-motion, because\n"));
   EXPECT_THAT(ended.out, ContainsRegex("motions by contacts, in spite of errors of the tip of "));
-  EXPECT_THAT(ended.out, HasSubstr("Every precondition is proved or absorbed, except"));
+  EXPECT_THAT(
+      ended.out,
+      HasSubstr(
+          "Every precondition is proved, or absorbed by fine motion. No precondition covers"));
   EXPECT_THAT(SchemaErrors(kSchema, JsonOf(folder / "plan.json")), IsEmpty());
   const Ended explained = Assay({"plan", folder / "plan.json", "--explain", "3"});
   // The same step can be named by the id that is printed.
@@ -74,10 +77,10 @@ TEST(Plan, TellsOfTheStrategyThatAbsorbsErrors) {
     const std::string id = action["id"];
     EXPECT_EQ(Assay({"plan", folder / "plan.json", "--explain", id}).out, explained.out) << id;
   }
-  EXPECT_THAT(explained.out, HasSubstr("not proved, and absorbed by fine motion\n"));
+  EXPECT_THAT(explained.out, HasSubstr(" cases, and absorbed by fine motion\n"));
   EXPECT_THAT(explained.out, HasSubstr("tip shift: the tip is displaced by less than"));
   const Ended without = Assay({"plan", scenario, "--resolvers", "sensing,squeezing"});
-  EXPECT_THAT(without.out, HasSubstr("Not all preconditions of 1 step are proved"));
+  EXPECT_THAT(without.out, HasSubstr("Some preconditions of 1 step are not proved"));
   const Ended unknown = Assay({"plan", scenario, "--resolvers", "luck"});
   EXPECT_EQ(unknown.code, 2);
   EXPECT_THAT(unknown.err, HasSubstr("fine-motion"));
@@ -87,7 +90,7 @@ TEST(Plan, TellsOfTheStrategyThatAbsorbsErrors) {
 TEST(Plan, FineMotionIsNoHelpForErrorsOfARightAngle) {
   const Ended ended = Assay({"plan", kUnproved, "--resolvers", "sensing,squeezing,fine-motion"});
   EXPECT_EQ(ended.code, 0) << ended.err;
-  EXPECT_THAT(ended.out, HasSubstr("Not all preconditions of 2 steps are proved"));
+  EXPECT_THAT(ended.out, HasSubstr("Some preconditions of 2 steps are not proved"));
 }
 
 TEST(Plan, TellsWhatWasInsertedForWhichStep) {
@@ -95,19 +98,20 @@ TEST(Plan, TellsWhatWasInsertedForWhichStep) {
   EXPECT_EQ(ended.code, 0) << ended.err;
   EXPECT_THAT(ended.out, HasSubstr("1         3  action_3  sense(sleeve, overhead-camera, "));
   EXPECT_THAT(ended.out, HasSubstr("for step 4: sensing (step 3), because\n"));
-  EXPECT_THAT(ended.out, HasSubstr("Every precondition is proved, except what is named as not "
-                                   "covered.\n"));
+  EXPECT_THAT(ended.out, HasSubstr("Every precondition is proved. No precondition covers the "
+                                   "effects that are listed below.\n"));
 }
 
 TEST(Plan, TellsWhatStandsByForAnError) {
   const Ended ended = Assay({"plan", kUnproved});
   EXPECT_EQ(ended.code, 0) << ended.err;
   EXPECT_THAT(ended.out, ContainsRegex("pickup\\(peg, .*\\)  +[0-9]+ of [0-9]+ proved\n"));
-  EXPECT_THAT(ended.out, HasSubstr("check gripper-opening: gripper-opening 76.2 +- 1 mm; if less: "
-                                   "error1, groping-search within 10 mm; if more: error2, "
-                                   "call-operator\n"));
-  EXPECT_THAT(ended.out, HasSubstr("Not all preconditions of 2 steps are proved: the plan has "
-                                   "2 verifications and 4 recoveries for them.\n"));
+  EXPECT_THAT(
+      ended.out,
+      HasSubstr("verification gripper-opening: the expected gripper-opening is 76.2 +- 1 mm; less "
+                "means error1 (groping-search within 10 mm); more means error2 (call-operator)\n"));
+  EXPECT_THAT(ended.out, HasSubstr("Some preconditions of 2 steps are not proved. The plan has 2 "
+                                   "verifications and 4 recoveries for these steps.\n"));
 }
 
 TEST(Plan, CertificatesFollowTheSchema) {
@@ -160,7 +164,8 @@ TEST(Plan, ProofThatThereIsNoneListsTheConflict) {
   const Folder folder;
   const Ended ended = Assay({"plan", kImpossible, "-o", folder / "plan.json"});
   EXPECT_EQ(ended.code, 10) << ended.err;
-  EXPECT_THAT(ended.out, HasSubstr("No plan exists, with:\n  - actions: pickup, putdown"));
+  EXPECT_THAT(ended.out,
+              HasSubstr("No plan exists under these hypotheses:\n  - actions: pickup, putdown"));
   EXPECT_THAT(ended.out, HasSubstr("  - block starts face-down"));
   EXPECT_THAT(ended.out, HasSubstr("more than the limit of 10 deg"));
   const auto json = JsonOf(folder / "plan.json");

@@ -93,7 +93,7 @@ TEST(Run, AFalsificationTellsWhichStepsItDidNotAttempt) {
   const Ended ended = Assay(attack);
   EXPECT_EQ(ended.code, 0) << ended.err << ended.out;
   EXPECT_THAT(ended.out, HasSubstr("not falsified in 1 attempt\nno attempt was made at step 2, so "
-                                   "that nothing is said of it\n"));
+                                   "nothing is known about it\n"));
 }
 
 // The ledger holds the errors that were drawn for a trial, and their effects.

@@ -82,9 +82,10 @@ TEST(ViewInBrowser, WhyThereIsNoPlan) {
   const shown = picture();
   lean.click(); say("hidden", ghosts() === 0 && picture() !== shown);
   for (const reason of reasons) reason.click();
+  say("hypothesis", reasons.some((reason) => reason.textContent.startsWith("grasps:")));
 )");
-  for (const char* expected :
-       {"pressed=true\n", "ghosts=true\n", "at most 10° allowed", "hidden=true\n"}) {
+  for (const char* expected : {"pressed=true\n", "ghosts=true\n", "at most 10° is allowed",
+                               "hidden=true\n", "hypothesis=false\n"}) {
     EXPECT_THAT(seen.said, HasSubstr(expected));
   }
 }
@@ -110,7 +111,7 @@ TEST(ViewInBrowser, AMating) {
   ASSERT_EQ(Assay({"mate", kTree / "scenarios/mate-square.yaml", "--view", page}).code, 0);
   const SeenPage seen = Used(page, std::string(kControls) + kExecution + R"(
   say("graph", d.querySelector(".drawing svg") !== null);
-  say("facts", d.querySelector(".facts").textContent.includes("errors left after it"));
+  say("facts", d.querySelector(".facts").textContent.includes("errors at its end"));
 )");
   for (const char* expected :
        {"details=true\n", "played=true\n", "paused=true\n", "graph=true\n", "facts=true\n"}) {

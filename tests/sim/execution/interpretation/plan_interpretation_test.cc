@@ -83,7 +83,7 @@ TEST_F(FallenPeg, TheGoalIsJudgedByTheRuleOfSuccess) {
 
 // For each error branch, a fault is injected that leads to it. A recovery corrects the fault or the
 // operator is called. If no fault leads there, the reason is given. The world in which the peg
-// stands is left out because it is alike.
+// stands is left out because it is similar.
 TEST_F(FallenPeg, ErrorBranchesAreComeTo) {
   const Interpretation& interpretation = Scenario().interpretation;
   const contingent::PlanTree& tree = interpretation.planned->assembly.tree;

@@ -202,7 +202,7 @@ TEST(MatingPage, TellsWhatTrialsSayOfTheMargins) {
                              {"7", "loss of edge 2 on edge 3", "more than 4", "1 of 9"}}}};
   const Markup page = ReadMarkup(MatingPage(subject));
   ASSERT_EQ(page.All("h2").size(), 2u);
-  EXPECT_EQ(page.All("h2")[1]->text, "What happened in physics");
+  EXPECT_EQ(page.All("h2")[1]->text, "Trials in physics");
   ASSERT_EQ(page.All("td").size(), 6u);
   EXPECT_EQ(page.All("td")[2]->text, "2 of 12");
   subject.trials.reset();

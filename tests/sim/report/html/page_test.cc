@@ -115,8 +115,10 @@ TEST(Page, TellsTheRates) {
   const std::string summary = root.WithId("summary")->text;
   // By hand, (0.8 + z²/20) / (1 + z²/10) = 0.71674, plus or minus 0.22658, for z = 1.96.
   EXPECT_THAT(summary, HasSubstr("8 of 10 trials; 95 % interval 49 to 94.3 %"));
-  EXPECT_THAT(summary, HasSubstr("Predictions were violated 3 times in 22 certificates of trials "
-                                 "and 20,000 attacked steps."));
+  EXPECT_THAT(
+      summary,
+      HasSubstr(
+          "Predictions were violated 3 times in 22 certificates of trials and 20,000 attempts."));
   EXPECT_THAT(summary, HasSubstr("Without noise: 1 of 1"));
   const std::string recoveries = root.WithId("recoveries")->text;
   EXPECT_THAT(recoveries, HasSubstr("60 % (31.3 to 83.2 %)"));
@@ -138,13 +140,14 @@ TEST(Page, TellsTheFalsifications) {
   const std::string falsifications = root.WithId("attacks")->text;
   EXPECT_THAT(falsifications, HasSubstr("assay replay 'my db.sqlite' --counterexample 3/1"));
   EXPECT_THAT(falsifications, HasSubstr("theta_block = −4.58°"));
-  EXPECT_THAT(falsifications,
-              HasSubstr("Observed 2.5 mm where ±1 mm was predicted: outside by 1.5 mm"));
+  EXPECT_THAT(
+      falsifications,
+      HasSubstr("Observed: 2.5 mm. Predicted: ±1 mm. The observation is outside by 1.5 mm"));
   const std::string conservatism = root.WithId("conservatism")->text;
   EXPECT_THAT(conservatism, HasSubstr("all together× 1× 33"));
   EXPECT_THAT(conservatism, HasSubstr("not broken"));
   const Markup without = ReadMarkup(Page(Sample(false), {}));
-  EXPECT_THAT(without.WithId("attacks")->text, HasSubstr("Nothing was attacked"));
+  EXPECT_THAT(without.WithId("attacks")->text, HasSubstr("There was no falsification"));
 }
 
 TEST(Page, TellsOnlySomeCellsInFull) {
@@ -152,7 +155,7 @@ TEST(Page, TellsOnlySomeCellsInFull) {
   const std::string sets = root.WithId("error-sets")->text;
   EXPECT_THAT(sets, HasSubstr("Cell 2"));  // the cell with a violation
   EXPECT_THAT(sets, Not(HasSubstr("Cell 1")));
-  EXPECT_THAT(sets, HasSubstr("in error_sets.csv: 1 cell."));
+  EXPECT_THAT(sets, HasSubstr("not shown here: 1 cell."));
 }
 
 // Each failed trial has the command that makes its page, or a link if pages are made.

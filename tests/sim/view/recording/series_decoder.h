@@ -6,7 +6,7 @@
 
 namespace assay::view {
 
-// Decodes series as sim/view/README.md defines them.
+// Decodes series as sim/view/page/data.md defines them.
 class SeriesDecoder {
  public:
   explicit SeriesDecoder(std::string bytes) : bytes_(std::move(bytes)) {}

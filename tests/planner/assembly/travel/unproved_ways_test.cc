@@ -1,0 +1,50 @@
+#include "planner/assembly/travel/unproved_ways.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "planner/assembly/certified_plan.h"
+#include "planner/plan/certificates/condition_table.h"
+#include "tests/planner/constraint_posting/scenarios.h"
+
+namespace assay::assembly::unproved_ways_test {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::SizeIs;
+
+plan::Plan PlanFor(const domain::Problem& problem) {
+  return MakeCertifiedPlan(problem, {}, {}).plan;
+}
+
+// In figure 15 the leaning hand takes the lying peg, and its flange is then near the block.
+TEST(UnprovedWays, NameTheBodiesThatErrorsBringTogether) {
+  const domain::Problem problem = constraint_posting::LoadScenario("spar-fig15");
+  const plan::Plan plan = PlanFor(problem);
+  const std::vector<UnprovedWay> ways = UnprovedWays(problem, plan);
+  ASSERT_THAT(ways, SizeIs(1));
+  EXPECT_EQ(plan.step(ways[0].step).executed, 2);
+  EXPECT_EQ(ways[0].condition, plan::Condition(plan::condition::kWayClear));
+  EXPECT_THAT(ways[0].why.text, HasSubstr("are nearer than"));
+  ASSERT_TRUE(ways[0].why.situation);
+  EXPECT_THAT(ways[0].why.situation->colliding, SizeIs(2));
+  EXPECT_GE(ways[0].share, 0);
+  EXPECT_LT(ways[0].share, 1);
+}
+
+TEST(UnprovedWays, AreNoneIfAllWaysAreProved) {
+  const domain::Problem problem = constraint_posting::LoadScenario("uncertain-known");
+  EXPECT_THAT(UnprovedWays(problem, PlanFor(problem)), IsEmpty());
+}
+
+// Without claims about ways, there is nothing that could be unproved.
+TEST(UnprovedWays, AreNoneWithoutCertificates) {
+  const domain::Problem problem = constraint_posting::LoadScenario("spar-fig15");
+  plan::Plan plan = PlanFor(problem);
+  for (plan::PlannedStep& step : plan.steps) step.certificate = {};
+  EXPECT_THAT(UnprovedWays(problem, plan), IsEmpty());
+}
+
+}  // namespace
+}  // namespace assay::assembly::unproved_ways_test
