@@ -98,10 +98,11 @@ bool LeadsInside(const mjModel* m, const mjData* d, int geom, int other, const V
 
 // The contact's normal points from the first geom to the second.
 bool IsInside(const mjModel* m, const mjData* d, int g1, int g2, const mjContact& contact) {
-  const ConvexPieces* const pieces = CollidingPieces::Present();
-  if (pieces != nullptr) return IsInsideBody(*m, *d, *pieces, g1, g2, contact);
   const Eigen::Map<const Vector3> p(contact.pos);
   const Eigen::Map<const Vector3> normal(contact.frame);
+  if (const ConvexPieces* const pieces = CollidingPieces::Present()) {
+    return IsInsideBody(*m, *d, *pieces, {g1, g2, p, normal, contact.dist});
+  }
   return LeadsInside(m, d, g1, g2, p, normal) || LeadsInside(m, d, g2, g1, p, -normal);
 }
 

@@ -19,7 +19,7 @@ using geometry::Vector3;
 // Relative to the size of a mesh. It is ten times the rounding of its vertices.
 constexpr double kMeshPrecision = 1e-6;
 
-thread_local const ConvexPieces* present_pieces = nullptr;
+thread_local CollidingPieces* present_pass = nullptr;
 
 // The engine has moved the vertices into another frame and rounded them to single precision, so
 // that the corners of a facet are no longer in one plane.
@@ -106,8 +106,15 @@ std::vector<ConvexPieces::CoveredFacet> ConvexPieces::FacetsCovered(const mjMode
 }
 
 CollidingPieces::CollidingPieces(const ConvexPieces* pieces)
-    : before_(std::exchange(present_pieces, pieces)) {}
-CollidingPieces::~CollidingPieces() { present_pieces = before_; }
-const ConvexPieces* CollidingPieces::Present() { return present_pieces; }
+    : pieces_(pieces), before_(std::exchange(present_pass, this)) {}
+CollidingPieces::~CollidingPieces() { present_pass = before_; }
+
+const ConvexPieces* CollidingPieces::Present() {
+  return present_pass == nullptr ? nullptr : present_pass->pieces_;
+}
+
+std::map<CollidingPieces::BodyPair, std::vector<PieceContact>>& CollidingPieces::Contacts() {
+  return present_pass->contacts_;
+}
 
 }  // namespace assay::mujoco

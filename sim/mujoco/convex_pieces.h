@@ -1,9 +1,12 @@
 #pragma once
 
+#include <map>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "planner/geometry/contact/contact_solid.h"
+#include "planner/geometry/pose.h"
 
 struct mjModel_;
 
@@ -39,9 +42,18 @@ class ConvexPieces {
   std::vector<Piece> pieces_;  // by geom
 };
 
-// Makes the pieces of a model known to the engine's collisions on this thread while it lives. The
-// engine's collision functions have no other way to data that belong to the model (its callbacks
-// are plain functions for all models of the process).
+// A contact of two geoms that belong to two bodies.
+struct PieceContact {
+  int geom1 = 0;
+  int geom2 = 0;
+  geometry::Vector3 at;      // midway between the surfaces, metres, world frame
+  geometry::Vector3 normal;  // unit, from the first geom to the second
+  double separation = 0;     // metres; negative if they overlap
+};
+
+// Makes the pieces of a model known to the engine's collisions on this thread while it lives: for
+// one pass of the engine's collisions. The engine's collision functions have no other way to data
+// that belong to the model (its callbacks are plain functions for all models of the process).
 class CollidingPieces {
  public:
   explicit CollidingPieces(const ConvexPieces* pieces);
@@ -52,8 +64,14 @@ class CollidingPieces {
   // Returns the pieces that are known on this thread, or null.
   static const ConvexPieces* Present();
 
+  // The contacts of each pair of bodies that was looked at in this pass, the smaller index first.
+  using BodyPair = std::pair<int, int>;
+  static std::map<BodyPair, std::vector<PieceContact>>& Contacts();
+
  private:
-  const ConvexPieces* before_;
+  const ConvexPieces* pieces_;
+  std::map<BodyPair, std::vector<PieceContact>> contacts_;
+  CollidingPieces* before_;
 };
 
 }  // namespace assay::mujoco

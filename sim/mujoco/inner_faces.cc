@@ -94,13 +94,11 @@ bool LeadsThroughCover(const PlacedPieces& placed, int geom, int other, const Ve
 
 }  // namespace
 
-bool IsInsideBody(const mjModel& m, const mjData& d, const ConvexPieces& pieces, int geom1,
-                  int geom2, const mjContact& contact) {
+bool IsInsideBody(const mjModel& m, const mjData& d, const ConvexPieces& pieces,
+                  const PieceContact& contact) {
   const PlacedPieces placed{m, d, pieces};
-  const Eigen::Map<const Vector3> p(contact.pos);
-  const Eigen::Map<const Vector3> normal(contact.frame);
-  return LeadsThroughCover(placed, geom1, geom2, p, normal) ||
-         LeadsThroughCover(placed, geom2, geom1, p, -normal);
+  return LeadsThroughCover(placed, contact.geom1, contact.geom2, contact.at, contact.normal) ||
+         LeadsThroughCover(placed, contact.geom2, contact.geom1, contact.at, -contact.normal);
 }
 
 }  // namespace assay::mujoco

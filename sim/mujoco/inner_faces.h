@@ -4,7 +4,6 @@
 
 struct mjModel_;
 struct mjData_;
-struct mjContact_;
 
 namespace assay::mujoco {
 
@@ -12,9 +11,8 @@ namespace assay::mujoco {
 // along its normal leads through a facet that other pieces of the body cover there. Where pieces of
 // one body lie against each other, their facets, edges and corners are not part of the body's
 // surface. A part that slides over such pieces and sinks in by a micrometre would otherwise be
-// stopped by the end of the next piece. The contact's normal points from the first geom to the
-// second.
-bool IsInsideBody(const mjModel_& m, const mjData_& d, const ConvexPieces& pieces, int geom1,
-                  int geom2, const mjContact_& contact);
+// stopped by the end of the next piece.
+bool IsInsideBody(const mjModel_& m, const mjData_& d, const ConvexPieces& pieces,
+                  const PieceContact& contact);
 
 }  // namespace assay::mujoco

@@ -2,69 +2,53 @@
 
 #include <mujoco/mujoco.h>
 
+#include <algorithm>
 #include <array>
 #include <mutex>
-#include <optional>
 
-#include "planner/geometry/contact/contact_manifold.h"
+#include "sim/mujoco/body_contacts.h"
 #include "sim/mujoco/convex_pieces.h"
 #include "sim/mujoco/found_contact.h"
-#include "sim/mujoco/inner_faces.h"
 
 namespace assay::mujoco {
 namespace {
 
-using geometry::ContactManifold;
-using geometry::ContactSolid;
-using geometry::Pose;
-using geometry::Vector3;
-
-static_assert(geometry::kMostContactPoints <= mjMAXCONPAIR);
+// The share of the depth that the engine gets. Its own collision of boxes mostly gives half of the
+// depth. Contacts are as stiff as the timestep allows, and half of the depth dampens them more:
+// with all of it, closed fingers chatter on a part of meshes and turn it.
+constexpr double kShareOfDepth = 0.5;
 
 std::array<mjfCollision, mjNGEOMTYPES> engine_with_mesh;  // by the type of the first geom
 
-Pose GeomPose(const mjData& d, int geom) {
-  Pose X = Pose::Identity();
-  X.translation() = Eigen::Map<const Vector3>(d.geom_xpos + 3 * geom);
-  X.linear() =
-      Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(d.geom_xmat + 9 * geom);
-  return X;
-}
-
-std::optional<ContactManifold> Manifold(const mjModel& m, const mjData& d,
-                                        const ConvexPieces& pieces, int g1, int g2, double margin) {
-  const Pose X_WorldSecond = GeomPose(d, g2);
-  const ContactSolid& second = *pieces.SolidOf(g2);
-  const Pose X_WorldFirst = GeomPose(d, g1);
-  if (m.geom_type[g1] == mjGEOM_PLANE) {
-    const Vector3 normal = X_WorldFirst.linear().col(2);
-    const geometry::Plane plane{normal, normal.dot(X_WorldFirst.translation())};
-    return geometry::ContactBetween(plane, second, X_WorldSecond, margin);
-  }
-  return geometry::ContactBetween(*pieces.SolidOf(g1), X_WorldFirst, second, X_WorldSecond, margin);
-}
-
-// The engine completes the frame, of which the normal is the first row.
-mjContact EngineContact(const ContactManifold::Point& point, const Vector3& normal) {
+// Returns the contact with the normal away from `g1`. The engine completes the frame, of which the
+// normal is the first row.
+mjContact EngineContact(const PieceContact& found, int g1) {
   mjContact contact{};
-  mju_copy3(contact.pos, point.at.data());
-  mju_copy3(contact.frame, normal.data());
-  contact.dist = point.separation;
+  mju_copy3(contact.pos, found.at.data());
+  mju_scl3(contact.frame, found.normal.data(), found.geom1 == g1 ? 1 : -1);
+  contact.dist = kShareOfDepth * found.separation;
   return contact;
+}
+
+// Returns the contacts of the bodies of two geoms. They are computed once in each pass of the
+// engine's collisions.
+const std::vector<PieceContact>& ContactsOfBodiesOf(const mjModel& m, const mjData& d,
+                                                    const ConvexPieces& pieces, int g1, int g2) {
+  const auto [body1, body2] = std::minmax({m.geom_bodyid[g1], m.geom_bodyid[g2]});
+  const auto [found, is_new] = CollidingPieces::Contacts().try_emplace({body1, body2});
+  if (is_new) found->second = ContactsOfBodies(m, d, pieces, body1, body2);
+  return found->second;
 }
 
 int CollideWithMesh(const mjModel* m, const mjData* d, mjContact* contacts, int g1, int g2,
                     mjtNum margin) {
   const ConvexPieces* const pieces = CollidingPieces::Present();
   if (pieces == nullptr) return engine_with_mesh[m->geom_type[g1]](m, d, contacts, g1, g2, margin);
-  const std::optional<ContactManifold> manifold = Manifold(*m, *d, *pieces, g1, g2, margin);
-  if (!manifold) return 0;
   int count = 0;
-  for (const ContactManifold::Point& point : manifold->points) {
-    const mjContact contact = EngineContact(point, manifold->normal);
-    if (IsFoundAlready(*m, *d, g1, g2, contact)) continue;
-    if (IsInsideBody(*m, *d, *pieces, g1, g2, contact)) continue;
-    contacts[count++] = contact;
+  for (const PieceContact& found : ContactsOfBodiesOf(*m, *d, *pieces, g1, g2)) {
+    if (std::minmax({found.geom1, found.geom2}) != std::minmax({g1, g2})) continue;
+    const mjContact contact = EngineContact(found, g1);
+    if (!IsFoundAlready(*m, *d, g1, g2, contact)) contacts[count++] = contact;
   }
   return count;
 }

@@ -4,9 +4,9 @@ namespace assay::mujoco {
 
 // Replaces the engine's collisions of mesh with plane, box and mesh, for the whole process. More
 // calls have no effect. The engine (2.2.2) finds one point for two meshes, and it jitters, so that
-// parts creep and drop. Here the contacts are those of geometry::ContactBetween, without contacts
-// inside a body (inner_faces.h) and without repeated ones (found_contact.h). This is so while
-// CollidingPieces lives on the thread. Otherwise the engine's own functions decide.
+// parts creep and drop. Here the contacts are those of ContactsOfBodies (body_contacts.h). Their
+// distance is half of the separation, as mostly in the engine's collision of boxes. This is so
+// while CollidingPieces lives on the thread. Otherwise the engine's own functions decide.
 void ReplaceMeshCollisions();
 
 }  // namespace assay::mujoco

@@ -1,5 +1,7 @@
 #include "planner/geometry/contact/contact_manifold.h"
 
+#include <algorithm>
+
 #include "planner/geometry/contact/contact_patch.h"
 #include "planner/geometry/contact/separating_axis.h"
 

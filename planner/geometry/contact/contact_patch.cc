@@ -83,7 +83,9 @@ std::vector<Vector3> CommonCorners(const ContactSolid& of, int facet, const Cont
 std::vector<Vector3> Outermost(const std::vector<Vector3>& points, const Vector3& normal,
                                std::size_t most) {
   if (points.size() <= most) return points;
-  const Vector3 u = normal.unitOrthogonal();
+  // The directions must not jump where the normal trembles.
+  const Vector3 aside = std::abs(normal.x()) < 0.9 ? Vector3::UnitX() : Vector3::UnitY();
+  const Vector3 u = normal.cross(aside).normalized();
   const Vector3 v = normal.cross(u);
   std::vector<Vector3> outermost;
   for (std::size_t i = 0; i < most; ++i) {
