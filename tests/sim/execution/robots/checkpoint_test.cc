@@ -61,6 +61,7 @@ class Checkpoints : public Figure15Test {
         result.saved.push_back(execution.Save());
         result.events.push_back(execution.trace().events.size());
       };
+      execution.trace().events.emplace_back(ExecutionStart{execution.Now()});
       StepExecution pickup(plan(), kPickup, execution);
       EXPECT_FALSE(pickup.Approach());
       EXPECT_FALSE(pickup.Work());
