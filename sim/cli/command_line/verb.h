@@ -32,6 +32,7 @@ extern const Verb kCompletion;
 extern const Verb kDoctor;
 extern const Verb kExport;
 extern const Verb kFilm;
+extern const Verb kImport;
 extern const Verb kInit;
 extern const Verb kLabel;
 extern const Verb kList;

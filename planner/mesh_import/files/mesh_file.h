@@ -1,0 +1,29 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "planner/mesh_import/meshes/triangle_mesh.h"
+
+namespace assay::mesh_import {
+
+// Units of length in which meshes are written.
+enum class MeshUnit { kMetre, kCentimetre, kMillimetre, kInch };
+const char* Name(MeshUnit unit);  // "m", "cm", "mm", "inch"
+double MetresIn(MeshUnit unit);
+
+inline constexpr std::size_t kMostMeshBytes = std::size_t{64} << 20;
+
+// Reads an STL or OBJ file, by its ending, in the units of the file. Throws InputError.
+TriangleMesh ReadMeshFile(const std::filesystem::path& file);
+
+// Returns the unit in which parts of this size (the diagonal of the bounding box, a number of the
+// file) are written: metres up to 1, else millimetres. A part of 1 mm or less, or of 2 m or more,
+// is none that a robot assembles, and there is no unit.
+std::optional<MeshUnit> LikelyUnit(double size);
+
+// Scales the mesh to metres. Throws InputError if the part is then not between 0.1 mm and 10 m.
+void ScaleToMetres(TriangleMesh& mesh, MeshUnit unit);
+
+}  // namespace assay::mesh_import

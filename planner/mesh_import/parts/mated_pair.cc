@@ -1,0 +1,220 @@
+#include "planner/mesh_import/parts/mated_pair.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "planner/mesh_import/parts/resting_pose.h"
+
+namespace assay::mesh_import {
+namespace {
+
+constexpr double kOpposite = 1e-4;        // radians
+constexpr double kTightest = -1e-5;       // metres: a gap that counts as rounding
+constexpr double kWidestPlay = 0.35;      // share of the width of the hole
+constexpr double kBeforeMouth = 0.02;     // metres that the mating motion begins before the mouth
+constexpr double kLeastClearance = 1e-6;  // metres, as a scenario file permits
+constexpr double kClampForce = 300;       // newtons
+const Vector2 kFixedPlace(0.6, 0.05);     // on the table, metres
+const Vector2 kHeldPlace(0.5, -0.2);
+
+// A feature with its post, in the frame of the files.
+struct PlacedFeature {
+  int number = 0;
+  const Post* post = nullptr;
+  Matrix3 R_FileLocal;
+  Vector3 axis;
+};
+
+std::vector<PlacedFeature> PlacedFeatures(const PartSketch& sketch, SketchFeature::Kind kind) {
+  std::vector<PlacedFeature> placed;
+  for (std::size_t i = 0; i < sketch.features.size(); ++i) {
+    const SketchFeature& feature = sketch.features[i];
+    if (feature.kind != kind) continue;
+    const auto add = [&](const SketchSolid& solid, const Post& post) {
+      placed.push_back({.number = static_cast<int>(i) + 1,
+                        .post = &post,
+                        .R_FileLocal = sketch.R_FilePart * solid.R_PartLocal,
+                        .axis = sketch.R_FilePart * feature.direction});
+    };
+    for (const SketchSolid& solid : sketch.solids) {
+      if (solid.name == feature.of && solid.post) add(solid, *solid.post);
+    }
+    for (const SketchPocket& pocket : sketch.pockets) {
+      if (pocket.name == feature.of)
+        add(sketch.solids[static_cast<std::size_t>(pocket.solid)], pocket.pocket.post);
+    }
+  }
+  return placed;
+}
+
+// Returns the height of the end of a post to which its feature's axis points, along this axis.
+double EndAlong(const PlacedFeature& feature) {
+  const double sign = feature.axis.dot(feature.R_FileLocal.col(2)) > 0 ? 1 : -1;
+  return sign > 0 ? feature.post->high : -feature.post->low;
+}
+
+// Returns the gaps between a shaft and the sides of a hole, in the section of the hole.
+std::vector<double> GapsBetween(const PlacedFeature& shaft, const PlacedFeature& hole) {
+  constexpr int kSides = 128;
+  const Contour& around = hole.post->at_low;
+  const Contour& outline = shaft.post->at_low;
+  const auto in_hole = [&](const Vector2& p) -> Vector2 {
+    const Vector3 in_file = shaft.R_FileLocal * Vector3(p.x(), p.y(), shaft.post->low);
+    return (hole.R_FileLocal.transpose() * in_file).head<2>();
+  };
+  if (around.IsCircle() && outline.IsCircle()) {
+    const double off = (in_hole(outline.center) - around.center).norm();
+    return {around.radius - outline.radius - off, around.radius - outline.radius + off};
+  }
+  std::vector<Vector2> points;
+  for (const Vector2& corner : outline.Outline(kSides)) points.push_back(in_hole(corner));
+  if (around.IsCircle()) {
+    std::vector<double> gaps;
+    for (const Vector2& p : points) gaps.push_back(around.radius - (p - around.center).norm());
+    return {std::ranges::min(gaps), std::ranges::max(gaps)};
+  }
+  std::vector<double> gaps;
+  for (std::size_t i = 0; i < around.corners.size(); ++i) {
+    const Vector2& a = around.corners[i];
+    const Vector2 along = (around.corners[(i + 1) % around.corners.size()] - a).normalized();
+    const Vector2 inward(-along.y(), along.x());
+    double gap = std::numeric_limits<double>::infinity();
+    for (const Vector2& p : points) gap = std::min(gap, inward.dot(p - a));
+    gaps.push_back(gap);
+  }
+  return gaps;
+}
+
+std::optional<MatedFeatures> Mate(const PlacedFeature& shaft, const PlacedFeature& hole) {
+  if ((shaft.axis + hole.axis).norm() > kOpposite) return std::nullopt;
+  const double depth = EndAlong(hole) + EndAlong(shaft);  // the axes are opposite
+  if (depth <= 0) return std::nullopt;
+  MatedFeatures mated{
+      .shaft = shaft.number, .hole = hole.number, .depth = depth, .gaps = GapsBetween(shaft, hole)};
+  const double width = hole.post->at_low.Bounds().sizes().minCoeff();
+  if (mated.LeastGap() < kTightest || mated.LeastGap() > kWidestPlay * width) return std::nullopt;
+  return mated;
+}
+
+MatedPair PairOf(const ImportedPart& held, const ImportedPart& fixed) {
+  MatedPair pair{.held = &held, .fixed = &fixed, .features = {}};
+  const auto holes = PlacedFeatures(fixed.sketch, SketchFeature::Kind::kHole);
+  for (const PlacedFeature& shaft : PlacedFeatures(held.sketch, SketchFeature::Kind::kShaft)) {
+    for (const PlacedFeature& hole : holes) {
+      if (const std::optional<MatedFeatures> mated = Mate(shaft, hole))
+        pair.features.push_back(*mated);
+    }
+  }
+  std::ranges::stable_sort(pair.features, {}, &MatedFeatures::LeastGap);
+  return pair;
+}
+
+std::string NumbersText(const Vector3& v, double unit) {
+  const auto number = [&](double value) {
+    return fmt::format("{:.6g}", std::round(value / unit * 1e6) / 1e6 + 0.0);
+  };
+  return fmt::format("[{}, {}, {}]", number(v.x()), number(v.y()), number(v.z()));
+}
+
+std::string PoseText(const Matrix3& R, const Vector3& position) {
+  return fmt::format("{{columns: [{}, {}, {}, {}]}}", NumbersText(R.col(0), 1),
+                     NumbersText(R.col(1), 1), NumbersText(R.col(2), 1),
+                     NumbersText(position, 1e-3));
+}
+
+std::string PartLine(const ImportedPart& part, const Vector3& down, const Vector2& at,
+                     const std::string& more) {
+  const geometry::Pose X_WorldPart = OnTable(part, down, at);
+  return fmt::format("  {0}:\n    model: {0}\n    pose: {1}\n{2}", part.sketch.name,
+                     PoseText(X_WorldPart.linear(), X_WorldPart.translation()), more);
+}
+
+// Returns the direction of a part that points down on the table.
+Vector3 DownOf(const ImportedPart& part, const std::optional<Vector3>& wanted) {
+  const std::vector<RestingPose> poses = RestingPosesOf(part);
+  if (poses.empty()) return -Vector3::UnitZ();
+  if (!wanted) return poses.front().down;
+  return std::ranges::max_element(poses, {},
+                                  [&](const RestingPose& pose) { return pose.down.dot(*wanted); })
+      ->down;
+}
+
+const SketchFeature& FeatureOf(const ImportedPart& part, int number) {
+  return part.sketch.features[static_cast<std::size_t>(number - 1)];
+}
+
+// Tells what the polygons that stand for circles leave of the gap.
+std::string PolygonSentence(const MatedPair& pair, const MatedFeatures& mated) {
+  const double half = std::numbers::pi / pair.held->options.sides;
+  const auto radius_of = [](const ImportedPart& part, int number, SketchFeature::Kind kind) {
+    for (const PlacedFeature& feature : PlacedFeatures(part.sketch, kind)) {
+      if (feature.number == number) return feature.post->at_low.radius;
+    }
+    return 0.0;
+  };
+  const double shaft = radius_of(*pair.held, mated.shaft, SketchFeature::Kind::kShaft);
+  const double hole = radius_of(*pair.fixed, mated.hole, SketchFeature::Kind::kHole);
+  const double left =
+      mated.LeastGap() - shaft * (1 / std::cos(half) - 1) - hole * (1 - std::cos(half));
+  return fmt::format(" As polygons with {} sides the parts leave {} mm; --sides sets the number.",
+                     pair.held->options.sides, Millimetres(left));
+}
+
+}  // namespace
+
+double MatedFeatures::LeastGap() const { return std::ranges::min(gaps); }
+
+std::optional<MatedPair> FindMating(const ImportedPart& a, const ImportedPart& b) {
+  MatedPair pair = PairOf(a, b);
+  if (pair.features.empty()) pair = PairOf(b, a);
+  if (pair.features.empty()) return std::nullopt;
+  return pair;
+}
+
+std::string ScenarioText(const MatedPair& pair) {
+  const ImportedPart& held = *pair.held;
+  const ImportedPart& fixed = *pair.fixed;
+  const MatedFeatures& mated = pair.features.front();
+  const Vector3 hole_axis = FeatureOf(fixed, mated.hole).direction;
+  const Matrix3 R_FixedHeld = fixed.sketch.R_FilePart.transpose() * held.sketch.R_FilePart;
+  std::string text = fmt::format(
+      "format: assay-scenario/1\ntitle: {0} into {1}\nunits: {{length: mm, angle: degree}}\n"
+      "workcell: puma762-table\nclearance: {2}  # as in the files: no hole is widened\nparts:\n",
+      held.sketch.name, fixed.sketch.name,
+      Millimetres(std::max(mated.LeastGap(), kLeastClearance)));
+  text += PartLine(fixed, DownOf(fixed, Vector3(-hole_axis)), kFixedPlace,
+                   fmt::format("    clamp: {:.0f}  # newtons of a fixture\n", kClampForce));
+  text += PartLine(held, DownOf(held, {}), kHeldPlace, "");
+  text += fmt::format(
+      "goal:\n  - assembled:\n      held: {}\n      fixed: {}\n      features: [[{}], [{}]]\n"
+      "      pose: {}\n      mating_vector: {}\n",
+      held.sketch.name, fixed.sketch.name, mated.shaft, mated.hole,
+      PoseText(R_FixedHeld, Vector3::Zero()),
+      NumbersText(-(mated.depth + kBeforeMouth) * hole_axis, 1e-3));
+  return text;
+}
+
+std::vector<std::string> AccountOf(const MatedPair& pair) {
+  std::vector<std::string> account;
+  for (const MatedFeatures& mated : pair.features) {
+    std::vector<std::string> gaps;
+    for (const double gap : mated.gaps) gaps.push_back(Millimetres(gap));
+    const bool is_round = mated.gaps.size() == 2;
+    account.push_back(fmt::format(
+        "Feature {} of {} ({}) is {} mm deep in feature {} of {} ({}). The gaps {} are {} mm.",
+        mated.shaft, pair.held->sketch.name, FeatureOf(*pair.held, mated.shaft).what,
+        Millimetres(mated.depth), mated.hole, pair.fixed->sketch.name,
+        FeatureOf(*pair.fixed, mated.hole).what,
+        is_round ? "on the narrowest and the widest side" : "on the sides of the hole",
+        fmt::join(gaps, ", ")));
+    if (is_round) account.back() += PolygonSentence(pair, mated);
+  }
+  return account;
+}
+
+}  // namespace assay::mesh_import

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "planner/mesh_import/parts/imported_part.h"
+
+namespace assay::mesh_import {
+
+// A shaft of one part in a hole of another one, as the files of both parts have them in one frame.
+struct MatedFeatures {
+  int shaft = 0;  // number of the feature in its part file
+  int hole = 0;
+  double depth = 0;  // of the tip below the mouth, metres
+  // The gaps between the shaft and the sides of the hole, in the order of the hole's sides, metres.
+  // For a round hole: the least and the greatest gap.
+  std::vector<double> gaps;
+
+  double LeastGap() const;
+};
+
+struct MatedPair {
+  const ImportedPart* held = nullptr;   // the part with the shaft
+  const ImportedPart* fixed = nullptr;  // the part with the hole
+  std::vector<MatedFeatures> features;  // the tightest first
+};
+
+// Finds which features of two parts in their assembled pose mate. A shaft may be larger than its
+// hole by 0.01 mm, which counts as rounding. Returns none if no shaft is in a hole.
+std::optional<MatedPair> FindMating(const ImportedPart& a, const ImportedPart& b);
+
+// Returns a scenario in which the parts lie on the table and are assembled: the fixed part with its
+// hole up if it can rest so, the held part as it rests most safely.
+std::string ScenarioText(const MatedPair& pair);
+
+// Tells people what mates, in full sentences.
+std::vector<std::string> AccountOf(const MatedPair& pair);
+
+}  // namespace assay::mesh_import

@@ -1,0 +1,291 @@
+#include "planner/mesh_import/parts/part_features.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <utility>
+
+namespace assay::mesh_import {
+namespace {
+
+constexpr double kOutside = 1e-5;  // distance of a sample from a surface, as a share of the size
+constexpr int kSamples = 9;        // of a surface, along each of its directions
+constexpr std::size_t kMostSides = 12;  // of a polygon whose sides become features
+constexpr double kLeastSide = 0.1;      // length of such a side, as a share of the greatest width
+constexpr double kLeastFacet = 0.04;    // area of a hull's facet that is a feature, as a share
+
+std::string Length(double metres) { return fmt::format("{:.6g}", std::round(metres * 1e6) / 1e3); }
+
+std::string Toward(const Vector3& direction) {
+  for (int axis = 0; axis < 3; ++axis) {
+    if (std::abs(std::abs(direction[axis]) - 1) < 1e-6)
+      return fmt::format("{}{}", direction[axis] > 0 ? '+' : '-', "xyz"[axis]);
+  }
+  return fmt::format("({:.2f} {:.2f} {:.2f})", direction.x(), direction.y(), direction.z());
+}
+
+// Returns "round", "square" and so on with the dimensions.
+std::string FormOf(const Contour& contour, const char* noun) {
+  const Vector2 sizes = contour.Bounds().sizes();
+  switch (contour.kind) {
+    case Contour::Kind::kCircle:
+      return fmt::format("round {}, {} mm", noun, Length(2 * contour.radius));
+    case Contour::Kind::kRectangle:
+      if (Length(sizes.x()) == Length(sizes.y()))
+        return fmt::format("square {}, {} mm", noun, Length(sizes.x()));
+      return fmt::format("rectangular {}, {} x {} mm", noun, Length(sizes.maxCoeff()),
+                         Length(sizes.minCoeff()));
+    case Contour::Kind::kPolygon:
+      return fmt::format("{} with {} sides, {} x {} mm", noun, contour.corners.size(),
+                         Length(sizes.maxCoeff()), Length(sizes.minCoeff()));
+  }
+  return noun;
+}
+
+// How much of a surface is outside of all solids.
+struct Exposure {
+  int points = 0;
+  int exposed = 0;
+  bool Some() const { return exposed > 0; }
+  bool All() const { return points > 0 && exposed == points; }
+  bool None() const { return exposed == 0; }
+};
+
+class FeatureFinder {
+ public:
+  explicit FeatureFinder(PartSketch& sketch) : sketch_(sketch), margin_(kOutside * sketch.size) {}
+
+  void Find() {
+    for (const SketchSolid& solid : sketch_.solids) {
+      if (solid.post) {
+        AddFaces(solid);
+      } else {
+        AddFacets(solid);
+      }
+    }
+    for (const SketchPocket& pocket : sketch_.pockets) AddHole(pocket);
+    for (std::size_t i = 0; i < sketch_.solids.size(); ++i) {
+      if (sketch_.solids[i].post && sketch_.solids[i].post->is_straight) AddShafts(i);
+    }
+  }
+
+ private:
+  using Kind = SketchFeature::Kind;
+
+  void Add(Kind kind, const std::string& of, const Vector3& direction, std::string what,
+           double chamfer = 0) {
+    sketch_.features.push_back({kind, of, direction, std::move(what), chamfer});
+  }
+
+  // Adds a face unless a feature has the same plane already.
+  void AddFace(const SketchSolid& solid, const Vector3& normal, double offset, std::string what) {
+    const bool is_known = std::ranges::any_of(planes_, [&](const auto& plane) {
+      return (plane.first - normal).norm() < 1e-6 && std::abs(plane.second - offset) < margin_;
+    });
+    if (is_known) return;
+    planes_.emplace_back(normal, offset);
+    Add(Kind::kFace, solid.name, normal, std::move(what));
+  }
+
+  // Returns " of NAME" where a part has more than one solid.
+  std::string OfSolid(const SketchSolid& solid) const {
+    return sketch_.solids.size() > 1 ? " of " + solid.name : "";
+  }
+
+  // Samples an end of a post. Only points that the contour has count, and those for which a pocket
+  // leaves material beside the end.
+  Exposure EndExposure(const Matrix3& R, const Post& post, bool top, bool on_material) const {
+    const Contour& contour = top ? post.at_high : post.at_low;
+    const Eigen::AlignedBox2d bounds = contour.Bounds();
+    const double sign = top ? 1 : -1;
+    const double height = top ? post.high : post.low;
+    Exposure exposure;
+    for (int i = 0; i < kSamples; ++i) {
+      for (int j = 0; j < kSamples; ++j) {
+        const Vector2 share((i + 0.5) / kSamples, (j + 0.5) / kSamples);
+        const Vector2 at = bounds.min() + share.cwiseProduct(bounds.sizes());
+        if (!contour.Contains(at)) continue;
+        const auto point = [&](double above) -> Vector3 {
+          return R * Vector3(at.x(), at.y(), height + sign * above);
+        };
+        if (on_material && !sketch_.Contains(point(-margin_))) continue;
+        ++exposure.points;
+        exposure.exposed += !sketch_.Contains(point(margin_));
+      }
+    }
+    return exposure;
+  }
+
+  // Samples the side between two corners of a post's outline.
+  Exposure SideExposure(const Matrix3& R, const Post& post, const Vector2& a,
+                        const Vector2& b) const {
+    const Vector2 outward = Vector2((b - a).y(), (a - b).x()).normalized();
+    Exposure exposure;
+    for (int i = 0; i < kSamples; ++i) {
+      for (int j = 0; j < kSamples; ++j) {
+        const Vector2 at = a + (i + 0.5) / kSamples * (b - a);
+        const double height = post.low + (j + 0.5) / kSamples * post.Height();
+        const auto point = [&](double out) -> Vector3 {
+          const Vector2 p = at + out * outward;
+          return R * Vector3(p.x(), p.y(), height);
+        };
+        if (!sketch_.Contains(point(-2 * margin_))) continue;
+        ++exposure.points;
+        exposure.exposed += !sketch_.Contains(point(2 * margin_));
+      }
+    }
+    return exposure;
+  }
+
+  void AddFaces(const SketchSolid& solid) {
+    const Post& post = *solid.post;
+    const Vector3 axis = solid.R_PartLocal.col(2);
+    for (const bool top : {true, false}) {
+      if (!EndExposure(solid.R_PartLocal, post, top, true).Some()) continue;
+      const Vector3 normal = top ? axis : Vector3(-axis);
+      AddFace(solid, normal, top ? post.high : -post.low,
+              fmt::format("end{} toward {}", OfSolid(solid), Toward(normal)));
+    }
+    const std::vector<Vector2>& corners = post.at_low.corners;
+    if (!post.is_straight || post.at_low.IsCircle() || corners.size() > kMostSides) return;
+    const double width = post.at_low.Bounds().sizes().maxCoeff();
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      const Vector2& a = corners[i];
+      const Vector2& b = corners[(i + 1) % corners.size()];
+      if ((b - a).norm() < kLeastSide * width ||
+          !SideExposure(solid.R_PartLocal, post, a, b).Some())
+        continue;
+      const Vector2 outward = Vector2((b - a).y(), (a - b).x()).normalized();
+      const Vector3 normal = solid.R_PartLocal * Vector3(outward.x(), outward.y(), 0);
+      AddFace(solid, normal, outward.dot(a),
+              fmt::format("side{} toward {}", OfSolid(solid), Toward(normal)));
+    }
+  }
+
+  // A body of one convex piece has faces that can be named.
+  void AddFacets(const SketchSolid& solid) {
+    if (solid.pieces.size() != 1) return;
+    const geometry::ConvexHull& hull = solid.pieces.front();
+    std::vector<double> areas;
+    double total = 0;
+    for (const geometry::Facet& facet : hull.facets) {
+      Vector3 area = Vector3::Zero();
+      const auto at = [&](std::size_t i) -> const Vector3& {
+        return hull.vertices[static_cast<std::size_t>(facet.loop[i])];
+      };
+      for (std::size_t i = 2; i < facet.loop.size(); ++i)
+        area += (at(i - 1) - at(0)).cross(at(i) - at(0)) / 2;
+      areas.push_back(area.norm());
+      total += area.norm();
+    }
+    for (std::size_t i = 0; i < areas.size(); ++i) {
+      const geometry::Facet& facet = hull.facets[i];
+      if (areas[i] < kLeastFacet * total) continue;
+      AddFace(solid, facet.normal, facet.offset,
+              fmt::format("face toward {}", Toward(facet.normal)));
+    }
+  }
+
+  void AddHole(const SketchPocket& entry) {
+    const Post& post = entry.pocket.post;
+    const SketchSolid& solid = sketch_.solids[static_cast<std::size_t>(entry.solid)];
+    const bool opens_high = entry.pocket.reaches_high && IsMouth(solid.R_PartLocal, post, true);
+    const bool opens_low = entry.pocket.reaches_low && IsMouth(solid.R_PartLocal, post, false);
+    const char* noun = post.mouth ? "slot" : "hole";
+    std::string what = FormOf(
+        post.is_straight || post.at_high.Area() > post.at_low.Area() ? post.at_high : post.at_low,
+        noun);
+    if (post.mouth && !IsUndercut(post)) {
+      Add(Kind::kHole, entry.name, solid.R_PartLocal * Vector3(post.mouth->x(), post.mouth->y(), 0),
+          what + fmt::format(", {} mm long", Length(post.Height())));
+      return;
+    }
+    if (!opens_high && !opens_low) return;
+    what +=
+        opens_high && opens_low ? ", through" : fmt::format(", {} mm deep", Length(post.Height()));
+    if (!post.is_straight) what += ", tapered";
+    // Of two mouths the one with a chamfer is the one for mating.
+    const bool top =
+        opens_high && !(opens_low && post.chamfer_low.across > 0 && post.chamfer_high.across == 0);
+    const Chamfer& chamfer = top ? post.chamfer_high : post.chamfer_low;
+    Add(Kind::kHole, entry.name, (top ? 1 : -1) * solid.R_PartLocal.col(2), std::move(what),
+        std::min(chamfer.across, chamfer.along));
+  }
+
+  // Returns whether a pocket ends here, with nothing before its mouth, and not in another pocket.
+  bool IsMouth(const Matrix3& R, const Post& post, bool top) const {
+    const Contour& contour = top ? post.at_high : post.at_low;
+    const Vector3 beyond = R * Vector3(contour.center.x(), contour.center.y(),
+                                       top ? post.high + margin_ : post.low - margin_);
+    const bool goes_on = std::ranges::any_of(sketch_.pockets, [&](const SketchPocket& other) {
+      const SketchSolid& solid = sketch_.solids[static_cast<std::size_t>(other.solid)];
+      return other.pocket.post.Contains(solid.R_PartLocal.transpose() * beyond);
+    });
+    return !goes_on && EndExposure(R, post, top, false).All();
+  }
+
+  // A slot is undercut if it is wider than its mouth, as a T-slot is.
+  static bool IsUndercut(const Post& slot) {
+    const Vector2 along(-slot.mouth->y(), slot.mouth->x());
+    double depth = -1e9;
+    for (const Vector2& corner : slot.at_low.corners)
+      depth = std::max(depth, slot.mouth->dot(corner));
+    double low = 1e9, high = -1e9, mouth_low = 1e9, mouth_high = -1e9;
+    const double margin = 1e-3 * slot.at_low.Bounds().sizes().maxCoeff();
+    for (const Vector2& corner : slot.at_low.corners) {
+      low = std::min(low, along.dot(corner));
+      high = std::max(high, along.dot(corner));
+      if (slot.mouth->dot(corner) < depth - margin) continue;
+      mouth_low = std::min(mouth_low, along.dot(corner));
+      mouth_high = std::max(mouth_high, along.dot(corner));
+    }
+    return high - low > mouth_high - mouth_low + margin;
+  }
+
+  bool HasFreeSides(const SketchSolid& solid) const {
+    // The sides of the polygon around a circle touch it in their middles.
+    constexpr int kSides = 48;
+    Contour around = solid.post->at_low;
+    around.radius /= std::cos(std::numbers::pi / kSides);
+    const std::vector<Vector2> outline = around.Outline(kSides);
+    for (std::size_t i = 0; i < outline.size(); ++i) {
+      const Exposure side = SideExposure(solid.R_PartLocal, *solid.post, outline[i],
+                                         outline[(i + 1) % outline.size()]);
+      if (side.points > 0 && !side.All()) return false;
+    }
+    return true;
+  }
+
+  void AddShafts(std::size_t index) {
+    const SketchSolid& solid = sketch_.solids[index];
+    const Post& post = *solid.post;
+    const bool is_hollow = std::ranges::any_of(sketch_.pockets, [&](const SketchPocket& pocket) {
+      return pocket.solid == static_cast<int>(index);
+    });
+    if (is_hollow || !HasFreeSides(solid)) return;
+    for (const bool top : {true, false}) {
+      const Exposure tip = EndExposure(solid.R_PartLocal, post, top, true);
+      const Exposure foot = EndExposure(solid.R_PartLocal, post, !top, true);
+      if (!tip.All() || (!foot.None() && sketch_.solids.size() > 1)) continue;
+      const Chamfer& chamfer = top ? post.chamfer_high : post.chamfer_low;
+      const Vector3 axis = (top ? 1 : -1) * solid.R_PartLocal.col(2);
+      Add(Kind::kShaft, solid.name, axis,
+          FormOf(post.at_low, "shaft") +
+              fmt::format(", {} mm long, tip toward {}", Length(post.Height()), Toward(axis)),
+          std::min(chamfer.across, chamfer.along));
+    }
+  }
+
+  PartSketch& sketch_;
+  const double margin_;
+  std::vector<std::pair<Vector3, double>> planes_;  // normals and offsets of the faces
+};
+
+}  // namespace
+
+void AddFeatures(PartSketch& sketch) { FeatureFinder(sketch).Find(); }
+
+}  // namespace assay::mesh_import

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "planner/geometry/pose.h"
+
+namespace assay::mesh_import {
+
+using geometry::Vector2;
+
+// A closed curve of a section that was recognized: a circle, a rectangle with sides along x and y,
+// or a polygon. Lengths are in metres.
+struct Contour {
+  enum class Kind { kCircle, kRectangle, kPolygon };
+
+  Kind kind = Kind::kPolygon;
+  std::vector<Vector2> corners;      // counter-clockwise; of a circle: the corners in the file
+  Vector2 center = Vector2::Zero();  // of a circle or a rectangle; else the centroid
+  double radius = 0;                 // of a circle
+  bool is_circle_of_sides = false;   // whether the sides touch the circle, and not the corners
+  // Greatest distance by which rounded or bevelled corners of a rectangle were left out.
+  double left_out = 0;
+
+  bool IsCircle() const { return kind == Kind::kCircle; }
+  Eigen::AlignedBox2d Bounds() const;  // of a circle: of the true circle
+  double Area() const;
+  bool Contains(const Vector2& p) const;
+  // Returns the distance of a point from the curve.
+  double DistanceTo(const Vector2& p) const;
+  // Returns how far the curve is from its centre in a direction, for a curve that is convex.
+  double Reach(const Vector2& direction) const;
+  // Returns corners around the contour: of a circle `sides` points on it.
+  std::vector<Vector2> Outline(int sides) const;
+};
+
+struct ContourFit {
+  double tolerance = 0;      // points of the curve may be off the contour by so much
+  double most_left_out = 0;  // greatest distance that may be left out at rounded corners; 0: none
+};
+
+// Recognizes a closed curve, given by its points in either order.
+// - Twelve or more corners on a circle are a circle. Its radius is that of the corners, unless the
+//   diameter between opposite sides has at most one decimal in millimetres and that between
+//   opposite corners has three or more: then the file was made from outside.
+// - Four sides along x and y are a rectangle, if what the rounded corners leave out is permitted.
+Contour FitContour(std::span<const Vector2> curve, const ContourFit& fit);
+
+// Returns the polygon without corners that are within `tolerance` of the line between their
+// neighbours that remain (Ramer 1972, Douglas and Peucker 1973).
+std::vector<Vector2> Simplified(std::span<const Vector2> curve, double tolerance);
+
+double SignedArea(std::span<const Vector2> polygon);
+
+// Returns whether no point of one contour is farther than `tolerance` from the other.
+bool AreEqual(const Contour& a, const Contour& b, double tolerance);
+
+}  // namespace assay::mesh_import

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <vector>
+
+#include "planner/mesh_import/meshes/triangle_mesh.h"
+
+namespace assay::mesh_import {
+
+// Returns directions along which a mesh may be extruded, the most likely first: most of its surface
+// lies along them or across them. A direction that is within 0.001 rad of an axis of the frame is
+// that axis.
+std::vector<Vector3> ExtrusionAxes(const TriangleMesh& mesh);
+
+// Returns the frame in which z is the axis of extrusion, as columns, and x and y are along most of
+// the sides, if most sides are at right angles. The frame is right-handed. If it is that of the
+// mesh up to the order of the axes, it is exactly so.
+Matrix3 FrameOfExtrusion(const TriangleMesh& mesh, const Vector3& axis);
+
+}  // namespace assay::mesh_import

@@ -1,0 +1,106 @@
+#include "planner/mesh_import/parts/mated_pair.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "planner/base/input_files/document.h"
+#include "planner/mesh_import/parts/part_import.h"
+#include "planner/mesh_import/parts/resting_pose.h"
+#include "tests/planner/mesh_import/made_mesh.h"
+
+namespace assay::mesh_import {
+namespace {
+
+using ::testing::HasSubstr;
+
+ImportedPart NamedPart(const std::string& name, TriangleMesh mesh, const Vector3& offset) {
+  for (Vector3& vertex : mesh.vertices) vertex += offset;
+  return Import({Written(name + ".obj", ObjText(mesh))}, name, {});
+}
+
+TEST(MatedPair, RoundPegInItsHole) {
+  const ImportedPart plate =
+      NamedPart("plate", Extruded(RectangleOf(40, 40), 12, {CircleOf(8.1, 48)}), {0, 0, 0});
+  // The peg stands 2 mm above the other side and 0.03 mm off the axis.
+  const ImportedPart peg = NamedPart("peg", ChamferedPeg(8, 50, 0.5, 48), {0.03, 0, 2});
+  const std::optional<MatedPair> pair = FindMating(plate, peg);
+  ASSERT_TRUE(pair);
+  EXPECT_EQ(pair->held, &peg);
+  EXPECT_EQ(pair->fixed, &plate);
+  const MatedFeatures& mated = pair->features.front();
+  ASSERT_EQ(mated.gaps.size(), 2u);
+  EXPECT_NEAR(mated.gaps[0], 0.07e-3, 1e-7);
+  EXPECT_NEAR(mated.gaps[1], 0.13e-3, 1e-7);
+  EXPECT_NEAR(mated.depth, 10e-3, 1e-7);
+  EXPECT_THAT(peg.sketch.features[static_cast<std::size_t>(mated.shaft - 1)].what,
+              HasSubstr("tip toward -z"));
+}
+
+TEST(MatedPair, RectangularGapsAreThoseOfEachSide) {
+  const Curve hole = RectangleOf(10.3, 8.2, {0.05, 0});
+  const ImportedPart block =
+      NamedPart("block", BlockWithBlindHole(RectangleOf(40, 30), hole, 5, 25), {0, 0, 0});
+  const ImportedPart peg = NamedPart("peg", Extruded(RectangleOf(10, 8), 50), {0, 0, 5});
+  const std::optional<MatedPair> pair = FindMating(peg, block);
+  ASSERT_TRUE(pair);
+  std::vector<double> gaps = pair->features.front().gaps;
+  std::ranges::sort(gaps);
+  const std::vector<double> expected = {0.1e-3, 0.1e-3, 0.1e-3, 0.2e-3};
+  ASSERT_EQ(gaps.size(), expected.size());
+  for (std::size_t i = 0; i < gaps.size(); ++i) EXPECT_NEAR(gaps[i], expected[i], 1e-7);
+  EXPECT_NEAR(pair->features.front().depth, 20e-3, 1e-7);
+}
+
+TEST(MatedPair, NoMatingElsewhere) {
+  const TriangleMesh plate = Extruded(RectangleOf(40, 40), 12, {CircleOf(8.1, 48)});
+  const TriangleMesh peg = ChamferedPeg(8, 50, 0.5, 48);
+  const ImportedPart fixed = NamedPart("plate", plate, {0, 0, 0});
+  EXPECT_FALSE(FindMating(fixed, NamedPart("beside", peg, {1, 0, 2})));
+  EXPECT_FALSE(FindMating(fixed, NamedPart("above", peg, {0, 0, 13})));
+  EXPECT_FALSE(FindMating(fixed, NamedPart("thick", ChamferedPeg(8.2, 50, 0.5, 48), {0, 0, 2})));
+}
+
+// Both parts stand on the table, and the hole looks up.
+TEST(MatedPair, ScenarioHasBothPartsOnTheTable) {
+  const TriangleMesh drilled =
+      Extruded(RectangleOf(40, 40), 12, {CircleOf(8.1, 48)})
+          .Transformed(Eigen::AngleAxisd(0.4, Vector3::UnitX()).toRotationMatrix());
+  const TriangleMesh turned_peg =
+      ChamferedPeg(8, 50, 0.5, 48)
+          .Transformed(Eigen::AngleAxisd(0.4, Vector3::UnitX()).toRotationMatrix());
+  const ImportedPart plate = NamedPart("plate", drilled, {0, 0, 0});
+  const ImportedPart peg = NamedPart("peg", turned_peg, {0, 0, 0});
+  const std::optional<MatedPair> pair = FindMating(plate, peg);
+  ASSERT_TRUE(pair);
+  const Document scenario = Document::Parse(ScenarioText(*pair), "scenario.yaml");
+  scenario.RequireFormat("assay-scenario/1");
+  for (const char* name : {"plate", "peg"}) {
+    const auto columns = scenario.root().At("parts").At(name).At("pose").At("columns").Items();
+    ASSERT_EQ(columns.size(), 4u);
+    Matrix3 R;
+    for (int i = 0; i < 3; ++i) R.col(i) = Vector3(columns[i].Numbers(3).data());
+    EXPECT_NEAR(R.determinant(), 1, 1e-5);
+    EXPECT_NEAR(std::abs(R(2, 2)), 1, 1e-5) << name;  // both have their axis upright
+  }
+  const Value goal = scenario.root().At("goal").Items()[0].At("assembled");
+  EXPECT_EQ(goal.At("held").Text(), "peg");
+  EXPECT_NEAR(scenario.root().At("clearance").Number(), 0.1, 1e-3);
+}
+
+// A cube is as safe on each of its faces; a long bar is safest on its widest side.
+TEST(RestingPose, TiltsAreThoseOfTheGeometry) {
+  const std::vector<RestingPose> cube =
+      RestingPosesOf(NamedPart("cube", Extruded(RectangleOf(20, 20), 20), {0, 0, 0}));
+  ASSERT_EQ(cube.size(), 6u);
+  for (const RestingPose& pose : cube) EXPECT_NEAR(pose.tilt, std::numbers::pi / 4, 1e-9);
+  const ImportedPart bar = NamedPart("bar", Extruded(RectangleOf(20, 10), 60), {5, 0, 0});
+  const std::vector<RestingPose> poses = RestingPosesOf(bar);
+  ASSERT_EQ(poses.size(), 6u);
+  EXPECT_NEAR(poses.front().tilt, std::atan2(10, 5), 1e-9);
+  EXPECT_NEAR(std::abs(poses.front().down.y()), 1, 1e-9);
+  const geometry::Pose X_WorldPart = OnTable(bar, poses.front().down, {0.6, 0.1});
+  EXPECT_NEAR((X_WorldPart * Vector3(5e-3, 0, 30e-3) - Vector3(0.6, 0.1, 5e-3)).norm(), 0, 1e-9);
+}
+
+}  // namespace
+}  // namespace assay::mesh_import

@@ -1,0 +1,125 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "planner/base/random.h"
+#include "planner/mesh_import/meshes/nearest_surface.h"
+#include "planner/mesh_import/meshes/planar_triangulation.h"
+#include "planner/mesh_import/meshes/plane_cut.h"
+#include "planner/mesh_import/repair/weld.h"
+#include "tests/planner/mesh_import/made_mesh.h"
+
+namespace assay::mesh_import {
+namespace {
+
+double AreaOfTriangle(const Vector2& a, const Vector2& b, const Vector2& c) {
+  return ((b - a).x() * (c - a).y() - (b - a).y() * (c - a).x()) / 2;
+}
+
+// Returns a polygon that sees its centre, with random radii.
+Curve RandomStar(RandomStream& random, int corners, double least, double most, Vector2 center) {
+  Curve star;
+  for (int i = 0; i < corners; ++i) {
+    const double angle = 2 * std::numbers::pi * i / corners;
+    star.push_back(center +
+                   random.Uniform(least, most) * Vector2(std::cos(angle), std::sin(angle)));
+  }
+  return star;
+}
+
+// The triangles of a region do not overlap, and fill it.
+TEST(PlanarTriangulation, FillsRegionsWithHoles) {
+  RandomStream random(7, "triangulation");
+  for (int trial = 0; trial < 200; ++trial) {
+    std::vector<Vector2> points = RandomStar(random, 5 + random.Index(20), 4, 8, {0, 0});
+    std::vector<Loop> loops(1);
+    for (int i = 0; i < static_cast<int>(points.size()); ++i) loops[0].push_back(i);
+    double expected = SignedArea(points, loops[0]);
+    for (const Vector2& center : {Vector2(-1.2, 0), Vector2(1.2, 0), Vector2(0, 1.8)}) {
+      if (random.Index(3) == 0) continue;
+      Curve hole = RandomStar(random, 3 + random.Index(8), 0.2, 0.6, center);
+      std::ranges::reverse(hole);
+      Loop loop;
+      for (const Vector2& corner : hole) {
+        loop.push_back(static_cast<int>(points.size()));
+        points.push_back(corner);
+      }
+      expected += SignedArea(points, loop);
+      loops.push_back(loop);
+    }
+    double area = 0;
+    for (const auto& [a, b, c] : Triangulated(points, loops)) {
+      const auto at = [&](int i) { return points[static_cast<std::size_t>(i)]; };
+      const double own = AreaOfTriangle(at(a), at(b), at(c));
+      EXPECT_GE(own, -1e-9) << trial;
+      area += std::abs(own);
+    }
+    EXPECT_NEAR(area, expected, 1e-9) << trial;
+  }
+}
+
+TriangleMesh Welded(TriangleMesh mesh) {
+  Weld(mesh, 1e-6);
+  return mesh;
+}
+
+// Both parts of a cut are closed, and their volumes add up to the whole.
+TEST(PlaneCut, PartsAddUp) {
+  const std::vector<TriangleMesh> meshes = {
+      Welded(ChamferedPeg(8, 50, 0.5, 40)),
+      Welded(Extruded(RectangleOf(25, 25), 9, {CircleOf(8, 36), RectangleOf(2, 2, {10.5, 10.5})})),
+      Welded(FootWithStem(RectangleOf(30, 20), RectangleOf(10, 10), 10, 40))};
+  RandomStream random(3, "cuts");
+  for (int trial = 0; trial < 300; ++trial) {
+    const TriangleMesh& mesh = meshes[static_cast<std::size_t>(trial) % meshes.size()];
+    // Some planes hold facets.
+    const Vector3 normal = trial % 4 == 0 ? Vector3(Vector3::Unit(random.Index(3)))
+                                          : Vector3(random.Uniform(-1, 1), random.Uniform(-1, 1),
+                                                    random.Uniform(-1, 1))
+                                                .normalized();
+    const Vector3& through = mesh.vertices[static_cast<std::size_t>(
+        random.Index(static_cast<int>(mesh.vertices.size())))];
+    const auto [below, above] =
+        CutBy(mesh, {.normal = normal, .height = normal.dot(through), .tolerance = 1e-6});
+    EXPECT_NEAR(below.Volume() + above.Volume(), mesh.Volume(), 1e-3) << trial;
+    EXPECT_GE(below.Volume(), -1e-3);
+    EXPECT_GE(above.Volume(), -1e-3);
+    for (const TriangleMesh* part : {&below, &above}) {
+      Vector3 closing = Vector3::Zero();  // the area vectors of a closed surface cancel
+      for (const Triangle& triangle : part->triangles) closing += part->AreaVector(triangle);
+      EXPECT_LT(closing.norm(), 1e-2) << trial;
+    }
+  }
+}
+
+TEST(PlaneCut, SectionKeepsTheInsideToItsLeft) {
+  const TriangleMesh mesh = Welded(Extruded(RectangleOf(25, 25), 9, {RectangleOf(10, 8)}));
+  const Section section =
+      SectionOf(mesh, {.normal = Vector3::UnitZ(), .height = 4, .tolerance = 0});
+  ASSERT_EQ(section.loops.size(), 2u);
+  std::vector<Vector2> points;
+  for (const Vector3& p : section.points) points.push_back(p.head<2>());
+  std::vector<double> areas = {SignedArea(points, section.loops[0]),
+                               SignedArea(points, section.loops[1])};
+  std::ranges::sort(areas);
+  EXPECT_NEAR(areas[0], -80, 1e-9);
+  EXPECT_NEAR(areas[1], 625, 1e-9);
+}
+
+// The tree finds the distance that a search through all triangles finds: for a box it is known.
+TEST(NearestSurface, KnowsTheDistanceOfABox) {
+  const TriangleMesh mesh = Extruded(RectangleOf(4, 6), 10);
+  const NearestSurface surface(mesh);
+  RandomStream random(5, "nearest");
+  const Eigen::AlignedBox3d box(Vector3(-2, -3, 0), Vector3(2, 3, 10));
+  for (int trial = 0; trial < 500; ++trial) {
+    const Vector3 p(random.Uniform(-5, 5), random.Uniform(-6, 6), random.Uniform(-3, 13));
+    const double inside = std::min((p - box.min()).minCoeff(), (box.max() - p).minCoeff());
+    const double expected = box.contains(p) ? inside : box.exteriorDistance(p);
+    EXPECT_NEAR(surface.To(p).distance, expected, 1e-12);
+  }
+}
+
+}  // namespace
+}  // namespace assay::mesh_import
