@@ -78,11 +78,12 @@ Vector3 ShrunkSides(const Vector3& half_extents, double inset) {
   return 2 * (half_extents.array() - inset).max(kTouching / 10).matrix();
 }
 
-// Returns whether a plane normal to a direction of A's frame separates the solids.
+// Returns whether a plane normal to a direction of A's frame, a unit vector, separates the solids
+// but for an overlap that does not count.
 bool IsPlaneBetween(const Vector3& direction, const ConvexHull& a, const ConvexHull& b,
                     const Pose& X_AB) {
   const Vector3 direction_B = X_AB.linear().transpose() * direction;
-  return direction.dot(X_AB.translation()) - GreatestAlong(b, -direction_B) >
+  return direction.dot(X_AB.translation()) - GreatestAlong(b, -direction_B) + kTouching >
          GreatestAlong(a, direction);
 }
 
@@ -90,7 +91,9 @@ bool IsPlaneBetween(const Vector3& direction, const ConvexHull& a, const ConvexH
 // shows none, because the solids nearly touch, the planes of their facets are tried.
 bool AreApart(const DrawnIn& a, const DrawnIn& b, const Pose& X_AB) {
   const Vector3 difference = NearestDifference(*a.gjk, *b.gjk, X_AB);
-  if (!difference.isZero(0) && IsPlaneBetween(difference, a.hull, b.hull, X_AB)) return true;
+  if (!difference.isZero(0) && IsPlaneBetween(difference.normalized(), a.hull, b.hull, X_AB)) {
+    return true;
+  }
   const auto separates = [&](const Vector3& normal) {
     return IsPlaneBetween(normal, a.hull, b.hull, X_AB);
   };
@@ -101,13 +104,15 @@ bool AreApart(const DrawnIn& a, const DrawnIn& b, const Pose& X_AB) {
          });
 }
 
-bool SolidsOverlap(const PreparedSolid& a, const PreparedSolid& b, const Pose& X_AB, double inset) {
+bool SolidsOverlap(const PreparedSolid& a, const PreparedSolid& b, const Pose& X_AB,
+                   double allowance) {
   if (a.box() && b.box()) {
+    const double inset = (allowance + kTouching) / 2;
     return AreOverlapping({ShrunkSides(a.box()->half_extents, inset), a.box()->X_ShapeBox},
                           {ShrunkSides(b.box()->half_extents, inset), X_AB * b.box()->X_ShapeBox});
   }
-  const DrawnIn& drawn_a = a.DrawnInBy(inset);
-  const DrawnIn& drawn_b = b.DrawnInBy(inset);
+  const DrawnIn& drawn_a = a.DrawnInBy(allowance / 2);
+  const DrawnIn& drawn_b = b.DrawnInBy(allowance / 2);
   return drawn_a.gjk && drawn_b.gjk && !AreApart(drawn_a, drawn_b, X_AB);
 }
 
@@ -171,13 +176,12 @@ bool Overlaps(const CollisionShape& a, const Pose& X_WorldA, const CollisionShap
   const double apart = (X_WorldA * a_ball.center - X_WorldB * b_ball.center).norm();
   if (apart > a_ball.radius + b_ball.radius) return false;
   const Pose X_AB = X_WorldA.inverse() * X_WorldB;
-  const double inset = (allowance + kTouching) / 2;
   for (const PreparedSolid& of_b : b.prepared().solids) {
     const Vector3 center = X_AB * of_b.ball().center;
     if ((center - a_ball.center).norm() > a_ball.radius + of_b.ball().radius) continue;
     for (const PreparedSolid& of_a : a.prepared().solids) {
       if (of_a.DistanceTo(center) > of_b.ball().radius) continue;
-      if (SolidsOverlap(of_a, of_b, X_AB, inset)) return true;
+      if (SolidsOverlap(of_a, of_b, X_AB, allowance)) return true;
     }
   }
   return false;

@@ -56,6 +56,16 @@ bool IsSeenApart(const RoundedHull& a, const RoundedHull& b, const Pose& X_AB, d
          is_enough(-(X_AB.linear() * NormalTowards(a_center_B, b.core())));
 }
 
+// Returns the normal of the facet along which the empty slab is widest. GJK may say that hulls with
+// parallel facets overlap where they do not.
+Vector3 WidestFacetSlab(const RoundedHull& a, const RoundedHull& b, const Pose& X_AB) {
+  std::vector<Vector3> normals;
+  for (const Facet& facet : a.core().facets) normals.push_back(facet.normal);
+  for (const Facet& facet : b.core().facets) normals.push_back(-(X_AB.linear() * facet.normal));
+  return *std::ranges::max_element(
+      normals, {}, [&](const Vector3& normal) { return SlabWidth(normal, a, b, X_AB); });
+}
+
 }  // namespace
 
 RoundedHull::RoundedHull(ConvexHull core, double radius) : core_(std::move(core)), radius_(radius) {
@@ -80,8 +90,7 @@ double Separation(const RoundedHull& a, const Pose& X_WorldA, const RoundedHull&
   const Pose X_AB = X_WorldA.inverse() * X_WorldB;
   if (IsSeenApart(a, b, X_AB, enough + a.radius() + b.radius(), slab)) return enough;
   const Vector3 difference = NearestDifference(GjkHullOf(a), GjkHullOf(b), X_AB);
-  if (difference.isZero(0)) return 0;
-  slab = difference.normalized();
+  slab = difference.isZero(0) ? WidestFacetSlab(a, b, X_AB) : Vector3(difference.normalized());
   return std::max(0.0, SlabWidth(slab, a, b, X_AB) - a.radius() - b.radius());
 }
 

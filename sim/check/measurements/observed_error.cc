@@ -46,9 +46,10 @@ Components AtRest(const execution::TrueAndBelieved& part) {
 }  // namespace
 
 Lever LeverOf(const domain::PartModel& model) {
-  const geometry::Box point = {Pose::Identity(), Vector3::Constant(1e-9)};
-  const double length = geometry::Distance(model.shape(), Pose::Identity(),
-                                           geometry::CollisionShape({&point, 1}), Pose::Identity());
+  double length = std::numeric_limits<double>::infinity();
+  for (const geometry::ConvexHull& piece : model.pieces()) {
+    length = std::min(length, DistanceTo(piece, Vector3::Zero()));
+  }
   Eigen::AlignedBox3d body;
   for (const Vector3& vertex : model.hull().vertices) body.extend(vertex);
   return {length, body.sizes().minCoeff() / 2};

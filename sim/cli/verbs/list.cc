@@ -80,7 +80,10 @@ std::string FeaturesIn(const fs::path& part_file) {
   std::vector<std::string> features;
   const Document document = Document::Load(part_file);
   for (const auto& [number, feature] : document.root().At("features").Entries()) {
-    if (const auto what = feature.Find("what")) features.push_back(what->Text());
+    const auto what = feature.Find("what");
+    if (!what) continue;
+    const std::vector<Value> names = what->IsList() ? what->Items() : std::vector<Value>{*what};
+    for (const Value& name : names) features.push_back(name.Text());
   }
   return fmt::format("{}", fmt::join(features, ", "));
 }

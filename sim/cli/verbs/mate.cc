@@ -379,10 +379,9 @@ Execution Declare(CLI::App& command) {
   command.add_option("--pictures", options->pictures,
                      "folder for pictures of the contact states and their graphs, and for a page "
                      "with all of them, index.html");
-  command.add_option(
-      "--view", options->page,
-      "HTML file for a page that shows a trial in three dimensions (the trial of --trial, or the "
-      "first), with its contact states and the errors that are left");
+  command.add_option("--view", options->page,
+                     "HTML file for a page that shows the trial of --trial, or the first one, with "
+                     "its contact states and the errors that are left");
   command.add_flag("--json", options->json, "print the result as JSON");
   AddModelsOption(command, options->models);
   return [options] { return Execute(*options); };

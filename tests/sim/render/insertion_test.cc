@@ -8,27 +8,26 @@
 
 #include "planner/base/random.h"
 #include "planner/domain/problem/problem_file.h"
-#include "tests/oracle/part_boxes.h"
 
 namespace assay::render::insertion_test {
 namespace {
 
 using domain::PartId;
 
-// Returns where the ray enters the box, as a fraction of the ray's length, by the slab method.
-// Infinity means that the ray does not meet the box.
-double Meets(const geometry::Box& box, const Pose& X_WorldPart, const Vector3& from,
+// Returns where the ray enters the convex piece, as a fraction of the ray's length, by clipping the
+// ray at every facet. Infinity means that the ray does not meet the piece.
+double Meets(const geometry::ConvexHull& piece, const Pose& X_WorldPart, const Vector3& from,
              const Vector3& ray) {
-  const Pose X_BoxWorld = (X_WorldPart * box.X_FrameBox).inverse();
-  const Vector3 p = X_BoxWorld * from;
-  const Vector3 v = X_BoxWorld.linear() * ray;
+  const Vector3 p = X_WorldPart.inverse() * from;
+  const Vector3 v = X_WorldPart.linear().transpose() * ray;
   double enter = 0;
   double leave = 1;
-  for (int axis = 0; axis < 3; ++axis) {
-    const double a = (-box.half_extents[axis] - p[axis]) / v[axis];
-    const double b = (box.half_extents[axis] - p[axis]) / v[axis];
-    enter = std::max(enter, std::min(a, b));
-    leave = std::min(leave, std::max(a, b));
+  for (const geometry::Facet& facet : piece.facets) {
+    const double beyond = facet.normal.dot(p) - facet.offset;
+    const double speed = facet.normal.dot(v);
+    if (speed == 0 && beyond > 0) return std::numeric_limits<double>::infinity();
+    if (speed < 0) enter = std::max(enter, -beyond / speed);
+    if (speed > 0) leave = std::min(leave, -beyond / speed);
   }
   return enter <= leave ? enter : std::numeric_limits<double>::infinity();
 }
@@ -82,19 +81,19 @@ struct Stage {
 
   bool IsInside(const Vector3& point) const {
     for (const PartId part : {mating.held, mating.fixed}) {
-      for (const geometry::Box& box : oracle::BoxesOf(model(part))) {
-        if (box.Contains(PoseOf(part).inverse() * point, 1e-3)) return true;
+      for (const geometry::ConvexHull& piece : model(part).pieces()) {
+        if (Contains(piece, PoseOf(part).inverse() * point, 1e-3)) return true;
       }
     }
     return false;
   }
 
-  // Returns whether the eye sees the point if only the boxes of both parts can hide it.
+  // Returns whether the eye sees the point if only the pieces of both parts can hide it.
   bool IsSeen(const Vector3& point, const Vector3& eye) const {
     const Vector3 from = point + 1e-4 * (eye - point).normalized();
     for (const PartId part : {mating.held, mating.fixed}) {
-      for (const geometry::Box& box : oracle::BoxesOf(model(part))) {
-        if (Meets(box, PoseOf(part), from, eye - from) <= 1) return false;
+      for (const geometry::ConvexHull& piece : model(part).pieces()) {
+        if (Meets(piece, PoseOf(part), from, eye - from) <= 1) return false;
       }
     }
     return true;
@@ -162,9 +161,9 @@ TEST_P(InsertionTest, TheMouthIsSeenAndThePartsAreInThePicture) {
     for (const double inserted : {-stage.insertion.gap(), stage.insertion.depth()}) {
       stage.Insert(inserted);
       for (const PartId part : {stage.mating.held, stage.mating.fixed}) {
-        for (const geometry::Box& box : oracle::BoxesOf(stage.model(part))) {
-          for (const Vector3& corner : box.Transformed(stage.PoseOf(part)).Corners()) {
-            const Vector3 p = camera.X_WorldCamera.inverse() * corner;
+        for (const geometry::ConvexHull& piece : stage.model(part).pieces()) {
+          for (const Vector3& vertex : piece.vertices) {
+            const Vector3 p = camera.X_WorldCamera.inverse() * stage.PoseOf(part) * vertex;
             const double half = -p.z() * std::tan(camera.vertical_angle / 2);
             EXPECT_LT(std::abs(p.x()), kAspect * half) << yaw;
             EXPECT_LT(std::abs(p.y()), half) << yaw;

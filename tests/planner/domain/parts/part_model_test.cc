@@ -101,7 +101,9 @@ TEST(WithClearance, MovesTheWallsThatAreMarked) {
         EXPECT_EQ(walls[w].moves_with_clearance, after.moves_with_clearance);
         const double back =
             part->faces()[walls[w].face.index()].offset - wider->faces()[after.face.index()].offset;
-        EXPECT_NEAR(back, walls[w].moves_with_clearance ? 0.0003 : 0, 1e-15) << name;
+        // The polygon of a round hole grows by the cosine of half a side less than its circle.
+        const double round = name == "round-block" ? 0.0003 * (1 - std::cos(M_PI / 64)) : 0;
+        EXPECT_NEAR(back, walls[w].moves_with_clearance ? 0.0003 - round : 0, 1e-12) << name;
         moved += walls[w].moves_with_clearance ? 1 : 0;
       }
     }
@@ -171,7 +173,7 @@ TEST(PartModelTest, SurfacesAreClosed) {
     const auto part = LoadPart(name);
     // Walls that meet at an obtuse angle each cover 0.1 micrometres of the other.
     const bool is_slanting = name == "octagonal-block" || name == "round-block";
-    const double strips = is_slanting ? 1e-8 : 1e-12;
+    const double strips = is_slanting ? 1e-7 : 1e-12;
     ExpectClosedSurface(*part, part->mass().mass / 700, strips);
   }
 }
