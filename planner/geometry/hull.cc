@@ -174,22 +174,6 @@ ConvexHull Assemble(const std::vector<FacetOutline>& outlines, std::span<const V
   return hull;
 }
 
-// Returns the distance of a point from a facet, measured along the facet's plane.
-double DistanceInPlane(const ConvexHull& hull, const Facet& facet, const Vector3& p) {
-  const Vector3 on_plane = p - (facet.normal.dot(p) - facet.offset) * facet.normal;
-  double least = std::numeric_limits<double>::infinity();
-  bool is_inside = true;
-  for (std::size_t i = 0; i < facet.loop.size(); ++i) {
-    const Vector3& start = hull.vertices[facet.loop[i]];
-    const Vector3 along = hull.vertices[facet.loop[(i + 1) % facet.loop.size()]] - start;
-    const Vector3 to = on_plane - start;
-    if (facet.normal.dot(along.cross(to)) < 0) is_inside = false;
-    const double share = std::clamp(along.dot(to) / along.squaredNorm(), 0.0, 1.0);
-    least = std::min(least, (to - share * along).norm());
-  }
-  return is_inside ? 0 : least;
-}
-
 // The key by which FacetsByAxis sorts. Components that differ by rounding count as equal.
 std::tuple<int, bool, long, long, long> AxisKey(const Vector3& normal) {
   constexpr double kSame = 1e-6;
@@ -326,16 +310,6 @@ bool Contains(const ConvexHull& hull, const Vector3& p, double tolerance) {
   return std::ranges::all_of(hull.facets, [&](const Facet& facet) {
     return facet.normal.dot(p) <= facet.offset + tolerance;
   });
-}
-
-double DistanceTo(const ConvexHull& hull, const Vector3& p) {
-  if (Contains(hull, p, 0)) return 0;
-  double least = std::numeric_limits<double>::infinity();
-  for (const Facet& facet : hull.facets) {
-    const double height = facet.normal.dot(p) - facet.offset;
-    if (height > 0) least = std::min(least, std::hypot(height, DistanceInPlane(hull, facet, p)));
-  }
-  return least;
 }
 
 double GreatestAlong(const ConvexHull& hull, const Vector3& direction) {

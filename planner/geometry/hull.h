@@ -47,8 +47,6 @@ std::vector<ConvexHull> Transformed(std::span<const ConvexHull> hulls, const Pos
 // Returns true if p is inside the hull, or at most `tolerance` beyond the plane of a facet. A
 // negative tolerance requires p to be at least that deep inside.
 bool Contains(const ConvexHull& hull, const Vector3& p, double tolerance);
-// Returns the distance of p from the hull; 0 inside.
-double DistanceTo(const ConvexHull& hull, const Vector3& p);
 // Returns the greatest value of direction . p for the points of the hull.
 double GreatestAlong(const ConvexHull& hull, const Vector3& direction);
 // Returns the height of the lowest vertex over the plane z = 0 of the hulls' frame.
