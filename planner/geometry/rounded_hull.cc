@@ -56,8 +56,8 @@ bool IsSeenApart(const RoundedHull& a, const RoundedHull& b, const Pose& X_AB, d
          is_enough(-(X_AB.linear() * NormalTowards(a_center_B, b.core())));
 }
 
-// Returns the normal of the facet along which the empty slab is widest. GJK may say that hulls with
-// parallel facets overlap where they do not.
+// Returns the normal of the facet along which the empty slab is widest. GJK may stop short where
+// facets are nearly parallel, or say that hulls overlap where they do not.
 Vector3 WidestFacetSlab(const RoundedHull& a, const RoundedHull& b, const Pose& X_AB) {
   std::vector<Vector3> normals;
   for (const Facet& facet : a.core().facets) normals.push_back(facet.normal);
@@ -90,7 +90,11 @@ double Separation(const RoundedHull& a, const Pose& X_WorldA, const RoundedHull&
   const Pose X_AB = X_WorldA.inverse() * X_WorldB;
   if (IsSeenApart(a, b, X_AB, enough + a.radius() + b.radius(), slab)) return enough;
   const Vector3 difference = NearestDifference(GjkHullOf(a), GjkHullOf(b), X_AB);
-  slab = difference.isZero(0) ? WidestFacetSlab(a, b, X_AB) : Vector3(difference.normalized());
+  slab = WidestFacetSlab(a, b, X_AB);
+  if (!difference.isZero(0)) {
+    const Vector3 direction = difference.normalized();
+    if (SlabWidth(direction, a, b, X_AB) > SlabWidth(slab, a, b, X_AB)) slab = direction;
+  }
   return std::max(0.0, SlabWidth(slab, a, b, X_AB) - a.radius() - b.radius());
 }
 
