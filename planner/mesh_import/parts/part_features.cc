@@ -207,7 +207,7 @@ class FeatureFinder {
     what +=
         opens_high && opens_low ? ", through" : fmt::format(", {} mm deep", Length(post.Height()));
     if (!post.is_straight) what += ", tapered";
-    // Of two mouths the one with a chamfer is the one for mating.
+    // If a hole has two mouths, the mouth with a chamfer is the one for mating.
     const bool top =
         opens_high && !(opens_low && post.chamfer_low.across > 0 && post.chamfer_high.across == 0);
     const Chamfer& chamfer = top ? post.chamfer_high : post.chamfer_low;
