@@ -8,6 +8,7 @@
 
 #include "planner/geometry/box.h"
 #include "planner/geometry/hull.h"
+#include "planner/geometry/pose.h"
 #include "sim/mujoco/data.h"
 #include "sim/mujoco/model.h"
 #include "sim/scene/piece_mjcf.h"

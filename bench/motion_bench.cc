@@ -8,6 +8,7 @@
 #include "bench/harness/contest.h"
 #include "planner/base/random.h"
 #include "planner/domain/problem/problem_file.h"
+#include "planner/geometry/pose.h"
 #include "planner/motion/collision/swept_volume.h"
 #include "planner/motion/paths/joint_trajectory.h"
 #include "planner/motion/paths/path_search.h"

@@ -2,6 +2,7 @@
 
 #include "planner/domain/matings/mating_classes.h"
 #include "planner/domain/resting/resting.h"
+#include "planner/geometry/pose.h"
 
 namespace assay::constraint_posting {
 

@@ -1,6 +1,7 @@
 #include "planner/geometry/box.h"
 
 #include "planner/base/check.h"
+#include "planner/geometry/pose.h"
 
 namespace assay::geometry {
 

@@ -8,7 +8,10 @@
 #include <vector>
 
 #include "planner/base/check.h"
+#include "planner/geometry/box.h"
+#include "planner/geometry/hull.h"
 #include "planner/geometry/narrow_phase.h"
+#include "planner/geometry/polygon.h"
 #include "planner/geometry/solids/convex_cut.h"
 
 namespace assay::geometry {

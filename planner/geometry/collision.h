@@ -3,10 +3,12 @@
 #include <memory>
 #include <span>
 
-#include "planner/geometry/box.h"
-#include "planner/geometry/hull.h"
+#include "planner/geometry/coordinates.h"
 
 namespace assay::geometry {
+
+struct Box;
+struct ConvexHull;
 
 // A rigid union of convex solids, prepared for many overlap and distance queries.
 class CollisionShape {

@@ -13,6 +13,7 @@ extern "C" {
 }
 
 #include "planner/base/check.h"
+#include "planner/geometry/box.h"
 #include "planner/geometry/outline.h"
 #include "planner/geometry/polygon.h"
 

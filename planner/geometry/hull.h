@@ -4,10 +4,11 @@
 #include <span>
 #include <vector>
 
-#include "planner/geometry/box.h"
-#include "planner/geometry/pose.h"
+#include "planner/geometry/coordinates.h"
 
 namespace assay::geometry {
+
+struct Box;
 
 // A planar facet of a convex hull.
 struct Facet {

@@ -7,6 +7,8 @@
 
 #include <vector>
 
+#include "planner/geometry/hull.h"
+
 // FCL's headers declare these instantiations extern, because FCL's library contains them.
 namespace fcl {
 

@@ -2,8 +2,8 @@
 
 #include <memory>
 
+#include "planner/geometry/coordinates.h"
 #include "planner/geometry/hull.h"
-#include "planner/geometry/pose.h"
 
 namespace assay::geometry {
 

@@ -1,6 +1,7 @@
 #include "planner/geometry/planar_region.h"
 
 #include "planner/base/check.h"
+#include "planner/geometry/polygon.h"
 
 namespace assay::geometry {
 namespace {

@@ -3,12 +3,9 @@
 #include <span>
 #include <vector>
 
-#include "planner/geometry/pose.h"
+#include "planner/geometry/coordinates.h"
 
 namespace assay::geometry {
-
-// A convex polygon in the plane, with corners in counter-clockwise order.
-using Polygon = std::vector<Vector2>;
 
 // Returns the convex hull of the points, by Andrew's monotone chain (1979). No three corners are on
 // a line. The first corner is least in x, then in y. There are one or two corners if the points

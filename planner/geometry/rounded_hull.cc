@@ -5,6 +5,7 @@
 #include <mutex>
 
 #include "planner/base/check.h"
+#include "planner/geometry/hull.h"
 #include "planner/geometry/narrow_phase.h"
 
 namespace assay::geometry {

@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
+#include "planner/geometry/coordinates.h"
 #include "planner/geometry/hull.h"
-#include "planner/geometry/pose.h"
 
 namespace assay::geometry {
 

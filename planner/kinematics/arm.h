@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "planner/geometry/pose.h"
+#include "planner/geometry/coordinates.h"
 #include "planner/kinematics/arm_geometry.h"
 #include "planner/kinematics/urdf_model.h"
 

@@ -5,6 +5,8 @@
 #include <algorithm>
 
 #include "planner/base/check.h"
+#include "planner/geometry/box.h"
+#include "planner/geometry/pose.h"
 
 namespace assay::kinematics {
 namespace {

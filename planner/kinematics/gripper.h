@@ -3,8 +3,12 @@
 #include <filesystem>
 #include <vector>
 
-#include "planner/geometry/box.h"
+#include "planner/geometry/coordinates.h"
 #include "planner/kinematics/urdf_model.h"
+
+namespace assay::geometry {
+struct Box;
+}  // namespace assay::geometry
 
 namespace assay::kinematics {
 

@@ -9,7 +9,7 @@
 
 #include "planner/base/id.h"
 #include "planner/base/input_files/input_error.h"
-#include "planner/geometry/pose.h"
+#include "planner/geometry/coordinates.h"
 
 namespace assay::kinematics {
 

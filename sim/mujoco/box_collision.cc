@@ -6,7 +6,7 @@
 #include <cmath>
 #include <mutex>
 
-#include "planner/geometry/pose.h"
+#include "planner/geometry/coordinates.h"
 #include "sim/mujoco/convex_pieces.h"
 #include "sim/mujoco/found_contact.h"
 #include "sim/mujoco/inner_faces.h"

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "planner/geometry/pose.h"
+#include "planner/geometry/coordinates.h"
 #include "sim/mujoco/data.h"
 
 namespace assay::mujoco {

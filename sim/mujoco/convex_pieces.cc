@@ -5,8 +5,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "planner/geometry/box.h"
+#include "planner/geometry/coordinates.h"
 #include "planner/geometry/hull.h"
-#include "planner/geometry/pose.h"
 
 namespace assay::mujoco {
 namespace {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "planner/geometry/contact/contact_solid.h"
-#include "planner/geometry/pose.h"
+#include "planner/geometry/coordinates.h"
 
 struct mjModel_;
 

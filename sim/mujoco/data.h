@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "planner/geometry/pose.h"
+#include "planner/geometry/coordinates.h"
 #include "sim/mujoco/model.h"
 #include "sim/mujoco/state.h"
 

@@ -4,7 +4,8 @@
 
 #include <algorithm>
 
-#include "planner/geometry/pose.h"
+#include "planner/geometry/coordinates.h"
+
 
 namespace assay::mujoco {
 namespace {

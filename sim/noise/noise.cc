@@ -8,6 +8,7 @@
 
 #include "planner/base/check.h"
 #include "planner/base/input_files/input_error.h"
+#include "planner/geometry/pose.h"
 
 namespace assay::noise {
 namespace {

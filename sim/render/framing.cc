@@ -5,6 +5,8 @@
 #include <limits>
 
 #include "planner/base/check.h"
+#include "planner/geometry/hull.h"
+#include "planner/geometry/pose.h"
 
 namespace assay::render {
 namespace {

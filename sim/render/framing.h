@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "planner/domain/parts/part_model.h"
-#include "planner/geometry/pose.h"
+#include "planner/geometry/coordinates.h"
 #include "sim/render/renderer.h"
 
 namespace assay::render {

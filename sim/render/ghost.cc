@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "planner/geometry/polygon.h"
+
 namespace assay::render {
 namespace {
 

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "planner/domain/parts/part_model.h"
-#include "planner/geometry/pose.h"
+#include "planner/geometry/coordinates.h"
 #include "sim/render/palette.h"
 
 namespace assay::render {

@@ -4,6 +4,8 @@
 #include <limits>
 #include <numbers>
 
+#include "planner/geometry/pose.h"
+
 namespace assay::render {
 namespace {
 

@@ -4,7 +4,7 @@
 #include <span>
 #include <string>
 
-#include "planner/geometry/pose.h"
+#include "planner/geometry/coordinates.h"
 #include "sim/mujoco/data.h"
 #include "sim/render/ghost.h"
 #include "sim/render/image.h"

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "planner/base/check.h"
+#include "planner/geometry/box.h"
 
 namespace assay::render {
 namespace {

@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "planner/domain/parts/part_file.h"
+#include "planner/geometry/hull.h"
+#include "planner/geometry/solids/mass_properties.h"
 #include "sim/scene/piece_mjcf.h"
 #include "sim/scene/robot_mjcf.h"
 #include "sim/scene/stage_mjcf.h"

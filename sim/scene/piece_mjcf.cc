@@ -8,7 +8,8 @@
 #include <vector>
 
 #include "planner/geometry/box.h"
-#include "planner/geometry/pose.h"
+#include "planner/geometry/coordinates.h"
+#include "planner/geometry/hull.h"
 
 namespace assay::scene {
 namespace {

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "planner/base/check.h"
+#include "planner/geometry/pose.h"
 #include "sim/scene/servo_gains.h"
 
 namespace assay::scene {

@@ -6,6 +6,7 @@
 
 #include "planner/base/check.h"
 #include "planner/domain/workcell/floor.h"
+#include "planner/geometry/solids/mass_properties.h"
 
 namespace assay::scene {
 namespace {

@@ -4,6 +4,9 @@
 #include <optional>
 #include <utility>
 
+#include "planner/geometry/box.h"
+#include "planner/geometry/hull.h"
+
 namespace assay::scene {
 namespace {
 

@@ -8,7 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "planner/geometry/pose.h"
+#include "planner/geometry/coordinates.h"
+
 
 namespace assay::scene {
 

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "planner/base/check.h"
+#include "planner/geometry/hull.h"
 #include "sim/render/picture_library.h"
 #include "sim/sense/silhouette.h"
 

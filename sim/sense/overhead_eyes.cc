@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "planner/base/check.h"
+#include "planner/geometry/hull.h"
 
 namespace assay::sense {
 namespace {

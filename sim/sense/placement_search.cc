@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "planner/geometry/hull.h"
+#include "planner/geometry/solids/mass_properties.h"
 #include "sim/render/picture_library.h"
 
 namespace assay::sense {

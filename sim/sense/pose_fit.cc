@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "planner/geometry/hull.h"
+
 namespace assay::sense {
 namespace {
 

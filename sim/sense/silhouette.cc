@@ -4,6 +4,9 @@
 #include <array>
 #include <cmath>
 
+#include "planner/geometry/hull.h"
+#include "planner/geometry/polygon.h"
+
 namespace assay::sense {
 namespace {
 

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "planner/base/check.h"
+#include "planner/geometry/pose.h"
 
 namespace assay::sense {
 namespace {

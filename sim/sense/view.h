@@ -1,6 +1,6 @@
 #pragma once
 
-#include "planner/geometry/pose.h"
+#include "planner/geometry/coordinates.h"
 #include "sim/render/renderer.h"
 
 namespace assay::sense {

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "planner/geometry/coordinates.h"
 #include "planner/geometry/hull.h"
-#include "planner/geometry/pose.h"
 #include "sim/scene/scene.h"
 
 namespace assay::view {

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "planner/geometry/box.h"
+#include "planner/geometry/hull.h"
+
 namespace assay::assembly {
 namespace {
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "planner/geometry/pose.h"
+
 namespace assay::constraint_posting {
 namespace {
 

@@ -6,6 +6,7 @@
 #include "planner/constraint_posting/least_actions.h"
 #include "planner/domain/actions/condition.h"
 #include "planner/domain/matings/mating_classes.h"
+#include "planner/geometry/pose.h"
 
 namespace assay::constraint_posting {
 

@@ -7,6 +7,7 @@
 
 #include "planner/constraint_posting/resolvers/plan_states.h"
 #include "planner/domain/reachability/reachability.h"
+#include "planner/geometry/pose.h"
 
 namespace assay::constraint_posting {
 namespace {

@@ -12,7 +12,11 @@
 #include "planner/base/check.h"
 #include "planner/domain/grasps/hand_clearance.h"
 #include "planner/domain/parts/exposed_faces.h"
+#include "planner/geometry/hull.h"
 #include "planner/geometry/planar_region.h"
+#include "planner/geometry/polygon.h"
+#include "planner/geometry/pose.h"
+#include "planner/geometry/solids/mass_properties.h"
 
 namespace assay::domain {
 namespace {

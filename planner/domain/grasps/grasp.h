@@ -6,7 +6,7 @@
 #include "planner/base/id.h"
 #include "planner/domain/parts/feature.h"
 #include "planner/domain/resting/stable_pose.h"
-#include "planner/geometry/pose.h"
+#include "planner/geometry/coordinates.h"
 #include "planner/kinematics/gripper.h"
 
 namespace assay::domain {

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "planner/geometry/box.h"
+#include "planner/geometry/hull.h"
 #include "planner/geometry/solids/shadow.h"
 
 namespace assay::domain {

@@ -5,7 +5,7 @@
 
 #include "planner/base/id.h"
 #include "planner/domain/resting/stable_pose.h"
-#include "planner/geometry/pose.h"
+#include "planner/geometry/coordinates.h"
 
 namespace assay::domain {
 

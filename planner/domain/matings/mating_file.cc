@@ -11,6 +11,7 @@
 #include "planner/domain/problem/name.h"
 #include "planner/domain/problem/part_name.h"
 #include "planner/geometry/collision.h"
+#include "planner/geometry/pose.h"
 
 namespace assay::domain {
 namespace {

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "planner/base/check.h"
+#include "planner/geometry/polygon.h"
 
 namespace assay::domain {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "planner/domain/parts/part_model.h"
 #include "planner/domain/problem/problem.h"
-#include "planner/geometry/polygon.h"
+#include "planner/geometry/coordinates.h"
 
 namespace assay::domain {
 

@@ -8,6 +8,7 @@
 
 #include "planner/base/input_files/input_error.h"
 #include "planner/base/input_files/input_file.h"
+#include "planner/geometry/hull.h"
 
 namespace assay::domain {
 namespace {

@@ -6,7 +6,10 @@
 #include <limits>
 
 #include "planner/base/check.h"
+#include "planner/geometry/hull.h"
 #include "planner/geometry/planar_region.h"
+#include "planner/geometry/polygon.h"
+#include "planner/geometry/pose.h"
 #include "planner/geometry/solids/shadow.h"
 
 namespace assay::domain {

@@ -4,8 +4,7 @@
 #include <vector>
 
 #include "planner/base/id.h"
-#include "planner/geometry/polygon.h"
-#include "planner/geometry/pose.h"
+#include "planner/geometry/coordinates.h"
 
 namespace assay::domain {
 

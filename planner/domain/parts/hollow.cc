@@ -5,7 +5,9 @@
 #include <utility>
 
 #include "planner/domain/parts/exposed_faces.h"
+#include "planner/geometry/hull.h"
 #include "planner/geometry/planar_region.h"
+#include "planner/geometry/polygon.h"
 #include "planner/geometry/solids/convex_cut.h"
 
 namespace assay::domain {

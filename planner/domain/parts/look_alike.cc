@@ -4,6 +4,9 @@
 #include <cmath>
 #include <vector>
 
+#include "planner/geometry/hull.h"
+#include "planner/geometry/pose.h"
+
 namespace assay::domain {
 namespace {
 

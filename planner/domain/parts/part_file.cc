@@ -13,9 +13,12 @@
 #include "planner/base/check.h"
 #include "planner/domain/parts/exposed_faces.h"
 #include "planner/domain/parts/hollow.h"
+#include "planner/domain/parts/part_shape.h"
 #include "planner/domain/problem/name.h"
 #include "planner/domain/resting/compute_stable_poses.h"
+#include "planner/geometry/hull.h"
 #include "planner/geometry/planar_region.h"
+#include "planner/geometry/solids/mass_properties.h"
 
 namespace assay::domain {
 namespace {
@@ -142,14 +145,11 @@ PartFile::PartFile(const Value& root, double clearance)
     : units_(ReadUnits(root)), solids_(root, units_, clearance) {}
 
 void PartFile::BuildShape(PartModel& model, double density) const {
-  model.pieces_ = solids_.Pieces();
+  model.shape_ = std::make_shared<const PartShape>(solids_.Pieces(), density);
   for (const Solid& solid : solids_.solids()) {
     model.colors_.insert(model.colors_.end(), solid.pieces.size(), solid.color);
   }
-  model.shape_ = geometry::CollisionShape(model.pieces_);
-  model.hull_ = geometry::HullOf(geometry::VerticesOf(model.pieces_));
-  model.mass_ = geometry::MassOf(model.pieces_, density);
-  model.faces_ = ExposedFaces(model.pieces_);
+  model.faces_ = ExposedFaces(model.pieces());
 }
 
 void PartFile::ReadFeatures(const Value& features, PartModel& model) const {

@@ -1,8 +1,14 @@
 #include "planner/domain/parts/part_model.h"
 
 #include <algorithm>
+#include <utility>
 
+#include "planner/domain/parts/part_shape.h"
+#include "planner/geometry/collision.h"
+#include "planner/geometry/hull.h"
 #include "planner/geometry/planar_region.h"
+#include "planner/geometry/polygon.h"
+#include "planner/geometry/solids/mass_properties.h"
 
 namespace assay::domain {
 namespace {
@@ -19,6 +25,17 @@ bool IsUnder(const Feature& feature, FaceId face, const geometry::Polygon& regio
 }
 
 }  // namespace
+
+PartShape::PartShape(std::vector<geometry::ConvexHull> solids, double density)
+    : pieces(std::move(solids)),
+      collision(pieces),
+      hull(geometry::HullOf(geometry::VerticesOf(pieces))),
+      mass(geometry::MassOf(pieces, density)) {}
+
+const std::vector<geometry::ConvexHull>& PartModel::pieces() const { return shape_->pieces; }
+const geometry::CollisionShape& PartModel::shape() const { return shape_->collision; }
+const geometry::ConvexHull& PartModel::hull() const { return shape_->hull; }
+const geometry::MassProperties& PartModel::mass() const { return shape_->mass; }
 
 const Feature* PartModel::FindFeature(FeatureNumber number) const {
   const auto found = std::ranges::find(features_, number, &Feature::number);

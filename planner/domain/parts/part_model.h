@@ -9,12 +9,17 @@
 #include "planner/base/input_files/document.h"
 #include "planner/domain/parts/feature.h"
 #include "planner/domain/resting/stable_pose.h"
-#include "planner/geometry/collision.h"
-#include "planner/geometry/hull.h"
-#include "planner/geometry/polygon.h"
-#include "planner/geometry/solids/mass_properties.h"
+#include "planner/geometry/coordinates.h"
+
+namespace assay::geometry {
+class CollisionShape;
+struct ConvexHull;
+struct MassProperties;
+}  // namespace assay::geometry
 
 namespace assay::domain {
+
+struct PartShape;
 
 // The content of a part file, with everything that is computed from it. It is immutable and shared:
 // two parts of one problem may have the same model.
@@ -24,11 +29,11 @@ class PartModel {
   const std::string& initial() const { return initial_; }  // start of labels: BP1, BG1
   double clearance() const { return clearance_; }          // metres on each side
   // Convex pieces in the part frame, disjoint or overlapping.
-  const std::vector<geometry::ConvexHull>& pieces() const { return pieces_; }
+  const std::vector<geometry::ConvexHull>& pieces() const;
   const std::vector<Eigen::Vector4f>& colors() const { return colors_; }  // rgba of each piece
-  const geometry::CollisionShape& shape() const { return shape_; }
-  const geometry::ConvexHull& hull() const { return hull_; }
-  const geometry::MassProperties& mass() const { return mass_; }
+  const geometry::CollisionShape& shape() const;
+  const geometry::ConvexHull& hull() const;
+  const geometry::MassProperties& mass() const;
   double friction() const { return friction_; }  // of its material against itself
 
   const std::vector<Face>& faces() const { return faces_; }
@@ -49,11 +54,10 @@ class PartModel {
   double clearance_;
   std::string name_;
   std::string initial_;
-  std::vector<geometry::ConvexHull> pieces_;
+  // Most of what knows parts does not need their solids, and is then not compiled anew when a
+  // header of planner/geometry changes.
+  std::shared_ptr<const PartShape> shape_;
   std::vector<Eigen::Vector4f> colors_;
-  geometry::CollisionShape shape_;
-  geometry::ConvexHull hull_;
-  geometry::MassProperties mass_;
   double friction_ = 0;
   std::vector<Face> faces_;
   std::vector<Feature> features_;

@@ -9,6 +9,8 @@
 
 #include "planner/domain/parts/solid_shapes.h"
 #include "planner/domain/problem/name.h"
+#include "planner/geometry/hull.h"
+#include "planner/geometry/pose.h"
 #include "planner/geometry/solids/connected_solids.h"
 #include "planner/geometry/solids/convex_cut.h"
 #include "planner/geometry/solids/mass_properties.h"

@@ -11,6 +11,7 @@
 #include "planner/domain/parts/convex_pieces_file.h"
 #include "planner/domain/parts/exposed_faces.h"
 #include "planner/geometry/box.h"
+#include "planner/geometry/hull.h"
 #include "planner/geometry/solids/polygon_pieces.h"
 
 namespace assay::domain {

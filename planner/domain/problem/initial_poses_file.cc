@@ -17,6 +17,10 @@
 #include "planner/domain/resting/face_contact.h"
 #include "planner/domain/resting/resting.h"
 #include "planner/domain/resting/stable_pose_names.h"
+#include "planner/geometry/hull.h"
+#include "planner/geometry/polygon.h"
+#include "planner/geometry/pose.h"
+#include "planner/geometry/solids/mass_properties.h"
 
 namespace assay::domain {
 namespace {

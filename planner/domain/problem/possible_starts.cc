@@ -8,6 +8,9 @@
 
 #include "planner/domain/parts/part_file.h"
 #include "planner/domain/parts/part_model.h"
+#include "planner/geometry/collision.h"
+#include "planner/geometry/hull.h"
+#include "planner/geometry/pose.h"
 
 namespace assay::domain {
 namespace {

@@ -11,6 +11,9 @@
 #include "planner/base/check.h"
 #include "planner/domain/reachability/action_ways.h"
 #include "planner/domain/resting/resting.h"
+#include "planner/geometry/box.h"
+#include "planner/geometry/collision.h"
+#include "planner/geometry/pose.h"
 
 namespace assay::domain {
 namespace {

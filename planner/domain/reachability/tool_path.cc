@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "planner/base/check.h"
+#include "planner/geometry/pose.h"
 
 namespace assay::domain {
 namespace {

@@ -7,6 +7,9 @@
 #include <optional>
 
 #include "planner/domain/parts/exposed_faces.h"
+#include "planner/geometry/hull.h"
+#include "planner/geometry/polygon.h"
+#include "planner/geometry/solids/mass_properties.h"
 
 namespace assay::domain {
 namespace {

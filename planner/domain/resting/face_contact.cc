@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "planner/domain/parts/part_model.h"
+#include "planner/geometry/hull.h"
+#include "planner/geometry/polygon.h"
 
 namespace assay::domain {
 namespace {

@@ -5,6 +5,9 @@
 #include <numbers>
 #include <vector>
 
+#include "planner/geometry/hull.h"
+#include "planner/geometry/polygon.h"
+
 namespace assay::domain {
 namespace {
 

@@ -5,7 +5,7 @@
 
 #include "planner/base/id.h"
 #include "planner/domain/parts/feature.h"
-#include "planner/geometry/pose.h"
+#include "planner/geometry/coordinates.h"
 
 namespace assay::domain {
 

@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 
+#include "planner/geometry/pose.h"
+
 namespace assay::domain {
 namespace {
 

@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "planner/base/input_files/document.h"
-#include "planner/geometry/pose.h"
+#include "planner/geometry/coordinates.h"
 
 namespace assay::domain {
 

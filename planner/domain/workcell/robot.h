@@ -5,7 +5,7 @@
 #include <string>
 
 #include "planner/base/id.h"
-#include "planner/geometry/pose.h"
+#include "planner/geometry/coordinates.h"
 #include "planner/kinematics/arm.h"
 #include "planner/kinematics/gripper.h"
 

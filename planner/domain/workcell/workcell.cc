@@ -1,6 +1,9 @@
 #include "planner/domain/workcell/workcell.h"
 
 #include "planner/base/check.h"
+#include "planner/geometry/box.h"
+#include "planner/geometry/collision.h"
+#include "planner/geometry/pose.h"
 
 namespace assay::domain {
 

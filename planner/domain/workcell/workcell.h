@@ -7,9 +7,11 @@
 
 #include "planner/domain/workcell/robot.h"
 #include "planner/domain/workcell/uncertainty_operations.h"
-#include "planner/geometry/collision.h"
-#include "planner/geometry/polygon.h"
-#include "planner/geometry/pose.h"
+#include "planner/geometry/coordinates.h"
+
+namespace assay::geometry {
+class CollisionShape;
+}  // namespace assay::geometry
 
 namespace assay::domain {
 

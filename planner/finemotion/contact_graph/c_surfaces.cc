@@ -7,6 +7,7 @@
 #include <span>
 #include <utility>
 
+#include "planner/geometry/polygon.h"
 #include "planner/numeric/nonnegative_least_squares.h"
 
 namespace assay::finemotion {

@@ -2,7 +2,8 @@
 
 #include <limits>
 
-#include "planner/geometry/pose.h"
+#include "planner/geometry/coordinates.h"
+
 
 namespace assay::finemotion {
 

@@ -3,7 +3,8 @@
 #include <array>
 #include <vector>
 
-#include "planner/geometry/pose.h"
+#include "planner/geometry/coordinates.h"
+
 
 namespace assay::finemotion {
 

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "planner/finemotion/motions/row_range.h"
+#include "planner/geometry/pose.h"
 #include "planner/numeric/orthogonal_decomposition.h"
 
 namespace assay::finemotion {

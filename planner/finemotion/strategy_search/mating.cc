@@ -10,6 +10,7 @@
 #include "planner/base/check.h"
 #include "planner/domain/parts/part_file.h"
 #include "planner/finemotion/forces/force_signature.h"
+#include "planner/geometry/hull.h"
 
 namespace assay::finemotion {
 

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "planner/geometry/contact/contact_solid.h"
+#include "planner/geometry/coordinates.h"
 #include "planner/geometry/outline.h"
-#include "planner/geometry/pose.h"
 
 namespace assay::geometry {
 

@@ -7,6 +7,8 @@
 #include <map>
 #include <utility>
 
+#include "planner/geometry/hull.h"
+
 namespace assay::geometry {
 namespace {
 

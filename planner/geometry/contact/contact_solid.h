@@ -3,9 +3,9 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "planner/geometry/coordinates.h"
 #include "planner/geometry/hull.h"
 #include "planner/geometry/outline.h"
-#include "planner/geometry/pose.h"
 
 namespace assay::geometry {
 

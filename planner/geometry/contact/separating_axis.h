@@ -3,7 +3,7 @@
 #include <limits>
 
 #include "planner/geometry/contact/contact_solid.h"
-#include "planner/geometry/pose.h"
+#include "planner/geometry/coordinates.h"
 
 namespace assay::geometry {
 

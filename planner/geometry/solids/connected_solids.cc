@@ -4,7 +4,9 @@
 #include <optional>
 #include <vector>
 
+#include "planner/geometry/hull.h"
 #include "planner/geometry/polygon.h"
+#include "planner/geometry/pose.h"
 #include "planner/geometry/solids/convex_cut.h"
 
 namespace assay::geometry {

@@ -9,6 +9,7 @@
 
 #include "planner/base/check.h"
 #include "planner/geometry/hull.h"
+#include "planner/geometry/polygon.h"
 
 namespace assay::geometry {
 namespace {

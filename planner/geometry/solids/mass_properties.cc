@@ -1,6 +1,7 @@
 #include "planner/geometry/solids/mass_properties.h"
 
 #include "planner/base/check.h"
+#include "planner/geometry/hull.h"
 #include "planner/geometry/solids/convex_cut.h"
 
 namespace assay::geometry {

@@ -2,9 +2,11 @@
 
 #include <span>
 
-#include "planner/geometry/hull.h"
+#include "planner/geometry/coordinates.h"
 
 namespace assay::geometry {
+
+struct ConvexHull;
 
 double Volume(const ConvexHull& solid);  // cubic metres
 

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "planner/geometry/hull.h"
+
 namespace assay::geometry {
 namespace {
 

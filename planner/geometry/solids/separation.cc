@@ -4,6 +4,8 @@
 #include <limits>
 #include <vector>
 
+#include "planner/geometry/hull.h"
+
 namespace assay::geometry {
 namespace {
 

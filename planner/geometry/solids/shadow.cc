@@ -2,6 +2,9 @@
 
 #include <vector>
 
+#include "planner/geometry/hull.h"
+#include "planner/geometry/polygon.h"
+
 namespace assay::geometry {
 
 Polygon ShadowBetween(const ConvexHull& solid, double low, double high) {

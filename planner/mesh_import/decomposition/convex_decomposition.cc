@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "planner/geometry/hull.h"
 #include "planner/mesh_import/decomposition/concave_planes.h"
 #include "planner/mesh_import/decomposition/piece_distance.h"
 #include "planner/mesh_import/meshes/plane_cut.h"

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "planner/geometry/hull.h"
 #include "planner/mesh_import/meshes/nearest_surface.h"
 
 namespace assay::mesh_import {

@@ -4,7 +4,8 @@
 #include <span>
 #include <vector>
 
-#include "planner/geometry/pose.h"
+#include "planner/geometry/coordinates.h"
+
 
 namespace assay::mesh_import {
 

@@ -8,6 +8,7 @@
 #include <optional>
 #include <utility>
 
+#include "planner/geometry/hull.h"
 #include "planner/mesh_import/decomposition/concave_planes.h"
 #include "planner/mesh_import/decomposition/convex_decomposition.h"
 #include "planner/mesh_import/decomposition/piece_distance.h"

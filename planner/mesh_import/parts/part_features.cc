@@ -8,6 +8,8 @@
 #include <string>
 #include <utility>
 
+#include "planner/geometry/hull.h"
+
 namespace assay::mesh_import {
 namespace {
 

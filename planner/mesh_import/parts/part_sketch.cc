@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "planner/geometry/hull.h"
+
 namespace assay::mesh_import {
 namespace {
 

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "planner/geometry/hull.h"
+
 namespace assay::mesh_import {
 namespace {
 

@@ -5,6 +5,7 @@
 #include <limits>
 #include <numbers>
 
+#include "planner/geometry/hull.h"
 #include "planner/mesh_import/decomposition/convex_decomposition.h"
 
 namespace assay::mesh_import {

@@ -7,6 +7,8 @@
 #include <limits>
 
 #include "planner/domain/workcell/floor.h"
+#include "planner/geometry/box.h"
+#include "planner/geometry/hull.h"
 #include "planner/motion/collision/shape_hull.h"
 
 namespace assay::motion {

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "planner/base/check.h"
+#include "planner/geometry/box.h"
 
 namespace assay::motion {
 namespace {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "planner/base/check.h"
+#include "planner/geometry/pose.h"
 #include "planner/motion/paths/straight_line.h"
 
 namespace assay::motion {

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "planner/base/check.h"
+#include "planner/geometry/solids/mass_properties.h"
 
 namespace assay::motion {
 namespace {

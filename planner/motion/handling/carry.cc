@@ -4,6 +4,7 @@
 #include <array>
 #include <utility>
 
+#include "planner/geometry/pose.h"
 #include "planner/motion/handling/putting_down.h"
 #include "planner/motion/paths/path_search.h"
 #include "planner/motion/paths/straight_line.h"

@@ -11,6 +11,7 @@
 
 #include "planner/domain/reachability/reachability.h"
 #include "planner/domain/reachability/tool_path.h"
+#include "planner/geometry/pose.h"
 #include "planner/motion/collision/swept_volume.h"
 #include "planner/motion/paths/path_search.h"
 #include "planner/motion/paths/straight_line.h"

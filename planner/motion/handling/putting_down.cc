@@ -8,6 +8,10 @@
 #include "planner/domain/reachability/action_ways.h"
 #include "planner/domain/reachability/reachability.h"
 #include "planner/domain/resting/resting.h"
+#include "planner/geometry/collision.h"
+#include "planner/geometry/hull.h"
+#include "planner/geometry/polygon.h"
+#include "planner/geometry/pose.h"
 #include "planner/plan/data/tool_route.h"
 
 namespace assay::motion {

@@ -10,6 +10,8 @@
 #include <span>
 
 #include "planner/domain/matings/mating_classes.h"
+#include "planner/geometry/box.h"
+#include "planner/geometry/hull.h"
 #include "planner/geometry/solids/separation.h"
 #include "planner/plan/checker/pad_contact.h"
 #include "planner/plan/checker/resting_balance.h"

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "planner/geometry/hull.h"
 #include "planner/plan/checker/resting_balance.h"
 
 namespace assay::plan {

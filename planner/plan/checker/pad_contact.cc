@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "planner/geometry/hull.h"
+
 namespace assay::plan {
 namespace {
 

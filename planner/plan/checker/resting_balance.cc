@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "planner/geometry/hull.h"
+
 namespace assay::plan {
 namespace {
 

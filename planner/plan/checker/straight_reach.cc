@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "planner/geometry/pose.h"
 #include "planner/plan/checker/world_state.h"
 
 namespace assay::plan {

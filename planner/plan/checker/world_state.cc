@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "planner/geometry/pose.h"
+
 namespace assay::plan {
 namespace {
 

@@ -5,7 +5,7 @@
 
 #include "planner/domain/actions/actions.h"
 #include "planner/domain/matings/mating.h"
-#include "planner/geometry/pose.h"
+#include "planner/geometry/coordinates.h"
 
 namespace assay::plan {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "planner/geometry/pose.h"
+#include "planner/geometry/coordinates.h"
 #include "planner/plan/certificates/condition.h"
 
 namespace assay::plan {

@@ -3,7 +3,7 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "planner/base/input_files/document.h"
-#include "planner/geometry/pose.h"
+#include "planner/geometry/coordinates.h"
 
 namespace assay::plan {
 

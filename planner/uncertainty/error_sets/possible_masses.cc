@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "planner/domain/parts/part_file.h"
+#include "planner/geometry/solids/mass_properties.h"
 
 namespace assay::uncertainty {
 

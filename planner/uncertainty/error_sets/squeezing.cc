@@ -7,6 +7,7 @@
 
 #include "planner/algebra/expression/simplify.h"
 #include "planner/domain/parts/part_model.h"
+#include "planner/geometry/solids/mass_properties.h"
 #include "planner/uncertainty/error_sets/axis_angle.h"
 #include "planner/uncertainty/error_sets/possible_masses.h"
 #include "planner/uncertainty/error_sets/turn_of_push.h"

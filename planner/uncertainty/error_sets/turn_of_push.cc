@@ -8,7 +8,9 @@
 
 #include "planner/domain/parts/exposed_faces.h"
 #include "planner/domain/parts/part_model.h"
+#include "planner/geometry/hull.h"
 #include "planner/geometry/polygon.h"
+#include "planner/geometry/solids/mass_properties.h"
 #include "planner/uncertainty/error_sets/possible_masses.h"
 #include "planner/uncertainty/preconditions/support.h"
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "planner/algebra/expression/transform.h"
-#include "planner/geometry/pose.h"
+#include "planner/geometry/coordinates.h"
 
 namespace assay::uncertainty {
 

@@ -15,6 +15,7 @@
 #include "planner/algebra/normal_forms/normal_form.h"
 #include "planner/algebra/normal_forms/normalization.h"
 #include "planner/domain/parts/part_model.h"
+#include "planner/geometry/collision.h"
 #include "planner/numeric/interval_arithmetic.h"
 
 namespace assay::uncertainty {

@@ -2,7 +2,8 @@
 
 #include <vector>
 
-#include "planner/geometry/pose.h"
+#include "planner/geometry/coordinates.h"
+
 
 namespace assay::uncertainty {
 

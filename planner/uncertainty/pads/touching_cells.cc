@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "planner/geometry/polygon.h"
+
 namespace assay::uncertainty {
 namespace {
 

@@ -8,6 +8,7 @@
 #include "planner/algebra/expression/simplify.h"
 #include "planner/base/interval.h"
 #include "planner/domain/parts/part_model.h"
+#include "planner/geometry/hull.h"
 
 namespace assay::uncertainty {
 namespace {

@@ -5,6 +5,9 @@
 
 #include "planner/domain/parts/part_model.h"
 #include "planner/domain/resting/resting.h"
+#include "planner/geometry/collision.h"
+#include "planner/geometry/polygon.h"
+#include "planner/geometry/solids/mass_properties.h"
 #include "planner/kinematics/gripper.h"
 #include "planner/uncertainty/error_sets/axis_angle.h"
 #include "planner/uncertainty/error_sets/possible_masses.h"

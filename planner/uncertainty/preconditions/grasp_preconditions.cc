@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "planner/algebra/expression/simplify.h"
+#include "planner/geometry/box.h"
 #include "planner/uncertainty/preconditions/precondition.h"
 
 namespace assay::uncertainty {

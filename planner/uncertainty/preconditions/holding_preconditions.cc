@@ -3,6 +3,7 @@
 #include <numbers>
 
 #include "planner/domain/parts/part_model.h"
+#include "planner/geometry/solids/mass_properties.h"
 #include "planner/plan/certificates/carrying.h"
 #include "planner/uncertainty/error_sets/axis_angle.h"
 #include "planner/uncertainty/error_sets/possible_masses.h"

@@ -7,6 +7,8 @@
 #include "planner/algebra/expression/simplify.h"
 #include "planner/domain/parts/part_model.h"
 #include "planner/domain/resting/resting.h"
+#include "planner/geometry/collision.h"
+#include "planner/geometry/hull.h"
 #include "planner/uncertainty/error_sets/release.h"
 #include "planner/uncertainty/preconditions/precondition.h"
 

@@ -7,6 +7,7 @@
 #include "planner/algebra/expression/simplify.h"
 #include "planner/base/check.h"
 #include "planner/domain/matings/shaft_fit.h"
+#include "planner/geometry/pose.h"
 #include "planner/numeric/interval_arithmetic.h"
 #include "planner/plan/certificates/condition_table.h"
 #include "planner/uncertainty/error_sets/mating_end.h"

@@ -5,6 +5,8 @@
 #include "planner/algebra/expression/simplify.h"
 #include "planner/domain/matings/shaft_fit.h"
 #include "planner/domain/parts/part_model.h"
+#include "planner/geometry/hull.h"
+#include "planner/geometry/polygon.h"
 #include "planner/plan/data/tool_route.h"
 #include "planner/uncertainty/error_sets/mating_end.h"
 #include "planner/uncertainty/pads/touching_cells.h"

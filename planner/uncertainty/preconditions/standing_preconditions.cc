@@ -3,6 +3,10 @@
 #include <limits>
 
 #include "planner/domain/parts/part_model.h"
+#include "planner/geometry/box.h"
+#include "planner/geometry/collision.h"
+#include "planner/geometry/hull.h"
+#include "planner/geometry/solids/mass_properties.h"
 #include "planner/kinematics/gripper.h"
 #include "planner/plan/certificates/pushing.h"
 #include "planner/uncertainty/error_sets/axis_angle.h"

@@ -6,6 +6,8 @@
 
 #include "planner/domain/parts/part_model.h"
 #include "planner/domain/resting/face_contact.h"
+#include "planner/geometry/polygon.h"
+#include "planner/geometry/solids/mass_properties.h"
 #include "planner/uncertainty/error_sets/possible_masses.h"
 #include "planner/uncertainty/preconditions/precondition.h"
 

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "planner/geometry/pose.h"
 #include "planner/plan/certificates/condition_table.h"
 #include "sim/check/measurements/observed_error.h"
 #include "sim/check/measurements/step_events.h"

@@ -3,6 +3,8 @@
 #include <cmath>
 
 #include "planner/domain/matings/shaft_fit.h"
+#include "planner/geometry/pose.h"
+#include "planner/geometry/solids/mass_properties.h"
 #include "sim/scene/scene.h"
 
 namespace assay::check {

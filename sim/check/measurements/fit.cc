@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "planner/domain/matings/shaft_fit.h"
+#include "planner/geometry/pose.h"
 
 namespace assay::check {
 namespace {

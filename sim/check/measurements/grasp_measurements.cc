@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "planner/geometry/box.h"
 #include "planner/kinematics/gripper.h"
 #include "planner/plan/certificates/condition_table.h"
 #include "sim/check/measurements/fit.h"

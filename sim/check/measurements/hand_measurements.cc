@@ -4,6 +4,10 @@
 #include <iterator>
 
 #include "planner/domain/parts/part_model.h"
+#include "planner/geometry/box.h"
+#include "planner/geometry/collision.h"
+#include "planner/geometry/hull.h"
+#include "planner/geometry/pose.h"
 #include "planner/kinematics/gripper.h"
 #include "planner/plan/certificates/condition_table.h"
 #include "sim/check/measurements/fit.h"

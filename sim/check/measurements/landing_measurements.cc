@@ -4,6 +4,9 @@
 
 #include "planner/domain/parts/part_model.h"
 #include "planner/domain/resting/resting.h"
+#include "planner/geometry/collision.h"
+#include "planner/geometry/hull.h"
+#include "planner/geometry/pose.h"
 #include "planner/plan/certificates/condition_table.h"
 #include "sim/check/measurements/fit.h"
 #include "sim/check/measurements/measurement.h"

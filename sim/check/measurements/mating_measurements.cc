@@ -6,6 +6,8 @@
 #include "planner/domain/matings/mating_success.h"
 #include "planner/domain/matings/shaft_fit.h"
 #include "planner/domain/parts/part_model.h"
+#include "planner/geometry/collision.h"
+#include "planner/geometry/pose.h"
 #include "planner/plan/certificates/condition_table.h"
 #include "sim/check/measurements/fit.h"
 #include "sim/check/measurements/measurement.h"

@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "planner/domain/parts/part_model.h"
+#include "planner/geometry/hull.h"
 #include "planner/geometry/solids/point_distance.h"
 
 namespace assay::check {

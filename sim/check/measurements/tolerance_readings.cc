@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 
+#include "planner/geometry/pose.h"
 #include "sim/execution/walk/executor.h"
 
 namespace assay::check {

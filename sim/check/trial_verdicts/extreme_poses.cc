@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 
+#include "planner/geometry/pose.h"
 #include "sim/check/measurements/observed_error.h"
 
 namespace assay::check {

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "planner/geometry/pose.h"
 #include "sim/cli/tasks/output_file.h"
 #include "sim/render/picture.h"
 #include "sim/render/renderer.h"

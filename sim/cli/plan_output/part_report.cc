@@ -5,6 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "planner/geometry/solids/mass_properties.h"
 #include "sim/cli/options/quantity.h"
 #include "sim/cli/plan_output/table.h"
 

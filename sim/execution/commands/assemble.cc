@@ -1,3 +1,4 @@
+#include "planner/geometry/pose.h"
 #include "sim/execution/commands/action_commands.h"
 
 namespace assay::execution {

@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include "planner/geometry/pose.h"
 #include "sim/execution/commands/run.h"
 
 namespace assay::execution {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "planner/geometry/solids/mass_properties.h"
 #include "sim/execution/control/straight_line.h"
 #include "sim/scene/servo_gains.h"
 

@@ -8,6 +8,9 @@
 
 #include "planner/base/check.h"
 #include "planner/domain/resting/resting.h"
+#include "planner/geometry/collision.h"
+#include "planner/geometry/hull.h"
+#include "planner/geometry/pose.h"
 #include "planner/plan/data/tool_route.h"
 
 namespace assay::execution {

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <numbers>
 
+#include "planner/geometry/pose.h"
+
 namespace assay::execution {
 namespace {
 

@@ -9,7 +9,7 @@
 #include "planner/base/interval.h"
 #include "planner/base/random.h"
 #include "planner/domain/problem/problem.h"
-#include "planner/geometry/pose.h"
+#include "planner/geometry/coordinates.h"
 #include "sim/sense/color_sensor.h"
 
 namespace assay::execution {

@@ -9,6 +9,7 @@
 
 #include "planner/contingent/knowledge/knowledge_base.h"
 #include "planner/contingent/plan_tree/tree_text.h"
+#include "planner/geometry/solids/mass_properties.h"
 #include "sim/execution/hidden_worlds/fault.h"
 
 namespace assay::execution {

@@ -6,6 +6,7 @@
 
 #include "planner/assembly/open_poses.h"
 #include "planner/base/check.h"
+#include "planner/geometry/pose.h"
 #include "sim/sense/displacement.h"
 
 namespace assay::execution {

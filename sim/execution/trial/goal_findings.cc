@@ -4,6 +4,8 @@
 #include <string>
 #include <variant>
 
+#include "planner/geometry/pose.h"
+
 namespace assay::execution {
 namespace {
 

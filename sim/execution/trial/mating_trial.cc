@@ -4,6 +4,7 @@
 
 #include "planner/base/check.h"
 #include "planner/domain/problem/possible_starts.h"
+#include "planner/geometry/pose.h"
 #include "sim/execution/commands/action_commands.h"
 #include "sim/execution/commands/run.h"
 #include "sim/execution/trial/finding.h"

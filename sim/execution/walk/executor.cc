@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "planner/geometry/pose.h"
 #include "sim/execution/commands/action_commands.h"
 #include "sim/execution/commands/run.h"
 #include "sim/execution/walk/step_execution.h"

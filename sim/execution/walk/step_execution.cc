@@ -4,6 +4,8 @@
 #include <limits>
 
 #include "planner/base/check.h"
+#include "planner/geometry/collision.h"
+#include "planner/geometry/pose.h"
 #include "sim/execution/commands/command_file.h"
 #include "sim/execution/commands/run.h"
 #include "sim/execution/walk/recovery.h"

@@ -8,6 +8,7 @@
 
 #include "planner/base/check.h"
 #include "planner/contingent/plan_tree/tree_text.h"
+#include "planner/geometry/pose.h"
 
 namespace assay::execution {
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "planner/finemotion/strategy_search/mating.h"
+#include "planner/geometry/pose.h"
 #include "tests/planner/constraint_posting/scenarios.h"
 
 namespace assay::assembly::strategy_reach_test {

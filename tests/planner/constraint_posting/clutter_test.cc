@@ -18,6 +18,7 @@
 #include "planner/constraint_posting/resolvers/sensing_resolver.h"
 #include "planner/constraint_posting/uncertainty_phase/uncertainty_phase.h"
 #include "planner/domain/resting/resting.h"
+#include "planner/geometry/pose.h"
 #include "planner/plan/checker/checker.h"
 #include "tests/planner/constraint_posting/scenarios.h"
 #include "tests/planner/plan/actions.h"

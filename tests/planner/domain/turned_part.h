@@ -4,7 +4,8 @@
 
 #include <string>
 
-#include "planner/geometry/pose.h"
+#include "planner/geometry/coordinates.h"
+
 
 // A peg with a plate, written as a part file in any frame, so that the same part is moved.
 namespace assay::domain {

@@ -7,6 +7,7 @@
 
 #include "planner/finemotion/contact_graph/critical_points.h"
 #include "planner/finemotion/contacts/contact_finder.h"
+#include "planner/geometry/pose.h"
 
 namespace assay::finemotion::pegs_test {
 namespace {

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "planner/geometry/hull.h"
+#include "planner/geometry/pose.h"
 #include "planner/geometry/solids/convex_cut.h"
 #include "planner/geometry/solids/mass_properties.h"
 #include "tests/oracle/random_pose.h"

@@ -7,6 +7,9 @@
 #include <limits>
 #include <vector>
 
+#include "planner/geometry/box.h"
+#include "planner/geometry/hull.h"
+#include "planner/geometry/pose.h"
 #include "planner/geometry/solids/convex_cut.h"
 #include "tests/oracle/box_pair.h"
 #include "tests/oracle/random_pose.h"

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "planner/geometry/box.h"
+#include "planner/geometry/pose.h"
 #include "tests/oracle/random_pose.h"
 
 namespace assay::geometry::hull_test {

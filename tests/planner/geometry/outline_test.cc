@@ -7,6 +7,7 @@
 
 #include "planner/base/random.h"
 #include "planner/geometry/polygon.h"
+#include "planner/geometry/pose.h"
 
 namespace assay::geometry::outline_test {
 namespace {

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "planner/base/random.h"
+#include "planner/geometry/polygon.h"
 
 namespace assay::geometry::planar_region_test {
 namespace {

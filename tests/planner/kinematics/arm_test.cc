@@ -14,6 +14,7 @@
 #include "bench/workloads/reachable_poses.h"
 #include "planner/base/input_files/input_error.h"
 #include "planner/base/random.h"
+#include "planner/geometry/pose.h"
 #include "tests/oracle/forward_kinematics.h"
 #include "tests/scratch_file.h"
 

@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "planner/base/input_files/input_error.h"
+#include "planner/geometry/box.h"
 #include "tests/scratch_file.h"
 
 namespace assay::kinematics::gripper_test {

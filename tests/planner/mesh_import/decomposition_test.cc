@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "planner/base/random.h"
+#include "planner/geometry/hull.h"
 #include "planner/mesh_import/decomposition/convex_decomposition.h"
 #include "planner/mesh_import/decomposition/piece_distance.h"
 #include "planner/mesh_import/repair/mesh_repair.h"

@@ -5,6 +5,9 @@
 #include <limits>
 #include <optional>
 
+#include "planner/geometry/box.h"
+#include "planner/geometry/hull.h"
+#include "planner/geometry/solids/mass_properties.h"
 #include "planner/plan/certificates/condition_table.h"
 #include "planner/uncertainty/preconditions/certify.h"
 #include "tests/planner/plan/actions.h"

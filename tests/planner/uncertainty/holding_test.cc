@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include "planner/geometry/pose.h"
+#include "planner/geometry/solids/mass_properties.h"
 #include "planner/plan/certificates/carrying.h"
 #include "planner/plan/certificates/condition_table.h"
 #include "planner/uncertainty/preconditions/precondition.h"

@@ -6,6 +6,7 @@
 #include <fstream>
 #include <limits>
 
+#include "planner/geometry/box.h"
 #include "planner/plan/certificates/condition_table.h"
 #include "planner/uncertainty/preconditions/certify.h"
 #include "tests/planner/uncertainty/action_lists.h"

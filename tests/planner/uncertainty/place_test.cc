@@ -7,6 +7,7 @@
 #include "planner/base/random.h"
 #include "planner/domain/matings/mating_success.h"
 #include "planner/domain/matings/shaft_fit.h"
+#include "planner/geometry/pose.h"
 #include "planner/plan/certificates/condition_table.h"
 #include "planner/uncertainty/preconditions/certify.h"
 #include "tests/planner/uncertainty/action_lists.h"

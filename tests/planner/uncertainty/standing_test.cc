@@ -5,6 +5,8 @@
 #include <fstream>
 
 #include "planner/domain/parts/part_file.h"
+#include "planner/geometry/pose.h"
+#include "planner/geometry/solids/mass_properties.h"
 #include "planner/plan/certificates/condition_table.h"
 #include "planner/plan/certificates/pushing.h"
 #include "planner/uncertainty/error_sets/possible_masses.h"

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "planner/geometry/pose.h"
 #include "planner/plan/certificates/condition_table.h"
 #include "planner/uncertainty/preconditions/certify.h"
 #include "tests/oracle/certified_expressions.h"

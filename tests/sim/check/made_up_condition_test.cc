@@ -7,6 +7,7 @@
 
 #include "planner/base/input_files/input_error.h"
 #include "planner/constraint_posting/uncertainty_phase/unproved_goals.h"
+#include "planner/geometry/pose.h"
 #include "planner/plan/certificates/coverage.h"
 #include "planner/plan/plan_files/certificate_file.h"
 #include "planner/uncertainty/preconditions/certify.h"

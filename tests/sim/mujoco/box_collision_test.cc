@@ -9,6 +9,7 @@
 
 #include "planner/base/random.h"
 #include "planner/geometry/box.h"
+#include "planner/geometry/pose.h"
 #include "sim/mujoco/contact.h"
 
 namespace assay::mujoco::box_collision_test {

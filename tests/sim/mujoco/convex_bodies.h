@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "planner/geometry/box.h"
-#include "planner/geometry/pose.h"
+#include "planner/geometry/coordinates.h"
 
 namespace assay::mujoco {
 

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "planner/geometry/box.h"
+#include "planner/geometry/pose.h"
 #include "sim/mujoco/contact.h"
 #include "sim/mujoco/data.h"
 #include "sim/mujoco/model.h"

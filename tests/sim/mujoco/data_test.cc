@@ -1,3 +1,4 @@
+#include "planner/geometry/pose.h"
 #include "sim/mujoco/data.h"
 
 #include <gmock/gmock.h>

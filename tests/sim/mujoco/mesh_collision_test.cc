@@ -10,7 +10,10 @@
 #include <thread>
 
 #include "planner/base/random.h"
+#include "planner/geometry/box.h"
 #include "planner/geometry/contact/contact_manifold.h"
+#include "planner/geometry/hull.h"
+#include "planner/geometry/pose.h"
 #include "sim/mujoco/contact.h"
 #include "sim/mujoco/convex_pieces.h"
 #include "sim/mujoco/data.h"

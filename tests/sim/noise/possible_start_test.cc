@@ -7,6 +7,8 @@
 
 #include "planner/base/input_files/input_error.h"
 #include "planner/domain/parts/part_model.h"
+#include "planner/geometry/hull.h"
+#include "planner/geometry/polygon.h"
 #include "planner/geometry/solids/separation.h"
 #include "sim/noise/sampling.h"
 #include "tests/planner/domain/scenario.h"

@@ -6,6 +6,7 @@
 
 #include "planner/domain/parts/part_file.h"
 #include "planner/domain/problem/problem_file.h"
+#include "planner/geometry/pose.h"
 
 namespace assay::render::ghost_test {
 namespace {

@@ -8,6 +8,8 @@
 
 #include "planner/base/random.h"
 #include "planner/domain/problem/problem_file.h"
+#include "planner/geometry/hull.h"
+#include "planner/geometry/pose.h"
 
 namespace assay::render::insertion_test {
 namespace {

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "planner/geometry/box.h"
+#include "planner/geometry/hull.h"
 #include "planner/geometry/solids/convex_cut.h"
 #include "planner/geometry/solids/mass_properties.h"
 #include "sim/mujoco/convex_pieces.h"

@@ -5,6 +5,8 @@
 #include <mujoco/mujoco.h>
 
 #include "planner/base/random.h"
+#include "planner/geometry/pose.h"
+#include "planner/geometry/solids/mass_properties.h"
 #include "sim/scene/servo.h"
 #include "tests/sim/scene/peg_and_block.h"
 #include "tests/sim/scene/reach.h"

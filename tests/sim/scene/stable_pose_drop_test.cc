@@ -4,6 +4,8 @@
 
 #include "planner/base/random.h"
 #include "planner/domain/parts/part_file.h"
+#include "planner/geometry/hull.h"
+#include "planner/geometry/pose.h"
 #include "sim/scene/scene.h"
 #include "tests/sim/scene/all_parts.h"
 

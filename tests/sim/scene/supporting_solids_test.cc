@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "planner/domain/parts/part_file.h"
+#include "planner/geometry/hull.h"
 #include "planner/geometry/solids/mass_properties.h"
 #include "tests/sim/scene/all_parts.h"
 

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <vector>
 
+#include "planner/geometry/pose.h"
 #include "sim/scene/scene.h"
 #include "tests/sim/scene/peg_and_block.h"
 

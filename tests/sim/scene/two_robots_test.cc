@@ -2,6 +2,8 @@
 #include <mujoco/mujoco.h>
 
 #include "planner/domain/problem/problem_file.h"
+#include "planner/geometry/pose.h"
+#include "planner/geometry/solids/mass_properties.h"
 #include "sim/scene/scene.h"
 #include "sim/scene/servo.h"
 

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "planner/domain/problem/problem_file.h"
+#include "planner/geometry/solids/mass_properties.h"
 #include "sim/scene/scene.h"
 #include "tests/sim/scene/peg_and_block.h"
 

@@ -4,6 +4,7 @@
 
 #include "planner/base/random.h"
 #include "planner/domain/problem/problem_file.h"
+#include "planner/geometry/pose.h"
 #include "sim/sense/displacement.h"
 
 namespace assay::sense::color_sensor_test {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "planner/base/random.h"
+#include "planner/geometry/pose.h"
 
 namespace assay::sense::displacement_test {
 namespace {

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "planner/geometry/pose.h"
+#include "planner/geometry/solids/mass_properties.h"
 #include "sim/sense/calibration.h"
 #include "tests/sim/scene/peg_and_block.h"
 

@@ -5,7 +5,11 @@
 #include <algorithm>
 
 #include "planner/base/random.h"
+#include "planner/geometry/box.h"
+#include "planner/geometry/hull.h"
+#include "planner/geometry/polygon.h"
 #include "planner/geometry/solids/convex_cut.h"
+#include "planner/geometry/solids/mass_properties.h"
 #include "tests/oracle/part_boxes.h"
 #include "tests/sim/scene/peg_and_block.h"
 

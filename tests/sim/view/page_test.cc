@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "planner/geometry/pose.h"
 #include "planner/plan/certificates/not_covered.h"
 #include "tests/sim/view/recording/series_decoder.h"
 #include "tests/sim/view/viewed_execution.h"

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
+#include "planner/geometry/pose.h"
 #include "planner/motion/paths/straight_line.h"
 #include "tests/sim/view/viewed_execution.h"
 

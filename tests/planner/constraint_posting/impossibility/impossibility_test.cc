@@ -15,6 +15,7 @@
 #include "planner/base/random.h"
 #include "planner/constraint_posting/impossibility/impossibility_check.h"
 #include "planner/constraint_posting/least_actions.h"
+#include "planner/geometry/pose.h"
 #include "tests/oracle/exhaustive_assembly.h"
 #include "tests/planner/constraint_posting/scenarios.h"
 #include "tests/scratch_file.h"

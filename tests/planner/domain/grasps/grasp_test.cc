@@ -6,6 +6,11 @@
 #include <set>
 
 #include "planner/domain/parts/part_model.h"
+#include "planner/geometry/box.h"
+#include "planner/geometry/hull.h"
+#include "planner/geometry/polygon.h"
+#include "planner/geometry/pose.h"
+#include "planner/geometry/solids/mass_properties.h"
 #include "planner/geometry/solids/separation.h"
 #include "tests/oracle/random_pose.h"
 #include "tests/planner/domain/parts.h"

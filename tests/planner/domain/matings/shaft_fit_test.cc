@@ -9,6 +9,7 @@
 #include "planner/base/random.h"
 #include "planner/domain/problem/problem_file.h"
 #include "planner/geometry/collision.h"
+#include "planner/geometry/pose.h"
 #include "tests/planner/domain/parts.h"
 
 namespace assay::domain::shaft_fit_test {

@@ -6,6 +6,8 @@
 #include "planner/domain/actions/condition.h"
 #include "planner/domain/matings/mating_classes.h"
 #include "planner/domain/problem/problem_file.h"
+#include "planner/geometry/hull.h"
+#include "planner/geometry/pose.h"
 
 namespace assay::domain::occlusion_test {
 namespace {

@@ -9,7 +9,10 @@
 
 #include "planner/domain/matings/shaft_fit.h"
 #include "planner/domain/parts/exposed_faces.h"
+#include "planner/geometry/hull.h"
 #include "planner/geometry/planar_region.h"
+#include "planner/geometry/pose.h"
+#include "planner/geometry/solids/mass_properties.h"
 #include "tests/planner/domain/parts.h"
 
 namespace assay::domain::part_file_test {

@@ -7,7 +7,12 @@
 
 #include "planner/domain/parts/exposed_faces.h"
 #include "planner/domain/parts/part_file.h"
+#include "planner/geometry/box.h"
+#include "planner/geometry/hull.h"
 #include "planner/geometry/planar_region.h"
+#include "planner/geometry/polygon.h"
+#include "planner/geometry/pose.h"
+#include "planner/geometry/solids/mass_properties.h"
 #include "tests/oracle/random_pose.h"
 #include "tests/planner/domain/parts.h"
 

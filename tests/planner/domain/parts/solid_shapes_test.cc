@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "planner/base/random.h"
+#include "planner/geometry/hull.h"
 #include "planner/geometry/solids/mass_properties.h"
 #include "tests/planner/domain/parts.h"
 

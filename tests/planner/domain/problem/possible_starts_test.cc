@@ -6,6 +6,8 @@
 
 #include "planner/base/random.h"
 #include "planner/domain/parts/part_model.h"
+#include "planner/geometry/hull.h"
+#include "planner/geometry/pose.h"
 #include "planner/geometry/solids/separation.h"
 #include "tests/planner/domain/scenario.h"
 

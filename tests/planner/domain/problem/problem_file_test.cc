@@ -12,6 +12,8 @@
 #include <sstream>
 
 #include "planner/base/random.h"
+#include "planner/geometry/hull.h"
+#include "planner/geometry/pose.h"
 #include "tests/planner/domain/scenario.h"
 #include "tests/scratch_file.h"
 

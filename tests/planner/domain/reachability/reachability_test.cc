@@ -18,6 +18,9 @@
 #include "planner/base/random.h"
 #include "planner/domain/reachability/action_ways.h"
 #include "planner/domain/resting/resting.h"
+#include "planner/geometry/box.h"
+#include "planner/geometry/collision.h"
+#include "planner/geometry/pose.h"
 #include "tests/planner/domain/scenario.h"
 
 namespace assay::domain::reachability_test {

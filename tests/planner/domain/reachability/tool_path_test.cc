@@ -10,6 +10,7 @@
 
 #include "planner/base/random.h"
 #include "planner/domain/workcell/workcell_file.h"
+#include "planner/geometry/pose.h"
 #include "tests/planner/domain/scenario.h"
 
 namespace assay::domain::tool_path_test {

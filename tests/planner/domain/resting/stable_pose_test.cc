@@ -7,6 +7,10 @@
 
 #include "planner/domain/parts/part_model.h"
 #include "planner/domain/resting/compute_stable_poses.h"
+#include "planner/geometry/hull.h"
+#include "planner/geometry/polygon.h"
+#include "planner/geometry/pose.h"
+#include "planner/geometry/solids/mass_properties.h"
 #include "tests/oracle/rolling.h"
 #include "tests/planner/domain/parts.h"
 #include "tests/planner/domain/turned_part.h"

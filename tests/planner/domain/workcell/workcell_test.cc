@@ -15,6 +15,8 @@
 #include "planner/base/input_files/input_error.h"
 #include "planner/domain/actions/actions.h"
 #include "planner/domain/workcell/workcell_file.h"
+#include "planner/geometry/polygon.h"
+#include "planner/geometry/pose.h"
 #include "tests/scratch_file.h"
 
 namespace assay::domain::workcell_test {

@@ -1,4 +1,5 @@
 #include "planner/finemotion/contact_graph/critical_points.h"
+#include "planner/geometry/coordinates.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -6,7 +7,6 @@
 #include <algorithm>
 #include <set>
 
-#include "planner/geometry/pose.h"
 
 namespace assay::finemotion::critical_points_test {
 namespace {

@@ -13,6 +13,7 @@
 #include "bench/workloads/pegs.h"
 #include "planner/finemotion/contacts/contact_finder.h"
 #include "planner/finemotion/motions/segment.h"
+#include "planner/geometry/pose.h"
 #include "tests/oracle/random_pose.h"
 
 namespace assay::finemotion::parallel_edges_test {

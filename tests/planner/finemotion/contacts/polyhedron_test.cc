@@ -13,7 +13,9 @@
 #include <utility>
 
 #include "planner/base/random.h"
+#include "planner/geometry/box.h"
 #include "planner/geometry/hull.h"
+#include "planner/geometry/pose.h"
 #include "planner/geometry/solids/convex_cut.h"
 #include "tests/oracle/random_pose.h"
 

@@ -12,6 +12,8 @@
 
 #include "bench/workloads/pegs.h"
 #include "planner/finemotion/contacts/contact_finder.h"
+#include "planner/geometry/polygon.h"
+#include "planner/geometry/pose.h"
 #include "tests/oracle/random_pose.h"
 
 namespace assay::finemotion::primitive_contact_test {

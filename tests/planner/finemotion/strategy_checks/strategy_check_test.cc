@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "bench/workloads/pegs.h"
+#include "planner/geometry/pose.h"
 #include "tests/planner/domain/scenario.h"
 
 namespace assay::finemotion::strategy_check_test {

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "planner/geometry/narrow_phase.h"
+#include "planner/geometry/pose.h"
 #include "tests/planner/geometry/contact/solids.h"
 
 namespace assay::geometry::contact_manifold_test {

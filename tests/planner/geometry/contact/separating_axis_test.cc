@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "planner/geometry/pose.h"
 #include "tests/planner/geometry/contact/solids.h"
 
 namespace assay::geometry::separating_axis_test {

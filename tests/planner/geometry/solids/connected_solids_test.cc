@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "planner/base/random.h"
+#include "planner/geometry/box.h"
+#include "planner/geometry/hull.h"
 
 namespace assay::geometry::connected_solids_test {
 namespace {

@@ -8,6 +8,8 @@
 #include <map>
 #include <numbers>
 
+#include "planner/geometry/hull.h"
+#include "planner/geometry/polygon.h"
 #include "planner/geometry/solids/mass_properties.h"
 #include "planner/geometry/solids/shadow.h"
 #include "tests/oracle/random_pose.h"

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "planner/geometry/hull.h"
 #include "tests/oracle/box_pair.h"
 #include "tests/oracle/random_pose.h"
 

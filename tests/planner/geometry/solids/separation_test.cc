@@ -4,6 +4,9 @@
 
 #include <array>
 
+#include "planner/geometry/box.h"
+#include "planner/geometry/hull.h"
+#include "planner/geometry/pose.h"
 #include "tests/oracle/box_pair.h"
 #include "tests/oracle/random_pose.h"
 

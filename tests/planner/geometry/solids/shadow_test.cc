@@ -4,6 +4,9 @@
 
 #include <algorithm>
 
+#include "planner/geometry/box.h"
+#include "planner/geometry/hull.h"
+#include "planner/geometry/pose.h"
 #include "tests/oracle/random_pose.h"
 
 namespace assay::geometry::shadow_test {

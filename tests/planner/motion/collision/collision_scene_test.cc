@@ -7,6 +7,7 @@
 
 #include "planner/domain/workcell/workcell_file.h"
 #include "planner/geometry/collision.h"
+#include "planner/geometry/pose.h"
 #include "tests/planner/motion/arm_scene.h"
 
 namespace assay::motion::collision_scene_test {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "planner/geometry/pose.h"
 #include "planner/motion/collision/motion_check.h"
 #include "planner/motion/paths/straight_line.h"
 #include "tests/planner/motion/arm_scene.h"

@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <limits>
 
+#include "planner/geometry/hull.h"
 #include "tests/oracle/random_pose.h"
 #include "tests/planner/motion/arm_scene.h"
 

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "planner/domain/resting/resting.h"
+#include "planner/geometry/pose.h"
 #include "planner/motion/collision/motion_check.h"
 #include "planner/motion/paths/straight_line.h"
 #include "tests/planner/motion/handling/cans.h"

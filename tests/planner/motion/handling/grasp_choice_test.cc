@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "planner/geometry/pose.h"
 #include "tests/planner/motion/handling/cans.h"
 
 namespace assay::motion::grasp_choice_test {

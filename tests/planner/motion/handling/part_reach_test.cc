@@ -10,6 +10,7 @@
 #include "planner/contingent/plan_tree/tree_text.h"
 #include "planner/contingent/search/contingent_planner.h"
 #include "planner/domain/problem/problem_file.h"
+#include "planner/geometry/pose.h"
 
 namespace assay::motion::part_reach_test {
 namespace {

@@ -8,6 +8,8 @@
 
 #include "planner/base/random.h"
 #include "planner/domain/resting/resting.h"
+#include "planner/geometry/hull.h"
+#include "planner/geometry/pose.h"
 #include "tests/planner/motion/handling/cans.h"
 
 namespace assay::motion::putting_down_test {

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "planner/geometry/pose.h"
 #include "tests/planner/motion/arm_scene.h"
 
 namespace assay::motion::path_search_test {

@@ -7,6 +7,7 @@
 
 #include "planner/base/random.h"
 #include "planner/domain/parts/part_model.h"
+#include "planner/geometry/pose.h"
 #include "planner/plan/certificates/not_covered.h"
 #include "tests/oracle/random_pose.h"
 #include "tests/planner/plan/actions.h"

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "planner/domain/parts/part_file.h"
+#include "planner/geometry/hull.h"
+#include "planner/geometry/pose.h"
 #include "tests/planner/plan/peg_and_block.h"
 
 namespace assay::plan::pad_contact_test {

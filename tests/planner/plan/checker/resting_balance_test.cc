@@ -4,6 +4,11 @@
 
 #include <array>
 
+#include "planner/geometry/box.h"
+#include "planner/geometry/hull.h"
+#include "planner/geometry/polygon.h"
+#include "planner/geometry/pose.h"
+#include "planner/geometry/solids/mass_properties.h"
 #include "tests/oracle/random_pose.h"
 
 namespace assay::plan::resting_balance_test {

@@ -4,6 +4,7 @@
 
 #include <numbers>
 
+#include "planner/geometry/pose.h"
 #include "tests/oracle/random_pose.h"
 
 namespace assay::uncertainty::axis_angle_test {

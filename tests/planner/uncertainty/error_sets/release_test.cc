@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "planner/domain/matings/shaft_fit.h"
+#include "planner/geometry/pose.h"
 #include "tests/oracle/random_pose.h"
 #include "tests/planner/uncertainty/part_on_table.h"
 

@@ -6,6 +6,7 @@
 
 #include "planner/domain/parts/part_file.h"
 #include "planner/domain/parts/part_model.h"
+#include "planner/geometry/solids/mass_properties.h"
 #include "tests/planner/uncertainty/part_on_table.h"
 #include "tests/scratch_file.h"
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "planner/domain/parts/part_model.h"
+#include "planner/geometry/hull.h"
 #include "tests/planner/uncertainty/part_on_table.h"
 
 namespace assay::uncertainty::turn_of_push_test {

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "planner/geometry/pose.h"
 #include "tests/oracle/random_pose.h"
 
 namespace assay::uncertainty::uncertain_pose_test {

@@ -5,6 +5,9 @@
 #include <cmath>
 
 #include "planner/base/random.h"
+#include "planner/geometry/box.h"
+#include "planner/geometry/hull.h"
+#include "planner/geometry/pose.h"
 #include "tests/oracle/box_pair.h"
 #include "tests/planner/uncertainty/action_lists.h"
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "planner/geometry/pose.h"
 #include "planner/plan/certificates/condition_table.h"
 #include "tests/sim/execution/figure15.h"
 

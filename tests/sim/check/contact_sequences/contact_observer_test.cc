@@ -7,6 +7,7 @@
 #include <functional>
 
 #include "planner/finemotion/contacts/contact_finder.h"
+#include "planner/geometry/pose.h"
 #include "sim/check/contact_sequences/sequence_comparison.h"
 #include "sim/execution/trial/mating_trial.h"
 #include "tests/sim/execution/figure15.h"

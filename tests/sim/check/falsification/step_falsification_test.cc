@@ -7,6 +7,7 @@
 #include <set>
 #include <sstream>
 
+#include "planner/geometry/pose.h"
 #include "sim/check/noise_floor/measure_noise_floor.h"
 #include "sim/noise/error_box.h"
 #include "sim/noise/possible_start.h"

@@ -7,6 +7,7 @@
 
 #include "planner/base/random.h"
 #include "planner/domain/problem/problem_file.h"
+#include "planner/geometry/pose.h"
 
 namespace assay::check::fit_test {
 namespace {

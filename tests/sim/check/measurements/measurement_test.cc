@@ -7,6 +7,8 @@
 #include <limits>
 
 #include "planner/base/random.h"
+#include "planner/geometry/box.h"
+#include "planner/geometry/pose.h"
 #include "planner/plan/certificates/condition_table.h"
 #include "tests/oracle/part_boxes.h"
 #include "tests/sim/check/certified.h"

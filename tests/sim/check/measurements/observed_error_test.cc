@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "planner/domain/parts/part_file.h"
+#include "planner/geometry/pose.h"
 #include "tests/sim/execution/figure15.h"
 
 namespace assay::check::observed_error_test {

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "planner/domain/problem/problem_file.h"
+#include "planner/geometry/pose.h"
 #include "sim/check/measurements/observed_error.h"
 
 namespace assay::check::extreme_poses_test {

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "planner/domain/problem/problem_file.h"
+#include "planner/geometry/pose.h"
 
 namespace assay::check::verdict_test {
 namespace {

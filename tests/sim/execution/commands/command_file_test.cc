@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "planner/geometry/pose.h"
 #include "planner/plan/certificates/condition_table.h"
 #include "sim/execution/commands/action_commands.h"
 #include "tests/planner/plan/actions.h"

@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "planner/geometry/pose.h"
 #include "sim/execution/walk/executor.h"
 #include "tests/planner/plan/actions.h"
 #include "tests/sim/execution/channel.h"

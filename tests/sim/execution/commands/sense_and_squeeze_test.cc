@@ -2,6 +2,7 @@
 
 #include <map>
 
+#include "planner/geometry/pose.h"
 #include "sim/execution/walk/executor.h"
 #include "tests/planner/plan/actions.h"
 #include "tests/sim/execution/figure15.h"

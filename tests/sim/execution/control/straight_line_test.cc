@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "planner/base/random.h"
+#include "planner/geometry/pose.h"
 #include "tests/sim/execution/figure15.h"
 
 namespace assay::execution::straight_line_test {

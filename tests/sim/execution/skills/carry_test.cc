@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "planner/geometry/pose.h"
 #include "sim/execution/interpretation/knowledge_scenario.h"
 #include "sim/execution/skills/skill.h"
 #include "sim/execution/walk/executor.h"

@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "planner/base/input_files/input_error.h"
+#include "planner/geometry/pose.h"
 #include "tests/sim/execution/trace/trace_schema.h"
 
 namespace assay::execution::trace_test {

@@ -7,6 +7,7 @@
 
 #include "planner/domain/matings/mating_success.h"
 #include "planner/domain/problem/problem_file.h"
+#include "planner/geometry/pose.h"
 
 namespace assay::execution::finding_test {
 namespace {

@@ -7,6 +7,7 @@
 #include <cstdlib>
 
 #include "planner/base/random.h"
+#include "planner/geometry/pose.h"
 #include "sim/mujoco/contact.h"
 #include "tests/sim/execution/figure15.h"
 

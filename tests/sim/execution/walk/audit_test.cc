@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "planner/geometry/pose.h"
 #include "sim/execution/interpretation/knowledge_scenario.h"
 #include "sim/execution/walk/tilt_watch.h"
 #include "tests/sim/execution/two_cans.h"

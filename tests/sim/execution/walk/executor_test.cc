@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <sstream>
 
+#include "planner/geometry/pose.h"
 #include "sim/execution/commands/action_commands.h"
 #include "tests/sim/execution/figure15.h"
 #include "tests/sim/execution/trace/trace_schema.h"

@@ -3,6 +3,7 @@
 
 #include <numbers>
 
+#include "planner/geometry/pose.h"
 #include "sim/execution/walk/executor.h"
 #include "sim/execution/walk/step_execution.h"
 #include "tests/sim/execution/channel.h"

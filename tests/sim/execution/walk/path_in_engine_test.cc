@@ -14,6 +14,8 @@
 
 #include "planner/base/random.h"
 #include "planner/domain/problem/problem_file.h"
+#include "planner/geometry/pose.h"
+#include "planner/geometry/solids/mass_properties.h"
 #include "planner/motion/paths/path_search.h"
 #include "planner/motion/paths/straight_line.h"
 #include "sim/scene/scene.h"

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "planner/assembly/certified_plan.h"
+#include "planner/geometry/pose.h"
 #include "planner/motion/paths/straight_line.h"
 #include "sim/execution/commands/action_commands.h"
 #include "sim/execution/commands/command_file.h"

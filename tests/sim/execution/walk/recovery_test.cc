@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "planner/geometry/collision.h"
+#include "planner/geometry/pose.h"
 #include "sim/execution/walk/executor.h"
 #include "tests/sim/execution/figure15.h"
 #include "tests/sim/execution/trace/trace_schema.h"

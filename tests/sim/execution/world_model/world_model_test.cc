@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "planner/geometry/pose.h"
 #include "tests/sim/execution/figure15.h"
 
 namespace assay::execution::world_model_test {
