@@ -1,9 +1,8 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <cmath>
 
-#include "planner/geometry/pose.h"
+#include "planner/geometry/coordinates.h"
 
 namespace assay::sense {
 
@@ -13,20 +12,10 @@ namespace assay::sense {
 using Displacement = Eigen::Vector4d;
 
 // Returns the pose after the displacement `by`.
-inline geometry::Pose Displaced(const geometry::Pose& X_WorldPart, const Displacement& by) {
-  geometry::Pose moved = geometry::RotationZ(by[3]) * X_WorldPart;
-  moved.translation() = X_WorldPart.translation() + by.head<3>();
-  return moved;
-}
+geometry::Pose Displaced(const geometry::Pose& X_WorldPart, const Displacement& by);
 
 // Returns the displacement that leads from one pose to the other. Both must have the same roll and
 // pitch.
-inline Displacement Between(const geometry::Pose& from, const geometry::Pose& to) {
-  const geometry::Matrix3 turn = to.linear() * from.linear().transpose();
-  Displacement by;
-  by << to.translation() - from.translation(),
-      std::atan2(turn(1, 0) - turn(0, 1), turn(0, 0) + turn(1, 1));
-  return by;
-}
+Displacement Between(const geometry::Pose& from, const geometry::Pose& to);
 
 }  // namespace assay::sense

@@ -4,9 +4,12 @@
 #include <vector>
 
 #include "planner/domain/parts/part_model.h"
-#include "planner/geometry/hull.h"
-#include "planner/geometry/polygon.h"
+#include "planner/geometry/coordinates.h"
 #include "sim/sense/view.h"
+
+namespace assay::geometry {
+struct ConvexHull;
+}  // namespace assay::geometry
 
 namespace assay::sense {
 

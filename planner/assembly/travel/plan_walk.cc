@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "planner/motion/collision/collision_scene.h"
 #include "planner/uncertainty/error_sets/tool_error_box.h"
 #include "planner/uncertainty/preconditions/certify.h"
 

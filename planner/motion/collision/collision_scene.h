@@ -7,18 +7,15 @@
 
 #include "planner/base/id.h"
 #include "planner/domain/problem/problem.h"
-#include "planner/domain/reachability/reachability.h"
 #include "planner/geometry/rounded_hull.h"
 #include "planner/kinematics/arm.h"
+#include "planner/motion/collision/surroundings.h"
 #include "planner/plan/data/reason.h"
 
 namespace assay::motion {
 
-using domain::PartId;
-using geometry::Pose;
 using geometry::RoundedHull;
 using geometry::Vector3;
-using kinematics::JointVector;
 
 using BodyId = Id<struct BodyTag>;
 // Poses of the arm's links in its base, as from Arm::LinkPoses.
@@ -49,28 +46,6 @@ struct BodyPair {
 struct Nearness {
   BodyPair pair = {};
   double distance = 0;  // metres, never more than the true distance; 0: they overlap or touch
-};
-
-struct HeldPart {
-  PartId part;
-  Pose X_PartTool;
-};
-
-// Another robot of the workcell, which stands still.
-struct StandingRobot {
-  domain::RobotId robot;
-  JointVector q = JointVector::Zero();
-  double opening = 0;  // distance between its pads, metres
-};
-
-// Everything around the arm while it moves.
-struct Surroundings {
-  std::vector<domain::PlacedPart> parts = {};  // parts that stand still; others are absent
-  std::optional<HeldPart> held = {};
-  std::vector<double> doubts = {};  // by PartId, metres (Body::doubt); empty: no errors
-  double opening = 0;               // distance between the pads, metres
-  // Robots that are not listed stand at their homes with open grippers.
-  std::vector<StandingRobot> robots = {};
 };
 
 // Returns the arm's links, each in its own frame. A link's shapes are its URDF's collisions, or its

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "planner/geometry/pose.h"
+#include "planner/motion/collision/collision_scene.h"
 #include "planner/motion/handling/putting_down.h"
 #include "planner/motion/paths/path_search.h"
 #include "planner/motion/paths/straight_line.h"

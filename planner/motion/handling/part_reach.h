@@ -3,7 +3,7 @@
 #include <string>
 
 #include "planner/domain/problem/problem.h"
-#include "planner/motion/collision/collision_scene.h"
+#include "planner/motion/collision/surroundings.h"
 
 namespace assay::motion {
 

@@ -1,5 +1,6 @@
 #include "planner/motion/paths/obstruction_situation.h"
 
+#include "planner/motion/collision/collision_scene.h"
 #include "planner/motion/paths/straight_line.h"
 
 namespace assay::motion {

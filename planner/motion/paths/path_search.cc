@@ -9,6 +9,7 @@
 
 #include "planner/base/check.h"
 #include "planner/base/random.h"
+#include "planner/motion/collision/collision_scene.h"
 #include "planner/motion/paths/tree_search.h"
 
 namespace assay::motion {

@@ -9,6 +9,7 @@
 #include "planner/geometry/box.h"
 #include "planner/geometry/collision.h"
 #include "planner/geometry/hull.h"
+#include "planner/motion/collision/collision_scene.h"
 #include "planner/motion/paths/joint_trajectory.h"
 #include "planner/motion/paths/path_search.h"
 #include "planner/motion/paths/straight_line.h"

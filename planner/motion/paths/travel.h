@@ -5,7 +5,7 @@
 #include <variant>
 #include <vector>
 
-#include "planner/motion/collision/collision_scene.h"
+#include "planner/motion/collision/surroundings.h"
 #include "planner/motion/paths/joint_path.h"
 
 namespace assay::motion {

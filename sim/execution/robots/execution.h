@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "planner/motion/collision/collision_scene.h"
+#include "planner/motion/collision/surroundings.h"
 #include "planner/motion/paths/joint_trajectory.h"
 #include "sim/execution/robots/collision_watch.h"
 #include "sim/execution/robots/executor_options.h"

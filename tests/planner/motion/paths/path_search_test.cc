@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "planner/geometry/pose.h"
+#include "planner/motion/collision/collision_scene.h"
 #include "tests/planner/motion/arm_scene.h"
 
 namespace assay::motion::path_search_test {

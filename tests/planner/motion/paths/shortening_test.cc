@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "planner/motion/collision/collision_scene.h"
 #include "planner/motion/paths/joint_trajectory.h"
 #include "tests/planner/motion/arm_scene.h"
 

@@ -9,6 +9,7 @@
 #include "planner/domain/problem/problem_file.h"
 #include "planner/geometry/pose.h"
 #include "planner/geometry/solids/mass_properties.h"
+#include "planner/motion/collision/collision_scene.h"
 #include "planner/motion/paths/joint_trajectory.h"
 #include "planner/motion/paths/straight_line.h"
 

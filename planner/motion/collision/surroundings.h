@@ -1,0 +1,40 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "planner/domain/parts/placed_part.h"
+#include "planner/domain/workcell/robot.h"
+#include "planner/geometry/coordinates.h"
+#include "planner/kinematics/arm.h"
+
+namespace assay::motion {
+
+using domain::PartId;
+using geometry::Pose;
+using geometry::Vector3;
+using kinematics::JointVector;
+
+struct HeldPart {
+  PartId part;
+  Pose X_PartTool;
+};
+
+// Another robot of the workcell, which stands still.
+struct StandingRobot {
+  domain::RobotId robot;
+  JointVector q = JointVector::Zero();
+  double opening = 0;  // distance between its pads, metres
+};
+
+// Everything around the arm while it moves.
+struct Surroundings {
+  std::vector<domain::PlacedPart> parts = {};  // parts that stand still; others are absent
+  std::optional<HeldPart> held = {};
+  std::vector<double> doubts = {};  // by PartId, metres (Body::doubt); empty: no errors
+  double opening = 0;               // distance between the pads, metres
+  // Robots that are not listed stand at their homes with open grippers.
+  std::vector<StandingRobot> robots = {};
+};
+
+}  // namespace assay::motion
