@@ -5,7 +5,6 @@
 #include <limits>
 
 #include "planner/base/check.h"
-#include "planner/geometry/hull.h"
 #include "planner/geometry/pose.h"
 
 namespace assay::render {
@@ -52,7 +51,7 @@ FreeCamera Framing(std::span<const Ball> balls, const Vector3& back, double aspe
 
 std::vector<Ball> CornersOf(const domain::PartModel& model, const Pose& X_WorldPart) {
   std::vector<Ball> corners;
-  for (const Vector3& vertex : model.hull().vertices) corners.push_back({X_WorldPart * vertex});
+  for (const Vector3& vertex : model.corners()) corners.push_back({X_WorldPart * vertex});
   return corners;
 }
 

@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "planner/base/check.h"
-#include "planner/geometry/hull.h"
 
 namespace assay::sense {
 namespace {
@@ -34,9 +33,9 @@ struct Ball {
 };
 
 Ball BallAround(const domain::PartModel& model, const Pose& believed, const SearchWindow& window) {
-  Vector3 low = model.hull().vertices.front();
+  Vector3 low = model.corners().front();
   Vector3 high = low;
-  for (const Vector3& vertex : model.hull().vertices) {
+  for (const Vector3& vertex : model.corners()) {
     low = low.cwiseMin(vertex);
     high = high.cwiseMax(vertex);
   }

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "planner/geometry/box.h"
-#include "planner/geometry/hull.h"
 
 namespace assay::assembly {
 namespace {
@@ -28,7 +27,7 @@ double Doubt(const Error& error, double turn, double radius) {
 double DoubtAtRest(const domain::Part& part, const plan::ErrorSet& set,
                    const plan::Pose& X_WorldPart) {
   double radius = 0;
-  for (const Vector3& vertex : part.model->hull().vertices) {
+  for (const Vector3& vertex : part.model->corners()) {
     radius = std::max(radius, (X_WorldPart.linear() * vertex).head<2>().norm());
   }
   return Doubt(set, Greatest(set.theta), radius);
@@ -37,7 +36,7 @@ double DoubtAtRest(const domain::Part& part, const plan::ErrorSet& set,
 // Returns the bound for a held part. Errors turn it about the grasped point.
 double DoubtInHand(const domain::Part& part, const plan::ErrorSet& set, const plan::Hold& hold) {
   double radius = 0;
-  for (const Vector3& vertex : part.model->hull().vertices) {
+  for (const Vector3& vertex : part.model->corners()) {
     radius = std::max(radius, (vertex - hold.X_PartTool.translation()).norm());
   }
   return Doubt(set, Greatest(set.theta) + Greatest(set.tip) + Greatest(set.twist), radius);

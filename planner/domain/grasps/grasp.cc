@@ -12,7 +12,6 @@
 #include "planner/base/check.h"
 #include "planner/domain/grasps/hand_clearance.h"
 #include "planner/domain/parts/exposed_faces.h"
-#include "planner/geometry/hull.h"
 #include "planner/geometry/planar_region.h"
 #include "planner/geometry/polygon.h"
 #include "planner/geometry/pose.h"
@@ -253,7 +252,7 @@ class PairSearch {
     const Vector3 along =
         pair_.X_PartMiddle.linear() * Vector3(std::cos(angle), std::sin(angle), 0);
     const auto height = [&](const Vector3& p) { return along.dot(p); };
-    const auto [low, high] = std::ranges::minmax(part_.hull().vertices, {}, height);
+    const auto [low, high] = std::ranges::minmax(part_.corners(), {}, height);
     return height(high) - height(low);
   }
 

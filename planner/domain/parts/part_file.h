@@ -2,17 +2,14 @@
 
 #include <filesystem>
 #include <memory>
-#include <vector>
 
 #include "planner/base/input_files/document.h"
 #include "planner/domain/parts/part_model.h"
-#include "planner/domain/parts/part_solids.h"
-#include "planner/domain/units/units.h"
 
 namespace assay::domain {
 
-// Reads a part file ("assay-part/1") and computes the model from it. models/parts/README.md
-// describes the format. The object exists only while the file is read.
+// Part files ("assay-part/1") and the models that are computed from them. models/parts/README.md
+// describes the format.
 class PartFile {
  public:
   // Reads models/parts/NAME/part.yaml. `clearance` is in metres, on each side of the axes along
@@ -25,26 +22,6 @@ class PartFile {
   // their holes. Throws InputError if a pocket becomes impossible.
   static std::shared_ptr<const PartModel> WithClearance(const PartModel& model, double clearance);
   static geometry::MassProperties MassWithClearance(const PartModel& model, double clearance);
-
- private:
-  static geometry::MassProperties ReadMass(const Document& document, double clearance);
-
-  using Solid = PartSolids::Solid;
-
-  PartFile(const Value& root, double clearance);  // reads units, solids and pockets
-
-  void BuildShape(PartModel& model, double density) const;
-
-  void ReadFeatures(const Value& features, PartModel& model) const;
-  Feature ReadFeature(const Value& entry, const PartModel& model) const;
-  std::vector<Feature> ReadFaces(const Value& entry, const PartModel& model) const;
-  static void ReadFace(const Solid& solid, const Value& normal, const PartModel& model,
-                       Feature& feature);
-  void ReadHole(const Value& entry, const PartModel& model, Feature& feature) const;
-  void ReadShaft(const Value& entry, const PartModel& model, Feature& feature) const;
-
-  Units units_;
-  PartSolids solids_;
 };
 
 }  // namespace assay::domain

@@ -35,6 +35,7 @@ PartShape::PartShape(std::vector<geometry::ConvexHull> solids, double density)
 const std::vector<geometry::ConvexHull>& PartModel::pieces() const { return shape_->pieces; }
 const geometry::CollisionShape& PartModel::shape() const { return shape_->collision; }
 const geometry::ConvexHull& PartModel::hull() const { return shape_->hull; }
+const std::vector<Vector3>& PartModel::corners() const { return shape_->hull.vertices; }
 const geometry::MassProperties& PartModel::mass() const { return shape_->mass; }
 
 const Feature* PartModel::FindFeature(FeatureNumber number) const {

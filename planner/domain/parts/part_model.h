@@ -33,6 +33,7 @@ class PartModel {
   const std::vector<Eigen::Vector4f>& colors() const { return colors_; }  // rgba of each piece
   const geometry::CollisionShape& shape() const;
   const geometry::ConvexHull& hull() const;
+  const std::vector<Vector3>& corners() const;  // the vertices of hull()
   const geometry::MassProperties& mass() const;
   double friction() const { return friction_; }  // of its material against itself
 
@@ -49,6 +50,7 @@ class PartModel {
  private:
   explicit PartModel(const Document& file, double clearance) : file_(file), clearance_(clearance) {}
   friend class PartFile;
+  friend class PartReader;
 
   Document file_;
   double clearance_;

@@ -17,7 +17,6 @@
 #include "planner/domain/resting/face_contact.h"
 #include "planner/domain/resting/resting.h"
 #include "planner/domain/resting/stable_pose_names.h"
-#include "planner/geometry/hull.h"
 #include "planner/geometry/polygon.h"
 #include "planner/geometry/pose.h"
 #include "planner/geometry/solids/mass_properties.h"
@@ -27,7 +26,7 @@ namespace {
 
 double LowestOf(const Part& part) {
   double lowest = std::numeric_limits<double>::infinity();
-  for (const Vector3& vertex : part.model->hull().vertices) {
+  for (const Vector3& vertex : part.model->corners()) {
     lowest = std::min(lowest, (part.X_WorldPart * vertex).z());
   }
   return lowest;

@@ -40,7 +40,7 @@ std::vector<FeatureNumber> HiddenUnder(const PartModel& part, const geometry::Fa
   const FaceId id = FindFace(part.faces(), facet.normal, facet.offset);
   if (id.IsNone()) return {};
   std::vector<Vector3> corners;
-  for (int vertex : facet.loop) corners.push_back(part.hull().vertices[vertex]);
+  for (int vertex : facet.loop) corners.push_back(part.corners()[vertex]);
   return part.FeaturesUnder(id, OnFace(part.faces()[id.index()], corners));
 }
 

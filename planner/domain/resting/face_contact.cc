@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "planner/domain/parts/part_model.h"
-#include "planner/geometry/hull.h"
 #include "planner/geometry/polygon.h"
 
 namespace assay::domain {
@@ -47,7 +46,7 @@ void AddAreas(const Face& upper, const Pose& X_LowerUpper, const Face& lower,
 
 std::vector<Vector3> CornersOnTable(const PartModel& part, const Pose& X_WorldPart) {
   std::vector<Vector3> vertices;
-  for (const Vector3& v : part.hull().vertices) vertices.push_back(X_WorldPart * v);
+  for (const Vector3& v : part.corners()) vertices.push_back(X_WorldPart * v);
   const auto height = [](const Vector3& v) { return v.z(); };
   const double lowest = height(*std::ranges::min_element(vertices, {}, height));
   if (std::abs(lowest) > kInContact) return {};

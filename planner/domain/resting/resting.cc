@@ -5,7 +5,6 @@
 #include <numbers>
 #include <vector>
 
-#include "planner/geometry/hull.h"
 #include "planner/geometry/polygon.h"
 
 namespace assay::domain {
@@ -27,15 +26,15 @@ double TiltBetween(const Pose& X_A, const Pose& X_B) {
 
 Polygon Footprint(const Part& part, const Pose& X_WorldPart) {
   std::vector<Vector2> shadow;
-  shadow.reserve(part.model->hull().vertices.size());
-  for (const Vector3& vertex : part.model->hull().vertices) {
+  shadow.reserve(part.model->corners().size());
+  for (const Vector3& vertex : part.model->corners()) {
     shadow.push_back((X_WorldPart * vertex).head<2>());
   }
   return geometry::Hull2(shadow);
 }
 
 bool IsOver(const Table& table, const Part& part, const Pose& X_WorldPart) {
-  return std::ranges::all_of(part.model->hull().vertices, [&](const Vector3& vertex) {
+  return std::ranges::all_of(part.model->corners(), [&](const Vector3& vertex) {
     return geometry::Depth(table.top, (X_WorldPart * vertex).head<2>()) >= -kRounding;
   });
 }

@@ -9,7 +9,6 @@
 #include "planner/domain/reachability/reachability.h"
 #include "planner/domain/resting/resting.h"
 #include "planner/geometry/collision.h"
-#include "planner/geometry/hull.h"
 #include "planner/geometry/polygon.h"
 #include "planner/geometry/pose.h"
 #include "planner/plan/data/tool_route.h"
@@ -101,8 +100,8 @@ bool CanRelease(const domain::Problem& problem, const Surroundings& surroundings
 }  // namespace
 
 Pose StraightBelow(const domain::Part& part, Pose X_WorldPart) {
-  double lowest = (X_WorldPart * part.model->hull().vertices.front()).z();
-  for (const Vector3& vertex : part.model->hull().vertices) {
+  double lowest = (X_WorldPart * part.model->corners().front()).z();
+  for (const Vector3& vertex : part.model->corners()) {
     lowest = std::min(lowest, (X_WorldPart * vertex).z());
   }
   X_WorldPart.translation().z() -= lowest;

@@ -28,7 +28,7 @@ double LowestVertex(const std::vector<Vector3>& vertices, const Pose& X_WorldFra
 
 double HighestPoint(const domain::Part& part, const Pose& X_WorldPart) {
   double highest = 0;
-  for (const Vector3& vertex : part.model->hull().vertices) {
+  for (const Vector3& vertex : part.model->corners()) {
     highest = std::max(highest, (X_WorldPart * vertex).z());
   }
   return highest;

@@ -8,7 +8,6 @@
 
 #include "planner/domain/parts/exposed_faces.h"
 #include "planner/domain/parts/part_model.h"
-#include "planner/geometry/hull.h"
 #include "planner/geometry/polygon.h"
 #include "planner/geometry/solids/mass_properties.h"
 #include "planner/uncertainty/error_sets/possible_masses.h"
@@ -34,7 +33,7 @@ geometry::Polygon SupportOf(const std::vector<Standing>& standings) {
 std::vector<geometry::Polygon> RegionsOf(const domain::PartModel& model, const Pose& X_WorldPart) {
   const Vector3 down = X_WorldPart.linear().transpose() * -Vector3::UnitZ();
   double offset = -std::numeric_limits<double>::infinity();
-  for (const Vector3& v : model.hull().vertices) offset = std::max(offset, down.dot(v));
+  for (const Vector3& v : model.corners()) offset = std::max(offset, down.dot(v));
   const domain::FaceId face = domain::FindFace(model.faces(), down, offset);
   return face.IsNone() ? std::vector<geometry::Polygon>{} : model.faces()[face.index()].patches;
 }

@@ -8,7 +8,6 @@
 #include "planner/domain/parts/part_model.h"
 #include "planner/domain/resting/resting.h"
 #include "planner/geometry/collision.h"
-#include "planner/geometry/hull.h"
 #include "planner/uncertainty/error_sets/release.h"
 #include "planner/uncertainty/preconditions/precondition.h"
 
@@ -23,7 +22,7 @@ constexpr double kSupportLayer = 1e-6;  // metres above the lowest vertex of a p
 // Returns the vertices of the face that will rest on the table.
 std::vector<Vector3> SupportVertices(const domain::PartModel& model, const Pose& X_WorldPart) {
   const auto height = [&](const Vector3& v) { return (X_WorldPart * v).z(); };
-  const std::vector<Vector3>& vertices = model.hull().vertices;
+  const std::vector<Vector3>& vertices = model.corners();
   const double lowest = height(*std::ranges::min_element(vertices, {}, height));
   std::vector<Vector3> support;
   std::ranges::copy_if(vertices, std::back_inserter(support),
@@ -140,8 +139,8 @@ class LandingConditions {
     const auto nominal = [&](const Pose& X, const Vector3& v) {
       return along.dot((X * v).head<2>());
     };
-    for (const Vector3& v : model_.hull().vertices) {
-      for (const Vector3& w : other.model->hull().vertices) {
+    for (const Vector3& v : model_.corners()) {
+      for (const Vector3& w : other.model->corners()) {
         if (nominal(X_WorldOther, w) - nominal(X_WorldPart_, v) > reach) continue;
         conditions_.Less(plan::condition::kNeighbourClear,
                          fmt::format("the part stays clear of {}", other.name),

@@ -5,7 +5,6 @@
 #include "planner/domain/parts/part_model.h"
 #include "planner/geometry/box.h"
 #include "planner/geometry/collision.h"
-#include "planner/geometry/hull.h"
 #include "planner/geometry/solids/mass_properties.h"
 #include "planner/kinematics/gripper.h"
 #include "planner/plan/certificates/pushing.h"
@@ -132,7 +131,7 @@ class StandingConditions {
 
   double HighestOf(PartId part) const {
     double highest = -std::numeric_limits<double>::infinity();
-    for (const Vector3& v : world_.problem().part(part).model->hull().vertices) {
+    for (const Vector3& v : world_.problem().part(part).model->corners()) {
       highest = std::max(highest, (world_.X_WorldPart(part) * v).z());
     }
     return highest;

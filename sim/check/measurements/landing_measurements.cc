@@ -5,7 +5,6 @@
 #include "planner/domain/parts/part_model.h"
 #include "planner/domain/resting/resting.h"
 #include "planner/geometry/collision.h"
-#include "planner/geometry/hull.h"
 #include "planner/geometry/pose.h"
 #include "planner/plan/certificates/condition_table.h"
 #include "sim/check/measurements/fit.h"
@@ -40,7 +39,7 @@ std::vector<MeasuredMargin> Footprint(const MeasuredStep& step) {
   const geometry::Polygon& top =
       domain::TableUnder(*step.problem().workcell, part, X_WorldPart).top;
   double worst = kInfinity;
-  for (const Vector3& vertex : part.model->hull().vertices) {
+  for (const Vector3& vertex : part.model->corners()) {
     const Vector3 p = X_WorldPart * vertex;
     if (p.z() > table + kStandsOn) continue;
     for (std::size_t i = 0; i < top.size(); ++i) {

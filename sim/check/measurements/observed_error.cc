@@ -53,7 +53,7 @@ Lever LeverOf(const domain::PartModel& model) {
     length = std::min(length, DistanceTo(piece, Vector3::Zero()));
   }
   Eigen::AlignedBox3d body;
-  for (const Vector3& vertex : model.hull().vertices) body.extend(vertex);
+  for (const Vector3& vertex : model.corners()) body.extend(vertex);
   return {length, body.sizes().minCoeff() / 2};
 }
 

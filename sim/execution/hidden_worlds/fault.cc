@@ -9,7 +9,6 @@
 #include "planner/base/check.h"
 #include "planner/domain/resting/resting.h"
 #include "planner/geometry/collision.h"
-#include "planner/geometry/hull.h"
 #include "planner/geometry/pose.h"
 #include "planner/plan/data/tool_route.h"
 
@@ -96,16 +95,17 @@ class FaultMaker {
     int axis = 0;
     horizontal.cwiseAbs().maxCoeff(&axis);
     Interval along = {0, 0};
-    for (const geometry::ConvexHull& piece : problem_.part(pickup.part).model->pieces()) {
-      const std::vector<Vector3>& corners = piece.vertices;
-      const auto is_met = [&](const Vector3& corner) {
-        const Vector3 from_tool = corner - pickup.hold.X_PartTool.translation();
-        return std::abs(from_tool.dot(R_PartTool.col(1))) > pickup.hold.width / 2 - kFlush;
-      };
-      if (std::ranges::none_of(corners, is_met)) continue;
-      for (const Vector3& corner : corners) {
-        const double x = corner[axis] - pickup.hold.X_PartTool.translation()[axis];
-        along = {std::min(along.low, x), std::max(along.high, x)};
+    const auto is_met = [&](const Vector3& from_tool) {
+      return std::abs(from_tool.dot(R_PartTool.col(1))) > pickup.hold.width / 2 - kFlush;
+    };
+    for (const domain::Face& face : problem_.part(pickup.part).model->faces()) {
+      for (const geometry::Polygon& patch : face.patches) {
+        for (const geometry::Vector2& corner : patch) {
+          const Vector3 from_tool = face.X_PartFace * Vector3(corner.x(), corner.y(), 0) -
+                                    pickup.hold.X_PartTool.translation();
+          if (!is_met(from_tool)) continue;
+          along = {std::min(along.low, from_tool[axis]), std::max(along.high, from_tool[axis])};
+        }
       }
     }
     return (along.high - along.low) / std::abs(horizontal[axis]);
@@ -161,7 +161,7 @@ class FaultMaker {
 
   double Radius(const Pose& X_WorldPart) const {
     double radius = 0;
-    for (const Vector3& vertex : problem_.part(fault_.part).model->hull().vertices) {
+    for (const Vector3& vertex : problem_.part(fault_.part).model->corners()) {
       radius = std::max(radius, (X_WorldPart.linear() * vertex).head<2>().norm());
     }
     return radius;

@@ -6,7 +6,6 @@
 #include <optional>
 
 #include "planner/geometry/box.h"
-#include "planner/geometry/hull.h"
 #include "planner/geometry/solids/mass_properties.h"
 #include "planner/plan/certificates/condition_table.h"
 #include "planner/uncertainty/preconditions/certify.h"
@@ -58,7 +57,7 @@ class BesideTheHand : public ::testing::Test {
       hand = std::max(hand, normal_->dot(corner));
     }
     double side = std::numeric_limits<double>::infinity();
-    for (const Vector3& v : block.model->hull().vertices) {
+    for (const Vector3& v : block.model->corners()) {
       side = std::min(side, normal_->dot(block.X_WorldPart * v));
     }
     const Vector3 along = normal_->cross(Vector3::UnitZ());

@@ -4,7 +4,6 @@
 
 #include "planner/base/random.h"
 #include "planner/domain/parts/part_file.h"
-#include "planner/geometry/hull.h"
 #include "planner/geometry/pose.h"
 #include "sim/scene/scene.h"
 #include "tests/sim/scene/all_parts.h"
@@ -29,7 +28,7 @@ const geometry::Pose kMiddle = geometry::Translation(0.7, 0, 0);
 // Returns the pose in which a long part lies across the table, which is longer in that direction.
 geometry::Pose Across(const StablePose& pose, const domain::PartModel& model) {
   Eigen::AlignedBox3d box;
-  for (const Vector3& vertex : model.hull().vertices) box.extend(pose.X_TablePart * vertex);
+  for (const Vector3& vertex : model.corners()) box.extend(pose.X_TablePart * vertex);
   const double yaw = box.sizes().x() > box.sizes().y() ? std::numbers::pi / 2 : 0;
   const Vector3 center(box.center().x(), box.center().y(), 0);
   return kMiddle * geometry::RotationZ(yaw) * geometry::Translation(-center) * pose.X_TablePart;
@@ -43,7 +42,7 @@ geometry::Pose Disturbed(const StablePose& pose, const domain::PartModel& model,
   const geometry::Pose X_WorldPart = Across(pose, model);
   geometry::Pose X = kMiddle * tilt * kMiddle.inverse() * X_WorldPart;
   double lowest = 1;
-  for (const Vector3& vertex : model.hull().vertices) lowest = std::min(lowest, (X * vertex).z());
+  for (const Vector3& vertex : model.corners()) lowest = std::min(lowest, (X * vertex).z());
   return geometry::Translation(0, 0, kDropHeight - lowest) * X;
 }
 

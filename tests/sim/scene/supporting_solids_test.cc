@@ -28,7 +28,7 @@ TEST_P(SupportingSolidsOf, AreInsideTheHull) {
 }
 
 TEST_P(SupportingSolidsOf, ReachEveryCornerOfTheHull) {
-  for (const geometry::Vector3& vertex : part->hull().vertices) {
+  for (const geometry::Vector3& vertex : part->corners()) {
     double nearest = 1;
     for (const geometry::ConvexHull& solid : solids) {
       for (const geometry::Vector3& corner : solid.vertices) {

@@ -6,7 +6,6 @@
 #include "planner/domain/actions/condition.h"
 #include "planner/domain/matings/mating_classes.h"
 #include "planner/domain/problem/problem_file.h"
-#include "planner/geometry/hull.h"
 #include "planner/geometry/pose.h"
 
 namespace assay::domain::occlusion_test {
@@ -55,7 +54,7 @@ std::string FlatBrick() {
     if (part.name != "brick") continue;
     for (const StablePose& pose : part.model->stable_poses()) {
       double top = 0;
-      for (const Vector3& vertex : part.model->hull().vertices) {
+      for (const Vector3& vertex : part.model->corners()) {
         top = std::max(top, (pose.X_TablePart * vertex).z());
       }
       if (top < 0.0509) return pose.label;

@@ -7,7 +7,6 @@
 
 #include "planner/domain/parts/part_model.h"
 #include "planner/domain/resting/compute_stable_poses.h"
-#include "planner/geometry/hull.h"
 #include "planner/geometry/polygon.h"
 #include "planner/geometry/pose.h"
 #include "planner/geometry/solids/mass_properties.h"
@@ -30,7 +29,7 @@ const StablePose& Named(const PartModel& part, std::string_view name) {
 
 double LowestCorner(const PartModel& part, const Pose& X_TablePart) {
   double lowest = 1e9;
-  for (const Vector3& p : part.hull().vertices) lowest = std::min(lowest, (X_TablePart * p).z());
+  for (const Vector3& p : part.corners()) lowest = std::min(lowest, (X_TablePart * p).z());
   return lowest;
 }
 
@@ -127,8 +126,7 @@ TEST(StablePoseTest, RollingEndsInTheComputedPosesAndReachesAll) {
     std::vector<int> ended(part->stable_poses().size());
     for (int i = 0; i < 300; ++i) {
       const Vector3 start = oracle::RandomRotation(random).col(0);
-      const Vector3 end =
-          oracle::RollToRest(part->hull().vertices, part->mass().center, start, random);
+      const Vector3 end = oracle::RollToRest(part->corners(), part->mass().center, start, random);
       const auto found = std::ranges::find_if(part->stable_poses(), [&](const StablePose& pose) {
         return (Down(pose) - end).norm() < 0.5 * kDegree;
       });

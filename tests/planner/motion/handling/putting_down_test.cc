@@ -8,7 +8,6 @@
 
 #include "planner/base/random.h"
 #include "planner/domain/resting/resting.h"
-#include "planner/geometry/hull.h"
 #include "planner/geometry/pose.h"
 #include "tests/planner/motion/handling/cans.h"
 
@@ -19,7 +18,7 @@ using testing::IsEmpty;
 
 double Lowest(const domain::Part& part, const Pose& X_WorldPart) {
   double lowest = 1e9;
-  for (const Vector3& vertex : part.model->hull().vertices) {
+  for (const Vector3& vertex : part.model->corners()) {
     lowest = std::min(lowest, (X_WorldPart * vertex).z());
   }
   return lowest;

@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "planner/domain/parts/part_model.h"
-#include "planner/geometry/hull.h"
 #include "tests/planner/uncertainty/part_on_table.h"
 
 namespace assay::uncertainty::turn_of_push_test {
@@ -20,7 +19,7 @@ using geometry::Vector2;
 // Points of the block's base, which is a rectangle: uniform pressure on a grid, about its middle.
 std::vector<Vector2> Pressure(const domain::PartModel& model) {
   Eigen::AlignedBox2d base;
-  for (const Vector3& v : model.hull().vertices) {
+  for (const Vector3& v : model.corners()) {
     if (std::abs(v.z()) < 1e-9) base.extend(Vector2(v.x(), v.y()));
   }
   constexpr int kPerSide = 40;
