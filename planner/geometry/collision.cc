@@ -140,7 +140,7 @@ std::shared_ptr<const CollisionShape::Prepared> Prepare(std::vector<PreparedSoli
   auto prepared = std::make_shared<CollisionShape::Prepared>();
   std::vector<Vector3> vertices;
   for (const PreparedSolid& solid : solids) {
-    vertices.insert(vertices.end(), solid.corners().begin(), solid.corners().end());
+    vertices.insert(vertices.end(), solid.hull().vertices.begin(), solid.hull().vertices.end());
   }
   prepared->solids = std::move(solids);
   if (!vertices.empty()) prepared->ball = BallAround(vertices);
@@ -150,7 +150,7 @@ std::shared_ptr<const CollisionShape::Prepared> Prepare(std::vector<PreparedSoli
 double RadiusOf(const CollisionShape::Prepared& prepared) {
   double radius = 0;
   for (const PreparedSolid& solid : prepared.solids) {
-    for (const Vector3& vertex : solid.corners()) radius = std::max(radius, vertex.norm());
+    for (const Vector3& vertex : solid.hull().vertices) radius = std::max(radius, vertex.norm());
   }
   return radius;
 }
