@@ -14,7 +14,7 @@ namespace assay::algebra {
 // pools break an invariant.
 ExpressionPool* JoinedPool(std::span<const Expression> operands);
 
-// Returns the number as an operand, stored in the pool if there is one.
+// Returns the number as an operand. If `pool` is not null, the number is stored in it.
 Expression Number(double value, ExpressionPool* pool);
 
 // Returns e as an operand, stored in the pool if it is a plain number.

@@ -38,7 +38,7 @@ struct HoldOption {
   bool operator==(const HoldOption&) const = default;
 };
 
-// The constraints that remain of a problem.
+// The constraints of a problem that are kept in a relaxation. All other constraints are dropped.
 struct Relaxation {
   std::vector<Constraint> constraints;
   // Weakens one condition. The condition counts as satisfied if it fails by less than `excess`, and

@@ -45,9 +45,9 @@ class PossibleStarts {
 };
 
 // Returns the pairs of parts that overlap at the start for some of the declared errors. Pairs are
-// found by branch and bound over the box of their errors. A pair for which the search does not
-// exclude an overlap within its budget, or to a hundredth of a millimetre, is returned, too. No
-// pair that may overlap is ever missing.
+// found by branch and bound over the box of their errors. A pair is also returned if the search
+// cannot exclude an overlap, either because its budget is spent, or because the overlap would be
+// less than a hundredth of a millimetre. No pair that may overlap is ever missing.
 std::vector<PartPair> PairsThatMayOverlap(const Problem& problem);
 
 }  // namespace assay::domain

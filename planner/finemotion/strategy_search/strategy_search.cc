@@ -136,8 +136,8 @@ class StrategySearch {
     comparison_ += trying.replay.comparison();
   }
 
-  // Stores the refused contact or loss as long as no errors are absorbed. Later searches are for
-  // smaller errors, so the latest refusal is kept.
+  // Stores the unwanted contact, or the lost contact, that made the search fail, until a strategy
+  // for some errors is found. Later searches are for smaller errors, so the latest one is kept.
   void TellRefusal(const Trying& trying) {
     if (best_.absorbed > 0 || !trying.sequences.refused()) return;
     best_.obstacle = trying.sequences.refused();

@@ -127,7 +127,7 @@ class Ledger {
     return {};
   }
 
-  // Returns the snapshot in which the first step is poised: nothing has been touched by then.
+  // Returns the snapshot just before the first step acts. Nothing has been touched before it.
   const execution::Snapshot* FirstSnapshot() const {
     return steps_.empty() ? nullptr : steps_.front().poised;
   }

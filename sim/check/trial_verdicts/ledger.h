@@ -13,14 +13,15 @@ namespace assay::check {
 // of the bodies. They mean for each kind of channel:
 //
 // - Place and yaw of a part. Applied: the part's pose in the engine at the start, relative to the
-//   pose in the problem. Measured: the part's true pose when the first step is poised, relative to
-//   where it rests without errors.
-// - Height of a table. Applied: the height of its geom when the first step is poised, or when the
-//   step that puts something down there is poised. Measured: the height of the part's origin at
-//   that first time or at the end of that step, relative to its height without errors.
+//   pose in the problem. Measured: the part's true pose just before the first step acts, relative
+//   to where it rests without errors.
+// - Height of a table. Applied: the height of its geom just before the first step acts, or just
+//   before the step acts that puts a part down on this table. Measured: the height of the part's
+//   origin just before the first step, or at the end of the step that puts it down, relative to its
+//   height without errors.
 // - Hand. Applied: the pose error that the noise gives the executor for this step. No trace holds
-//   what the executor made of it. Measured: the true tool in the believed tool's frame, when the
-//   step is poised.
+//   what the executor made of it. Measured: the true tool in the believed tool's frame, just before
+//   the step acts.
 // - Sensor. Applied: the true pose relative to the measured pose. Measured: the true pose relative
 //   to the believed pose after the step has acted.
 // - Clearance. Applied: how far the hole's wall is set back in the compiled model. Measured: how

@@ -471,7 +471,8 @@ TEST(Check, IsCertainOnlyWhereNoSampledMotionGoesWrong) {
   EXPECT_GT(counted.certain, 100);
   EXPECT_GT(counted.kept, 20);
   EXPECT_GT(counted.touching_wrongly, 100);
-  // The check is not much too careful: samples confirm most of the uncertain cases.
+  // The check is not much too conservative: in more than half of the cases that it calls uncertain,
+  // some sampled motion really goes wrong.
   EXPECT_GT(counted.touching_wrongly, counted.uncertain / 2);
 }
 

@@ -28,7 +28,8 @@ class Channels : public Figure15Test {
   }
 };
 
-// A simulation that starts with one error of the peg, and the change of the peg's pose.
+// A simulation that starts with one error of the peg. The struct also stores by how much this error
+// changes the peg's pose.
 struct ErroneousStart {
   mujoco::Data data;
   Vector3 displacement;
