@@ -8,7 +8,7 @@
 
 namespace assay::algebra {
 
-// What the operators need in order to make their nodes.
+// Functions with which the operators make their nodes.
 
 // Returns the pool of an operator's operands, or null if all are plain numbers. Operands of two
 // pools break an invariant.

@@ -40,7 +40,7 @@ struct Insertion {
 struct Remedy {
   domain::PartId part;
   std::vector<Insertion> insertions = {};       // in the order of execution
-  std::vector<plan::Condition> absorbs = {};    // conditions of the step that it absorbs
+  std::vector<plan::Condition> absorbs = {};    // conditions that the remedy makes unnecessary
   std::optional<plan::Strategy> strategy = {};  // the strategy that then executes the step
 };
 

@@ -103,7 +103,8 @@ void LetGo(std::vector<ContactKey>& kept, const std::vector<PrimitiveContact>& c
 
 }  // namespace
 
-// The change for one metre or radian of the amount, with the contacts that stay closed.
+// A direction of motion: the change of the pose for one metre or radian of `amount`, and the
+// contacts that stay closed.
 struct Maneuvering::Direction {
   PoseChange along;
   double amount = 0;

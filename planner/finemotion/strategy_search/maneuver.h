@@ -7,8 +7,8 @@
 
 namespace assay::finemotion {
 
-// The parts of a mating, and the way along which the moving part enters: a hole, a slot, or a
-// further step down.
+// The parts of a mating, and the way along which the moving part enters a hole, a slot, or a deeper
+// step of a hole.
 struct Passage {
   Polyhedron moving;  // the tip is its origin, and its axes are the stationary part's
   Polyhedron stationary;

@@ -40,7 +40,7 @@ std::vector<PartId> UntouchedBefore(const Experiment& experiment, plan::StepId s
   return untouched;
 }
 
-// Nothing more is claimed once an unproved precondition failed or an error was mended.
+// Nothing more is claimed after an unproved precondition has failed, or after a recovery.
 bool StillClaims(const std::vector<Claim>& claims) {
   return std::ranges::none_of(claims, [](const Claim& claim) {
     return claim.about == Claimed::kAfter && claim.verdict == ClaimVerdict::kNotClaimed;

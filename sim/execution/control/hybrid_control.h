@@ -86,8 +86,8 @@ class HybridControl {
   Ended RunMotion(std::size_t index);
   Ended MoveAlong(const Way& way, const PressedContacts& kept);
   Ended MoveUntil(const plan::StrategyMotion& motion, const Way& way);
-  // Returns the force in newtons that friction of the kept contacts may seem to put on the awaited
-  // one.
+  // Returns the force, in newtons, that seems to come from the awaited contact but may come from
+  // friction of the kept contacts.
   double SeemingForce(const plan::StrategyMotion& motion, const PressedContacts& kept,
                       const Way& way) const;
   Ended Slide(const Way& way);

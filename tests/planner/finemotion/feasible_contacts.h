@@ -30,7 +30,7 @@ class FeasibleContacts {
     CloseEnds();
   }
 
-  // Returns the sets. Each names the first contact of those on one C-surface.
+  // Returns the sets. If several contacts lie on one C-surface, a set has only the first of them.
   std::set<std::vector<int>> All() {
     all_.clear();
     Decide(0, {});

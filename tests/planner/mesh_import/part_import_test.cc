@@ -107,7 +107,8 @@ TEST(PartImport, FootWithStem) {
   EXPECT_EQ(WhatOf(part).size(), 8u);  // shoulder, tip, base and four sides, and the shaft
 }
 
-// A slot in a side is a pocket; an undercut one opens along its length.
+// A slot in a side becomes a pocket. The pocket of an undercut slot opens along the length of the
+// slot.
 TEST(PartImport, Slots) {
   const Curve slotted = {{0, 0},   {40, 0},  {40, 30}, {28, 30},
                          {28, 20}, {12, 20}, {12, 30}, {0, 30}};

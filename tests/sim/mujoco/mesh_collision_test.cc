@@ -145,8 +145,8 @@ std::vector<double> Simulated(const Model& model) {
   return {data.qpos().begin(), data.qpos().end()};
 }
 
-// Models with different pieces are simulated at the same time, to the bits of simulations one after
-// the other.
+// Models with different pieces are simulated at the same time. The results have the same bits as
+// those of simulations one after the other.
 TEST(MeshCollision, ThreadsDoNotDisturbEachOther) {
   std::vector<Model> models;
   for (const int sides : {6, 16, 32, 64}) {

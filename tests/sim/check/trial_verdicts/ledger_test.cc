@@ -177,7 +177,8 @@ TEST_F(Alone, EachErrorOfTheStartAndOfASensor) {
   EXPECT_EQ(tried, 14);  // four of each part, three tolerances, three of the sensor
 }
 
-// The pickup is poised once, and each error of the hand is applied from there.
+// The tool is poised for the pickup, and this state is saved once. Each error of the hand is
+// applied to the saved state.
 TEST_F(Alone, EachErrorOfTheHand) {
   const plan::StepId pickup = FirstStep(domain::kPickup, plan_);
   const domain::Problem& problem = of_.certified.problem;
