@@ -9,7 +9,7 @@
 
 namespace assay::constraint_posting {
 
-// A constraint of a problem that can be left out by itself.
+// A condition or fact of a problem that a relaxation can leave out while it keeps the others.
 struct Constraint {
   enum class Kind {
     kGraspCondition,    // a grasp condition; index in domain::kGraspConditions
@@ -68,7 +68,7 @@ struct Attainable {
 //
 // The relaxation does not follow some parts, and assumes that everything is possible with them.
 // Some of these parts are mated or may have been mated: they can be carried together and mated with
-// others anywhere. The other ones start in none of their stable poses: they may fall.
+// others anywhere. The other parts start in none of their stable poses, and may fall.
 class RelaxedProblem {
  public:
   enum class Grasps {

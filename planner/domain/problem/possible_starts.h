@@ -20,9 +20,9 @@ PartId CarrierAtStart(const Problem& problem, PartId part);
 using PartPair = std::pair<PartId, PartId>;
 
 // Knows at which poses the parts of a problem can be at the same time: no two of them overlap
-// beyond contact. Believed poses may overlap by rounding, up to kGreatestOverlap; two parts that do
-// so may overlap by as much everywhere. Pockets are as narrow as the tolerance of the clearance
-// permits.
+// beyond contact. If the believed poses of two parts overlap by rounding, up to kGreatestOverlap,
+// these parts may overlap by as much in all poses. Pockets are as narrow as the tolerance of the
+// clearance permits.
 class PossibleStarts {
  public:
   static constexpr double kGreatestOverlap = 1e-5;  // metres

@@ -62,7 +62,7 @@ struct Situation {
 };
 
 // The result of a maneuver. Turns are divided into motions that are small enough for contacts to be
-// linear. If the maneuver is not certain, the last motion is the one that is not.
+// linear. If the maneuver is not certain, the motion that is not certain is the last one.
 struct Maneuvered {
   bool certain = false;
   std::vector<CertainMotion> motions = {};

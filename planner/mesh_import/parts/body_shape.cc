@@ -25,7 +25,8 @@ constexpr double kDeepest = 0.005;       // share of the size: pieces are cut un
 constexpr std::size_t kMostPosts = 60;
 constexpr std::size_t kFewPosts = 6;  // a stack of more may be simpler as a convex piece
 constexpr int kConvexPoints = 200;
-// A body is split into stacks by so many cuts one after the other, with so many tries in all.
+// Limits of splitting a body into stacks: the number of cuts one after the other, and the number of
+// tries in all.
 constexpr int kDeepestSplit = 3;
 // A body with many triangles has fewer tries, because each takes longer.
 constexpr int kMostTriesToSplit = 60;

@@ -45,7 +45,8 @@ struct ContourFit {
 //   the distance between opposite sides has at most one decimal in millimetres, and the distance
 //   between opposite corners has three or more. In this case the polygon probably surrounds the
 //   circle, and the circle touches the sides.
-// - Four sides along x and y are a rectangle, if what the rounded corners leave out is permitted.
+// - Four sides along x and y are a rectangle, if the distance that is left out at rounded corners
+//   is permitted.
 Contour FitContour(std::span<const Vector2> curve, const ContourFit& fit);
 
 // Returns the polygon without corners that are within `tolerance` of the line between their

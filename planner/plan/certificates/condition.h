@@ -24,7 +24,7 @@ enum class Origin {
   kSoundMode,  // sound mode alone
 };
 
-// What proves a step in spite of preconditions of a kind that fail, apart from smaller errors.
+// What makes a step work although preconditions of a kind fail, apart from smaller errors.
 enum class AbsorbedBy {
   kNothing,
   kFineMotion,  // a fine-motion strategy, for which the kind need not hold

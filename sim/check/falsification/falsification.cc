@@ -166,8 +166,8 @@ class Falsifier {
 
   bool Stops() const { return options_.stop && options_.stop(); }
 
-  // Does the work, and returns false if a stop has ended it during an execution. If nobody has
-  // asked for the results until a stop, the exception goes on.
+  // Does the work, and returns false if a stop has ended it during an execution. If no caller asked
+  // for results before the stop, the exception is passed on.
   bool IsFinished(const std::function<void()>& work) const {
     try {
       work();

@@ -20,9 +20,9 @@ namespace assay::check {
 //   or for the step that puts a part down on this table. Measured: the height of the part's origin
 //   when the tool is poised for the first step, or at the end of the step that puts the part down,
 //   relative to its height without errors.
-// - Hand. Applied: the pose error that the noise gives the executor for this step. No trace holds
-//   what the executor made of it. Measured: the true tool in the believed tool's frame, when the
-//   tool is poised for the step.
+// - Hand. Applied: the pose error that the noise gives the executor for this step. No trace
+//   contains the pose that the executor computed from it. Measured: the true tool in the believed
+//   tool's frame, when the tool is poised for the step.
 // - Sensor. Applied: the true pose relative to the measured pose. Measured: the true pose relative
 //   to the believed pose after the step has acted.
 // - Clearance. Applied: how far the hole's wall is set back in the compiled model. Measured: how

@@ -26,7 +26,7 @@ enum class Sensing {
   kCamera,  // it finds the parts in rendered pictures
 };
 
-// One execution of a plan, and what came of it.
+// One execution of a plan, and its results.
 struct Trial {
   int number = 1;  // from 1
   noise::Noise noise = {};

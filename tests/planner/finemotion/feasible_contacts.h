@@ -174,7 +174,8 @@ class FeasibleContacts {
     return covered;
   }
 
-  // Returns the clauses for a surface that is neither touched nor behind. All of them must hold.
+  // Returns the clauses for a surface that is not touched, and that the part is not behind. All of
+  // them must hold.
   static std::vector<Clause> Left(const Surface& surface) {
     using Kind = Condition::Kind;
     const Conditions in_front = {{-surface.gap_is_0.a, -surface.gap_is_0.b, Kind::kBelow}};

@@ -248,8 +248,8 @@ std::vector<Touch> Touches(const Case& given, const SampledMotion& motion, doubl
   return touches;
 }
 
-// Returns whether a kept contact comes to its end. Faces have regions, and a contact may go from
-// one region to the next.
+// Returns whether the motion leads beyond the end of a kept contact. Faces have regions, and a
+// contact may go from one region to the next.
 bool Loses(const Case& given, const SampledMotion& motion, double end) {
   const auto is_lost_at = [&](const ContactKey& key, const GeneralizedPoint& z) {
     return std::ranges::all_of(given.contacts, [&](const PrimitiveContact& contact) {
