@@ -25,8 +25,8 @@ const MotionRules kWork = {.clearance = 0.001};
 constexpr SweepAccuracy kVolume = {.sagitta = 0.0005};
 constexpr double kWayStep = 0.02;  // metres
 
-// Returns the poses of the tool at the grasp, at the end of its retreat along its own axis, and
-// above that at the safe height.
+// Returns three poses of the tool: at the grasp, at the end of its retreat along its own axis, and
+// straight above this end at safe height.
 std::array<Pose, 3> WayOut(const domain::Workcell& workcell, const Pose& X_WorldTool) {
   const Pose retreated =
       X_WorldTool * geometry::Translation(0, 0, -workcell.rules().approach_distance);
