@@ -125,7 +125,7 @@ TEST_F(PossibleStartTest, CornersAreMovedBackUntilThePartsJustTouch) {
   EXPECT_GT(moved, 10);
 }
 
-// The errors of a part that a trial has worked on already are no longer free.
+// If a trial has worked on a part already, the errors of this part stay as they are.
 TEST_F(PossibleStartTest, OnlyWhatDiffersIsMovedBack) {
   const PossibleStart start(problem_);
   const Noise none(box_, std::vector<double>(box_.size(), 0));

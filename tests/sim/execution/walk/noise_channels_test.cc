@@ -95,7 +95,8 @@ TEST_F(StartChannels, PartsRestAtTheStart) {
   }
 }
 
-// The pickup is poised once for all tests. From there the hand takes up its errors and acts.
+// The tool is poised for the pickup once for all tests. From there the hand takes up its errors and
+// acts.
 class HandChannels : public Channels {
  protected:
   HandChannels() : data_(scene().model()), execution_(problem(), scene(), data_, options_) {
@@ -169,8 +170,8 @@ TEST_F(HandChannels, OfAnotherStepAreNotFelt) {
   ExpectHandError(Pose::Identity());
 }
 
-// If an execution has noise from its start, the hand has the same error as if a poised step takes
-// up the noise.
+// If an execution has noise from its start, the hand has the same error as if the noise is taken up
+// when the tool is poised.
 TEST_F(Channels, AnExecutionErrsAsItsNoiseSays) {
   const Noise noise = FourErrors(Effect::kHandX, kPickup, {0.001, -0.002, 0.0015, 0.02});
   mujoco::Data data = StartOf(problem(), scene(), noise);
