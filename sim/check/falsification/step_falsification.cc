@@ -144,7 +144,7 @@ Approach StepFalsification::PoiseIn(const scene::Scene& scene, const TriedWorld&
   execution::StepExecution step(experiment_.plan, step_, execution);
   failure = step.Approach();
   if (failure) End(failure, execution);
-  // The attempts claim where the parts are that the step handles.
+  // An attempt makes claims about the places of the parts that the step handles.
   for (Claim& claim : ClaimsOf(execution.trace())) {
     if (claim.about == Claimed::kAfter) approach.claims.push_back(std::move(claim));
   }

@@ -10,8 +10,8 @@
 
 namespace assay::cli {
 
-// Returns the plan tree of a scenario. That of an assembly is made already; others are planned
-// within a budget of knowledge states.
+// Returns the plan tree of a scenario. The tree of an assembly is made already. Other trees are
+// planned within a budget of knowledge states.
 ContingentAnswer TreeOf(const execution::Interpretation& interpretation,
                         std::int64_t budget = kKnowledgeStates);
 

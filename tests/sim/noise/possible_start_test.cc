@@ -58,8 +58,7 @@ class PossibleStartTest : public testing::Test {
     const Pose X_WorldBlock = noise.TruePose(kBlock, problem_.part(kBlock).X_WorldPart);
     const Pose X_WorldBrick = noise.TruePose(kBrick, problem_.part(kBrick).X_WorldPart);
     double least = 1;
-    for (const auto& of_block :
-         Transformed(problem_.part(kBlock).model->pieces(), X_WorldBlock)) {
+    for (const auto& of_block : Transformed(problem_.part(kBlock).model->pieces(), X_WorldBlock)) {
       for (const auto& of_brick :
            Transformed(problem_.part(kBrick).model->pieces(), X_WorldBrick)) {
         least = std::min(least, geometry::Separation(of_block, of_brick));
