@@ -37,8 +37,8 @@ class PossibleStarts {
   double Between(const PlacedPart& a, const PlacedPart& b) const;
 
   const geometry::CollisionShape& shape(PartId part) const;
-  std::span<const geometry::ConvexHull> pieces(
-      PartId part) const;  // of which the shape is the union
+  // Returns the convex pieces of which the part's shape is the union.
+  std::span<const geometry::ConvexHull> pieces(PartId part) const;
 
  private:
   std::vector<std::shared_ptr<const PartModel>> models_;  // by part, with the narrowest pockets
