@@ -114,7 +114,7 @@ class StackSplitter {
         tries_(std::min(kMostTriesToSplit,
                         kTrianglesToTry / static_cast<int>(body.triangles.size()))) {}
 
-  // Returns stacks that are the body together, or none.
+  // Returns stacks whose union is the body, or none.
   std::vector<BodyShape> Split(const TriangleMesh& body, int depth) {
     for (CutPlane plane : ConcavePlanesOf(body)) {
       plane.tolerance = tolerance_;
