@@ -17,8 +17,8 @@ struct PickAndPlace {
 
 // Returns the workload for the block of Spar's worked example. The block stands on its end and is
 // held across its sides, from straight above or with the tool leaning by `lean` radians. Each place
-// is a little beside the one before, and turned. The block's errors, 1 mm and 0.03 radians, let all
-// preconditions be proved for a while.
+// is a little beside the previous place, and turned. The block's errors of 1 mm and 0.03 radians
+// grow with each step. All preconditions of the first steps can be proved.
 inline PickAndPlace MakePickAndPlace(int n, double lean) {
   const std::string root = ASSAY_SOURCE_DIR;
   PickAndPlace work{

@@ -14,8 +14,8 @@ KDL::Frame FrameOf(const geometry::Pose& X) {
           KDL::Vector(p.x(), p.y(), p.z())};
 }
 
-// Returns KDL's chain. A segment of KDL has its joint at its root, so the frame that leads to a
-// joint belongs to the segment before.
+// Returns KDL's chain. A segment of KDL has its joint at its root. The frame that leads to a joint
+// therefore belongs to the previous segment.
 KDL::Chain ChainOf(const kinematics::RobotModel& model) {
   KDL::Chain chain;
   for (const kinematics::Joint& joint : model.joints) {

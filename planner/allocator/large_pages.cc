@@ -1,6 +1,6 @@
 #include <mimalloc.h>
 
-// Linked into the programs that use the allocator (assay_allocator in CMakeLists.txt).
+// This file is linked into the programs that use the allocator (assay_allocator in CMakeLists.txt).
 
 namespace {
 

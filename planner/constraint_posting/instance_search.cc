@@ -21,8 +21,9 @@ namespace {
 // Two positions that are too near to each other.
 using TooNear = std::pair<geometry::Vector3, geometry::Vector3>;
 
-// The first place of the list is at one of the two positions. The places that are no farther from
-// the other position are moved to the end of the list.
+// The first place of the list is at one of two positions that are too near to each other. Changes
+// the order of the other places: those that are farther from the other position than the first
+// place come first.
 void PutNearOnesLast(const TooNear& too_near, std::span<domain::Placement> here_and_after) {
   const auto distance = [](const domain::Placement& p, const geometry::Vector3& other) {
     return std::hypot(p.x - other.x(), p.y - other.y());

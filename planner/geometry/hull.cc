@@ -187,8 +187,8 @@ std::tuple<int, bool, long, long, long> AxisKey(const Vector3& normal) {
 }
 
 // Returns the axes of a box: normals of three sides that are perpendicular to each other. Axes that
-// are those of the frame but for rounding are exactly these. Returns none if the facets are not the
-// sides of a box.
+// differ from those of the frame only by rounding become exactly these axes. Returns none if the
+// facets are not the sides of a box.
 std::optional<Matrix3> BoxAxes(const ConvexHull& hull) {
   constexpr double kBoxAligned = 1e-9;
   if (hull.facets.size() != 6 || hull.vertices.size() != 8) return std::nullopt;

@@ -46,8 +46,8 @@ class RoundedHull {
 double Separation(const RoundedHull& a, const Pose& X_WorldA, const RoundedHull& b,
                   const Pose& X_WorldB, double enough = std::numeric_limits<double>::infinity());
 // Computes the separation of two hulls that have moved little since the last query. A slab along
-// the same direction is mostly wide enough again. `slab` is that direction in A's frame, or zero if
-// there was no query. It is updated.
+// the same direction is usually wide enough again. `slab` is that direction in A's frame, or zero
+// if there was no query. It is updated.
 double Separation(const RoundedHull& a, const Pose& X_WorldA, const RoundedHull& b,
                   const Pose& X_WorldB, double enough, Vector3& slab);
 

@@ -96,9 +96,9 @@ class Arm {
   //   takes that plus pi. q6 follows from the pose.
   // - Wrist centre on axis 2 (only if the upper arm is as long as the forearm): q2 is free and is
   //   taken from `reference`.
-  // A direction counts as lost below 1e-10 (metres, or the sine of q5), so that every solution
-  // reproduces the pose to better than 1e-9. Solutions that coincide only up to rounding are all
-  // given.
+  // A pose counts as singular if the quantity that vanishes at such poses (a distance in metres, or
+  // the sine of q5) is below 1e-10. Every solution therefore reproduces the pose to better than
+  // 1e-9. Solutions that coincide only up to rounding are all given.
   InverseSolutions Inverse(const Pose& X_BaseFlange,
                            const JointVector& reference = JointVector::Zero()) const;
   // Returns the solution with the given indicators, or nothing if there is none. It takes a part of

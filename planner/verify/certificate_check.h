@@ -15,10 +15,10 @@ bool IsUnproved(const plan::PlannedStep& step);
 // Returns the contradictions within a plan's certificates, found from the plan alone. Each
 // expression is bounded anew over its certificate's variables. The flaws found are:
 //
-// - a precondition that is said to be proved and is not; one that a strategy absorbs need not be
+// - a precondition that is said to be proved and is not, unless a strategy makes it unnecessary
 // - a margin that is not the distance from the bound to the limit
-// - a bound that the expression crosses, or from which it is farther at the worst corner than the
-//   gap says
+// - a bound that the expression crosses, or a worst corner at which the expression is farther from
+//   the bound than the gap says
 // - a corner outside of the ranges
 // - an error count that is not the number of steps with unproved preconditions
 // - a strategy without claims about the tip errors, or with claims that allow greater errors than

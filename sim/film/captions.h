@@ -7,7 +7,7 @@
 
 namespace assay::film {
 
-// What stands below the pictures of a film from one time on.
+// The text below the pictures of a film, from the time `from` on.
 struct Caption {
   double from = 0;   // simulated seconds
   std::string text;  // "3 putdown(block, on-back)"

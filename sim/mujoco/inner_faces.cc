@@ -62,8 +62,8 @@ Vector3 OnFacet(const ContactSolid& solid, int facet, Vector3 p) {
   return p;
 }
 
-// Returns whether pieces that collide with `other` cover the facet around a point, which is in the
-// geom's frame. Points a little beside it must be covered as well.
+// Returns whether the pieces that collide with `other` cover the facet around the point `p`. The
+// point is given in the geom's frame. Four points a little beside it must be covered.
 bool IsCoveredFacet(const PlacedPieces& placed, int geom, const ConvexPieces::CoveredFacet& covered,
                     int other, const Vector3& p) {
   const ContactSolid& solid = *placed.pieces.SolidOf(geom);

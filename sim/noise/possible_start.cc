@@ -76,7 +76,7 @@ void PossibleStart::Require(const Noise& noise) const {
 
 Noise PossibleStart::MovedBack(Noise wanted, const Noise& possible) const {
   ASSAY_CHECK(wanted.values().size() == possible.values().size());
-  // A part that is moved back may then overlap another part. Each pair gets one turn on average.
+  // A part that is moved back may then overlap another part, so several turns are needed.
   const std::size_t most_turns = problem_.parts.size() * problem_.parts.size();
   for (std::size_t turn = 0; turn < most_turns; ++turn) {
     const std::optional<domain::PartPair> overlap = FirstOverlap(wanted);

@@ -43,8 +43,8 @@ class PossibleStart {
 };
 
 inline constexpr int kMostDraws = 1000;
-// Draws until `draw` returns that what it has drawn is possible, but at most kMostDraws times.
-// Returns the number of rejected draws; none if all were rejected.
+// Calls `draw` until it returns true, which says that the drawn values are possible. Calls it at
+// most kMostDraws times. Returns the number of rejected draws; none if all were rejected.
 std::optional<int> DrawUntilPossible(const std::function<bool()>& draw);
 
 }  // namespace assay::noise

@@ -4,8 +4,8 @@
 
 namespace assay::python {
 
-// Each function adds one part of the extension. The functions of the extension give the interpreter
-// free while they compute.
+// Each function adds one part of the extension. The functions of the extension release the
+// interpreter's lock while they compute.
 void AddPlans(pybind11::module_& module);
 void AddTrials(pybind11::module_& module);
 void AddTrees(pybind11::module_& module);

@@ -30,7 +30,7 @@ struct PlanSettings {
 
 // Throws UsageError if a setting has no meaning.
 void RequireSettings(const PlanSettings& settings);
-// Reads the scenario file, and what the settings change in it.
+// Reads the scenario file and applies the changes of the settings to it.
 Document LoadScenario(const PlanSettings& settings);
 domain::ModelPath ModelPathOf(const std::vector<std::filesystem::path>& folders);
 execution::WorldPlanning WorldPlanningFrom(const PlanSettings& settings);

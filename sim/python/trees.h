@@ -62,8 +62,9 @@ class TreeTrials {
   std::uint64_t seed() const { return seed_; }
   // Returns how many trials go through all leaves that can be reached; 1 if facts are drawn.
   int usual_count() const;
-  // Executes the trials 1 to `count`, as far as a stop lets it. Returns what `assay run --json`
-  // prints, without times and commands. The result does not depend on the number of jobs.
+  // Executes the trials 1 to `count`. If a stop is requested, returns only the finished trials.
+  // Returns what `assay run --json` prints, without times and commands. The result does not depend
+  // on the number of jobs.
   nlohmann::ordered_json Run(int count, int jobs) const;
   // Executes one trial and keeps its trace. The numbers of trials count from 1.
   std::shared_ptr<const TracedTrial> Traced(int number) const;

@@ -43,12 +43,13 @@ class Trials {
   // Returns what is wrong with the plan without noise. If this is not empty, trials under noise
   // prove nothing.
   std::string WrongWithoutNoise() const;
-  // Executes the trials 1 to `count`, as far as a stop lets it. The result does not depend on the
-  // number of jobs.
+  // Executes the trials 1 to `count`. If a stop is requested, returns only the finished trials. The
+  // result does not depend on the number of jobs.
   std::vector<sweep::TimedTrial> Run(int count, int jobs) const;
   // Executes one trial and keeps its trace. The numbers of trials count from 1.
   std::shared_ptr<const TracedTrial> Traced(int number) const;
-  // Tries to falsify the plan, as far as a stop lets it.
+  // Tries to falsify the plan. If a stop is requested, the result has only the attempts that were
+  // made until then.
   MadeFalsification Falsify(std::int64_t attempts, int jobs) const;
 
  private:

@@ -23,8 +23,8 @@ class StopOnInterrupt {
 bool TakeInterrupt();
 [[noreturn]] void RaiseKeyboardInterrupt();
 
-// The result of work during which Ctrl-C may have been pressed. After Ctrl-C, the result is what
-// the work had made by then.
+// The result of work during which Ctrl-C may have been pressed. After Ctrl-C, the result has what
+// was finished until then.
 template <class Result>
 struct Interruptible {
   std::optional<Result> result = {};

@@ -54,8 +54,9 @@ std::vector<Vector3> ShaftOf(const domain::ShaftFit& fit) {
   return points;
 }
 
-// Returns how far the seated held part must go back until nothing of it is inside, metres. Then the
-// foremost of its mouths and tips is at the foremost mouth or tip of the fixed part.
+// Returns how far the seated held part must go back until nothing of it is inside, metres. After
+// this motion, the most advanced mouth or tip of the held part is level with the outermost mouth or
+// tip of the fixed part.
 double Engagement(const std::vector<domain::ShaftFit>& fits, const Mating& mating) {
   const Vector3 out = -mating.mating_vector.normalized();
   double fixed = -std::numeric_limits<double>::infinity();

@@ -97,7 +97,7 @@ class Scene {
   Twist TrueTwist(const mujoco::Data& data, PartId part) const;
   ArmPosture Posture(const mujoco::Data& data, domain::RobotId robot) const;
   // Moves all arms (by RobotId) and all parts (by PartId) in one jump, and computes the poses of
-  // the bodies. It is for pictures: the simulation must not go on without Data::Forward.
+  // the bodies. It is for pictures. Data::Forward must be called before the simulation goes on.
   void Show(mujoco::Data& data, const std::vector<ArmPosture>& arms,
             const std::vector<Pose>& X_WorldPart) const;
 

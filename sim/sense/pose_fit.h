@@ -15,9 +15,10 @@ struct PoseFit {
   double found = 0;     // `edges` as a fraction of all contour points
   double residual = 0;  // root mean square of the distances of these edges, pixels
   // Standard deviations of the displacement under the assumption that the errors of the edges are
-  // independent and as large as the residual (at least a tenth of a pixel). A deviation is infinite
-  // if the edges do not determine its element. In truth the errors are not independent:
-  // neighbouring edges have the same error. True errors of ten standard deviations therefore occur.
+  // independent and as large as the residual (at least a tenth of a pixel). The deviation of a
+  // coordinate is infinite if the edges do not determine this coordinate. In truth the errors are
+  // not independent: neighbouring edges have the same error. True errors of ten standard deviations
+  // therefore occur.
   Displacement deviation = Displacement::Constant(std::numeric_limits<double>::infinity());
 };
 

@@ -20,7 +20,7 @@ Json Occurrence(double time, bool is_bad, std::string text) {
   return {{"time", time}, {"bad", is_bad}, {"text", std::move(text)}};
 }
 
-// Tells of each event that happens at one time; null for all others.
+// Returns the data of each event that happens at a single time, and null for all other events.
 class Teller {
  public:
   explicit Teller(const execution::Trace& trace) : trace_(trace) {}

@@ -23,7 +23,8 @@ plan::Reason WithoutOtherParts(plan::Reason why) {
   return why;
 }
 
-// Keeps the ghosts of the bodies that come together. The whole arm would hide where that is.
+// Removes all ghosts except those of the bodies that come together. The whole arm would hide the
+// place where they meet.
 void KeepMarkedGhosts(Json& data) {
   if (!data.contains("ghosts")) return;
   Json kept = Json::array();

@@ -11,8 +11,8 @@ namespace {
 // From 0 (quick) to 6 (small). With 4 a picture takes an eighth of the time in which it was drawn.
 constexpr int kMethod = 4;
 constexpr float kQuality = 75;  // of 100
-// Pictures are stored as their difference from the one before. A whole picture is stored after at
-// least and at most so many pictures, so that traces of earlier pictures do not stay for long.
+// Pictures are stored as their difference from the one before. The least and the greatest number of
+// pictures between two whole pictures. Whole pictures remove the traces that differences leave.
 constexpr int kLeastBetweenKeys = 20;
 constexpr int kMostBetweenKeys = 40;
 

@@ -10,8 +10,8 @@ namespace assay::architecture {
 // breach is one line, "FILE:LINE: what". The rules refer to the table of libraries in the root
 // CMakeLists.txt.
 
-// A folder includes files of its own and of the folders that it uses. Includes are written from the
-// root.
+// A folder may include files of its own and files of the folders that it uses. Includes are written
+// from the root.
 std::vector<std::string> CrossedBorders(const std::filesystem::path& root);
 
 // Nothing under planner/ includes the simulator or the renderer.

@@ -271,7 +271,8 @@ class ExecutedWorld {
     }
     return any;
   }
-  // Returns whether the execution goes on. A promise that is false is a contradiction.
+  // Returns true if the condition holds, so that the execution can go on. A condition that was
+  // promised and does not hold is recorded as a contradiction.
   bool Require(const std::string& condition, double margin, const std::string& what) {
     if (margin > -kRounding) return true;
     if (Promised(condition)) Contradict(fmt::format("{}: {} by {}", condition, what, -margin));
@@ -519,7 +520,8 @@ class ExecutedWorld {
 
   // ---- Sensing ----
 
-  // Coordinates that the sensor measures better than they are known become the measured ones.
+  // If the sensor measures a coordinate better than it is known, the coordinate gets the measured
+  // value.
   bool Sense(const plan::Action& sense) {
     const auto& sensor = *problem_.workcell->uncertainty_operations().FindSensor(sense.sensor);
     Body& b = body(sense.part);

@@ -5,7 +5,7 @@
 
 #include "tests/oracle/random_pose.h"
 
-// Computes how a body comes to rest from its corners alone, without its facets.
+// Computes the resting pose of a body. It uses only the corners of the body, and not its facets.
 namespace assay::oracle {
 
 // Returns the height of the centre of mass above a table when `down` points down. `down` is a unit

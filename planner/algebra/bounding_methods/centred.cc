@@ -36,7 +36,7 @@ double ValuePlusSlopes(const Interval& value, std::span<const Interval> box,
 }
 
 // Returns the variables that are free in the box. Returns nothing if the form is affine in one of
-// these variables, since it is then not strictly concave. Returns nothing, too, if there are too
+// these variables, since it is then not strictly concave. Also returns nothing if there are too
 // many free variables.
 std::optional<std::vector<int>> VariablesThatBend(const CompiledForm& form,
                                                   std::span<const Interval> box) {

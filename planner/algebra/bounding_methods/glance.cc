@@ -13,8 +13,8 @@
 namespace assay::algebra {
 namespace {
 
-// Returns the maximization of the expression (sign = 1) or of its negation (sign = -1). The
-// expression is the only atom of the only term of the form.
+// Returns the maximization of the expression (sign = 1) or of its negation (sign = -1). The form
+// has a single term, whose only atom is the expression.
 Maximization AsItStands(const Expression& e, double sign, std::span<const Interval> box) {
   Maximization problem;
   problem.form = {{{.coefficient = {sign, sign}, .factors = {{.atom = e, .exponent = 1}}}}};

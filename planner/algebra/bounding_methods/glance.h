@@ -8,8 +8,8 @@
 namespace assay::algebra {
 
 // A cheap bound of an expression as it is stored, without its normal form. It is looser than the
-// other bounding methods and costs a small part of their work. Mostly it is enough to tell on which
-// side of a limit the expression stays.
+// other bounding methods and costs a small part of their work. Usually this bound is enough to
+// decide on which side of a limit the expression stays.
 struct Glance {
   double bound = 0;     // guaranteed: the expression never crosses it in the box
   double attained = 0;  // The expression reaches at least this value somewhere in the box. If no

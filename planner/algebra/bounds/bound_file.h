@@ -12,7 +12,7 @@ namespace assay::algebra {
 // The expressions that `assay bound` reads in order to bound them.
 struct BoundProblem {
   struct Question {
-    std::string text;  // as it stands in the file
+    std::string text;  // the expression as it is written in the file
     Expression expression;
   };
 

@@ -101,8 +101,8 @@ class Ladder {
   }
 
   // The normal form writes the square of a sine as 1 - cos^2, so a small error becomes a difference
-  // of large terms. The expression as it is written is mostly, but not always, looser; both are
-  // bounded.
+  // of large terms. The bound of the expression as it is written is usually looser than that of the
+  // normal form, but not always. Both forms are therefore bounded.
   void StepOnCentred(Probe& probe) {
     const double as_it_stands = sign_ > 0 ? GlanceAbove(e_, constraints_.box, -kInfinity).bound
                                           : -GlanceBelow(e_, constraints_.box, kInfinity).bound;

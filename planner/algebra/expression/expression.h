@@ -53,7 +53,7 @@ class Expression {
   // Returns null for a plain number.
   ExpressionPool* pool() const { return pool_; }
   // Returns the number of this expression in its pool, or -1 for a plain number. Operands have
-  // smaller numbers than the expression that they stand in.
+  // smaller numbers than the expression that contains them.
   int index() const { return pool_ == nullptr ? -1 : node_; }
 
   // Returns true if the expression contains a square root or a division, so it may have no value at

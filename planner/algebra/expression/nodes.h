@@ -7,14 +7,15 @@
 namespace assay::algebra {
 
 // Returns the distinct sub-expressions of e, by increasing index. Operands precede the expressions
-// that they stand in, and e itself is last. A loop over them takes time proportional to the stored
+// that contain them, and e itself is last. A loop over them takes time proportional to the stored
 // size of e, however deep e is and however often its parts occur. The pool's marks hold the place
 // of each node in the list.
 std::vector<Expression> NodesOf(const Expression& e);
 std::size_t NodeCount(const Expression& e);
 
-// Returns the distinct sub-expressions of e, operands before the expressions that they stand in. It
-// takes less time than NodesOf, because the nodes are not sorted by index. e must belong to a pool.
+// Returns the distinct sub-expressions of e. Operands come before the expressions that contain
+// them. It takes less time than NodesOf, because the nodes are not sorted by index. e must belong
+// to a pool.
 std::vector<Expression> NodesInPostorder(const Expression& e);
 
 // Returns the variables that occur in e, by increasing number.

@@ -29,7 +29,7 @@ class Expansion {
 
   // Expands one of many expressions. The expansions of its sub-expressions are kept.
   const Polynomial& OfOneOfMany(const Expression& e);
-  // Returns the expansion of OfOneOfMany written as an expression, which is kept, too.
+  // Returns the expansion of OfOneOfMany written as an expression. The expression is kept as well.
   Expression WrittenOneOfMany(const Expression& e);
   std::size_t kept_terms() const { return kept_terms_; }
 

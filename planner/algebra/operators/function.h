@@ -8,13 +8,13 @@
 
 namespace assay::algebra {
 
-// What the operators need in order to make their nodes.
+// Functions with which the operators make their nodes.
 
 // Returns the pool of an operator's operands, or null if all are plain numbers. Operands of two
 // pools break an invariant.
 ExpressionPool* JoinedPool(std::span<const Expression> operands);
 
-// Returns the number as an operand, stored in the pool if there is one.
+// Returns the number as an operand. If `pool` is not null, the number is stored in it.
 Expression Number(double value, ExpressionPool* pool);
 
 // Returns e as an operand, stored in the pool if it is a plain number.

@@ -102,7 +102,7 @@ struct OperatorRule {
   // Writes the operation. If null, the operation is written as its name and the operands in
   // parentheses.
   void (*write)(TextWriter& writer, const Expression& e, TextPlace place) = nullptr;
-  // The operation stands in parentheses at this place and at those that bind more tightly.
+  // The operation gets parentheses at this place, and at places that bind more tightly.
   TextPlace parenthesized_from = TextPlace::kNone;
 
   // ---- Values

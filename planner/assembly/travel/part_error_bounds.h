@@ -15,7 +15,8 @@ class PartErrorBounds {
   explicit PartErrorBounds(const domain::Problem& problem);
 
   void Take(const std::vector<plan::ErrorSet>& sets);
-  // Returns, by PartId, the bound with which travels count for any point of the part, in metres.
+  // Returns, indexed by PartId, the bound in metres that travels assume for the displacement of any
+  // point of the part.
   std::vector<double> In(const plan::WorldState& state) const;
 
   // The greatest bound, in metres. It stands for all errors that are greater or not bounded.

@@ -22,7 +22,8 @@ std::string NameOfStep(StepId id, const plan::Plan& plan) {
   return id.IsNone() ? "home" : plan.step(id).name;
 }
 
-// A travel other than the usual one is only known to be free in the order for which it was planned.
+// A travel other than the usual one is known to be free only in the order of steps for which it was
+// planned.
 void KeepOrder(plan::Plan& plan) {
   const std::vector<StepId> order = plan.ExecutionOrder();
   plan.ordering.clear();

@@ -9,7 +9,7 @@
 
 namespace assay::constraint_posting {
 
-// A constraint of a problem that can be left out by itself.
+// A condition or fact of a problem that a relaxation can leave out while it keeps the others.
 struct Constraint {
   enum class Kind {
     kGraspCondition,    // a grasp condition; index in domain::kGraspConditions
@@ -38,7 +38,7 @@ struct HoldOption {
   bool operator==(const HoldOption&) const = default;
 };
 
-// The constraints that remain of a problem.
+// The constraints of a problem that are kept in a relaxation. All other constraints are dropped.
 struct Relaxation {
   std::vector<Constraint> constraints;
   // Weakens one condition. The condition counts as satisfied if it fails by less than `excess`, and
@@ -68,7 +68,7 @@ struct Attainable {
 //
 // The relaxation does not follow some parts, and assumes that everything is possible with them.
 // Some of these parts are mated or may have been mated: they can be carried together and mated with
-// others anywhere. The other ones start in none of their stable poses: they may fall.
+// others anywhere. The other parts start in none of their stable poses, and may fall.
 class RelaxedProblem {
  public:
   enum class Grasps {

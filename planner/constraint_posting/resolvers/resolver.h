@@ -12,7 +12,8 @@
 
 namespace assay::constraint_posting {
 
-// The uncertainty-reduction goals of one step of a plan instance that could not be proved.
+// A step of a plan instance, with those of its uncertainty-reduction goals that could not be
+// proved.
 struct UnmetGoals {
   const domain::Problem& problem;
   std::span<const plan::Action> actions;  // the instance's actions, in the order of execution
@@ -39,7 +40,7 @@ struct Insertion {
 struct Remedy {
   domain::PartId part;
   std::vector<Insertion> insertions = {};       // in the order of execution
-  std::vector<plan::Condition> absorbs = {};    // conditions of the step that it absorbs
+  std::vector<plan::Condition> absorbs = {};    // conditions that the remedy makes unnecessary
   std::optional<plan::Strategy> strategy = {};  // the strategy that then executes the step
 };
 

@@ -5,8 +5,8 @@
 namespace assay::constraint_posting {
 
 // Proposes looks at parts whose errors make a goal fail, with one or more of the available sensors.
-// A look comes at the latest time before the step at which the part lies free (Spar, "Satisfying
-// Uncertainty-Reduction Goals").
+// A look is inserted before the step, as late as possible while the part still lies free (Spar,
+// "Satisfying Uncertainty-Reduction Goals").
 class SensingResolver : public Resolver {
  public:
   std::string_view name() const override { return "sensing"; }

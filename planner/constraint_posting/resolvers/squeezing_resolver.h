@@ -4,12 +4,12 @@
 
 namespace assay::constraint_posting {
 
-// Squeezes parts whose errors make a goal fail, at the latest time before the step at which the
-// hand is empty and the part is alone. For each closing direction in the world it uses the grasp
-// that leans least. It proposes a squeeze in one direction, and squeezes in two directions one
-// after the other. Two squeezes in perpendicular directions bound both horizontal coordinates by
-// the hand's error; one squeeze never does. A squeeze has goals of its own, so each is also
-// proposed with sensing right before it.
+// Proposes to squeeze parts whose errors make a goal fail. A squeeze is inserted before the step,
+// as late as possible while the hand is empty and the part is alone. For each closing direction in
+// the world it uses the grasp that leans least. It proposes a squeeze in one direction, and
+// squeezes in two directions one after the other. Two squeezes in perpendicular directions bound
+// both horizontal coordinates by the hand's error; one squeeze never does. A squeeze has goals of
+// its own, so each is also proposed with sensing right before it.
 class SqueezingResolver : public Resolver {
  public:
   std::string_view name() const override { return "squeezing"; }

@@ -25,7 +25,8 @@ class Combinations {
   }
 
  private:
-  // Adds `missing` more items from index `next` on. The last item must belong to the present group.
+  // Adds `missing` more items, from index `next` on, to the chosen ones. Visits only combinations
+  // whose last item belongs to the group `group_`, so that each combination is visited once.
   bool Extend(int next, int missing) {
     if (missing == 0) {
       return items_[chosen_.back()].group == group_ && budget_.Spend() && visit_(chosen_);

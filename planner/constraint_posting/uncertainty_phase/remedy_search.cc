@@ -28,8 +28,8 @@ std::optional<RemedySearch::Mended> RemedySearch::Proving() {
   return proving;
 }
 
-// Returns false if a goal that no remedy absorbs fails even with the best knowledge. Trying
-// remedies one by one is useless then.
+// Returns false if some goal fails even when x, y and theta of all resting parts are known, and no
+// remedy makes this goal unnecessary. It is then useless to try remedies one by one.
 bool RemedySearch::MayBeProved(std::vector<plan::Condition> absorbable) const {
   if (!task_.best) return true;
   const std::vector<plan::Condition>& absorbed = steps_[step_].absorbed;

@@ -46,10 +46,10 @@ class CertifiedPlanning {
     }
   }
 
-  // Searches for a plan in which at most `errors` steps are not proved. Steps that fail are mended
-  // by other instances and by goals of the first phase. `anywhere` contains the subjects that fail
-  // in the best plan wherever the parts are. It is mostly quicker to find other places for the
-  // parts than to find remedies with which the parts can stay.
+  // Searches for a plan in which at most `errors` steps are not proved. If a step fails, the search
+  // tries other instances and new goals of the first phase. `anywhere` lists those actions of the
+  // best plan, by kind and parts, that fail wherever the parts are. It is usually quicker to find
+  // other places for the parts than to find remedies with which the parts can stay.
   plan::PlanResult WithErrors(int errors, const std::vector<Subject>& anywhere,
                               IfUnproved if_unproved) {
     const int by_place = std::max(0, errors - static_cast<int>(anywhere.size()));

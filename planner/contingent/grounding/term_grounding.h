@@ -58,8 +58,8 @@ class TermGrounding {
   Bound BoundOf(const Literal& literal, const Bindings& bindings);
 
   // Calls `use` for each way to bind the variables from index `from` on. During each call,
-  // `bindings` contains this way too. Throws InputError before the first call if there are too many
-  // ways, because each takes memory.
+  // `bindings` also contains the bindings of this way. Throws InputError before the first call if
+  // there are too many ways, because each takes memory.
   void ForEachBinding(const std::vector<TypedName>& variables, Bindings& bindings, std::size_t from,
                       const std::function<void()>& use);
   // Counts one attempt to bind an action's parameters. Throws InputError after too many attempts.

@@ -30,8 +30,8 @@ bool IsExact(double a, double b, double sum) {
   return (a - (sum - b_of_sum)) + (b - b_of_sum) == 0;
 }
 
-// Returns the greatest error of the rounded sum of two doubles, or of the decimals that read as
-// them.
+// Returns the greatest rounding error of the sum of two doubles. The bound also holds if the
+// doubles were read from decimal numbers, which they may not represent exactly.
 double ErrorOf(double a, double b) {
   return 2 * std::numeric_limits<double>::epsilon() * (std::abs(a) + std::abs(b));
 }

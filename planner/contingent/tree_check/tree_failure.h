@@ -24,10 +24,10 @@ class TreeFailure {
   void Step(std::string step) { steps_.push_back(std::move(step)); }
   void GoBack(std::size_t depth) { steps_.resize(depth); }
 
-  // Notes a failure at the end of the path, unless there is one. The message names the steps and
-  // the world, or the first world of the history if it is null.
+  // Records a failure at the end of the path, unless a failure was recorded before. The message
+  // names the steps and the world, or the first world of the history if it is null.
   void Fail(const std::string& what, const History& history, const World* world = nullptr);
-  // Notes a failure if a function got two values at once.
+  // Records a failure if a function got two values at once, unless a failure was recorded before.
   void FailIfTwoValued(const History& history);
 
   bool HasHappened() const;

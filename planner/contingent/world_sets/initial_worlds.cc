@@ -12,8 +12,8 @@ namespace {
 
 using Choice = std::vector<Truth>;  // truth values of the atoms of a group
 
-// A group of atoms that are connected by relations or as values of one function, with all ways to
-// choose their truth values.
+// A group of atoms whose truth values depend on each other: because of a relation, or because the
+// atoms give the value of the same function. It lists every possible choice of these truth values.
 struct Group {
   std::vector<int> atoms;
   std::vector<Choice> choices;

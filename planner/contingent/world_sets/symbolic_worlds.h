@@ -20,7 +20,8 @@ class SymbolicWorlds : public DecisionDiagrams {
   explicit SymbolicWorlds(const GroundTask& task);  // keeps a reference
 
   // Return the worlds where a literal, a condition of an effect, or a conjunction is true. The
-  // condition must ask of the world alone: K of literals, joined by and and or.
+  // condition must ask only about the world: it consists of K of literals, combined by `and` and
+  // `or`.
   Diagram Where(GroundLiteral literal);
   Diagram Where(const GroundQuery& condition);
   Diagram Where(const Formula& conjunction);

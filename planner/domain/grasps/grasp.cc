@@ -201,8 +201,8 @@ class PairSearch {
     spots_ = SpotsOf(pair_, region_, mass_center.head<2>());
   }
 
-  // Returns the grasp that stands for its class; none if there is no room for the pads, or no way
-  // in.
+  // Returns the grasp that represents its class. Returns none if the pads have no room, or if the
+  // hand cannot approach.
   std::optional<Grasp> Along(double angle) const {
     const Approach approach = Approach::At(angle, ExtentAlong(angle));
     const std::optional<Vector2> center = BestCenter(approach);

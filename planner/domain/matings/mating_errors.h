@@ -6,7 +6,7 @@ namespace assay::domain {
 
 // The greatest errors, as half widths, of the held part of a mating against its believed pose, for
 // a mating that is planned by itself. Whole plans compute these errors from the actions before the
-// mating. The velocity error is used in both cases, because it is the arm's.
+// mating. The velocity error is used in both cases, because it is an error of the arm.
 struct MatingErrors {
   double displacement = 0.002;                   // metres, in each of x, y and z
   double rotation = 1 * std::numbers::pi / 180;  // radians, about each of them

@@ -57,7 +57,7 @@ Meeting MeetingOf(const Feature& a, const Feature& b) {
   return Meeting::kShaftInHole;
 }
 
-// Returns a list of the features of a part that can meet this one.
+// Returns the features of the part that fit the given feature, as text.
 std::string FeaturesFor(const Feature& feature, const Part& part) {
   std::vector<std::string> names;
   for (const Feature& other : part.model->features()) {

@@ -28,7 +28,8 @@ FaceId EndOf(const PartModel& model, const Hollow& hollow, const Vector3& direct
                                  : FindFace(model.faces(), border->normal, border->offset);
 }
 
-// Returns the hull of the cross-sections of solids just inside a face, in its x and y.
+// Returns the hull of the cross-sections of solids just inside a face, in the x and y of the face's
+// frame.
 geometry::Polygon SectionAt(const Face& face, std::span<const ConvexHull> solids) {
   constexpr double kInside = 1e-7;  // metres
   std::vector<Vector2> corners;

@@ -35,8 +35,8 @@ class Occlusion {
   Occlusion(const PartModel& model, const Pose& X_WorldPart)
       : model_(model), X_WorldPart_(X_WorldPart) {}
 
-  // Notes a surface that lies against the part: polygons in a plane that looks along z of
-  // X_WorldFace.
+  // Records the features that a surface hides because it lies against the part. The surface
+  // consists of polygons in the plane of X_WorldFace, and faces along its z axis.
   void Cover(const Pose& X_WorldFace, const std::vector<Polygon>& patches) {
     for (std::size_t f = 0; f < model_.faces().size(); ++f) {
       const Pose X_WorldOurs = X_WorldPart_ * model_.faces()[f].X_PartFace;

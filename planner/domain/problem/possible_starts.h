@@ -20,9 +20,9 @@ PartId CarrierAtStart(const Problem& problem, PartId part);
 using PartPair = std::pair<PartId, PartId>;
 
 // Knows at which poses the parts of a problem can be at the same time: no two of them overlap
-// beyond contact. Believed poses may overlap by rounding, up to kGreatestOverlap; two parts that do
-// so may overlap by as much everywhere. Pockets are as narrow as the tolerance of the clearance
-// permits.
+// beyond contact. If the believed poses of two parts overlap by rounding, up to kGreatestOverlap,
+// these parts may overlap by as much in all poses. Pockets are as narrow as the tolerance of the
+// clearance permits.
 class PossibleStarts {
  public:
   static constexpr double kGreatestOverlap = 1e-5;  // metres
@@ -37,7 +37,8 @@ class PossibleStarts {
   double Between(const PlacedPart& a, const PlacedPart& b) const;
 
   const geometry::CollisionShape& shape(PartId part) const;
-  std::span<const geometry::ConvexHull> pieces(PartId part) const;  // of which the shape is the union
+  // Returns the convex pieces of which the part's shape is the union.
+  std::span<const geometry::ConvexHull> pieces(PartId part) const;
 
  private:
   std::vector<std::shared_ptr<const PartModel>> models_;  // by part, with the narrowest pockets
@@ -45,9 +46,9 @@ class PossibleStarts {
 };
 
 // Returns the pairs of parts that overlap at the start for some of the declared errors. Pairs are
-// found by branch and bound over the box of their errors. A pair for which the search does not
-// exclude an overlap within its budget, or to a hundredth of a millimetre, is returned, too. No
-// pair that may overlap is ever missing.
+// found by branch and bound over the box of their errors. A pair is also returned if the search
+// cannot exclude an overlap, either because its budget is spent, or because the overlap would be
+// less than a hundredth of a millimetre. No pair that may overlap is ever missing.
 std::vector<PartPair> PairsThatMayOverlap(const Problem& problem);
 
 }  // namespace assay::domain

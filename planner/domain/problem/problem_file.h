@@ -21,7 +21,7 @@ namespace assay::domain {
 // Throws InputError with the place of the error. scenarios/README.md describes the format.
 Problem ReadProblem(const Document& scenario, const ModelPath& models);
 
-// The changes that a study makes to a scenario without writing a new file.
+// The changes that options or a sweep make to a scenario without writing a new file.
 struct Overrides {
   std::optional<double> clearance = std::nullopt;  // metres, in place of the file's
   // Factor, 0 or more, of every error of parts and gripper. The promises of sensors and the

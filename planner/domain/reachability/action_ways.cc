@@ -32,7 +32,7 @@ bool ReachesGrasp(const Workcell& workcell, const Pose& X_WorldTool) {
   const Vector3 retreated = grasp + Retreat(workcell, X_WorldTool);
   const std::array corners = {Raised(workcell, retreated), retreated, grasp,
                               Raised(workcell, grasp)};
-  // Straight above the grasp, the way up is the way down.
+  // Straight above the grasp, the arm goes up along the line on which it comes down.
   const std::size_t needed = IsStraightAbove(retreated, grasp) ? 3 : 4;
   return CanFollow(workcell, X_WorldTool.linear(), std::span(corners).first(needed));
 }

@@ -10,7 +10,7 @@ namespace {
 
 using kinematics::JointVector;
 
-// Reads robots. The paths in their descriptions start from one folder.
+// Reads robots. The paths in their descriptions are relative to one folder.
 class RobotFile {
  public:
   RobotFile(const Units& units, const std::filesystem::path& folder)

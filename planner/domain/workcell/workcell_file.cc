@@ -27,9 +27,9 @@ struct Rule {
   Range range;  // in SI
 };
 
-// A range is tight if a value beyond it is probably given in a wrong unit. Examples are approach
-// directions finer than 5 degrees. Other lengths are bounded tightly for the same reason. The
-// contact allowance is less than what a success tolerates beyond the clearance (mating_success.h).
+// Ranges are tight, because a value outside of its range is probably given in a wrong unit. For
+// example, approach directions are not finer than 5 degrees. The contact allowance is at most what
+// a success tolerates beyond the clearance (mating_success.h).
 constexpr std::array<Rule, 12> kRules = {{
     {"tool_lean", &WorkcellRules::tool_lean, Dimension::kAngle, {0, kPi / 2}},
     {"approach_step", &WorkcellRules::approach_step, Dimension::kAngle, {kPi / 36, kPi / 2}},

@@ -8,7 +8,7 @@
 
 namespace assay::finemotion {
 
-// A row depends on others if less than this remains of it across them.
+// A row depends on other rows if its component across their span is shorter than this.
 inline constexpr double kDependentRow = 1e-7;
 
 // The poses at which the gaps of a set of surfaces are all 0, whether the surfaces' limits hold

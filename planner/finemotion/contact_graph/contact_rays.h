@@ -53,8 +53,8 @@ class ContactRays {
   }
 
  private:
-  // Returns where the ray leaves the surface. It may pass through several of the surface's patches,
-  // one directly after the other.
+  // Returns where the ray leaves the surface. The ray may pass through several of the surface's
+  // patches, if each begins where the one before it ends.
   double EndOnSurface(int surface, const ScaledPose& g) const {
     const std::vector<CSurfaces::Patch>& patches = surfaces_.Patches(surface);
     double end = 0;

@@ -251,10 +251,10 @@ class Linearizer {
                                [&](const Vector3& into) { return n.dot(into) <= slack; });
   }
 
-  // Adds a limit for each face of the edge that lies, nearly at least, in the plane of both edges.
-  // The half of the other edge that is over the face must not go behind it. For edges at right
-  // angles this is the condition on the inward directions with n held fixed. At other angles n
-  // turns with the moving edge, and the limit accounts for that.
+  // Adds a limit for each face of the edge that lies in, or nearly in, the plane of both edges. The
+  // half of the other edge that is over the face must not go behind it. For edges at right angles
+  // this is the condition on the inward directions with n held fixed. At other angles n turns with
+  // the moving edge, and the limit accounts for that.
   void AddOrientationLimits(const Placed& side, const Edge& edge, const Vector3& other,
                             const Vector3& n, double slack, PrimitiveContact& contact) const {
     for (const Index which : {0U, 1U}) {

@@ -57,8 +57,9 @@ struct SweptEdge {
 };
 
 // Returns whether the edges can touch within `time` displacements. If `until` is not null, touches
-// count only before its value falls below 0. The answer is conservative: "no" requires, for each of
-// a few stretches of the motion, a line through the one edge that has the other edge on one side.
+// count only before its value falls below 0. The answer is conservative. The motion is divided into
+// a few pieces. The answer is "no" only if in each piece a line through one edge has the other edge
+// wholly on one side.
 bool MayTouch(const SweptEdge& edge, const SweptValues<1>* until, double time);
 
 }  // namespace assay::finemotion

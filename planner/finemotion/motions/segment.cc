@@ -54,8 +54,8 @@ class Checker {
     return telling_ == Telling::kAll;
   }
 
-  // Returns whether the contact may be made. A contact that the motion lets go may be made if the
-  // motion surely leaves it.
+  // Returns whether the contact may be made. A contact that held before the motion and is not kept
+  // may touch at the start if the motion surely leaves it.
   bool IsWanted(const PrimitiveContact& contact) const {
     const ContactKey key = KeyOf(contact);
     if (command_.until && key == *command_.until) return true;

@@ -132,8 +132,8 @@ ExactPart::ExactPart(const Passage& passage, const Pose& X_StationaryMoving, dou
     size_ = std::max(size_, vertex.p.norm());
 }
 
-// Returns all pairs of features that are near and do not touch. Pairs that touch at first and are
-// let go can only part.
+// Returns all pairs of features that are near and do not touch. Pairs of features that touch at
+// first and are not kept can only separate.
 std::vector<ExactPart::Watched> ExactPart::Apart(double travel) const {
   std::vector<Watched> apart;
   const auto watch = [&](ContactKind kind, const auto& moving, const auto& stationary) {

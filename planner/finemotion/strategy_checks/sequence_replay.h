@@ -12,7 +12,7 @@ inline constexpr double kGrowth = 1.06;
 
 struct ReplayedSequence {
   bool certain = false;
-  // If it is not certain, the last motion is the one that is not.
+  // If the sequence is not certain, the motion that is not certain is the last one.
   std::vector<CertainMotion> motions = {};
   // The first unwanted contact found, if a contact is the reason why the sequence is not certain.
   std::optional<Unwanted> unwanted = {};

@@ -14,8 +14,8 @@ namespace assay::finemotion {
 // - a start that is not surely reached, motions that are not certain, and an end from which the way
 //   in is not free, with the errors of the certificate and with the multiple of these errors that
 //   the strategy claims to absorb;
-// - contacts that, where their motion leads, are elsewhere, press otherwise or are less open than
-//   claimed, and motions that end before their contact surely comes;
+// - contacts that, at the end of their motion, are at another place, press in another direction or
+//   are less open than claimed, and motions that may end before their contact is made;
 // - contacts that happen with smaller errors than claimed, or that the strategy does not mention;
 // - motions that deviate in exact geometry with one of the errors that the search replays with
 //   (exact_replay.h: without tolerances), multiplied by what the strategy claims to absorb.

@@ -25,7 +25,8 @@ FineMotionErrors Enlarged(const FineMotionErrors& errors, double multiple);
 
 struct StrategyOptions {
   // Weights of the three costs (Dakin and Popplestone, sections 2 and 4): the cost of a motion, the
-  // likelihood of another contact than planned, and the likeness of the forces of the two.
+  // likelihood that another contact than the planned one is made, and the similarity of the forces
+  // of these two contacts.
   double transitions = 1;
   double deviation = 1;
   double confusion = 0.5;

@@ -13,7 +13,8 @@ namespace assay::finemotion {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-// Fraction of the way in that a contact must take back to oppose it.
+// A contact opposes a motion along the way in if it takes back at least this fraction of the
+// motion.
 constexpr double kAgainst = 0.3;
 constexpr double kRoom = 0.6;          // fraction of the play that errors across it may take
 constexpr double kLeastMotion = 1e-6;  // metres and radians; less is not worth a motion
@@ -104,7 +105,8 @@ void LetGo(std::vector<ContactKey>& kept, const std::vector<PrimitiveContact>& c
 
 }  // namespace
 
-// The change for one metre or radian of the amount, with the contacts that stay closed.
+// A direction of motion: the change of the pose for one metre or radian of `amount`, and the
+// contacts that stay closed.
 struct Maneuvering::Direction {
   PoseChange along;
   double amount = 0;

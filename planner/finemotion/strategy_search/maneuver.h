@@ -7,8 +7,8 @@
 
 namespace assay::finemotion {
 
-// The parts of a mating, and the way along which the moving part enters: a hole, a slot, or a
-// further step down.
+// The parts of a mating, and the way along which the moving part enters a hole, a slot, or a deeper
+// step of a hole.
 struct Passage {
   Polyhedron moving;  // the tip is its origin, and its axes are the stationary part's
   Polyhedron stationary;
@@ -62,7 +62,7 @@ struct Situation {
 };
 
 // The result of a maneuver. Turns are divided into motions that are small enough for contacts to be
-// linear. If the maneuver is not certain, the last motion is the one that is not.
+// linear. If the maneuver is not certain, the motion that is not certain is the last one.
 struct Maneuvered {
   bool certain = false;
   std::vector<CertainMotion> motions = {};

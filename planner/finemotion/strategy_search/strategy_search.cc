@@ -20,8 +20,8 @@ namespace {
 constexpr double kEnlargements[] = {1, 2};
 // The fractions of the errors for which sequences are searched for, round by round.
 constexpr double kMultiples[] = {0.8, 0.7, 1, 0.5, 0.3, 0.15};
-// Where too little is absorbed, sequences for smaller errors are searched for. Each search takes
-// kFewer times the errors of the one before, down to kFewest of all.
+// Where too little is absorbed, sequences for smaller errors are searched for. Each search uses
+// kFewer times the errors of the previous search, down to the fraction kFewest of all errors.
 constexpr double kFewer = 0.7;
 constexpr double kFewest = 0.01;
 // The exact replays end when a smaller fraction is left of the errors that are certain to first
@@ -136,8 +136,8 @@ class StrategySearch {
     comparison_ += trying.replay.comparison();
   }
 
-  // Stores the refused contact or loss as long as no errors are absorbed. Later searches are for
-  // smaller errors, so the latest refusal is kept.
+  // Stores the unwanted contact, or the lost contact, that made the search fail, until a strategy
+  // for some errors is found. Later searches are for smaller errors, so the latest one is kept.
   void TellRefusal(const Trying& trying) {
     if (best_.absorbed > 0 || !trying.sequences.refused()) return;
     best_.obstacle = trying.sequences.refused();

@@ -16,7 +16,7 @@ std::vector<Vector3> CommonCorners(const ContactSolid& of, int facet, const Cont
                                    const Pose& X_OfOther, double margin);
 
 // Returns at most `most` of the points near a plane: all of them or, if there are more, those that
-// are farthest in so many directions along the plane. The directions depend on the normal alone.
+// are farthest in `most` directions along the plane. The directions depend on the normal alone.
 std::vector<Vector3> Outermost(const std::vector<Vector3>& points, const Vector3& normal,
                                std::size_t most);
 

@@ -29,9 +29,9 @@ struct EdgeAxis {
   int edge_of_a = 0;
   int edge_of_b = 0;
 };
-// Returns the best axis among the pairs of edges that can touch: those of which the ranges of
-// normals (arcs of the Gauss maps) cross. Nearly parallel edges are left out, because the normal of
-// a facet is as good.
+// Returns the best axis among the pairs of edges that can touch. Two edges can touch if their
+// ranges of normals (arcs of the Gauss maps) cross. Nearly parallel edges are left out, because the
+// normal of a facet is as good.
 EdgeAxis BestEdges(const ContactSolid& a, const ContactSolid& b, const Pose& X_AB);
 
 }  // namespace assay::geometry

@@ -19,9 +19,9 @@ std::optional<ConvexHull> Below(const ConvexHull& solid, const Plane& plane);
 std::optional<ConvexHull> Intersection(const ConvexHull& a, const ConvexHull& b);
 
 // Returns a solid without a pocket, as convex pieces that do not overlap. The pocket may extend
-// beyond the solid. Opposite sides of the pocket between which it is open at one end are cut along
-// before those with matter on both sides, so that the floor of a blind hole is one piece and comes
-// first, followed by the walls.
+// beyond the solid. The pocket is cut along pairs of its opposite sides. Pairs between which the
+// pocket is open at one end come before pairs with material at both ends, so that the floor of a
+// blind hole is one piece and comes first, followed by the walls.
 std::vector<ConvexHull> Without(const ConvexHull& solid, const ConvexHull& pocket);
 
 // Returns a union of solids as solids that do not overlap.

@@ -116,9 +116,9 @@ class Decomposer {
     }
   }
 
-  // Returns the volume by which the hulls of both sides of a cut exceed them, and a little for the
-  // size of the sides: a ring becomes no better by its first cut, whichever it is, but its halves
-  // do.
+  // Returns the volume by which the hulls of both sides of a cut exceed the sides, and in addition
+  // a small cost for the size of the sides. The first cut of a ring makes no hull better, but cuts
+  // of its halves do, so the small cost must decide about the first cut.
   double CostOf(const TriangleMesh& mesh, const CutPlane& plane) const {
     const auto [below, above] = CutBy(mesh, plane);
     std::vector<Part> parts;

@@ -19,8 +19,8 @@ inline constexpr std::size_t kMostMeshBytes = std::size_t{64} << 20;
 TriangleMesh ReadMeshFile(const std::filesystem::path& file);
 
 // Returns the unit in which parts of this size (the diagonal of the bounding box, a number of the
-// file) are written: metres up to 1, else millimetres. A part of 1 mm or less, or of 2 m or more,
-// is none that a robot assembles, and there is no unit.
+// file) are written: metres up to 1, else millimetres. Returns no unit for a part of 1 mm or less,
+// or of 2 m or more, because no robot assembles such a part.
 std::optional<MeshUnit> LikelyUnit(double size);
 
 // Scales the mesh to metres. Throws InputError if the part is then not between 0.1 mm and 10 m.

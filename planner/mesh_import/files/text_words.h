@@ -5,7 +5,7 @@
 
 namespace assay::mesh_import {
 
-// Reads the words of a text that tells a mesh, line by line.
+// Reads the words of a text that describes a mesh, line by line.
 class TextWords {
  public:
   TextWords(std::string_view text, std::string file) : rest_(text), file_(std::move(file)) {}

@@ -31,7 +31,8 @@ std::string FrameSentence(const ImportedPart& part) {
       axis(0), axis(1), axis(2));
 }
 
-// Tells of which circle the corners or the sides are in the file, and what a polygon adds.
+// Returns a text that says whether the circle goes through the corners or touches the sides in the
+// file, and how far the part's polygon is off the circle.
 std::string CircleText(const Contour& circle, int sides) {
   const double half = std::numbers::pi / static_cast<double>(circle.corners.size());
   const double excess = circle.radius * (1 / std::cos(std::numbers::pi / sides) - 1);

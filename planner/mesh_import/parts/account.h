@@ -7,8 +7,8 @@
 
 namespace assay::mesh_import {
 
-// Tells people how a part was made of meshes, in full sentences: the unit, the repairs, the
-// dimensions that were found, the distances, and what was assumed.
+// Returns full sentences for people about how a part was made from meshes: the unit, the repairs,
+// the dimensions that were found, the distances, and what was assumed.
 std::vector<std::string> AccountOf(const ImportedPart& part);
 
 // Returns the README of the part's folder, which derives the numbers of the part file.

@@ -26,7 +26,8 @@ constexpr double kDeepest = 0.005;       // share of the size: pieces are cut un
 constexpr std::size_t kMostPosts = 60;
 constexpr std::size_t kFewPosts = 6;  // a stack of more may be simpler as a convex piece
 constexpr int kConvexPoints = 200;
-// A body is split into stacks by so many cuts one after the other, with so many tries in all.
+// Limits of splitting a body into stacks: the number of cuts one after the other, and the number of
+// tries in all.
 constexpr int kDeepestSplit = 3;
 // A body with many triangles has fewer tries, because each takes longer.
 constexpr int kMostTriesToSplit = 60;
@@ -114,7 +115,7 @@ class StackSplitter {
         tries_(std::min(kMostTriesToSplit,
                         kTrianglesToTry / static_cast<int>(body.triangles.size()))) {}
 
-  // Returns stacks that are the body together, or none.
+  // Returns stacks whose union is the body, or none.
   std::vector<BodyShape> Split(const TriangleMesh& body, int depth) {
     for (CutPlane plane : ConcavePlanesOf(body)) {
       plane.tolerance = tolerance_;

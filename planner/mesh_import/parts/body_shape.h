@@ -26,11 +26,12 @@ struct BodyShape {
   std::string reason = {};                        // why it is no stack
 };
 
-// Returns what a body is. Of several stacks it is the one with the fewest solids and pockets; of
-// equal ones the one that is longest along its axis. Each is within kMostDistance of the mesh. A
-// body that is no stack is cut by planes through concave edges. If all parts are stacks, they are
-// the result; else the result is one shape of convex pieces. Throws InputError for a body that is
-// no stack and has too many triangles to be decomposed.
+// Returns the shape of a body. If the body is a stack along several axes, the stack with the fewest
+// solids and pockets is taken, and among equal ones the stack that is longest along its axis. Each
+// stack is within kMostDistance of the mesh. A body that is no stack is cut by planes through
+// concave edges. If all parts are stacks, they are the result. Otherwise the result is one shape of
+// convex pieces. Throws InputError for a body that is no stack and has too many triangles to be
+// decomposed.
 std::vector<BodyShape> ShapesOf(const TriangleMesh& body);
 
 }  // namespace assay::mesh_import

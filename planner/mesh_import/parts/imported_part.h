@@ -23,7 +23,7 @@ struct BodyAccount {
   BodyShape shape;
 };
 
-// A part that was made of meshes, with an account of how.
+// A part that was made from meshes, with a report of how it was made.
 struct ImportedPart {
   PartSketch sketch;
   ImportOptions options;

@@ -148,7 +148,7 @@ const SketchFeature& FeatureOf(const ImportedPart& part, int number) {
   return part.sketch.features[static_cast<std::size_t>(number - 1)];
 }
 
-// Tells what the polygons that stand for circles leave of the gap.
+// Returns a sentence about the gap that remains because polygons stand for circles.
 std::string PolygonSentence(const MatedPair& pair, const MatedFeatures& mated) {
   const double half = std::numbers::pi / pair.held->options.sides;
   const auto radius_of = [](const ImportedPart& part, int number, SketchFeature::Kind kind) {

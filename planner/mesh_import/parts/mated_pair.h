@@ -30,8 +30,8 @@ struct MatedPair {
 // hole by 0.01 mm, which counts as rounding. Returns none if no shaft is in a hole.
 std::optional<MatedPair> FindMating(const ImportedPart& a, const ImportedPart& b);
 
-// Returns a scenario in which the parts lie on the table and are assembled: the fixed part with its
-// hole up if it can rest so, the held part as it rests most safely.
+// Returns a scenario in which the parts lie on the table and are assembled. The fixed part lies
+// with its hole up if it can rest so, and the held part is in its most stable pose.
 std::string ScenarioText(const MatedPair& pair);
 
 // Tells people what mates, in full sentences.

@@ -6,7 +6,7 @@
 
 namespace assay::mesh_import {
 
-// What a mesh does not tell.
+// Properties of a part that a mesh does not contain.
 struct PartMaterial {
   double density = 1000;  // kg/m^3
   double friction = 0.3;  // of the material against itself

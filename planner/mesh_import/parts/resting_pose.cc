@@ -37,7 +37,8 @@ Vector3 CenterOf(const ImportedPart& part) {
   return part.sketch.R_FilePart.transpose() * sum / part.Volume();
 }
 
-// Returns by how much the part can be tilted about the edges of a face, negative if it falls over.
+// Returns by how much the part can be tilted about the edges of a face. The result is negative if
+// the part falls over.
 double TiltOf(const geometry::ConvexHull& hull, const geometry::Facet& facet,
               const Vector3& center) {
   const double height = facet.offset - facet.normal.dot(center);

@@ -35,7 +35,8 @@ struct ColumnRules {
   double most_left_out = 0;  // at rounded corners of outlines, metres
 };
 
-// Cuts a closed mesh into columns. Levels are where facets lie across the axis or slant.
+// Cuts a closed mesh into columns. Levels are the heights at which facets lie across the axis or
+// slant.
 Columns ColumnsOf(const TriangleMesh& mesh, const ColumnRules& rules);
 
 }  // namespace assay::mesh_import

@@ -31,7 +31,7 @@ double DistanceToPolygon(const Vector2& p, std::span<const Vector2> polygon) {
   return least;
 }
 
-// Marks the points between two kept ones that are to be kept, too.
+// Marks those points between two kept points that must be kept as well.
 void KeepBetween(std::span<const Vector2> curve, std::size_t from, std::size_t to, double tolerance,
                  std::vector<bool>& kept) {
   std::vector<std::pair<std::size_t, std::size_t>> open = {{from, to}};

@@ -31,7 +31,8 @@ struct Contour {
   double DistanceTo(const Vector2& p) const;
   // Returns how far the curve is from its centre in a direction, for a curve that is convex.
   double Reach(const Vector2& direction) const;
-  // Returns corners around the contour: of a circle `sides` points on it.
+  // Returns the corners of the contour in order. For a circle it returns `sides` points on the
+  // circle.
   std::vector<Vector2> Outline(int sides) const;
 };
 
@@ -41,10 +42,12 @@ struct ContourFit {
 };
 
 // Recognizes a closed curve, given by its points in either order.
-// - Twelve or more corners on a circle are a circle. Its radius is that of the corners, unless the
-//   diameter between opposite sides has at most one decimal in millimetres and that between
-//   opposite corners has three or more: then the file was made from outside.
-// - Four sides along x and y are a rectangle, if what the rounded corners leave out is permitted.
+// - Twelve or more corners on a circle are a circle. The circle goes through the corners, unless
+//   the distance between opposite sides has at most one decimal in millimetres, and the distance
+//   between opposite corners has three or more. In this case the polygon probably surrounds the
+//   circle, and the circle touches the sides.
+// - Four sides along x and y are a rectangle, if the distance that is left out at rounded corners
+//   is permitted.
 Contour FitContour(std::span<const Vector2> curve, const ContourFit& fit);
 
 // Returns the polygon without corners that are within `tolerance` of the line between their

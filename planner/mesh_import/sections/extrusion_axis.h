@@ -12,8 +12,8 @@ namespace assay::mesh_import {
 std::vector<Vector3> ExtrusionAxes(const TriangleMesh& mesh);
 
 // Returns the frame in which z is the axis of extrusion, as columns, and x and y are along most of
-// the sides, if most sides are at right angles. The frame is right-handed. If it is that of the
-// mesh up to the order of the axes, it is exactly so.
+// the sides, if most sides are at right angles. The frame is right-handed. If its axes are those of
+// the mesh in another order, except for rounding, they are exactly those of the mesh.
 Matrix3 FrameOfExtrusion(const TriangleMesh& mesh, const Vector3& axis);
 
 }  // namespace assay::mesh_import

@@ -83,7 +83,8 @@ class StackBuilder {
     return chain;
   }
 
-  // Returns whether nothing continues a solid, or covers a hole, beyond the end of a column.
+  // Returns true if the end of a column is free: beyond this end no material continues the solid or
+  // covers the hole.
   bool IsFree(const Column& end, bool top) const {
     const double height = top ? end.high : end.low;
     return std::ranges::none_of(columns_, [&](const Column& other) {

@@ -44,8 +44,8 @@ struct Stack {
   std::string reason;  // why the columns make no stack; empty if they do
 
   std::size_t Count() const { return solids.size() + pockets.size(); }
-  // Returns how well it describes the body, the less the better: a blind hole is better seen along
-  // its axis than as a slot that is closed at its ends.
+  // Returns a cost that is small if the stack describes the body well. For example, a blind hole
+  // that is seen along its axis costs less than one that is seen as a slot with closed ends.
   std::size_t Cost() const;
   double Volume() const;  // of the solids without the pockets
 };

@@ -13,7 +13,7 @@ struct StackDistance {
 };
 
 // Measures at the corners and the middles of the mesh's triangles, and at points on the walls of
-// the stack. Round posts are measured as true circles, and chamfers as they are told.
+// the stack. Round posts are measured as true circles, and with the chamfers that the stack states.
 StackDistance DistanceBetween(const TriangleMesh& mesh, const Stack& stack, double tolerance);
 
 }  // namespace assay::mesh_import

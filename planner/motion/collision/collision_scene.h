@@ -57,7 +57,7 @@ std::vector<Body> ArmBodies(const kinematics::Arm& arm);
 // (domain::FloorHeight), parts, and the workcell's other robots ("forearm of right").
 //
 // Some pairs are not tested, since they touch or are kept apart by construction. These are bodies
-// fixed to the same link (so the held part against fingers and hand), and links of the arm that one
+// fixed to the same link (for example the held part and a finger), and links of the arm that one
 // joint connects. Two joints whose axes meet in a point count as one: base and upper arm, forearm
 // and wrist.
 class CollisionScene {

@@ -9,8 +9,8 @@
 namespace assay::motion {
 
 // Returns how the arm can take the part at X_WorldPart so that the part stays as upright as
-// possible: by the grasp that comes most from above, is reachable, and leaves room between `others`
-// for the open fingers. Returns none if there is no such grasp.
+// possible. Among the grasps that are reachable and leave room between `others` for the open
+// fingers, it chooses the grasp that comes most from above. Returns none if there is no such grasp.
 std::optional<plan::Hold> MostUprightHold(const domain::Problem& problem, domain::PartId part,
                                           const geometry::Pose& X_WorldPart,
                                           std::span<const domain::PlacedPart> others);

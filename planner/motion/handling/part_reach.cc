@@ -20,13 +20,14 @@ namespace assay::motion {
 namespace {
 
 const MotionRules kWay = {.clearance = 0.01};  // metres
-// For work where hand and fingers come near the table, metres.
+// The rules for the work, in which hand and fingers come near the table. The clearance is in
+// metres.
 const MotionRules kWork = {.clearance = 0.001};
 constexpr SweepAccuracy kVolume = {.sagitta = 0.0005};
 constexpr double kWayStep = 0.02;  // metres
 
-// Returns the poses of the tool at the grasp, at the end of its retreat along its own axis, and
-// above that at the safe height.
+// Returns three poses of the tool: at the grasp, at the end of its retreat along its own axis, and
+// straight above this end at safe height.
 std::array<Pose, 3> WayOut(const domain::Workcell& workcell, const Pose& X_WorldTool) {
   const Pose retreated =
       X_WorldTool * geometry::Translation(0, 0, -workcell.rules().approach_distance);
@@ -35,8 +36,8 @@ std::array<Pose, 3> WayOut(const domain::Workcell& workcell, const Pose& X_World
   return {X_WorldTool, retreated, above};
 }
 
-// Returns the path from the posture on, straight through the poses; none if the arm does not
-// follow.
+// Returns the path of the arm that begins at the posture and leads the tool along straight lines
+// through the poses. Returns none if the arm cannot follow the lines.
 std::optional<JointPath> Along(const domain::Workcell& workcell, const JointVector& from,
                                std::span<const Pose> way) {
   JointPath path = {from};

@@ -32,14 +32,14 @@ inline constexpr double kLineStep = 0.0005;  // metres
 LineResult FollowLine(const domain::Workcell& workcell, const JointVector& from, const Vector3& end,
                       double step = kLineStep);
 
-// Returns the joint values nearest to `near` that bring the tool there; none if the arm does not
-// reach it.
+// Returns the joint values nearest to `near` that bring the tool to X_WorldTool. Returns none if
+// the arm does not reach this pose.
 std::optional<JointVector> NearestPosture(const domain::Workcell& workcell, const Pose& X_WorldTool,
                                           const JointVector& near);
 
-// Returns the joint values that bring the tool there in the configuration of `like`, with no joint
-// half a turn or more from its value in `like`. Returns none if the arm does not reach it like
-// this, within its limits.
+// Returns the joint values that bring the tool to X_WorldTool in the configuration of `like`. Each
+// joint is less than half a turn from its value in `like`. Returns none if no such joint values are
+// within the limits of the joints.
 std::optional<JointVector> PostureLike(const domain::Workcell& workcell, const Pose& X_WorldTool,
                                        const JointVector& like);
 

@@ -25,8 +25,8 @@ class TreeSearch {
     std::function<bool(const JointVector& from, const JointVector& to)> is_free;
     std::function<bool()> is_over;  // returns whether the budget is spent
   };
-  // Returns a path from the start to the goal along free motions; empty if the search was over
-  // before.
+  // Returns a path from the start to the goal along free motions. The path is empty if `is_over`
+  // ended the search before a path was found.
   virtual JointPath FindPath(const Problem& problem) const = 0;
 };
 

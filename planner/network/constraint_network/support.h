@@ -12,8 +12,8 @@
 
 namespace assay::network {
 
-// Returns the labels of `labels` that have a support in `others`. Both sets are one word.
-// `supports` has one word for each label.
+// Returns the labels of `labels` that have a support in `others`. Each of the two sets fits into
+// one 64-bit word. `supports` has one such word for each label.
 ASSAY_TARGET("default") Word Supported(const Word* supports, Word labels, Word others);
 #ifdef ASSAY_HAS_TARGETS
 ASSAY_TARGET("avx512f,bmi2") Word Supported(const Word* supports, Word labels, Word others);

@@ -20,7 +20,7 @@ namespace assay::network {
 // except that nodes with one label come first. The node to branch on has the fewest labels,
 // squared, per weight.
 
-// Returns true if every label set is one word and all rows together fit in the caches.
+// Returns true if every label set fits into one word and all rows together fit into the caches.
 bool FitsLanes(std::span<const int> scope, const LabelStore& labels);
 
 // Searches with SIMD instructions for any labeling of the scope, which must satisfy FitsLanes. The

@@ -61,7 +61,8 @@ std::span<const ErrorComponent> ErrorComponents();
 
 enum class Relation { kLess, kGreater };
 
-// The ratio of a load to the bearable load if nothing bears the load. It stands for infinity.
+// A certificate gives the ratio of a load to the bearable load. This value stands for an infinite
+// ratio, if nothing bears the load.
 inline constexpr double kNothingBorne = 1e6;
 
 // An uncertainty-reduction precondition, expression < limit (or >), with the result of its proof.

@@ -24,7 +24,7 @@ enum class Origin {
   kSoundMode,  // sound mode alone
 };
 
-// What proves a step in spite of preconditions of a kind that fail, apart from smaller errors.
+// What makes a step work although preconditions of a kind fail, apart from smaller errors.
 enum class AbsorbedBy {
   kNothing,
   kFineMotion,  // a fine-motion strategy, for which the kind need not hold
@@ -61,7 +61,8 @@ struct ConditionKind {
 // The kind of a precondition. A condition always refers to a kind.
 class Condition {
  public:
-  // The kind must outlive the condition. A kind is given wherever a condition is asked for.
+  // The kind must outlive the condition. The conversion is implicit, so that a kind can be passed
+  // wherever a condition is expected.
   constexpr Condition(const ConditionKind& kind) : kind_(&kind) {}
   Condition(ConditionKind&&) = delete;
 

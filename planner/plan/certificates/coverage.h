@@ -11,9 +11,10 @@ namespace assay::plan {
 
 // The certificate of a step that needs a kind of precondition has preconditions of it, or states
 // why it has none. A certificate that lacks the kind without a valid reason is refused. The
-// functions below ask for the kinds of a list; without one, for all kinds that the planner knows.
+// functions below have a list of kinds as an argument. If it is left out, they consider all kinds
+// that the planner knows.
 
-// The reason in certificates that are made as published.
+// The reason for which certificates of the paper mode lack a kind.
 inline constexpr std::string_view kNotPublished = "the paper's propagation does not ask for it";
 // Returns whether any certificate of the plan gives kNotPublished as a reason.
 bool IsAsPublished(const Plan& plan);

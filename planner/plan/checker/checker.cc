@@ -144,7 +144,8 @@ void AddSurplus(const std::vector<std::string>& more, const std::vector<std::str
   }
 }
 
-// Returns the differences between what the plan says that no precondition covers, and what is so.
+// Returns the differences between the plan's list of effects that no precondition covers and the
+// true list.
 std::vector<Flaw> FlawsOfNotCovered(const domain::Problem& problem, const Plan& plan) {
   std::vector<Flaw> flaws;
   if (!plan.not_covered) return flaws;

@@ -31,7 +31,8 @@ struct CheckReport {
 CheckReport Check(const domain::Problem& problem, const Plan& plan, int most_linearizations);
 
 // Returns the flaws of the certificates: each must cover what its step needs. If one step has a
-// certificate, all must have one. What the plan says that no precondition covers must be so.
+// certificate, all must have one. The plan's list of effects that no precondition covers must be
+// the true list.
 std::vector<Flaw> FlawsOfCoverage(const domain::Problem& problem, const Plan& plan);
 
 }  // namespace assay::plan

@@ -78,7 +78,8 @@ struct Plan {
   int errors = 0;  // actions whose uncertainty-reduction goals are not met (Spar's error count)
   // Travel from the last step to the arm's home; none: the usual way.
   std::optional<Travel> homing = {};
-  // What the file says that no precondition covers (NotCovered); none: the plan does not say it.
+  // The file's list of effects that no precondition covers (NotCovered). None if the plan has no
+  // such list.
   std::optional<std::vector<std::string>> not_covered = {};
 
   const PlannedStep& step(StepId id) const { return steps[id.index()]; }

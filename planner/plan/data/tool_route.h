@@ -26,7 +26,8 @@ struct ToolRoute {
 // and down. It is mated along the mating vector.
 ToolRoute RouteOf(const domain::Problem& problem, const PlannedStep& step, const Pose& X_WorldPart);
 
-// Returns the route of an action. `strategy` executes a mating; null: straight.
+// Returns the route of an action. `strategy` executes a mating. If it is null, the mating is a
+// straight motion.
 ToolRoute RouteOf(const domain::Problem& problem, const Action& action, const Strategy* strategy,
                   const Pose& X_WorldPart);
 

@@ -4,9 +4,9 @@
 
 namespace assay::uncertainty {
 
-// The error of the tip of a held part (plan::Strategy) against its believed pose, as the fixed part
-// of the mating sees it: the tip is displaced by d, and turned about its origin. Both are in the
-// fixed part's axes.
+// The error of the tip of a held part (plan::Strategy) against its believed pose, in the frame of
+// the fixed part of the mating: the tip is displaced by d, and turned about its origin. Both are in
+// the fixed part's axes.
 struct TipError {
   SymbolicVector d;     // metres
   SymbolicVector sine;  // the turn's axis, as long as the sine of the turn's angle

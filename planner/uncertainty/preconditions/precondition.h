@@ -109,9 +109,9 @@ struct LettingGo {
   PartId part;
   const plan::Hold& hold;
   const ManipulatorError& draw;
-  Pose X_WorldPart;    // pose at which the part is let go
-  Vector3 motion;      // unit vector of the motion that brings it there, world
-  Expression farther;  // metres along the motion to where the part meets what it is let go on
+  Pose X_WorldPart;              // pose at which the part is let go
+  Vector3 motion;                // unit vector of the motion that brings it there, world
+  Expression farther;            // metres along the motion until the part meets its support
   const RestingError& released;  // its error once it is let go
 };
 

@@ -18,7 +18,8 @@ constexpr double kLeftToTheEngine = 0.1;  // of a margin
 // Metres by which the engine lets a part that rests creep within a step.
 constexpr double kCreep = 2e-5;
 
-// Returns how far a part came from one pose to the other, in metres, with AsLength for its turn.
+// Returns the distance between two poses of a part, in metres. AsLength converts the turn into a
+// length.
 double ShiftBetween(const geometry::Pose& from, const geometry::Pose& to) {
   return (to.translation() - from.translation()).norm() +
          AsLength(geometry::AngleBetween(from.linear(), to.linear()), domain::Dimension::kAngle);

@@ -31,10 +31,10 @@ struct ContactLoad {
 // the contacts at the true pose X_FixedTip, with their rows linearized there. A contact that
 // touches at the point, with the point's normal, bears all of the force. Where features meet, at a
 // corner or at an edge's end, several contacts are at one place, and no engine can distinguish
-// them. One that is in `wanted` is then taken, or else the nearest. Where an edge or a face lies on
-// another one, the engine may press anywhere between the contacts at its ends, which share the
-// force by the law of the lever. The result is empty if the point belongs to no contact of the
-// model.
+// them. If one of them is in `wanted`, it is taken, and otherwise the nearest one is taken. Where
+// an edge or a face lies on another one, the engine may press anywhere between the contacts at its
+// ends, which share the force by the law of the lever. The result is empty if the point belongs to
+// no contact of the model.
 std::vector<ContactLoad> LoadsOf(const ContactPoint& point,
                                  const std::vector<finemotion::PrimitiveContact>& contacts,
                                  const Pose& X_FixedTip, const PlannedContacts::Motion& wanted);

@@ -44,7 +44,7 @@ std::vector<ObservedState> StatesOf(const std::vector<ContactSpan>& bridged);
 struct PlannedContacts {
   struct Motion {
     ContactSet before = {};  // contacts when the motion starts
-    ContactSet kept = {};    // contacts of `before` that are kept; the others are let go
+    ContactSet kept = {};    // contacts of `before` that are kept; the others are broken
     // The contact that ends the motion, if it waits for one.
     std::optional<ContactKey> until = {};
     ContactSet after = {};

@@ -105,7 +105,7 @@ std::optional<Divergence> FirstDivergence(const std::vector<ContactSet>& planned
   return missing;
 }
 
-// Uses the algorithm of Wagner and Fischer (1974). States in which contacts are being let go cost
+// Uses the algorithm of Wagner and Fischer (1974). States during the breaking of contacts cost
 // nothing.
 int EditDistance(const std::vector<ContactSet>& planned,
                  const std::vector<ObservedState>& observed) {

@@ -11,7 +11,7 @@ namespace assay::check {
 struct Divergence {
   int motion = 0;  // index
   double time = 0;
-  // The state that was to come, or the last planned one.
+  // The state that should have come next, or the last planned state.
   ContactSet planned = {};
   // The state that came; missing if the trial ended first.
   std::optional<ContactSet> observed = {};
@@ -39,7 +39,7 @@ struct SequenceComparison {
   bool matches() const { return !divergence; }
 };
 
-// Compares a trial's contacts with the plan's. Contacts that are let go at the same time open one
+// Compares a trial's contacts with the plan's. Contacts that are broken at the same time open one
 // after the other, in an order that no plan determines. The states on the way from a planned state
 // to the next, smaller one are therefore not counted: each is a part of the state before it and
 // contains the next planned one. Everything else counts, since contacts are made one at a time in

@@ -127,8 +127,9 @@ class Falsifier {
     }
   }
 
-  // Returns the number of attempts at the step with this index. Every step has an attempt before
-  // any has two, since the next step starts where an attempt at this one ends.
+  // Returns the number of attempts at the step with this index. Every step gets a first attempt
+  // before any step gets a second one, because an attempt at the next step starts where an attempt
+  // at this step has ended.
   std::int64_t Budget(std::size_t index, std::size_t count) const {
     const auto done = static_cast<std::int64_t>(index);
     const auto steps = static_cast<std::int64_t>(count);
@@ -166,8 +167,8 @@ class Falsifier {
 
   bool Stops() const { return options_.stop && options_.stop(); }
 
-  // Does the work, and returns false if a stop has ended it during an execution. If nobody has
-  // asked for the results until a stop, the exception goes on.
+  // Does the work, and returns false if a stop has ended it during an execution. If no caller asked
+  // for results before the stop, the exception is passed on.
   bool IsFinished(const std::function<void()>& work) const {
     try {
       work();
@@ -252,7 +253,7 @@ class Falsifier {
     }
     if (aims.empty() || step.dimensions() == 0) return;
     const std::vector<std::int64_t> counts = Allotted(budget, aims);
-    // The searches still read the step's samples while the first ones have ended.
+    // The searches still read the step's samples after the first of them have ended.
     std::vector<Sample> found;
     scheduler_.InOrder(
         aims.size(), [&](std::size_t i) { return Search(step, aims[i], *starts[i], counts[i]); },

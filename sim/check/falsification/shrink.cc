@@ -31,7 +31,7 @@ class Shrinking {
   }
 
  private:
-  // What earlier replays tell of leaving out several errors at once.
+  // The result of earlier replays in which several errors were left out at once.
   enum class Knowledge { kNone, kTooMany };
   using Channels = std::span<const std::size_t>;
 
@@ -56,8 +56,9 @@ class Shrinking {
     return left;
   }
 
-  // Leaves out these errors, or else as many of them as possible. Mostly a few errors cause a
-  // violation, so that halves without one of them go at once. Returns whether all were left out.
+  // Leaves out these errors, or else as many of them as possible. Usually a few errors cause a
+  // violation, so a half that contains none of them can be left out at once. Returns whether all
+  // were left out.
   bool LeaveOut(Channels channels, Knowledge knowledge) {
     if (channels.empty()) return true;
     if (knowledge == Knowledge::kNone) {

@@ -40,7 +40,7 @@ std::vector<PartId> UntouchedBefore(const Experiment& experiment, plan::StepId s
   return untouched;
 }
 
-// Nothing more is claimed once an unproved precondition failed or an error was mended.
+// Nothing more is claimed after an unproved precondition has failed, or after a recovery.
 bool StillClaims(const std::vector<Claim>& claims) {
   return std::ranges::none_of(claims, [](const Claim& claim) {
     return claim.about == Claimed::kAfter && claim.verdict == ClaimVerdict::kNotClaimed;
@@ -144,7 +144,7 @@ Approach StepFalsification::PoiseIn(const scene::Scene& scene, const TriedWorld&
   execution::StepExecution step(experiment_.plan, step_, execution);
   failure = step.Approach();
   if (failure) End(failure, execution);
-  // The attempts claim where the parts are that the step handles.
+  // An attempt makes claims about the places of the parts that the step handles.
   for (Claim& claim : ClaimsOf(execution.trace())) {
     if (claim.about == Claimed::kAfter) approach.claims.push_back(std::move(claim));
   }

@@ -73,8 +73,8 @@ class StepFalsification {
   // own channels and those of parts that no earlier step has touched or looked at.
   const std::vector<std::size_t>& free_channels() const { return free_; }
 
-  // Brings a trial to where this step is poised. The trial begins at `from`, at the end of the step
-  // before, or at the start of the plan if `from` is null.
+  // Brings a trial to where the tool is poised for this step. The trial begins at `from`, at the
+  // end of the step before, or at the start of the plan if `from` is null.
   Approach Poise(const TriedWorld& world, const noise::Noise& noise,
                  const execution::Checkpoint* from) const;
   // Attempts the step up to the stage `until`. `values` are the values of the free channels. Values

@@ -10,7 +10,8 @@
 namespace assay::check {
 namespace {
 
-// Returns the responses of claims that all samples make and that errors can change.
+// Returns, for each claim that occurs in all samples and depends on the errors, its observed values
+// at the corners of the samples.
 std::map<ClaimKey, std::vector<CornerResponse>> Responses(TriedStep& step) {
   std::map<ClaimKey, std::vector<CornerResponse>> responses;
   for (const Sample& sample : step.samples()) {

@@ -127,7 +127,8 @@ class Ledger {
     return {};
   }
 
-  // Returns the snapshot in which the first step is poised: nothing has been touched by then.
+  // Returns the snapshot in which the tool is poised for the first step. Nothing has been touched
+  // before it.
   const execution::Snapshot* FirstSnapshot() const {
     return steps_.empty() ? nullptr : steps_.front().poised;
   }

@@ -26,7 +26,7 @@ enum class Sensing {
   kCamera,  // it finds the parts in rendered pictures
 };
 
-// One execution of a plan, and what came of it.
+// One execution of a plan, and its results.
 struct Trial {
   int number = 1;  // from 1
   noise::Noise noise = {};
@@ -50,8 +50,8 @@ Trial RunTrial(const domain::Problem& problem, const plan::Plan& plan, const sce
 Trial RunTrial(const Experiment& experiment, const noise::Noise& noise,
                execution::ExecutorOptions options, Sensing sensing = Sensing::kDrawn);
 // Executes the plan in a world with this noise up to the step of the claim, and returns the claim
-// as it comes out there. It is missing if the execution does not observe the claim. Nothing else is
-// judged, so that only a violation is executed again with half the timestep.
+// with what was observed in this execution. It is missing if the execution does not observe the
+// claim. Nothing else is judged, so that only a violation is executed again with half the timestep.
 std::optional<Claim> ObserveAgain(const Experiment& experiment, const Claim& claim,
                                   const noise::Noise& noise);
 // Executes the plan in a world with this noise and returns the verdict alone. Certificates are not

@@ -142,7 +142,8 @@ complete -o filenames -F _assay assay
       BashCase(assay, "assay"), BashValues(assay, "assay"));
 }
 
-// Returns the lines for a word. fish tests by `condition` whether the command line has come to it.
+// Returns the lines for a word. fish evaluates `condition` to decide whether the command line has
+// reached this word.
 std::string FishLines(const Word& word, const std::string& condition) {
   std::string text;
   for (const Word& part : word.words) {

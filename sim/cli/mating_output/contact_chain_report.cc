@@ -29,7 +29,7 @@ std::array<int, kPoseDimensions + 1> StatesByDimension(const LocalTopology& poin
 // A strategy's part at one critical point.
 struct Passing {
   int motions = 0;
-  int transitions = 0;  // number of contacts that it makes or lets go of
+  int transitions = 0;  // number of contacts that it makes or breaks
   std::set<ContactSet> states = {};
 };
 

@@ -7,7 +7,7 @@
 namespace assay::cli {
 namespace {
 
-// Shares of the depth at which events come.
+// Depths of the shaft at which events happen, as shares of the whole depth.
 constexpr double kEnters = 0.1;
 constexpr double kHalf = 0.5;
 constexpr double kAlike = 0.05;

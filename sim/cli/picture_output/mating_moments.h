@@ -15,9 +15,9 @@ struct Snapshot {
   std::string caption;  // "peg into block: enters, 2.5 of 25.4 mm"
 };
 
-// Selects the events of a mating that are worth a picture: as far before the mouth as the mouth is
-// wide, as it enters, when it is half inserted, and where it comes to rest. All of them are seen by
-// one camera. It begins when the held part is before the hole.
+// Selects the events of a mating that are worth a picture: the shaft is as far before the mouth as
+// the mouth is wide, the shaft enters, it is half inserted, and it comes to rest. All of them are
+// seen by one camera. It begins when the held part is before the hole.
 class MatingMoments {
  public:
   // The arguments must outlive the object. In `data` the held part must be before the hole.

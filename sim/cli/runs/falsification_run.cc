@@ -234,7 +234,8 @@ class FalsificationReport {
   const FalsificationRun& run_;
   const plan::Plan& plan_;
   const Stopwatch stopwatch_;
-  // Before the experiment, whose noise floor takes time to measure.
+  // The progress is shown before the experiment is made, because measuring its noise floor takes
+  // time.
   std::unique_ptr<Progress> progress_ = std::make_unique<Progress>("attacking");
   const check::Experiment experiment_;
   check::FalsificationResult result_;

@@ -10,8 +10,8 @@
 
 namespace assay::cli {
 
-// Returns the plan tree of a scenario. That of an assembly is made already; others are planned
-// within a budget of knowledge states.
+// Returns the plan tree of a scenario. The tree of an assembly is made already. Other trees are
+// planned within a budget of knowledge states.
 ContingentAnswer TreeOf(const execution::Interpretation& interpretation,
                         std::int64_t budget = kKnowledgeStates);
 
@@ -25,8 +25,8 @@ class TreeWorlds {
              std::uint64_t seed, bool is_every_leaf);
 
   const std::vector<execution::Leaf>& leaves() const { return leaves_; }
-  // Returns, for reports of verbs, by leaf why no world leads to it; empty if one does, or if
-  // worlds are drawn.
+  // Returns, for each leaf, the reason why no world leads to it. A reason is empty if a world leads
+  // there, or if worlds are drawn at random. Verbs report these reasons.
   const std::vector<std::string>& unreachable() const { return unreachable_; }
   // Returns the number of leaves that a world leads to; 0 if worlds are drawn.
   std::size_t reachable_count() const { return reachable_.size(); }

@@ -158,7 +158,7 @@ ExitCode Execute(const Options& options) {
   std::vector<CalibrationTrial> trials = MeasureAll(subjects, options);
   const std::string interrupted =
       Interruption::Text(std::ssize(trials), Wanted(options), "placements were measured");
-  // A promise must not stand on fewer placements than were asked for.
+  // A promise must not be based on fewer placements than were asked for.
   if (!interrupted.empty()) files.clear();
   const CalibrationReport result(subjects, std::move(trials), options.margin, options.models);
   const bool has_promise = result.found() > 0;

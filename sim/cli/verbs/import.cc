@@ -70,7 +70,7 @@ void RefuseToOverwrite(const fs::path& file, bool replace) {
                                Quote(file.string())));
 }
 
-// Writes the files of a part's folder, and returns what to tell about it.
+// Writes the files of a part's folder, and returns a text about the part for people.
 std::string WritePart(const mesh_import::ImportedPart& part, const fs::path& folder) {
   std::string text;
   for (const std::string& sentence : mesh_import::AccountOf(part)) text += sentence + "\n";

@@ -26,7 +26,7 @@ struct Options {
 
 constexpr const char* kScenario = "plate-on-stud.yaml";
 constexpr const char* kSweep = "clearances.yaml";
-// From the folder scenarios/start of the program, which has the same files.
+// The files of the folder scenarios/start of the program, which are copied.
 constexpr std::array kFiles = {"README.md", kScenario, "models/parts/stud/part.yaml",
                                "models/parts/plate/part.yaml", kSweep};
 constexpr std::size_t kMostBytes = std::size_t{1} << 20;

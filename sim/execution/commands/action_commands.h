@@ -44,7 +44,8 @@ Command HomingOf(const domain::Problem& problem, const plan::Plan& plan);
 StepCommands CommandsFor(const domain::Problem& problem, const WorldModel& world,
                          const plan::PlannedStep& step);
 // Returns the commands of an action. `certificate` holds what is known about the step; it is empty
-// if nothing is known. `strategy` executes a mating by fine motion; null: straight.
+// if nothing is known. `strategy` executes a mating by fine motion. If it is null, the mating is a
+// straight motion.
 StepCommands CommandsFor(const domain::Problem& problem, const WorldModel& world,
                          const plan::Action& action, const plan::Certificate& certificate = {},
                          const plan::Strategy* strategy = nullptr);

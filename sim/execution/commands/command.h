@@ -72,8 +72,8 @@ struct Look {
   } takes = {};
 };
 
-// A part's fixture presses it down on the table with this force. Without force it releases the
-// part.
+// The fixture of a part presses the part down on the table with this force. If the force is 0, the
+// fixture releases the part.
 struct Clamp {
   PartId part;
   double force = 0;  // newtons on the part, downward

@@ -23,7 +23,7 @@ class AwaitedContact {
   bool IsApart() const;
   // Returns the share of its rate at which the motion should go on. The arm is stiff against turns,
   // so a contact that is made beside a kept one takes over its force within micrometres. A motion
-  // that went on at full rate would lift the kept contact.
+  // that went on at full rate would break the kept contact.
   double Pace() const { return pace_; }
 
  private:

@@ -95,8 +95,8 @@ ErrorState HybridControl::Passed() const {
   return passed;
 }
 
-// Returns the unwanted contact that the forces show. After an ignored error state, the arm is not
-// where the plan expects it. Then the unwanted contact of this error state is returned.
+// Returns the unwanted contact that the forces show. If an error state was ignored, the arm is not
+// where the plan expects it. In this case the unwanted contact of that error state is returned.
 std::optional<RecognizedContact> HybridControl::Recognized(
     const plan::StrategyMotion& motion) const {
   if (!ignored_.empty()) return ignored_.front().recognized;
@@ -238,8 +238,8 @@ HybridControl::Ended HybridControl::MoveUntil(const plan::StrategyMotion& motion
                fmt::format("no contact of {}", contacts_.Planned(*motion.until).name));
 }
 
-// Kept contacts may slide toward the awaited one. Their friction then is a force that the awaited
-// contact could bear.
+// Kept contacts may slide toward the awaited one. Their friction is then a force that seems to come
+// from the awaited contact.
 double HybridControl::SeemingForce(const plan::StrategyMotion& motion, const PressedContacts& kept,
                                    const Way& way) const {
   constexpr double kRipple = 1.5;  // factor by which pressing forces may exceed their command

@@ -32,10 +32,10 @@ bool LetsGo(const plan::Strategy& strategy, std::size_t motion);
 // After each motion, control decides whether the wrench can come from the planned contact state
 // (recognition.h). If it is not, or if the motion cannot go on, the arm is in an error state: it
 // draws back and starts again. It keeps what contacts have shown about the tip's pose. A recognized
-// unwanted contact shows more, since the plan has the mean of the errors that lead to it. That mean
-// is believed first, then the nearest errors for which the touching contacts touch. In the last
-// attempt the arm goes on as long as it can, because parts that touch otherwise than planned often
-// still enter.
+// unwanted contact shows more, since the plan has the mean of the errors that lead to it. The
+// believed pose is first corrected by this mean, and then by the least errors for which the
+// touching contacts touch. In the last attempt the arm goes on as long as it can, because parts
+// that touch otherwise than planned often still enter.
 class HybridControl {
  public:
   // The part in the execution's hand follows the strategy, relative to `fixed`. The tool must be
@@ -86,8 +86,8 @@ class HybridControl {
   Ended RunMotion(std::size_t index);
   Ended MoveAlong(const Way& way, const PressedContacts& kept);
   Ended MoveUntil(const plan::StrategyMotion& motion, const Way& way);
-  // Returns the force in newtons that friction of the kept contacts may seem to put on the awaited
-  // one.
+  // Returns the force, in newtons, that seems to come from the awaited contact but may come from
+  // friction of the kept contacts.
   double SeemingForce(const plan::StrategyMotion& motion, const PressedContacts& kept,
                       const Way& way) const;
   Ended Slide(const Way& way);

@@ -16,7 +16,7 @@ inline constexpr Pace kFreePace = {.speed = 0.5, .final_speed = 0.5, .final_leng
 // The pace of open fingers beside a part, toward it or away from it.
 inline constexpr Pace kFingersPace = {.speed = 0.2, .final_speed = 0.02, .final_length = 0.005};
 // The speed, in m/s, at which a part may meet the part or table that it is put on or into. The arm
-// weighs as much as many parts. A part that the arm hits at 20 mm/s slides on by 0.1 mm. The
+// is much heavier than a part. A part that the arm hits at 20 mm/s slides on by 0.1 mm. The
 // distance grows with the square of the speed; at this speed it is a micrometre.
 inline constexpr double kContactSpeed = 0.002;
 // Returns the pace with which the arm lowers a part, which may meet the table in the last `length`

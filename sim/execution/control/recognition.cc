@@ -9,15 +9,15 @@ namespace assay::execution {
 namespace {
 
 constexpr double kTellingForce = 1;  // newtons; a greater force gives information about contacts
-// The next three constants are deviations that count as equally unlikely. They are the sine of the
-// angle between a wrench and the signature of its state, the distance of a contact from its planned
+// The next three constants are deviations that count as equally unlikely: the sine of the angle
+// between a wrench and the signature of its state, the distance of a contact from its planned
 // place, and the factor of the errors minus 1.
 constexpr double kUsualSine = 0.1;
 constexpr double kUsualSlip = 0.005;  // metres between a contact and its planned place
 constexpr double kUsualGrowth = 1.5;  // factor of the errors, minus 1
-// Limits of the unlikeliness, which is a sum of squares of these deviations. In 841 ends of motions
-// where all went as planned, the planned state had at most 0.7. Where the planned state was not the
-// true one, it had at least 6.
+// Limits of the unlikeliness, which is a sum of squares of these deviations. In 841 motions that
+// went as planned, the unlikeliness of the planned state was at most 0.7 at the end. At the ends of
+// other motions, where the planned state was not the true state, it was at least 6.
 constexpr double kExplained = 4;  // greatest unlikeliness of a state that explains a wrench
 // Least difference by which one state explains a wrench better than another.
 constexpr double kBetter = 1;

@@ -18,8 +18,8 @@ namespace assay::execution {
 // - For error states, the factor by which all errors must be enlarged to cause the state. The
 //   likelihood falls with this factor (section 4).
 //
-// The believed pose of the part is not used to tell contacts apart, since in an error state it is
-// what is wrong. A contact that touches and bears nothing gives no information.
+// The believed pose of the part is not used to distinguish contacts, because this pose is wrong in
+// an error state. A contact that touches and bears nothing gives no information.
 
 // Returns whether the wrench that is measured after a motion of a strategy can come from the
 // planned contacts. A wrench of less than a newton can come from any contacts.

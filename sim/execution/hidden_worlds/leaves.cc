@@ -225,7 +225,7 @@ class WorldSearch {
   std::vector<std::vector<std::string>> asked_;  // the conditions that narrowed each part's kinds
   HiddenWorld world_;
   std::string refuted_;   // the last refuted condition of the leaf
-  std::string no_fault_;  // why one that is needed cannot be
+  std::string no_fault_;  // why there is no fault although one is needed
 };
 
 // Tries the ways in which a leaf's denied conjunctions can be false until one way has a world. Each

@@ -54,7 +54,7 @@ class Execution {
   Trace& trace() { return trace_; }
 
   const JointVector& commanded() const { return commanded_.q; }
-  // Returns the tool's pose as the hand believes it: where it was last commanded to go.
+  // Returns the believed pose of the tool, which is the last commanded pose.
   Pose BelievedTool() const;
   // Returns the tool's pose by the joints' own sensors.
   Pose MeasuredTool() const;

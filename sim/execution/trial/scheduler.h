@@ -47,7 +47,8 @@ class Scheduler {
  private:
   enum class Order { kOfIndices, kOfEnds };
   using KeepResult = std::function<void()>;
-  using Piece = std::function<KeepResult(std::size_t)>;  // makes the result and returns its keeping
+  // Makes the result of a piece, and returns a function that keeps it.
+  using Piece = std::function<KeepResult(std::size_t)>;
 
   template <class Work, class Keep>
   static Piece Kept(const Work& work, const Keep& keep) {

@@ -32,9 +32,9 @@ class Audit {
                                       const contingent::KnowledgeState& state, const Truth& truth,
                                       const Readings& readings, int step) const;
 
-  // Returns whether the goal holds when the truth takes the place of what is known. Parts of the
-  // goal that concern knowledge alone (Kw, Kv, and that something is unknown) count as met, because
-  // TreeWalk checks them.
+  // Returns whether the goal holds when known facts are replaced by the facts that are true in the
+  // simulator. Parts of the goal that concern knowledge alone (Kw, Kv, and that something is
+  // unknown) count as met, because TreeWalk checks them.
   bool IsGoalTrue(const Truth& truth) const;
 
  private:

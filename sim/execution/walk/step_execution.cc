@@ -109,8 +109,8 @@ Progress StepExecution::Named(Progress failure) const {
 }
 
 // A part that is put down finds the table at the height that was drawn for the place. A part that
-// is mated is over the table of the fixed part. The hand finds the table of the part on which it
-// works.
+// is mated is over the table of the fixed part. Where the hand works on a part, it meets the table
+// of this part.
 void StepExecution::SetTables() {
   const scene::Scene& scene = execution_.scene();
   mujoco::Data& data = execution_.data();

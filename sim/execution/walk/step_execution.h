@@ -17,12 +17,13 @@ class StepExecution {
   StepExecution(const plan::Plan& plan, plan::StepId step, Execution& execution);
 
   // Sets the hand's error for this step and the table's height for the place, and moves the tool to
-  // where it is poised before or above its work.
+  // the pose before or above its work. The tool is then poised for the step.
   Progress Approach();
-  // Sets the errors of a poised step to the errors of the execution's noise.
+  // Sets the errors of the step to the errors of the execution's noise. The tool must be poised for
+  // the step.
   Progress TakeUpNoise();
   // Executes everything after the approach. When the hand gropes, the part (in a mating, the fixed
-  // part) is believed to lie where it is tried.
+  // part) is believed to lie at the place that is tried.
   Progress Work();
 
   // The functions below execute parts of the work, for walking a plan tree or for falsification.

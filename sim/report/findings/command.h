@@ -9,7 +9,7 @@ namespace assay::report {
 std::string ReplayCommand(const std::string& database, int trial);
 
 // Returns the command with which a reader of the report views a trial in three dimensions, or a
-// counterexample of a falsification (from 1).
+// counterexample of a falsification. Counterexamples are numbered from 1.
 std::string ViewCommand(const std::string& database, int trial,
                         std::optional<int> counterexample = std::nullopt);
 

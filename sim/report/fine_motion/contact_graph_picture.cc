@@ -273,7 +273,7 @@ class Picture {
   }
   std::size_t KeyLines() const { return kKinds.size() + stops_.size(); }
 
-  // Adds the meanings of dots and lines.
+  // Adds the legend, which explains dots and lines.
   static void AddKey(Element& svg, double top) {
     double y = top;
     for (const Kind& kind : kKinds) {

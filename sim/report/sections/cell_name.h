@@ -13,8 +13,8 @@ struct CellAxis {
   std::string (*value)(const sweep::CellRecord&);
 };
 
-// Returns the axes that sections name, whose values differ between the cells, in the order of the
-// grid.
+// Returns the axes on which the cells have different values, in the order of the grid. Sections
+// name the values of these axes.
 std::vector<CellAxis> AxesThatDiffer(const std::vector<CellFindings>& cells);
 
 // Returns, for the head of a section, the values that all cells have in common: "scenario a.yaml,

@@ -7,8 +7,8 @@
 
 namespace assay::report {
 
-// A page of each trial takes an execution and about a megabyte. The command that makes it is given
-// unless pages were asked for.
+// Making the page of a trial takes the time of an execution, and the page has about a megabyte. The
+// command that makes it is given unless pages were asked for.
 Element Failures(const Subject& subject) {
   const Findings& findings = subject.findings;
   Element section("div");

@@ -81,7 +81,8 @@ auto Columns(Is<RunRecord> auto& r) {
                   r.throughput.trials, r.throughput.steps, r.throughput.seconds);
 }
 
-// Return a member's value as a statement binds it. A missing number is NULL, which NaN stands for.
+// Return a member's value as a statement binds it. A missing number is NaN here and NULL in the
+// database.
 template <class T>
 const T& ColumnValue(const T& value) {
   return value;

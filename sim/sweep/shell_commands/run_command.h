@@ -33,7 +33,7 @@ struct RunCommand {
   std::optional<std::uint64_t> seed = {};  // none: the scenario's
   std::optional<int> trial = {};           // the only trial to run
 
-  // Returns the command for a trial of the same plan, or for all of them if `number` is none.
+  // Returns the command for a trial of the same plan, or for all trials if `number` is none.
   RunCommand Again(std::uint64_t seed_of_trials, std::optional<int> number) const;
   // Returns the command that executes the same plan without noise.
   RunCommand OfPlan() const;

@@ -41,8 +41,9 @@ void ContactCollector::Add(const execution::Sample& sample, const mujoco::Data& 
   }
 }
 
-// The first series of a pair counts its points at each sample. Then come the nine numbers of the
-// first point, at the samples at which there is a first point, and so on.
+// The first series of a pair counts its points at each sample. The next nine series have the
+// numbers of the first point. They have a value for each sample with at least one point. The second
+// point and further points follow in the same way.
 ContactSeries ContactCollector::Take() const {
   ContactSeries series;
   for (const auto& [bodies, samples] : pairs_) {

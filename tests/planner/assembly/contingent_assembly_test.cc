@@ -240,8 +240,8 @@ int PlaceOf(const Texts& texts, const std::string& text, auto projection) {
   return static_cast<int>(found - texts.begin());
 }
 
-// Knowledge concerns the present. The pose of the peg and its precision say nothing about the peg
-// in the hand.
+// What was known about the pose of the peg on the table, and about its errors, is no longer known
+// when the peg is in the hand.
 TEST(ContingentAssembly, APickupForgetsThePoseAndItsIntervals) {
   const ContingentAssembly assembly =
       MakeContingentPlan(WorldsFrom(Uncertain(kBlockOnBack, kLyingOrStanding)), {}, {});
@@ -310,8 +310,9 @@ std::vector<domain::Problem> FallenPegWith(const Names& names) {
   return domain::ReadWorlds(Document::Parse(scenario, "scenario.yaml"), models, {});
 }
 
-// The names include texts that no .pks file can spell, texts that mean a section or a step there,
-// and two that would be spelled alike.
+// The names include texts that a .pks file cannot contain as names, the word of a section and the
+// name of a step in .pks files, and two names that become equal when they are written to a .pks
+// file.
 TEST(ContingentAssembly, SensorsAndErrorsMayHaveAnyNames) {
   for (const auto& [below, above] :
        {std::pair{"goal", "plan1-action_1"}, {"2nd try?", "-- 2nd try"}}) {
@@ -333,8 +334,8 @@ TEST(ContingentAssembly, SensorsAndErrorsMayHaveAnyNames) {
   }
 }
 
-// The names include words of .pks files, names of other things in them, and texts that they cannot
-// spell.
+// The names include keywords of .pks files, names that other things have in the written .pks file,
+// and texts that a .pks file cannot contain as names.
 TEST(ContingentAssembly, PartsAndPosesMayHaveAnyNames) {
   std::string text = Exact(kBlockOnBack, kLyingOrStanding);
   text.insert(text.find("goal:"), "sensing: [overhead-camera]\n");

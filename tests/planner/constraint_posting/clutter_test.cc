@@ -423,7 +423,7 @@ TEST(Judge, APartThatIsInTheWayIsMovedAndThePlanSaysWhy) {
 }
 
 // An objection that no place and no history can meet does not lead to longer plans. An objection
-// that may be met does, until the budget is spent.
+// that a place or a history can meet leads to longer plans, until the budget is spent.
 TEST(Judge, WhoAlwaysObjectsGetsNoPlan) {
   const Problem problem = BlockToBeTurned();
   std::map<bool, std::int64_t> judged;

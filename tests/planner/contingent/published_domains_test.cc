@@ -39,7 +39,8 @@ INSTANTIATE_TEST_SUITE_P(
         Known{"opening-a-safe", "safe-with-note", 2, 1},
         // The tree has a stain, n - 1 looks and a medication.
         Known{"medicate", "four-illnesses", 5, 4},
-        // The tree has 10 steps through the directories, lists 3 of its 4 leaves, and ends with mv.
+        // The longest path changes the directory 10 times, runs ls in 3 of the 4 leaf directories,
+        // and ends with mv.
         Known{"unix", "find-a-file", 14, 4},
         Known{"slippery-grasp", "hold-the-cup", 1, 1, Guarantee::kIfFair},
         // At least 2 is in the jug, and a pour adds at least 1. Two pours suffice without a look.

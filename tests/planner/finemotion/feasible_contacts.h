@@ -30,7 +30,7 @@ class FeasibleContacts {
     CloseEnds();
   }
 
-  // Returns the sets. Each names the first contact of those on one C-surface.
+  // Returns the sets. If several contacts lie on one C-surface, a set has only the first of them.
   std::set<std::vector<int>> All() {
     all_.clear();
     Decide(0, {});
@@ -174,7 +174,8 @@ class FeasibleContacts {
     return covered;
   }
 
-  // Returns the clauses for a surface that is neither touched nor behind. All of them must hold.
+  // Returns the clauses for a surface that is not touched, and that the part is not behind. All of
+  // them must hold.
   static std::vector<Clause> Left(const Surface& surface) {
     using Kind = Condition::Kind;
     const Conditions in_front = {{-surface.gap_is_0.a, -surface.gap_is_0.b, Kind::kBelow}};

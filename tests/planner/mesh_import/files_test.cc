@@ -24,7 +24,7 @@ std::string MessageOfReading(const std::function<void()>& read) {
   return "no error";
 }
 
-// All three formats tell the same surface.
+// All three files describe the same surface.
 TEST(MeshFile, FormatsAgree) {
   const TriangleMesh made = ChamferedPeg(8, 50, 0.5, 24);
   for (const auto& [name, text] :

@@ -87,7 +87,7 @@ TEST(MatedPair, ScenarioHasBothPartsOnTheTable) {
   EXPECT_NEAR(scenario.root().At("clearance").Number(), 0.1, 1e-3);
 }
 
-// A cube is as safe on each of its faces; a long bar is safest on its widest side.
+// A cube is equally stable on each of its faces. A long bar is most stable on its widest side.
 TEST(RestingPose, TiltsAreThoseOfTheGeometry) {
   const std::vector<RestingPose> cube =
       RestingPosesOf(NamedPart("cube", Extruded(RectangleOf(20, 20), 20), {0, 0, 0}));

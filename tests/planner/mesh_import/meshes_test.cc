@@ -17,7 +17,7 @@ double AreaOfTriangle(const Vector2& a, const Vector2& b, const Vector2& c) {
   return ((b - a).x() * (c - a).y() - (b - a).y() * (c - a).x()) / 2;
 }
 
-// Returns a polygon that sees its centre, with random radii.
+// Returns a polygon that is star-shaped about its centre, with random radii.
 Curve RandomStar(RandomStream& random, int corners, double least, double most, Vector2 center) {
   Curve star;
   for (int i = 0; i < corners; ++i) {
@@ -107,7 +107,8 @@ TEST(PlaneCut, SectionKeepsTheInsideToItsLeft) {
   EXPECT_NEAR(areas[1], 625, 1e-9);
 }
 
-// The tree finds the distance that a search through all triangles finds: for a box it is known.
+// The tree finds the same distance as a search through all triangles. For a box this distance is
+// also known.
 TEST(NearestSurface, KnowsTheDistanceOfABox) {
   const TriangleMesh mesh = Extruded(RectangleOf(4, 6), 10);
   const NearestSurface surface(mesh);

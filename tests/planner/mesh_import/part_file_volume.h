@@ -6,7 +6,7 @@
 
 #include "planner/base/input_files/document.h"
 
-// The volume that a part file tells, from its numbers alone.
+// Computes the volume of a part from the numbers in its part file.
 namespace assay::mesh_import {
 
 inline double AreaInFile(const Value& outline) {

@@ -82,7 +82,7 @@ TEST(PartImport, PlateWithHoles) {
   EXPECT_NEAR((part.sketch.features[6].direction - Vector3::UnitZ()).norm(), 0, 1e-12);
   const Value root = FileOf(part).root();
   EXPECT_NEAR(root.At("pockets").At("hole-1").At("cylinder").At("radius").Number(), 8.05, 1e-4);
-  // All is told but the chamfer, and round holes are round.
+  // The part file has the volume of the mesh without its chamfer, and with a truly round hole.
   const double sides = 72 / (2 * std::numbers::pi) * std::sin(2 * std::numbers::pi / 72);
   const double mesh_volume = DrilledPlate().Volume();
   const double bore = std::numbers::pi * 8.05 * 8.05 * 12 * (1 - sides);
@@ -107,7 +107,8 @@ TEST(PartImport, FootWithStem) {
   EXPECT_EQ(WhatOf(part).size(), 8u);  // shoulder, tip, base and four sides, and the shaft
 }
 
-// A slot in a side is a pocket; an undercut one opens along its length.
+// A slot in a side becomes a pocket. The pocket of an undercut slot opens along the length of the
+// slot.
 TEST(PartImport, Slots) {
   const Curve slotted = {{0, 0},   {40, 0},  {40, 30}, {28, 30},
                          {28, 20}, {12, 20}, {12, 30}, {0, 30}};

@@ -35,7 +35,7 @@ TEST(MeshRepair, LeavesAGoodMeshAlone) {
   EXPECT_EQ(repaired.bodies[0].triangles.size(), made.triangles.size());
 }
 
-// Whatever triangles are turned over, the volume comes out the same.
+// The repair gives the same volume, whichever triangles are turned over.
 TEST(MeshRepair, OrientsOutward) {
   const TriangleMesh made = Extruded(RectangleOf(25, 25), 9, {CircleOf(8, 24)});
   RandomStream random(11, "turned over");

@@ -2,7 +2,8 @@
 
 #include "tests/planner/uncertainty/action_lists.h"
 
-// Spar's block, which stands on its end with its axes along the world's, and hands from above.
+// Test data: Spar's block on its end, with its axes parallel to the world's, and poses of the hand
+// above the block.
 namespace assay::uncertainty {
 
 constexpr PartId kBlock(0);

@@ -50,7 +50,8 @@ TEST_F(PlanVerification, AContradictionIsFoundWhereverThePlanComesFrom) {
   }
 }
 
-// Sets contradict nothing in the plan; they differ from what the scenario gives.
+// Changed error sets contradict nothing in the plan, but they differ from those that the scenario
+// gives.
 TEST_F(PlanVerification, ASetThatDoesNotComeOutIsFoundInAFile) {
   const plan::Plan plan = Changed([](plan::PlannedStep& step) {
     plan::ErrorSet& set = step.certificate.after.at(0);

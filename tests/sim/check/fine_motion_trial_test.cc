@@ -52,8 +52,8 @@ class FeltAssembly : public testing::Test {
   }
 };
 
-// One trial, and one falsification of few attempts, because measuring the noise floor takes several
-// executions.
+// The tests make only one trial, and one falsification with few attempts, because measuring the
+// noise floor takes several executions.
 TEST_F(FeltAssembly, SeatsThePartInSpiteOfErrors) {
   ASSERT_TRUE(certified().plan.step(AssembleStep()).strategy);
   const Trial trial = Run(certified().plan, noise::Mode::kUniform, Gate());

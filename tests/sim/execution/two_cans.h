@@ -51,7 +51,7 @@ inline Replacements WithProblem(const std::string& text) {
   return {{kRoot / "scenarios/know/two-cans.pks", file}};
 }
 
-// Returns the replacement of the problem file by one whose init has further changes.
+// Returns the replacement of the problem file by a file with further changes in its `init`.
 inline Replacements WithInit(const std::string& changes) {
   std::ostringstream text;
   text << std::ifstream(kRoot / "scenarios/know/two-cans.pks").rdbuf();

@@ -244,7 +244,7 @@ class Path {
   std::string old_;
 };
 
-// Stands in for ffmpeg: keeps its arguments and what it reads.
+// A program in place of ffmpeg. It stores its arguments and its input.
 std::filesystem::path FakeFfmpeg(const std::string& last_line) {
   const std::filesystem::path folder = ScratchFile("programs");
   std::filesystem::create_directories(folder);

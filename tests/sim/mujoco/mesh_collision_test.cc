@@ -87,8 +87,9 @@ TEST(MeshCollision, APieceIsNotStoppedByTheEndOfAnother) {
   }
 }
 
-// A box as a mesh has the contacts of a box of the engine. Of the depth it has half. The engine has
-// half of it in most poses, and all of it in some.
+// A box as a mesh has the contacts of a box of the engine. Its contacts have half of the true
+// depth. The engine's contacts of boxes have half of the depth in most poses, and all of it in
+// some.
 TEST(MeshCollision, AMeshOfABoxCollidesLikeTheBox) {
   const auto box = geometry::Box::FromCorners({-0.03, -0.02, -0.01}, {0.03, 0.02, 0.01});
   const ConvexBody ground{.name = "ground",
@@ -148,8 +149,8 @@ std::vector<double> Simulated(const Model& model) {
   return {data.qpos().begin(), data.qpos().end()};
 }
 
-// Models with different pieces are simulated at the same time, to the bits of simulations one after
-// the other.
+// Models with different pieces are simulated at the same time. The results have the same bits as
+// those of simulations one after the other.
 TEST(MeshCollision, ThreadsDoNotDisturbEachOther) {
   std::vector<Model> models;
   for (const int sides : {6, 16, 32, 64}) {

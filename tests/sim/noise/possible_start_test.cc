@@ -60,8 +60,7 @@ class PossibleStartTest : public testing::Test {
     const Pose X_WorldBlock = noise.TruePose(kBlock, problem_.part(kBlock).X_WorldPart);
     const Pose X_WorldBrick = noise.TruePose(kBrick, problem_.part(kBrick).X_WorldPart);
     double least = 1;
-    for (const auto& of_block :
-         Transformed(problem_.part(kBlock).model->pieces(), X_WorldBlock)) {
+    for (const auto& of_block : Transformed(problem_.part(kBlock).model->pieces(), X_WorldBlock)) {
       for (const auto& of_brick :
            Transformed(problem_.part(kBrick).model->pieces(), X_WorldBrick)) {
         least = std::min(least, geometry::Separation(of_block, of_brick));
@@ -127,7 +126,7 @@ TEST_F(PossibleStartTest, CornersAreMovedBackUntilThePartsJustTouch) {
   EXPECT_GT(moved, 10);
 }
 
-// The errors of a part that a trial has worked on already are no longer free.
+// If a trial has worked on a part already, the errors of this part stay as they are.
 TEST_F(PossibleStartTest, OnlyWhatDiffersIsMovedBack) {
   const PossibleStart start(problem_);
   const Noise none(box_, std::vector<double>(box_.size(), 0));

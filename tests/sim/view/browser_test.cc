@@ -72,9 +72,9 @@ TEST(InBrowser, IsUsedAsPeopleDo) {
   }
 }
 
-// While the peg is held, the page shows where the fingers press it, with which force, and says so
-// beside the point under the pointer. The forces of both fingers are opposite, so that the sum of
-// the arrows on the peg is small.
+// While the peg is held, the page shows the contacts of the fingers and their forces. It also
+// writes the force beside a contact that the pointer is on. The forces of the two fingers are
+// opposite, so the sum of the arrows on the peg is small.
 TEST(InBrowser, ShowsContactsWithTheirForces) {
   if (!HasChromium()) GTEST_SKIP() << "chromium is not installed";
   const SeenPage seen = Seen(Figure15().subject(), R"(

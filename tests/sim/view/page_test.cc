@@ -104,7 +104,7 @@ TEST_F(PageOfFigure15, CountsEveryPrecondition) {
   }
 }
 
-// A way of the arm is either proved, or the page says what errors may cause on it.
+// The page says that a way of the arm is proved, or what errors may cause on this way.
 TEST_F(PageOfFigure15, SaysWhyAWayIsNotProved) {
   int unproved = 0;
   for (const Json& step : data()["steps"]) {
@@ -237,8 +237,8 @@ std::set<std::string> KeysOf(const Json& data, const std::string& path = "") {
   return keys;
 }
 
-// The page that stands under renders has the format of today's pages. If not, make it again as
-// renders/README.md says.
+// The page that stands under renders has the format of today's pages. If it has an older format, it
+// must be made again as renders/README.md says.
 TEST_F(PageOfFigure15, TheKeptPageOfFigure13HasTheSameFormat) {
   std::ifstream file(ASSAY_SOURCE_DIR "/renders/spar-fig13/page.html", std::ios::binary);
   const std::string kept(std::istreambuf_iterator<char>(file), {});

@@ -129,7 +129,7 @@ TEST(SparExample, ProvableUpToTheStatedErrors) {
   EXPECT_FALSE(AllFourAreProvable({.dx = 0.404}));
 }
 
-// ---- Each method on what it is for ----
+// ---- Each method on expressions for which it is made ----
 
 TEST(Bounds, TermwiseIsExactForLinearExpressions) {
   ExpressionPool pool;

@@ -95,7 +95,8 @@ TEST(NestedForm, SlopesAreThoseOfTheTerms) {
   }
 }
 
-// Along one atom the slopes are affine, too, so that a difference shows their change.
+// If only one atom varies, each slope is an affine function of this atom. The difference of two
+// values of a slope is therefore its rate of change.
 TEST(NestedForm, SlopesAlongATangentAreTheirChange) {
   RandomStream random(3, "along");
   for (int i = 0; i < 100; ++i) {

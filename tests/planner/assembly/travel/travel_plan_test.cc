@@ -171,7 +171,8 @@ TEST(TravelPlan, PathsJoinTheStraightLines) {
   }
 }
 
-// A plan that has ways of the arm has all of them. One that was written by hand may have none.
+// A plan that has ways of the arm has all of them. A plan that was written by hand may have no ways
+// of the arm.
 TEST(TravelPlan, NoWayMayBeLeftOut) {
   const domain::Problem problem = constraint_posting::LoadScenario("spar-fig15");
   const plan::Plan plan = MakeCertifiedPlan(problem, {}, {}).plan;

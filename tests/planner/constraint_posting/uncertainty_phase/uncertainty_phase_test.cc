@@ -346,8 +346,8 @@ TEST_P(AugmentedPlans, HandOnWhatIsKnownFromStepToStep) {
   }
 }
 
-// A certificate is complete: each claim can be proved anew from its texts alone. The worst corner
-// shows how near the expression comes to its limit.
+// A certificate is complete: its expressions and intervals are enough to prove each claim again.
+// The worst corner shows how near the expression comes to its limit.
 TEST_P(AugmentedPlans, CarryCertificatesThatCanBeProvedAnew) {
   for (const PlannedStep& step : plan_.steps) {
     algebra::ExpressionPool pool;

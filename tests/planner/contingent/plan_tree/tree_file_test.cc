@@ -149,8 +149,8 @@ TEST(TreeFile, RepeatsGoBackOnEveryWay) {
   EXPECT_GT(std::min(read, refused), 200);
 }
 
-// Each child of each node of a plan leads elsewhere, as a repeat or not. The file is refused, or
-// its tree is checked to the end.
+// The test redirects each edge of a plan tree to every node, once as a repeat and once not. Each
+// changed file is refused, or its tree is checked to the end.
 TEST(TreeFile, ChildrenThatLeadElsewhereAreTold) {
   for (const auto& [domain, problem] :
        {std::pair("slippery-grasp", "hold-the-cup"), std::pair("pouring", "half-full-jug"),

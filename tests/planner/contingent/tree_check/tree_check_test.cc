@@ -456,7 +456,7 @@ TEST(NotKnown, IsNotSaidOfWhatNumbersTell) {
             Outcome::kFound);
 }
 
-// One number decides two effects. Between them they always make f equal b.
+// One number decides two effects. For every value of the number, f is b after both actions.
 TEST(NotKnown, IsNotSaidOfValuesThatNumbersDecide) {
   const GroundTask task = GroundText(
       "domain n types: thing constants: b, c: thing predicates: r\n"

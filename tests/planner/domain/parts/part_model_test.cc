@@ -106,7 +106,8 @@ TEST(WithClearance, MovesTheWallsThatAreMarked) {
         EXPECT_EQ(walls[w].moves_with_clearance, after.moves_with_clearance);
         const double back =
             part->faces()[walls[w].face.index()].offset - wider->faces()[after.face.index()].offset;
-        // The polygon of a round hole grows by the cosine of half a side less than its circle.
+        // The sides of a round hole's polygon are at the circle's radius times the cosine of half
+        // of a side's angle. They therefore move less than the circle grows.
         const double round = name == "round-block" ? 0.0003 * (1 - std::cos(M_PI / 64)) : 0;
         EXPECT_NEAR(back, walls[w].moves_with_clearance ? 0.0003 - round : 0, 1e-12) << name;
         moved += walls[w].moves_with_clearance ? 1 : 0;

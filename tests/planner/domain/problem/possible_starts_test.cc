@@ -212,7 +212,8 @@ TEST(PossibleStarts, PosesOverlapBeyondContactOnly) {
             PartPair(PartId(0), PartId(1)));
 }
 
-// The engine would throw the parts apart, whatever the allowance of geometric tests is.
+// If parts overlap at the start, the engine throws them apart, even if the overlap is smaller than
+// the allowance of the geometric tests.
 TEST(PossibleStarts, BelievedPosesThatOverlapAreRefused) {
   const std::string allowance = "rules: {contact_allowance: 0.2}\n";
   EXPECT_EQ(MessageOf(TwoBricks(-0.005, "{}", "{}") + allowance), "no error");

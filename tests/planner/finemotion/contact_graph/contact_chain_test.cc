@@ -77,7 +77,8 @@ TEST(ContactChain, ABoxSlidesIntoACornerAlongOneCrevice) {
   EXPECT_EQ(At(chain.points[1], crevice.later).dimension, 1);
 }
 
-// Five contacts lead from free space into the crevice. At its end the wall is one more.
+// Five contacts lead from free space into the crevice. At the end of the crevice, the wall is one
+// more contact.
 TEST(ContactChain, ABoxComesIntoACornerByAContactAtATime) {
   const ContactChain chain = ContactChainOf(BoxIntoCorner(0.08));
   EXPECT_THAT(chain.points[0].initial, ElementsAre(0));

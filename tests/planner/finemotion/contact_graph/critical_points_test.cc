@@ -141,8 +141,9 @@ TEST(CriticalPoints, OfASteppedPeg) {
       {.moving = {Box({-6, -6, -35}, {6, 6, -15}), Box({-10, -10, -15}, {10, 10, 20})},
        .stationary = Around(10, 0, -15) + Around(6, -15, -40),
        .mating_vector = {0, 0, -50}});
-  // The peg starts 50 above its seat. Its end is at -35 when seated, so that it reaches -15 after
-  // 50 - 20. Its shoulder is at -15 when seated, so that it reaches 0 after 50 - 15.
+  // Lengths are in millimetres. The peg starts 50 above its seat. Its narrow end is at -35 when
+  // seated, so it reaches the narrow hole at -15 after a motion of 30. Its wide end is at -15 when
+  // seated, so it reaches the wide hole at 0 after a motion of 35.
   judge.ExpectTravels({30, 35, 50});
   judge.ExpectSamplesAgree();
   EXPECT_EQ(judge.points()[0].after.size(), 4u);

@@ -240,8 +240,8 @@ double LeastRise(const Polyhedron& shape, const OuterEdge& edge, const Vector3& 
   return rise;
 }
 
-// Returns the least sine of the angle at which the surroundings of the feature rise from the other
-// feature; negative if they overlap.
+// Near the contact, the surface of one part rises at an angle from the feature of the other part.
+// Returns the sine of the least such angle. It is negative if the parts overlap.
 double RoomLeft(const Scene& scene, const PrimitiveContact& contact, const Pose& X) {
   const Vector3 n = ExactNormal(scene, contact, X);
   const Vector3 n_moving = X.linear().transpose() * n;

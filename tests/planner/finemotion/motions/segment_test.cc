@@ -248,8 +248,8 @@ std::vector<Touch> Touches(const Case& given, const SampledMotion& motion, doubl
   return touches;
 }
 
-// Returns whether a kept contact comes to its end. Faces have regions, and a contact may go from
-// one region to the next.
+// Returns whether the motion leads beyond the end of a kept contact. Faces have regions, and a
+// contact may go from one region to the next.
 bool Loses(const Case& given, const SampledMotion& motion, double end) {
   const auto is_lost_at = [&](const ContactKey& key, const GeneralizedPoint& z) {
     return std::ranges::all_of(given.contacts, [&](const PrimitiveContact& contact) {
@@ -471,7 +471,8 @@ TEST(Check, IsCertainOnlyWhereNoSampledMotionGoesWrong) {
   EXPECT_GT(counted.certain, 100);
   EXPECT_GT(counted.kept, 20);
   EXPECT_GT(counted.touching_wrongly, 100);
-  // The check is not much too careful: samples confirm most of the uncertain cases.
+  // The check is not much too conservative: in more than half of the cases that it calls uncertain,
+  // some sampled motion really goes wrong.
   EXPECT_GT(counted.touching_wrongly, counted.uncertain / 2);
 }
 

@@ -359,7 +359,7 @@ class ExactReplay {
     }
   }
 
-  // Returns all contacts that do not touch at the start. Contacts that are let go only separate.
+  // Returns all contacts that do not touch at the start. Contacts that are not kept only separate.
   std::vector<ContactKey> Apart() const {
     std::vector<ContactKey> apart = AllPairs(passage_);
     std::erase_if(apart, [&](const ContactKey& key) {

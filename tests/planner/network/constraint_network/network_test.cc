@@ -107,8 +107,9 @@ TEST(Network, DecidesEveryPostAndStaysAsBeforeWhenItRefuses) {
   EXPECT_GT(refused, 500);
 }
 
-// A posted constraint that the witness violates is met by another label for one node, so nothing is
-// propagated. The propagation happens when labels are asked for.
+// The last labeling (the witness) violates the posted constraint. Another label for one node
+// satisfies the constraint, so nothing is propagated. The propagation happens when labels are asked
+// for.
 TEST(Network, PropagatesWhatItOwesWhenLabelsAreAskedFor) {
   Network network;
   const NodeId a = network.AddNode(LabelSet::All(3)), b = network.AddNode(LabelSet::All(3));

@@ -22,7 +22,7 @@ using ::testing::IsEmpty;
 
 constexpr double kMicrometre = 1e-6;
 
-// --- Which contacts bear a force, for contacts made by hand.
+// --- Which contacts bear a force, for contacts that the test makes itself.
 
 PrimitiveContact Touching(int moving, const Vector3& at, const Vector3& normal, double gap = 0) {
   PrimitiveContact contact;

@@ -46,7 +46,7 @@ class Proved : public testing::Test {
   static inline Experiment* experiment_ = nullptr;
 };
 
-// The next step starts where an attempt at this one ends, so no step may go without one before.
+// The next step starts where an attempt at this step ends, so this step must have an attempt first.
 TEST_F(Proved, HasAnAttemptAtEachOfTheFirstStepsIfAttemptsAreFew) {
   const std::vector<plan::StepId> order = certified_->plan.ExecutionOrder();
   ASSERT_EQ(order.size(), 2u);

@@ -49,7 +49,8 @@ TEST(Confirmation, NoLimitIsBeyondTheOtherEnd) {
   EXPECT_EQ(VerdictOf(Observed(-100), {Observed(1.3)}), ClaimVerdict::kContained);
 }
 
-// A value outside the prediction is a violation even if the finer execution claims nothing.
+// A value outside of the prediction is a violation even if the execution with half the timestep
+// makes no claim about it.
 TEST(Confirmation, WhatTheFinerExecutionDoesNotClaimIsViolatedAllTheSame) {
   Claim unclaimed = Observed(1.5);
   unclaimed.verdict = ClaimVerdict::kNotClaimed;

@@ -147,7 +147,8 @@ class Alone : public testing::Test {
     only.Set(channel, of_.box[channel].range.high);
     return only;
   }
-  // Expects that the error changes its own entry and no other entry of a step that was reached.
+  // Expects that this error changes only its own entry of the ledger. Entries without a measured
+  // value, which belong to steps that were not reached, are ignored.
   void ExpectAlone(std::size_t channel, const std::vector<LedgerEntry>& ledger) const {
     ExpectAsDrawn(ledger[channel]);
     EXPECT_GT(std::abs(*ledger[channel].measured), ToleranceOf(ledger[channel]));
@@ -176,7 +177,8 @@ TEST_F(Alone, EachErrorOfTheStartAndOfASensor) {
   EXPECT_EQ(tried, 14);  // four of each part, three tolerances, three of the sensor
 }
 
-// The pickup is poised once, and each error of the hand is applied from there.
+// The tool is poised for the pickup, and this state is saved once. Each error of the hand is
+// applied to the saved state.
 TEST_F(Alone, EachErrorOfTheHand) {
   const plan::StepId pickup = FirstStep(domain::kPickup, plan_);
   const domain::Problem& problem = of_.certified.problem;

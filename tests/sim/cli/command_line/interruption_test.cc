@@ -14,7 +14,7 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
-// Much more than the second or two that it takes, for machines that are busy.
+// This is much more than the second or two that are needed, for machines that are busy.
 constexpr std::chrono::seconds kSoon{30};
 
 // Ends a command that would run for ever by a signal. The signal is sent as soon as the program has

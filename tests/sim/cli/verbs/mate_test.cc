@@ -39,8 +39,8 @@ TEST(Mate, WithoutAStrategyThereIsNoPlan) {
   EXPECT_THAT(ended.out, HasSubstr("all sequences of the planner's maneuvers from"));
 }
 
-// The obstacle happens beyond the scale that is certain. With greater errors it happens at a
-// smaller multiple of them.
+// The contact that is named as the obstacle happens only with errors beyond the certain scale. With
+// greater errors it happens at a smaller multiple of them.
 TEST(Mate, TheMarginOfTheObstacleIsOneOfTheErrors) {
   double last = 1;
   for (const auto& [displacement, rotation] : {std::pair("5", "2.5"), std::pair("10", "5")}) {

@@ -180,8 +180,8 @@ class Says : public Skill {
   mutable std::size_t times_ = 0;
 };
 
-// Enacts a plan that ends when the pose is known. If it is enough that the pose is sensed, no
-// branch depends on the look.
+// Executes a plan tree that ends when the pose is known. If it is enough that the pose is sensed,
+// no branch depends on the look.
 enum class Wanted { kKnown, kSensed };
 TreeTrial LookAtStandingPeg(const KnowledgeScenario& of, Wanted wanted,
                             const std::vector<std::string>& said) {

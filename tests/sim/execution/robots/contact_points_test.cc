@@ -22,7 +22,8 @@ class AtRest : public testing::Test {
   Execution execution_;
 };
 
-// The timestep after a sample tells its points. No timestep has followed the last one.
+// The contact points of a sample are written after the timestep that follows it. No timestep has
+// followed the last one.
 TEST_F(AtRest, EverySampleButTheLastHasItsPoints) {
   const auto samples = execution_.trace().All<Sample>();
   ASSERT_GT(samples.size(), 20u);

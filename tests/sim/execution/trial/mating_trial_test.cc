@@ -320,7 +320,8 @@ plan::Strategy IntoTheCorner(const Pose& X_HeldTip) {
   return strategy;
 }
 
-// The contact with the front does not tell where the hole is. The likely error of the plan does.
+// The contact with the front does not tell where the hole is. The likely error that the plan states
+// for this contact tells it.
 TEST_F(MatingTrial, WhatErrorsAreLikelyLeadsOutOfAnErrorState) {
   const MatingSetting setting = Setting({0.001, 0.0045, 0.001}, kNone);
   plan::Strategy strategy = IntoTheCorner(setting.X_HeldTip);

@@ -52,7 +52,7 @@ TEST_P(OnThreads, KeepsEachResultOnceWhenItIsDone) {
   EXPECT_THAT(kept, UnorderedElementsAreArray(FirstOf(kPieces)));
 }
 
-// A piece that is done is kept although an earlier one still waits for that.
+// A piece that is done is kept at once, even if an earlier piece is not done yet.
 TEST(Scheduler, DoesNotWaitForEarlierPiecesIfNotAsked) {
   Scheduler scheduler(2);
   std::atomic<bool> is_kept = false;

@@ -29,7 +29,8 @@ class Channels : public Figure15Test {
   }
 };
 
-// A simulation that starts with one error of the peg, and the change of the peg's pose.
+// A simulation that starts with one error of the peg. The struct also stores by how much this error
+// changes the peg's pose.
 struct ErroneousStart {
   mujoco::Data data;
   Vector3 displacement;
@@ -95,7 +96,8 @@ TEST_F(StartChannels, PartsRestAtTheStart) {
   }
 }
 
-// The pickup is poised once for all tests. From there the hand takes up its errors and acts.
+// The tool is poised for the pickup once for all tests. From there the hand takes up its errors and
+// acts.
 class HandChannels : public Channels {
  protected:
   HandChannels() : data_(scene().model()), execution_(problem(), scene(), data_, options_) {
@@ -169,8 +171,8 @@ TEST_F(HandChannels, OfAnotherStepAreNotFelt) {
   ExpectHandError(Pose::Identity());
 }
 
-// If an execution has noise from its start, the hand has the same error as if a poised step takes
-// up the noise.
+// If an execution has noise from its start, the hand has the same error as if the noise is taken up
+// when the tool is poised.
 TEST_F(Channels, AnExecutionErrsAsItsNoiseSays) {
   const Noise noise = FourErrors(Effect::kHandX, kPickup, {0.001, -0.002, 0.0015, 0.02});
   mujoco::Data data = StartOf(problem(), scene(), noise);

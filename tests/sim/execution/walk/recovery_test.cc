@@ -32,8 +32,8 @@ plan::Recovery Simple(plan::StepId step, const std::string& error, RecoveryStrat
   return {.step = step, .error = error, .strategy = strategy};
 }
 
-// A circle has as many places as keep neighbours about a pitch apart: 7 on the first circle (2 pi),
-// 13 on the second and 19 on the third.
+// Neighbouring places on a circle are about a pitch apart. This gives 7 places on the first circle
+// (2 pi), 13 on the second and 19 on the third.
 TEST(PlacesToTryTest, AreOnCirclesThatGrowByThePitch) {
   const std::vector<Vector3> places =
       PlacesToTry(Groping(kPickup, "error1", 0.010, 0.003), Vector3::UnitZ());
