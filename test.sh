@@ -56,13 +56,15 @@ configure release -DASSAY_TESTS=ON -DASSAY_BENCH=ON -DASSAY_PYTHON=ON
 build release
 stage=${1:-}
 [[ $stage != --all ]] || check_single_files
+documents=
 if [[ $stage == --all || $stage == --ci ]]; then
   shift
   build_readers_with_sanitizers
-  # Most commands of the documents keep one core busy.
+  # Most commands of the documents keep one core busy, so they run beside the tests.
   test_document_commands &
   documents=$!
+  trap 'kill "$documents" 2>/dev/null || true' EXIT
   test_readers_with_sanitizers
-  wait "$documents"
 fi
 with_output_and_progress "Testing" ctest --preset release "$@"
+[ -z "$documents" ] || wait "$documents"
