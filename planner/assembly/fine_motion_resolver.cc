@@ -65,7 +65,8 @@ bool CanBeReached(const UnmetGoals& unmet, const plan::Action& assemble,
   return !std::holds_alternative<Unreached>(ReachOf(unmet.problem, assemble, strategy, before));
 }
 
-// The plan with the inserted actions of remedies, and the index of the step in it.
+// The plan with the actions that remedies insert, and the index in this plan of the step that needs
+// fine motion.
 struct Prepared {
   std::vector<plan::Action> actions;
   std::vector<std::optional<plan::Strategy>> strategies;

@@ -22,8 +22,8 @@ class World {
   // true if the part is mated to any other part, as held or as fixed
   bool mated(domain::PartId part) const;
 
-  // Does the action. X_WorldPart is the pose at which it leaves its part, if it leaves it at a
-  // place.
+  // Changes the world as the action does. X_WorldPart is the pose in which the action leaves the
+  // part. It is used only if the action leaves the part at a place.
   void Do(const domain::ActionTemplate& action, const domain::Pose& X_WorldPart, int choice);
   void Take(domain::PartId part);
   void Rest(domain::PartId part, const domain::Pose& X_WorldPart, int choice);

@@ -19,7 +19,7 @@ Eigen::MatrixXd ShortestLeastSquares(const Eigen::MatrixXd& a, const Eigen::Matr
 // Returns an x for which |a x - b| is least. It is 0 for those columns of a that depend on others.
 Eigen::VectorXd LeastSquaresOfFewest(const Eigen::MatrixXd& a, const Eigen::VectorXd& b);
 
-// Returns as many orthonormal columns as there can be that are orthogonal to the columns of
+// Returns an orthonormal basis, as columns, of the space that is orthogonal to the columns of
 // `basis`.
 Eigen::MatrixXd OrthogonalComplement(const Eigen::MatrixXd& basis);
 

@@ -47,7 +47,8 @@ bool MayTouch(const mjModel& m, const mjData& d, int a, int b, double margin) {
   return mju_dist3(d.geom_xpos + 3 * a, d.geom_xpos + 3 * b) <= reach;
 }
 
-// The engine's order: by type, then by body.
+// Returns the contact of the geoms g1 and g2, which are in the engine's order: by type, then by
+// body. Returns none if they do not touch.
 std::optional<ContactManifold> Manifold(const mjModel& m, const mjData& d,
                                         const ConvexPieces& pieces, int g1, int g2, double margin) {
   const Pose X_WorldFirst = GeomPose(d, g1);

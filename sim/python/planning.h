@@ -23,8 +23,8 @@ struct PlanSettings {
   double error_scale = 1;                                  // factor on the errors of parts and hand
   std::optional<std::vector<std::string>> resolvers = {};  // none or empty: the scenario's
   std::string propagation = "sound";
-  // Partial plans of the first phase, or knowledge states if the goal is about knowledge; none: the
-  // usual number.
+  // The greatest number of partial plans in the first phase. If the goal is about knowledge, it is
+  // the greatest number of knowledge states. If it is empty, the default is used.
   std::optional<std::int64_t> budget = {};
 };
 

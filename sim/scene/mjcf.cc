@@ -65,7 +65,8 @@ constexpr int kPart = 1;
 constexpr int kGripper = 2;
 constexpr int kFloor = 4;
 constexpr int kSupport = 8;
-// The lowest bit of the tables for single parts. Their other bits follow above it.
+// The bit of the first table on which a single part stands. Each further table of this kind has the
+// next higher bit.
 constexpr int kFirstTable = 16;
 
 int TableBit(domain::PartId part) {
@@ -73,7 +74,7 @@ int TableBit(domain::PartId part) {
   return kFirstTable << static_cast<int>(std::min(index, kMostPartTables - 1));
 }
 
-// The lowest bit of the robots, if there are several. Their other bits follow above it.
+// The bit of the first robot, if there are several. Each further robot has the next higher bit.
 constexpr int kFirstRobot = kFirstTable << kMostPartTables;
 constexpr int kMostRobots = 4;
 

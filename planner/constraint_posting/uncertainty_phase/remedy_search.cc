@@ -164,8 +164,8 @@ std::string RemedySearch::NameOf(const Candidate& candidate) const {
 }
 
 // Returns the first step that must be proved and is not, or none. Three kinds of steps must be
-// proved: the mended step, new steps before it, and steps after a new step unless they were given
-// up.
+// proved: the step for which the remedy is, new steps before this step, and those steps after a new
+// step that were not accepted as unproved.
 std::optional<RemedySearch::UnprovedStep> RemedySearch::FirstUnproved(const Mended& mended) const {
   uncertainty::WorldTree& tree = task_.possible;
   SnapshotId snapshot = tree.Beginning();

@@ -19,8 +19,8 @@ class CertifiedPlanning {
                     const UncertaintyOptions& options)
       : planner_(planner), relations_(problem), task_(problem, options), best_(task_) {}
 
-  // The first instances show which errors no search can avoid. Later searches look for plans
-  // without the other errors.
+  // An error is a step that is not proved. The first plan instances show which steps fail wherever
+  // the parts are. Later searches look for plans in which all other steps are proved.
   plan::PlanResult Run() {
     plan::PlanResult result = AmongTheFirst();
     if (!best_.exists()) return Answer(std::move(result));

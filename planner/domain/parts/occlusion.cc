@@ -36,7 +36,8 @@ class Occlusion {
       : model_(model), X_WorldPart_(X_WorldPart) {}
 
   // Records the features that a surface hides because it lies against the part. The surface
-  // consists of polygons in the plane of X_WorldFace, and faces along its z axis.
+  // consists of polygons in the x-y plane of X_WorldFace. The normal of the surface is the z axis
+  // of X_WorldFace.
   void Cover(const Pose& X_WorldFace, const std::vector<Polygon>& patches) {
     for (std::size_t f = 0; f < model_.faces().size(); ++f) {
       const Pose X_WorldOurs = X_WorldPart_ * model_.faces()[f].X_PartFace;

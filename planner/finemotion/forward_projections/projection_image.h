@@ -36,7 +36,8 @@ class ProjectionImage {
   Eigen::Index errors() const { return start_errors_ + motion_errors_; }
   bool moves() const;
 
-  // Leaves out the errors that change nothing in the image, which are those of other faces.
+  // Removes the errors that change nothing in the image. They are the errors of faces that take no
+  // part in the contact.
   void ForgetZeros();
 
  private:

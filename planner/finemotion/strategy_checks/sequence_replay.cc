@@ -7,7 +7,8 @@ namespace assay::finemotion {
 
 namespace {
 
-// The sizes of steps of the start, as fractions of how far starts are drawn.
+// The sizes of the steps in the local search for a better start, as fractions of the range from
+// which starts are drawn.
 constexpr double kFirstStep = 0.3;
 constexpr double kLeastStep = 0.02;
 

@@ -108,8 +108,8 @@ class Maneuvering {
   struct Direction;
   std::optional<Direction> DirectionOf(const Situation& situation, const Maneuver& maneuver) const;
   PoseChange Refined(const Pose& X, const Command& command) const;
-  // Checks that nothing stands against the part straight along the way in, until shortly before the
-  // next critical point or the seat. It may touch walls, since these lead it.
+  // Checks that nothing blocks the part if it goes straight along the way in, until shortly before
+  // the next critical point or the seat. The part may touch walls, because walls guide the part.
   SegmentCheck CheckWayOn(const BelievedPose& believed) const;
   // Returns whether the errors leave room between the part and the wall.
   bool IsWithinPlay(const PrimitiveContact& wall, const BelievedPose& believed) const;

@@ -27,8 +27,8 @@ struct MotionRules {
   JointVector sway = JointVector::Zero();
   plan::ToolErrorBox tool = {};
   // Postures that are prescribed, such as the ends of straight lines. In these postures, the load
-  // of the arm may be nearer to a body than the clearance. It may then come nearly as near to this
-  // body elsewhere.
+  // of the arm may be nearer to a body than the clearance. In the rest of the motion, the load may
+  // come almost as near to this body as in these postures.
   std::vector<JointVector> given = {};
   enum class Bodies {
     kAll,

@@ -42,8 +42,8 @@ using PathResult = std::variant<JointPath, PathFailure>;
 // Objects that are to be kept upright are sampled exactly upright. If the tool's axis is the
 // direction that points up, the upright postures of one configuration of the arm form planes in
 // joint space: q4 is 0 or half a turn, and q2 + q3 +- q5 is constant. Motions within such a plane
-// stay upright. Upright postures of two configurations are seldom joined: requests between them get
-// a twentieth of the budget.
+// stay upright. A path between upright postures of two configurations seldom exists, so the search
+// for such a path gets only a twentieth of the budget.
 PathResult FindPath(const CollisionScene& scene, const PathRequest& request);
 
 }  // namespace assay::motion

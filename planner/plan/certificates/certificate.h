@@ -80,8 +80,8 @@ struct CertifiedPrecondition {
   Circumstance circumstance = Circumstance::kUsual;
 
   bool holds() const { return margin > 0; }
-  // Returns whether nothing bears the load of a ratio of loads for some errors, as far as is
-  // proved.
+  // Returns true if the precondition is about the ratio of a load to the bearable load, and if it
+  // is not proved that something bears the load for all errors.
   bool IsUnborne() const {
     return condition->dimension == domain::Dimension::kRatio && bound >= kNothingBorne;
   }

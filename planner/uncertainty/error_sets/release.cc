@@ -69,11 +69,12 @@ bool Drags(const domain::Problem& problem, const domain::Mating& mating) {
 
 }  // namespace
 
-// The part is turned by `turned` about the tool's axes, and the table turns it back until the turn
-// `twist` * up is left. The axes about which the part is turned back depend on the pads. At some
-// twists, one of the axes needs no turning back. In every case the turn that is left lies between
-// these twists, because a twist beyond them would need a farther turn about each axis. Turning
-// about several axes adds terms that are products of angles.
+// The hand has turned the part by `turned`, in radians about the tool's axes. The table turns the
+// part back until only a turn about the vertical is left, `twist` * up. The axes about which the
+// part is turned back depend on the pads. For some values of `twist`, the part is not turned back
+// about one of the axes. The remaining turn lies between the least and the greatest of these
+// values. Beyond them, the part would have to be turned farther about every axis. Turning about
+// several axes adds terms that are products of angles.
 Leaning LeaningOf(const UncertainWorld& world, const Vector3& up, const ManipulatorError& draw) {
   const HeldError& held = world.held();
   const auto most = [&](const Expression& angle) { return Magnitude(world.RangeOf(angle)); };

@@ -35,8 +35,8 @@ class TreeLister {
     for (const NodeId child : tree_.node(id).children) CountParents(child);
   }
 
-  // A shared node gets a number where it is listed, to which the other places refer. An end of the
-  // tree needs no line.
+  // A shared node is listed once, with a number. All other places refer to this number. An end of
+  // the tree needs no line.
   void List(NodeId id, int depth) {
     const PlanNode& node = tree_.node(id);
     if (node.kind == PlanNode::Kind::kGoal) return;

@@ -7,8 +7,9 @@
 
 namespace assay::cli {
 
-// Returns a trial of a plan tree as it is shown. The trial must have samples. `source` and `file`,
-// the scenario, are as in view::Subject. The exit code is kFailed if the trial failed.
+// Returns a trial of a plan tree as it is shown. The trial must have samples. `source` is as in
+// view::Subject. `file` names the scenario file in error messages. The exit code is kFailed if the
+// trial failed.
 ShownExecution TreeTrialExecution(const execution::KnowledgeScenario& scenario,
                                   const contingent::PlanTree& tree, execution::TreeTrial trial,
                                   const std::string& source, const std::string& file);

@@ -8,9 +8,9 @@
 namespace assay::execution {
 
 // Contacts that are kept by force, and how a wrench on the part is shared among them. A contact's
-// row J = (n, r x n) is the direction of its force. By the principle of virtual work, it gives the
-// speed at which a twist opens the contact as well. Twists and wrenches are about the tip, in the
-// fixed part's axes.
+// row J = (n, r x n) is the direction of its force. By the principle of virtual work, the same row
+// times a twist is the speed at which the twist opens the contact. Twists and wrenches are about
+// the tip, in the fixed part's axes.
 class PressedContacts {
  public:
   using Rows = Eigen::Matrix<double, Eigen::Dynamic, 6>;

@@ -64,7 +64,7 @@ class GoalExamination {
     return state;
   }
 
-  // Robots of a workcell with several have names before those of their bodies.
+  // If a workcell has several robots, the name of each body begins with the name of its robot.
   bool IsOfHand(const std::string& hand, const std::string& body, PartId id) const {
     return hand.find("gripper/") != std::string::npos && body == "part/" + problem_.part(id).name;
   }

@@ -48,8 +48,8 @@ struct Work {
   std::function<PlannedCell(const Cell&)> plan;
   // Restores the plan and the noise floor of a cell from its record.
   std::function<PlannedCell(const Cell&, const CellRecord&)> restore;
-  // Runs a trial. `number` is its number in the cell, from 1. The caller fills in the record's
-  // numbers in the sweep.
+  // Runs a trial. `number` is its number in the cell, from 1. The caller sets the fields of the
+  // record that say where the trial is in the sweep.
   std::function<TimedTrial(const PlannedCell&, int number)> run;
   // Runs the only trial of a falsification cell.
   std::function<TimedTrial(const PlannedCell&, const FalsificationControl&)> falsification;

@@ -174,7 +174,8 @@ TEST(TwoValues, AreAnErrorWhereTheyAreEvident) {
   EXPECT_THAT(message("add(Kf, n = 1), add(Kf, n = 2)"),
               HasSubstr("domain.pks:2:20: n gets two values at once"));
   EXPECT_EQ(message("add(Kf, f = a); add(Kf, f = a)"), "no error");
-  // The error concerns every instance, or the instances in which ?x is not ?y.
+  // An action with one parameter has the error in its instances. An action with two parameters
+  // would have the error only in the instances in which ?x and ?y differ.
   const auto message_of_parameters = [](const std::string& parameters, const std::string& effects) {
     return MessageOf([&] {
       GroundText(

@@ -143,7 +143,8 @@ class FeasibleContacts {
     return outside;
   }
 
-  // Calls `todo` for every seam of two patches of the surface, with the patches and the limits.
+  // Calls `todo` for every edge at which two patches of the C-surface meet. The arguments are each
+  // patch and the index of the limit of the patch at this edge.
   template <class Do>
   static void ForSeams(const Surface& surface, const Do& todo) {
     for (std::size_t p = 0; p < surface.patches.size(); ++p) {

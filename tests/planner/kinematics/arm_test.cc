@@ -88,7 +88,9 @@ double NearestTurnError(const InverseSolutions& solutions, const JointVector& q)
   return nearest;
 }
 
-// Returns the distance of q from the nearest singularity, in metres and sines.
+// Returns how far q is from the nearest singularity. It is the least of three numbers: a length in
+// metres for the shoulder, a length in metres for the elbow, and the sine of an angle for the
+// wrist.
 double DistanceToSingularity(const Arm& arm, const JointVector& q) {
   const ArmGeometry& g = arm.geometry();
   const double q23 = q[1] + q[2];

@@ -60,7 +60,8 @@ TEST(SensorPromise, TheCommentIsThatOfTheLastCalibration) {
             Workcell(kWritten + "  # calibrated: 20 placements" + others));
 }
 
-// A comment within a line would hide the text that closes the maps around it.
+// A comment in a YAML file goes to the end of the line. Inside a map that is written on one line,
+// it would also comment out the closing braces.
 TEST(SensorPromise, HasNoCommentWithinALine) {
   const std::string text =
       "format: assay-workcell/1\n"

@@ -359,7 +359,8 @@ class ExactReplay {
     }
   }
 
-  // Returns all contacts that do not touch at the start. Contacts that are not kept only separate.
+  // Returns all contacts that do not touch at the start. A contact that touches at the start, and
+  // that the motion does not maintain, can only open.
   std::vector<ContactKey> Apart() const {
     std::vector<ContactKey> apart = AllPairs(passage_);
     std::erase_if(apart, [&](const ContactKey& key) {

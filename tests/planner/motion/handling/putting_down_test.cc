@@ -75,7 +75,7 @@ TEST(FreePosesOn, AreNoneWhereAPartFillsTheTable) {
 
 class FreePoseInAPlace : public testing::Test {
  protected:
-  // Returns the spot of the pose that is found.
+  // Returns the position at which FreePoseIn puts the part down.
   std::optional<Vector3> Spot() const {
     const Pose below = StraightBelow(Cans().part(kCan), Pose::Identity());
     const auto pose = FreePoseIn(place_, Cans(), around_, below);

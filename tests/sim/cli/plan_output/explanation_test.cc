@@ -90,8 +90,8 @@ TEST_F(Explained, UnprovedWhereNoSingleRangeIsEnough) {
   EXPECT_THAT(text, ContainsRegex("dy_peg +-2 to 4 mm +4 mm +3 mm\n"));
 }
 
-// A bound that no known corner comes near is a loose bound. It does not make the precondition
-// false.
+// A bound is loose if the expression comes near it at no known corner. A loose bound does not make
+// the precondition false.
 TEST_F(Explained, LooseBoundIsNotCalledFalse) {
   certificate_["preconditions"].push_back(
       Less("between fingers", "dx_peg - dx_peg^3", 0.0031, 0.0032, {{"dx_peg", 0.003}}));
