@@ -48,7 +48,7 @@ bool MayTouch(const mjModel& m, const mjData& d, int a, int b, double margin) {
 }
 
 // Returns the contact of the geoms g1 and g2, which are in the engine's order: by type, then by
-// body. Returns none if they do not touch.
+// body. Returns none if the geoms are more than `margin` apart.
 std::optional<ContactManifold> Manifold(const mjModel& m, const mjData& d,
                                         const ConvexPieces& pieces, int g1, int g2, double margin) {
   const Pose X_WorldFirst = GeomPose(d, g1);

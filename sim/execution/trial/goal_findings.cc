@@ -64,7 +64,8 @@ class GoalExamination {
     return state;
   }
 
-  // If a workcell has several robots, the name of each body begins with the name of its robot.
+  // If a workcell has several robots, the names of a robot's bodies begin with the name of the
+  // robot.
   bool IsOfHand(const std::string& hand, const std::string& body, PartId id) const {
     return hand.find("gripper/") != std::string::npos && body == "part/" + problem_.part(id).name;
   }
