@@ -53,8 +53,8 @@ bool Works(const domain::Problem& world, const plan::Plan& plan,
   return assembly::Check(world, plan, kOrders).flaws.empty() && IsAsCertain(world, plan, options);
 }
 
-// Plans first without looks, because such a plan may serve several worlds. If it does not serve all
-// worlds, it is made again with looks at the beginning.
+// Plans first without looks, because such a plan may serve several worlds. If the plan does not
+// serve all worlds, it is made again with looks at the beginning.
 class WorldPlanner {
  public:
   WorldPlanner(const std::vector<domain::Problem>& worlds,

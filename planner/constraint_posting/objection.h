@@ -48,7 +48,7 @@ inline void Charge(Budget& snapshots, const Judgement& judgement) {
 
 // Judges the last of `actions`, which are the first actions of a plan instance. Before this call,
 // every shorter beginning of these actions must have been judged without objection, the shorter
-// ones first. Every sequence judged after such a beginning must start with it.
+// ones first. Every sequence that is judged after such a beginning must start with this beginning.
 using Judge = std::function<Judgement(std::span<const plan::Action> actions)>;
 
 }  // namespace assay::constraint_posting

@@ -66,8 +66,8 @@ struct GoalStacks {
 
 // A family of plans: unordered steps, with separate constraints on when and how they are executed
 // (Spar, "Representation of Plans"). It is a value: a search copies it at each choice and drops the
-// copy to backtrack. An operation that returns false may leave the plan half changed, so it must be
-// dropped.
+// copy to backtrack. An operation that returns false may leave the plan half changed, so the plan
+// must then be dropped.
 class PartialPlan {
  public:
   // Makes the null plan. Its first step is the initial world, and its last step has the goals as

@@ -44,8 +44,8 @@ class StepGeometry {
   StepGeometry(const domain::Problem& problem, domain::KnownReachability& reachability)
       : problem_(problem), reachability_(reachability) {}
 
-  // Tests an action. X_WorldPart is the pose at which it leaves its part, if it leaves it at a
-  // place.
+  // Tests an action. X_WorldPart is the pose in which the action leaves the part. It is used only
+  // if the action leaves the part at a place.
   bool Works(const World& world, StepId step, const domain::ActionTemplate& action,
              domain::GraspId grasp, const domain::Pose& X_WorldPart, Blame& blame) const;
   // Tests an action, except for the room of a part that is left at a place.

@@ -90,8 +90,9 @@ bool IsPlaneBetween(const Vector3& direction, const ConvexHull& a, const ConvexH
          GreatestAlong(a, direction);
 }
 
-// Returns whether the solids are apart. GJK's answer counts only if a plane shows it. Where it
-// shows none, because the solids nearly touch, the planes of their facets are tried.
+// Returns whether the solids are apart. GJK's answer counts only if GJK finds a plane that
+// separates the solids. If it finds none, because the solids nearly touch, the planes of their
+// facets are tried.
 bool AreApart(const DrawnIn& a, const DrawnIn& b, const Pose& X_AB) {
   const Vector3 difference = NearestDifference(*a.gjk, *b.gjk, X_AB);
   if (!difference.isZero(0) && IsPlaneBetween(difference.normalized(), a.hull, b.hull, X_AB)) {

@@ -20,9 +20,10 @@ extern "C" {
 namespace assay::geometry {
 namespace {
 
-// Tolerance relative to the size of the point set. Points closer than this are one point, and
-// points closer than this to a plane or line lie on it. For facets of ordinary shape this merges
-// triangles whose normals differ by less than about 1e-7.
+// Tolerance relative to the size of the point set. Points that are closer to each other than the
+// tolerance count as one point, and points that are closer to a plane or line than the tolerance
+// count as points on it. For facets of ordinary shape this merges triangles whose normals differ by
+// less than about 1e-7.
 constexpr double kTolerance = 1e-7;
 
 // The corners of a facet as indices of points, in order.

@@ -25,8 +25,9 @@ struct ConvexHull {
 // Returns the convex hull of points that span three dimensions (checked). The order of vertices and
 // facets depends only on the points. (Qhull: Barber, Dobkin and Huhdanpaa 1996.)
 ConvexHull HullOf(std::span<const Vector3> points);
-// Returns the convex hull of points that are known up to `tolerance` metres: points closer than
-// this are one point, and points closer than this to a plane or line lie on it.
+// Returns the convex hull of points that are known up to `tolerance` metres: points that are closer
+// to each other than the tolerance count as one point, and points that are closer to a plane or
+// line than the tolerance count as points on it.
 ConvexHull HullOf(std::span<const Vector3> points, double tolerance);
 
 // Returns whether points extend by at least `thinnest` metres along the direction in which they

@@ -7,8 +7,8 @@
 namespace assay::numeric {
 
 // Eigen's matrix decompositions behind plain functions. Each type of matrix costs the compiler
-// seconds, so most functions use one type, and it is compiled in this file alone. Exact replays
-// solve many small problems; they have a decomposition of their own that allocates nothing.
+// seconds, so most functions use the same type, and this type is compiled in one file alone. Exact
+// replays solve many small problems; they have a decomposition of their own that allocates nothing.
 
 // Returns, for each column of b, the shortest x for which |a x - b| is least. Pivots of at most
 // `threshold` times the greatest one count as 0. Without a threshold, rounding decides which pivots
@@ -27,8 +27,8 @@ Eigen::MatrixXd OrthogonalComplement(const Eigen::MatrixXd& basis);
 // times the greatest one count as 0.
 struct IndependentColumns {
   std::vector<int> columns;  // indices into the matrix, the greatest pivot first
-  Eigen::MatrixXd
-      dual;  // column i is in their span; its product with column i is 1, with the others 0
+  Eigen::MatrixXd dual;  // column i is in the span of the independent columns; its product with the
+                         // i-th of them is 1, and with every other one 0
   Eigen::MatrixXd complement;  // orthonormal columns, orthogonal to all of them
 };
 IndependentColumns IndependentColumnsOf(const Eigen::MatrixXd& a, double threshold);

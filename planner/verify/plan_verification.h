@@ -15,8 +15,9 @@ namespace assay::verify {
 struct Submitted {
   const domain::Problem& problem;
   const plan::Plan& plan;
-  std::string file;         // names the plan in messages
-  bool is_of_file = false;  // it was read from the file, and not planned in this process
+  std::string file;  // names the plan in messages
+  bool is_of_file =
+      false;  // true: the plan was read from the file; false: it was planned in this process
   // Receives the name of each part of the verification as it begins; may be empty.
   std::function<void(std::string_view)> progress = {};
 };

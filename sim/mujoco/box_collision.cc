@@ -18,7 +18,7 @@ using geometry::Vector3;
 using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
 
 constexpr double kOutside = 1e-4;  // m
-// Metres. A face is inside the body if it is covered this far around a point.
+// A face is inside the body if other pieces cover it this far around a point, in metres.
 constexpr double kBeside = 2e-5;
 // Cosine. A contact's normal must have at least this much of a face's normal to concern the face.
 constexpr double kAcross = 0.2;

@@ -15,7 +15,7 @@ namespace assay::mujoco {
 // in by a micrometre can be stopped by the end of the next piece, although this end is inside the
 // body. Contacts on faces that lie against another piece are left out.
 //
-// Repeated contacts: where pieces of one body meet, each of them has the same contact with another
+// Repeated contacts: where pieces of one body meet, each piece has the same contact with another
 // body. Only the first contact at one place with one normal is kept, which saves the solver a fifth
 // of its work.
 void CheckBoxCollisions();

@@ -17,7 +17,8 @@ using geometry::Plane;
 using geometry::Pose;
 using geometry::Vector3;
 
-// Relative to the size of a mesh. It is ten times the rounding of its vertices.
+// The tolerance relative to the size of a mesh. It is ten times the rounding error of the mesh's
+// vertices.
 constexpr double kMeshPrecision = 1e-6;
 
 thread_local CollidingPieces* present_pass = nullptr;

@@ -24,8 +24,9 @@ class ConvexPieces {
   // Returns the solid of a geom in the geom's frame, or null if the geom is neither box nor mesh.
   const geometry::ContactSolid* SolidOf(int geom) const { return pieces_[geom].solid.get(); }
 
-  // A facet of a geom's solid, and the other geoms of its body that may lie against it, with the
-  // geoms where the model has them. Some of them may not collide with what this geom collides with.
+  // A facet of a geom's solid, and the other geoms of the same body that may lie against this
+  // facet. The geoms are considered at their places in the model. Some of these other geoms may not
+  // collide with everything that this geom collides with.
   struct CoveredFacet {
     int facet = 0;
     std::vector<int> by;
@@ -51,9 +52,10 @@ struct PieceContact {
   double separation = 0;     // metres; negative if they overlap
 };
 
-// Makes the pieces of a model known to the engine's collisions on this thread while it lives: for
-// one pass of the engine's collisions. The engine's collision functions have no other way to data
-// that belong to the model (its callbacks are plain functions for all models of the process).
+// While an object of this class lives, the engine's collision functions on this thread know the
+// pieces of a model. The object lives during one pass of the engine's collisions. The engine's
+// collision functions have no other way to data that belong to the model (its callbacks are plain
+// functions for all models of the process).
 class CollidingPieces {
  public:
   explicit CollidingPieces(const ConvexPieces* pieces);

@@ -50,8 +50,8 @@ class Data {
   std::span<const double> sensordata() const;
 
   void Step();  // one timestep
-  // Executes one timestep like Step. Calls `see_forces` when this step has computed the forces of
-  // the contacts at its start, and the contacts are still these (Contacts).
+  // Executes one timestep like Step. Calls `see_forces` as soon as this step has computed the
+  // forces of the contacts at its start. During the call, Contacts() still gives these contacts.
   void Step(const std::function<void()>& see_forces);
   void Forward();  // computes all that follows from qpos, qvel and controls, at the present time
 

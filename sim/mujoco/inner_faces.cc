@@ -6,7 +6,6 @@
 
 #include "planner/geometry/coordinates.h"
 
-
 namespace assay::mujoco {
 namespace {
 
@@ -18,7 +17,7 @@ using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
 
 // Metres between a contact and a facet that it concerns.
 constexpr double kNearFacet = 1e-4;
-// Metres. A facet is inside the body if it is covered this far around a point.
+// A facet is inside the body if other pieces cover it this far around a point, in metres.
 constexpr double kAroundPoint = 2e-5;
 // Cosine. A contact's normal must have at least this much of a facet's normal to concern the facet.
 constexpr double kThroughFacet = 0.2;

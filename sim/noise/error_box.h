@@ -40,7 +40,8 @@ struct Channel {
       name;  // "dx_block", "dz_hand@action_3": a plan::ErrorKind with its place, or a tolerance
   Effect effect = Effect::kPartX;
   PartId part = PartId::None();  // None: the hand, or the whole workcell
-  // The step whose hand, sensor or table it concerns; None if it exists from the start.
+  // The step whose hand, sensor or table the channel concerns; None if the channel exists from the
+  // start.
   StepId step = StepId::None();
   Interval range;
 

@@ -24,8 +24,8 @@ class Noise {
   // equation 2), and raised by as much as the table under it.
   Pose TruePose(PartId part, const Pose& X_WorldPart) const;
   double TableHeight(PartId part) const;  // at the start
-  // Returns the height error, in metres, where the part is put down or mated in this step. It is
-  // missing if none was drawn, and the table then stays as it was.
+  // Returns the height error, in metres, where the part is put down or mated in this step. The
+  // result is empty if no height error was drawn, and the table then stays as it was.
   std::optional<double> TableHeight(StepId step) const;
   // Returns T_dM: the hand's true pose in the frame of its commanded pose (Spar, equation 1).
   Pose HandError(StepId step) const;

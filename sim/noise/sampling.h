@@ -19,8 +19,8 @@ enum class Mode {
 std::string_view Name(Mode mode);             // "low-discrepancy"
 const std::vector<std::string>& ModeNames();  // in the order of the enumeration
 
-// Returns the point with this number, from 1, in the sequence with this seed. It depends on nothing
-// else, so that trials can be done in any order, anywhere. The start is always possible
+// Returns the point with this number, from 1, in the sequence with this seed. The point depends on
+// nothing else, so that trials can be done in any order, anywhere. The start is always possible
 // (PossibleStart): uniform points with which parts would overlap at the start are drawn anew, and
 // other points are moved back toward the believed poses.
 Noise Sample(const domain::Problem& problem, const std::vector<Channel>& box, Mode mode,

@@ -18,9 +18,9 @@ struct Ball {
   double radius = 0;
 };
 
-// Returns the camera that looks along -`back` and shows all balls. It is as near to them as
-// possible, apart from a margin. `back` is a unit vector that is not vertical. The world's z axis
-// points up in the picture. `aspect` is the width of the picture over its height.
+// Returns the camera that looks along -`back` and shows all balls. The camera is as near to the
+// balls as possible, apart from a margin. `back` is a unit vector that is not vertical. The world's
+// z axis points up in the picture. `aspect` is the width of the picture over its height.
 FreeCamera Framing(std::span<const Ball> balls, const Vector3& back, double aspect);
 
 // Returns the points that a picture of a part must show: the corners of the part's convex hull,

@@ -13,9 +13,9 @@ std::string EncodedPng(const Image& image);
 // Returns the image with the labels. Each label is joined to its point, and no two overlap.
 Image WithLabels(const Image& image, const std::vector<Label>& labels);
 
-// Returns one image with all images, which must have the same size. They stand in rows of `columns`
-// on white, each with its caption below it. The entries of the legend follow below, one per row.
-// Images are made smaller if a row of them would be wider than 2400 pixels.
+// Returns one image with all images, which must have the same size. The images stand in rows of
+// `columns` on white, each with its caption below it. The entries of the legend follow below, one
+// per row. Images are made smaller if a row of them would be wider than 2400 pixels.
 Image ContactSheet(const std::vector<CaptionedImage>& images, int columns,
                    const std::vector<LegendEntry>& legend = {});
 

@@ -32,9 +32,9 @@ struct Quality {
 inline constexpr int kMostSamples = 4;
 
 // Renders pictures of a simulation off screen with the engine's own renderer. It uses OSMesa, or
-// EGL without a surface if there is no OSMesa. They are loaded when the first Renderer is made, so
-// that nothing links against them. The same data give the same bytes on one machine. A renderer
-// must be used by the thread that made it.
+// EGL without a surface if there is no OSMesa. These libraries are loaded when the first Renderer
+// is made, so that nothing links against them. The same data give the same bytes on one machine. A
+// renderer must be used by the thread that made it.
 class Renderer {
  public:
   // Throws EnvironmentError, which names the Debian package to install, if nothing renders on this

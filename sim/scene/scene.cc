@@ -253,9 +253,9 @@ Wrench Scene::WristWrench(const Data& data) const {
 }
 
 // Returns the error of the engine's torque sensor for a weld. The sensor takes the forces of the
-// weld's three angular rows for the torque. But these rows are in half quaternions, so the true
-// torque is the product of their transposed Jacobian and the forces. The weld's other rows exert no
-// torque, because the weld is at the part's origin.
+// weld's three angular rows for the torque. However, these rows are in half quaternions, so the
+// true torque is the product of their transposed Jacobian and the forces. The weld's other rows
+// exert no torque, because the weld is at the part's origin.
 Vector3 Scene::WeldTorqueError(const Data& data) const {
   const mjModel& m = *data.own_model();
   const mjData& d = *data.get();

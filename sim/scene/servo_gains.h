@@ -4,9 +4,9 @@
 
 namespace assay::scene {
 
-// The servo of one arm joint. The armature is the motor's inertia as seen through the gear. Its
-// values are those of the Puma 560 (Corke and Armstrong-Helouvry), scaled to the size of the Puma
-// 762 by the fifth power of length.
+// The servo of one arm joint. The armature is the motor's inertia as seen through the gear. The
+// armature values are those of the Puma 560 (Corke and Armstrong-Helouvry), scaled to the size of
+// the Puma 762 by the fifth power of length.
 struct ServoGains {
   double armature = 0;   // kg m^2
   double stiffness = 0;  // N m / rad

@@ -17,8 +17,8 @@ void AddMaterials(XmlElement& asset);
 // factor on the usual brightness of the lamps.
 void AddStage(const domain::Problem& problem, double light, XmlElement& worldbody);
 
-// The tables that a single part rests on. They are invisible, and their height is independent of
-// that under other parts.
+// Tables on which only one part rests. Such a table is invisible. Its height does not depend on the
+// heights of the tables under other parts.
 struct PartTable {
   domain::PartId part;
   int bit = 0;  // collision bit of the tables, which only this part touches

@@ -13,8 +13,8 @@ namespace {
 
 constexpr std::size_t kMostVariablesForConcavity = 16;
 
-// Returns the centre c at which derivative.high * (high - c), the greatest gain on its right,
-// equals the greatest gain on its left.
+// Returns the centre c at which derivative.high * (high - c), the greatest gain to the right of c,
+// equals the greatest gain to the left of c.
 double BestCentre(const Interval& interval, const Interval& derivative) {
   if (derivative.low >= 0) return interval.high;
   if (derivative.high <= 0) return interval.low;

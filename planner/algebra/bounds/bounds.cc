@@ -198,8 +198,8 @@ class PreparedExpression::Ready {
   }
 
   // Answers a question after Enter has returned true. The search bounds its rounding errors
-  // beforehand. If it ends by itself and misses the gap, these errors are too large, and Climb may
-  // be tighter.
+  // beforehand. If the search ends by itself and misses the gap, the bounds of these errors are too
+  // large, and Climb may give a tighter bound.
   Bound Entered(int sign, const ConstraintSet& constraints, const BoundRequest& request) {
     Bound found = Search(sign, constraints, request);
     const bool is_done = found.gap <= request.gap || found.evaluations >= request.evaluations ||

@@ -119,7 +119,8 @@ class Search {
 
   void LowerByDerivatives(double& upper_bound, const MonotoneBox& part) {
     // Variables of inequalities keep their intervals in the part, so that the inequalities can be
-    // tested over it. If only the form is bounded, they may be set as if there were no inequality.
+    // tested over it. If only the form is bounded, these variables may be set as if there were no
+    // inequality.
     const MonotoneBox relaxed =
         problem_.slacks.empty() ? part : SetMonotoneVariables(probe_, part.box);
     Lower(upper_bound, relaxed.range.high);

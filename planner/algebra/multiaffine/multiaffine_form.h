@@ -27,8 +27,9 @@ struct MultiaffineForm {
   int angle_count = 0;
   NestedForm nested;  // the sum of products
   // Bounds of the rounding error, as functions of the displacements' magnitudes. `point_error` is
-  // for the form's value at a point, computed once. `error` is for everything else: its range and
-  // its derivatives over a box, even after known coordinates have been substituted.
+  // for the form's value at a point, computed once. `error` is for everything else: the form's
+  // range and the form's derivatives over a box, even after known coordinates have been
+  // substituted.
   NestedForm point_error, error;
 
   int atom_count() const { return angle_count + static_cast<int>(variables.size()); }

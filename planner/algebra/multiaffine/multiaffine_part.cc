@@ -9,8 +9,8 @@ namespace assay::algebra {
 
 namespace {
 
-// Returns the centre c at which slope.high * (high - c), the greatest gain on its right, equals the
-// greatest gain on its left (Baumann 1988).
+// Returns the centre c at which slope.high * (high - c), the greatest gain to the right of c,
+// equals the greatest gain to the left of c (Baumann 1988).
 double BestCentre(const Sector& x, const numeric::NearestInterval& slope) {
   if (slope.low >= 0) return x.high;
   if (slope.high <= 0) return x.low;

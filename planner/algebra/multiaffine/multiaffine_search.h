@@ -54,7 +54,8 @@ class MultiaffineSearch {
   OpenParts parts_;
   std::int64_t splits_ = 0;
 
-  // The whole box, the form's range over it, and its slopes over it, indexed by variable.
+  // The whole box, and the form's range and slopes over this box. Box and slopes are indexed by
+  // variable.
   std::vector<Sector> box_;
   numeric::NearestInterval range_;
   std::vector<numeric::NearestInterval> slopes_;

@@ -6,8 +6,8 @@
 
 namespace assay::algebra {
 
-// The rules by which sums and products fold their numbers, and the neutral number that they leave
-// out.
+// The rules by which a sum or a product folds the numbers among its operands. `neutral` is the
+// number that the operation leaves out.
 struct Folding {
   Operator op;
   double neutral = 0;

@@ -147,7 +147,8 @@ struct OperatorRule {
 
   // ---- First order (first_order_form.h)
 
-  // Returns the form of the operation from those of its operands. Null: an unknown form.
+  // Returns the form of the operation, made from the forms of the operands. Null: the form is
+  // unknown.
   FirstOrderForm (*first_order)(FirstOrderArithmetic& arithmetic,
                                 std::span<const FirstOrderForm* const> operands,
                                 int exponent) = nullptr;

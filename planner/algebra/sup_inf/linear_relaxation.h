@@ -19,11 +19,10 @@ namespace assay::algebra {
 // - A product lies in the range that interval arithmetic gives it from the ranges of its factors.
 // - min(a, b) <= a and b; max(a, b) >= a and b; abs(a) >= a and -a.
 // - A product R*K, where K contains only kept variables and has a known sign, lies between K times
-//   the bounds of R. They are symbolic if R is a variable, and numbers otherwise. If the sign of K
-//   is unknown, only the range is used.
-// - The given constraints hold. A product has the same column in all of them.
-// Every constraint holds at every point that the given constraints allow, so SUP is never too
-// small.
+//   the bounds of R. The bounds of R are symbolic if R is a variable, and numbers otherwise. If the
+//   sign of K is unknown, only the range is used.
+// - The given constraints hold. A product has the same column in all constraints. Every constraint
+//   holds at every point that the given constraints allow, so SUP is never too small.
 class LinearRelaxation {
  public:
   LinearRelaxation(ExpressionPool& pool, const ConstraintSet& constraints,

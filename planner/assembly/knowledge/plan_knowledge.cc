@@ -258,10 +258,11 @@ class KnowledgeTask {
     return Atom("signals", {step, constants_.Of("error", error)});
   }
 
-  // Adds actions that find out whether the step passes its verifications. If it does not, they find
-  // out which error is signalled. The errors are asked one after another, and the last one follows
-  // by elimination. A recovery makes all these facts unknown again. A verification measures the
-  // step only until the next step is done. `next` is empty if there is none.
+  // Adds actions that find out whether the step passes its verifications. If the step does not
+  // pass, these actions find out which error is signalled. They ask about one error after another,
+  // and the last error follows by elimination. A recovery makes all these facts unknown again. A
+  // verification measures the step only until the next step is done. `next` is empty if there is
+  // none.
   void AddVerification(const std::string& step, const std::string& next,
                        const KnowledgeAction& meaning, const std::vector<std::string>& errors) {
     for (const std::string& error : errors) constants_.Of("error", error);

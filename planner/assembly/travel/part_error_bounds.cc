@@ -23,7 +23,7 @@ double Doubt(const Error& error, double turn, double radius) {
   return std::isfinite(doubt) ? std::min(doubt, PartErrorBounds::kMost) : PartErrorBounds::kMost;
 }
 
-// Returns the bound for a resting part. Errors turn it about the vertical through its origin.
+// Returns the bound for a resting part. Errors turn the part about the vertical through its origin.
 double DoubtAtRest(const domain::Part& part, const plan::ErrorSet& set,
                    const plan::Pose& X_WorldPart) {
   double radius = 0;

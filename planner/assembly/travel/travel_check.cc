@@ -101,7 +101,8 @@ std::vector<std::string> FlawsOfTravel(const plan::Travel& travel, const PlanWal
   return flaws;
 }
 
-// Returns whether the plan says anything about the arm's ways. If so, it must have all of them.
+// Returns whether the plan says anything about the arm's ways. If it does, it must contain all the
+// ways.
 bool HasWays(const plan::Plan& plan) {
   const auto has_travel = [](const plan::PlannedStep& step) { return step.travel.has_value(); };
   return plan.homing || std::ranges::any_of(plan.steps, has_travel) || ClaimsWays(plan);

@@ -7,9 +7,10 @@
 
 namespace assay::constraint_posting {
 
-// Returns how far the tool is from the arm's first axis, and the greatest distance at which the arm
-// reaches it when it is only moved straight toward this axis, up to a millimetre. Returns none if
-// the arm reaches the pose itself, or no such pose.
+// Returns two distances from the arm's first axis: that of the pose, and the greatest distance at
+// which the arm would reach the pose if the pose were moved straight toward the axis. The second
+// distance is exact to a millimetre. Returns none if the arm reaches the pose where it is, or
+// reaches no pose on the way to the axis.
 std::optional<plan::Excess> ReachExcess(const domain::Workcell& workcell,
                                         const geometry::Pose& X_WorldTool);
 

@@ -33,8 +33,8 @@ std::vector<domain::PlacedPart> OthersThan(const plan::WorldState& state, PartId
   return others;
 }
 
-// Returns the part that the hand meets while it arrives open and closes on the part, or None if it
-// is free.
+// Returns the part that is in the hand's way while the open hand arrives and closes on the part to
+// be squeezed, or None if nothing is in the way.
 PartId ObstacleOf(const domain::Problem& problem, const plan::WorldState& state, PartId part,
                   const Grasp& grasp, const Pose& X_WorldTool) {
   const domain::Workcell& workcell = *problem.workcell;

@@ -10,7 +10,8 @@ namespace assay::constraint_posting {
 // The distance of a step from being proved; less is better.
 struct Shortfall {
   std::size_t goals = 0;  // the number of goals that are not proved
-  // the sum of the excesses of their bounds over their limits, in metres and radians
+  // the sum, over these goals, of the excess of a goal's bound over its limit, in metres and
+  // radians
   double violation = 0;
 
   bool IsLessThan(const Shortfall& other) const {

@@ -26,7 +26,7 @@ struct UncertaintyOptions {
   // hope of fewer unproved steps
   std::int64_t instances_for_violation = 0;
   std::vector<std::shared_ptr<Resolver>> resolvers = {};  // empty: sensing, then squeezing
-  // sensing actions with which every plan begins, whether it needs them or not
+  // sensing actions with which every plan begins, even if the plan does not need them
   std::vector<plan::Action> looks = {};
   // Called for each plan instance of the first phase before it is augmented. An instance that
   // cannot be executed is skipped. Without a function, all instances can be executed.

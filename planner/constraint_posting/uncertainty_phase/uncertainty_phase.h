@@ -32,8 +32,8 @@ AugmentedPlanInstance Augment(const domain::Problem& problem, const plan::Plan& 
 // first phase, and then the smallest violation. Beyond the paper, the first phase is asked for
 // further plans, not only for further instances of one plan. An instance that surely has errors,
 // whatever the remedies, waits until all instances are known. Then the waiting instances that could
-// still become the best are augmented, the most promising first. Of the instances that could become
-// the best only by a smaller violation, few are augmented.
+// still become the best are augmented, the most promising first. Some instances could become the
+// best only by a smaller violation. Few of these are augmented.
 //
 // After that, further searches are made if an instance with fewer errors than the best is possible.
 // The first phase searches for a plan with no errors, then with one error, and so on. During these

@@ -134,8 +134,8 @@ GroundQuery QueryGrounding::FunctionsEqual(FunctionId f, FunctionId g, bool is_p
     const AtomId of_g = terms_.table().Value(g, constant);
     if (of_g.IsNone()) continue;
     const AtomId of_f = terms_.table().Value(f, constant);
-    // Two functions differ if, for some constant, one is known to have it as its value and the
-    // other is known not to have it.
+    // Two functions differ if there is a constant that is known to be the value of one function,
+    // and known not to be the value of the other.
     ways.push_back(
         Joined(GroundQuery::Kind::kAnd, {Known({of_f, true}), Known({of_g, is_positive})}));
     if (!is_positive) {

@@ -56,7 +56,8 @@ class KnowledgeBase {
   FormulaId FormulaToBranch(const KnowledgeState& state) const;
   // Returns the functions of Kv whose possible values are listed by Kx.
   std::vector<FunctionId> FunctionsToBranch(const KnowledgeState& state);
-  // Returns the values that the function may have: all but those known not to be its value.
+  // Returns the values that the function may have: all values except those that are known not to be
+  // the value of the function.
   std::vector<AtomId> PossibleValues(FunctionId function, const KnowledgeState& state) const;
 
   // Returns the state after the formula turned out true or false, or after the literal turned out
@@ -79,9 +80,10 @@ class KnowledgeBase {
                                    const std::vector<InitialRelation>& relations);
   // Returns true if the relations do not contradict the state's knowledge.
   bool CanLast(const std::vector<InitialRelation>& relations, KnowledgeState state);
-  // Applies the update rules until they come to rest. Returns the rule that fails, or null. A rule
-  // fails if a relation or a bound contradicts the knowledge after it, if it leaves no alternative
-  // of the `lasting` relations, or if it is undecided whether it happens.
+  // Applies the update rules until they change nothing more. Returns the rule that fails, or null.
+  // A rule fails in three cases: a relation or a bound contradicts the knowledge after the rule,
+  // the rule leaves no alternative of the `lasting` relations, or it is undecided whether the rule
+  // happens.
   const GroundEffect* ApplyUpdates(KnowledgeState& state,
                                    const std::vector<InitialRelation>& lasting = {});
   [[noreturn]] void FailRestless(const GroundEffect& update, std::size_t rounds) const;

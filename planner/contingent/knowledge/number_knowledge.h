@@ -30,8 +30,8 @@ class NumberKnowledge {
   void Assign(const GroundChange& change, const KnowledgeState& before,
               KnowledgeState& state) const;
   void Forget(KnowledgeState& state, FunctionId function) const;
-  // Widens the interval so that it contains `otherwise`. This is for a number if it is unknown
-  // whether its change has happened.
+  // Widens the interval so that it contains `otherwise`. This is needed for a number if it is
+  // unknown whether a change of the number has happened.
   void Unsettle(KnowledgeState& state, FunctionId function, const Range& otherwise) const;
   // Marks the number as dependent on something else.
   void Entangle(KnowledgeState& state, FunctionId function) const {

@@ -15,9 +15,9 @@ struct GoalConflict {
   bool is_minimal = false;
 };
 
-// Finds the conflict of a task for which MakePlan has proved that there is no plan. It leaves out
-// one part after another as long as there is provably no plan without it. This is valid because a
-// plan for the whole goal is also a plan for each part.
+// Finds the conflict of a task for which MakePlan has proved that there is no plan. The function
+// leaves out one part of the goal after another, as long as there is provably no plan for the
+// remaining goal. This is valid because a plan for the whole goal is also a plan for each part.
 GoalConflict FindGoalConflict(const GroundTask& task, Budget& budget);
 
 }  // namespace assay::contingent

@@ -64,7 +64,8 @@ class RelaxedKnowledgeGraph {
 
   // The members below belong to one call of PlanFrom.
   std::vector<int> cost_;  // the costs of propositions
-  // indexed by proposition: the operator that adds it most cheaply, or -1 if it holds in the state
+  // indexed by proposition: the operator that adds the proposition most cheaply, or -1 if the
+  // proposition holds in the state
   std::vector<int> best_;
   std::vector<int> missing_;  // by operator: the number of preconditions that are not reached
   std::vector<int> sum_;      // by operator: the summed cost of its reached preconditions

@@ -166,8 +166,8 @@ Requirement Regression::OfAction(StateId state, const GroundAction& action,
 }
 
 // A relation or a bound that an action asserts must not contradict the knowledge. A world that it
-// excludes needs no plan, but at least one world must remain. So the aspects that it is about are
-// kept.
+// excludes needs no plan, but at least one world must remain. The aspects that the relation or
+// bound is about are therefore kept.
 Requirement Regression::WithAsserted(const GroundAction& action, const Requirement& after) const {
   Requirement asserted = after;
   for (const GroundEffect& effect : action.effects) {
@@ -265,7 +265,7 @@ std::vector<std::size_t> Regression::AspectsOf(const GroundChange& change) const
 
 // Returns true if the change determines these aspects whatever they were before. A sensor's error
 // is the least error so far, and asserted facts are added to earlier knowledge, so these changes do
-// not determine them.
+// not determine the sensor's error and the asserted facts.
 bool Regression::Settles(const GroundChange& change) const {
   return change.kind != GroundChange::Kind::kRelate && change.kind != GroundChange::Kind::kNarrow &&
          (change.kind != GroundChange::Kind::kSenseValue ||

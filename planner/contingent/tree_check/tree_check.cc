@@ -269,8 +269,8 @@ class Runner {
 
 // Checks that the worlds come back to worlds in which the repeat began, or to cases of them, and
 // that each of them can continue to the goal. If less has been sensed than at the beginning, the
-// repeat is run again with the facts that were sensed both times. They become fewer each time, so
-// this ends.
+// repeat is run again with the facts that were sensed both times. These facts become fewer each
+// time, so the repetition ends.
 void Runner::ReturnToWorlds(NodeId head, const History& begun, const History& history) {
   for (const World& world : history.worlds) {
     if (!cover_.IsCovered(world, begun.worlds))
@@ -307,9 +307,9 @@ void Runner::ReturnKnowing(NodeId head, const History& history) {
 // Returns true if a world that is back at the head of a repeat reaches the goal for some outcomes
 // of the open facts. The check follows this world round the loop until it leaves the loop or has
 // been everywhere. The world need not be followed further: it is a case of the worlds that began
-// the repeat, or the repeat begins again with it. In both cases these worlds are run to the end. So
-// each repeat in a sequence of repeats is followed separately. Other worlds are included where it
-// matters that the world is not known to be this one.
+// the repeat, or the repeat begins again with it. In both cases these worlds are run to the end.
+// Each repeat in a sequence of repeats is therefore followed separately. Other worlds are included
+// where it matters that the world is not known to be this one.
 bool Runner::CanEnd(NodeId head, const World& world, const History& history) {
   Attempt attempt{.loop = loops_[head.index()]};
   attempt_ = &attempt;

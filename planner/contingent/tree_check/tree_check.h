@@ -26,8 +26,8 @@ struct TreeCheckOptions {
 // soon as they matter. A repeat must come back to worlds in which it began. Where more knowledge
 // may do harm, the repeat is run again with every knowledge that comes back. Numeric functions take
 // the ends of their intervals, the bounds that are asked, carried back through assignments, and
-// values beside these (number_marks.h). In most tasks these represent all numbers. The tree fails
-// if the knowledge allows no world, initially or after a step.
+// values beside these (number_marks.h). In most tasks these values represent all numbers. The tree
+// fails if the knowledge allows no world, initially or after a step.
 //
 // !K(l) holds if l is false in some world with the same history. !Kw and !Kv hold if, in addition,
 // the fact has not been sensed. A sensed fact becomes known where the tree branches on it, not
@@ -37,7 +37,7 @@ struct TreeCheckOptions {
 //
 // A sample of worlds or of their numbers can show that a fact is not known, but never that it is
 // known. Preconditions and goals that ask for ignorance hold if the whole sample agrees. Effects
-// and update rules that ask for it fail in this case.
+// and update rules that ask for ignorance fail in this case.
 TreeCheck CheckTree(const GroundTask& task, const PlanTree& tree,
                     const TreeCheckOptions& options = {});
 

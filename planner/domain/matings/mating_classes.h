@@ -22,8 +22,8 @@ bool HidesMatingFeatures(const Problem& problem, const Mating& mating, StablePos
 // Returns whether a grasp leaves the held part's mating features free.
 bool LeavesMatingFeaturesFree(const Problem& problem, const Mating& mating, GraspId grasp);
 
-// Returns the grasps that suit a mating, as labels: those of the held part that hide none of its
-// mating features (GraspList of assemble in Spar, "A Task Planning Example").
+// Returns, as labels, the grasps of the held part that suit a mating, because they hide none of the
+// part's mating features (GraspList of assemble in Spar, "A Task Planning Example").
 std::vector<int> GraspList(const Problem& problem, const Mating& mating);
 
 // Returns the positions that suit a mating, as labels: the stable poses of the fixed part that hide

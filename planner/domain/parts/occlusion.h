@@ -14,8 +14,8 @@ std::vector<FeatureNumber> OccludedFeatures(const Problem& problem, PartId part,
                                             const Pose& X_WorldPart,
                                             std::span<const PlacedPart> others);
 
-// Sets the features that each part of the problem hides where it is at the start (Part::hidden),
-// and the position class that it is then in.
+// Sets, for each part of the problem at its start, which of its features are hidden (Part::hidden),
+// and its position class.
 void NoteOcclusions(Problem& problem);
 
 }  // namespace assay::domain

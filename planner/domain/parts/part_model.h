@@ -35,7 +35,7 @@ class PartModel {
   const geometry::ConvexHull& hull() const;
   const std::vector<Vector3>& corners() const;  // the vertices of hull()
   const geometry::MassProperties& mass() const;
-  double friction() const { return friction_; }  // of its material against itself
+  double friction() const { return friction_; }  // between two surfaces of this part's material
 
   const std::vector<Face>& faces() const { return faces_; }
   const std::vector<Feature>& features() const { return features_; }

@@ -83,8 +83,8 @@ std::vector<NeighbouringPieces> PiecesBeside(const PlacedPart& a, const PlacedPa
   return all;
 }
 
-// The search for errors with which two parts overlap. Only the displacement of one part from the
-// other matters, and the turn of each.
+// The search for errors with which two parts overlap. Only three things matter: the displacement of
+// one part from the other, and the turn of each part.
 class OverlapSearch {
  public:
   OverlapSearch(const Problem& problem, const PossibleStarts& starts, PartPair pair)

@@ -11,8 +11,8 @@ geometry::Polygon Footprint(const Part& part, const Pose& X_WorldPart);
 
 // Returns whether a part at X_WorldPart has its whole footprint over the table.
 bool IsOver(const Table& table, const Part& part, const Pose& X_WorldPart);
-// Returns the table under a resting part: the one that it is over, or the first one if it is over
-// none.
+// Returns the table under a resting part: the table that the part is over, or the first table if
+// the part is over none.
 const Table& TableUnder(const Workcell& workcell, const Part& part, const Pose& X_WorldPart);
 // Returns whether the part's whole footprint is on one of the workcell's tables.
 bool OnTable(const Problem& problem, PartId part, const Pose& X_WorldPart);
@@ -26,8 +26,9 @@ PartId Crowding(const Problem& problem, PartId part, const Pose& X_WorldPart,
 // of height. Returns None if the part rests in no stable pose (it leans on something).
 StablePoseId StablePoseAt(const Part& part, const Pose& X_WorldPart);
 
-// Returns the pose of a part at X_WorldPart once it has come to rest in a stable pose that it is
-// near: turned about a level axis through its origin, and at the height of the table.
+// Returns the pose that a part at X_WorldPart has after it has come to rest in the given stable
+// pose, which must be near: turned about a level axis through its origin, and at the height of the
+// table.
 Pose ComeToRest(const Part& part, StablePoseId resting, const Pose& X_WorldPart);
 
 }  // namespace assay::domain

@@ -39,7 +39,7 @@ struct Place {
   int room = 1;       // number of parts that find room
 };
 
-// The rules of a workcell that its file states once for all its scenarios.
+// The rules that the file of a workcell states once for all scenarios in this workcell.
 struct WorkcellRules {
   double tool_lean = 0;          // greatest angle of the tool's z from straight down, radians
   double approach_step = 0;      // quantization of approach directions, radians

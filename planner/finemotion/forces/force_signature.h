@@ -35,8 +35,8 @@ ForceSignature SignatureOf(const std::vector<plan::StrategyContact>& contacts, d
 double Separation(const Wrench& wrench, const ForceSignature& signature, double length);
 
 // Returns the least distance between a mean of the unit rays of one signature and the wrenches of
-// the other, in 0 .. 1. It is 0 where they have a wrench in common, and the sine of the angle where
-// both are single rays.
+// the other, in 0 .. 1. The result is 0 if the two signatures have a wrench in common. If both
+// signatures are single rays, the result is the sine of the angle between these rays.
 double Separation(const ForceSignature& a, const ForceSignature& b, double length);
 
 // Returns the separation of two contact states that have contacts in common. The forces of the

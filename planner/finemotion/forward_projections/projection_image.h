@@ -11,10 +11,11 @@ namespace assay::finemotion {
 
 inline constexpr int kUsualRows = 8;  // the dimension is known to the compiler up to this
 
-// The image of a projection under a contact's rows, which take a point of generalized space to its
-// gap and its excess over each limit. In the image the contact is { 0 } x { not positive } x ...,
-// in few dimensions however many errors there are. One matrix holds, a column each, the start, the
-// motion in the whole time, and the change that each error makes to either.
+// The image of a forward projection under a contact's rows. The rows map a point of generalized
+// space to the gap of the contact at this point and to the excess over each limit of the contact.
+// In the image the contact is { 0 } x { not positive } x ..., in few dimensions however many errors
+// there are. One matrix holds, a column each, the start, the motion in the whole time, and the
+// change that each error makes to either.
 class ProjectionImage {
  public:
   ProjectionImage(const ForwardProjection& projection, const PrimitiveContact& contact);

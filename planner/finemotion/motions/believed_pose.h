@@ -7,8 +7,8 @@
 
 namespace assay::finemotion {
 
-// A change of the moving part's pose: d is added to its origin, and it is turned by w about its
-// origin. It is the pose's share of a point of generalized space.
+// A change of the moving part's pose: d is added to the part's origin, and the part is turned by w
+// about its origin. A point of generalized space consists of such a change and of the tolerances.
 using PoseChange = Eigen::Matrix<double, kPoseDimensions, 1>;
 // One change in each column.
 using PoseChanges = Eigen::Matrix<double, kPoseDimensions, Eigen::Dynamic>;

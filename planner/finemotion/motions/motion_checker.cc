@@ -128,7 +128,8 @@ MotionChecker::Nearby MotionChecker::NearTheWay(const BelievedPose& believed,
   range.turn = std::max(options_.turn, range.turn);
   Nearby nearby{finder_.Near(end, range), finder_.NearlyParallel(end, range)};
   // The contacts of the command stay in the model even if errors can turn their edges until these
-  // are parallel. They are linear within their limits, and the limits show when a contact is lost.
+  // edges are parallel. The contacts are linear within their limits, and the limits show when a
+  // contact is lost.
   for (PrimitiveContact& contact : touching.contacts) {
     const ContactKey key = KeyOf(contact);
     std::erase_if(nearby.parallel, [&](const ParallelEdges& edges) { return KeyOf(edges) == key; });

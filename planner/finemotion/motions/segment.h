@@ -50,11 +50,11 @@ enum class Telling {
 };
 
 // Checks a command against all contacts with the exact test (meeting.h). The hand turns the part
-// about where it believes the tip to be, so errors turn with it. Kept contacts may run off their
-// ends by 20 micrometres and 2 milliradians, to make up for what linear rows leave out. If the
-// result is not certain although nothing unwanted happens, there are three possible reasons. A
-// contact of the command does not exist, tolerances separate kept contacts, or the contact that
-// ends the motion does not surely come.
+// about the place where the hand believes the tip to be, so errors turn with the hand. Kept
+// contacts may run off their ends by 20 micrometres and 2 milliradians, to make up for what linear
+// rows leave out. If the result is not certain although nothing unwanted happens, there are three
+// possible reasons. A contact of the command does not exist, tolerances separate kept contacts, or
+// the contact that ends the motion does not surely come.
 SegmentCheck Check(const SegmentModel& model, const BelievedPose& believed, const Command& command,
                    Telling telling = Telling::kFirst);
 

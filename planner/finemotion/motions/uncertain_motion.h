@@ -175,8 +175,8 @@ class UncertainMotion {
     return found;
   }
 
-  // Returns the errors turned by the displacement. The hand turns the part about where it believes
-  // the tip to be, so errors turn with it.
+  // Returns the errors turned by the displacement. The hand turns the part about the place where
+  // the hand believes the tip to be, so errors turn with the hand.
   PoseChanges Turned(PoseChanges errors) const {
     if (command_.displacement.tail<3>().isZero(0)) return errors;
     const Eigen::Matrix3d R = Displaced(Pose::Identity(), command_.displacement).linear();

@@ -74,8 +74,9 @@ struct Maneuvered {
   TestComparison Comparison() const;  // sums over all motions
 };
 
-// Maneuvers at one critical point of a passage. They comply with kept contacts: a move goes along
-// them, and a turn about the tip becomes a turn about the contacts by moving as well.
+// Maneuvers at one critical point of a passage. Maneuvers comply with kept contacts. A move goes
+// along these contacts. A turn about the tip becomes a turn about the contacts, because the part is
+// moved at the same time.
 class Maneuvering {
  public:
   // `reach` is the distance in metres within which contacts that a maneuver can come to are

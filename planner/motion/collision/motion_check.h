@@ -109,8 +109,8 @@ class MotionCheck {
 
   std::vector<WatchedPair> WatchedPairs() const;
   WatchedPair Watched(const BodyPair& pair) const;
-  // Returns how far the tool's errors move a body that moves with it, in metres. The body must be
-  // within `near` of its place at this posture.
+  // Returns how far the tool's errors move a body that moves with the tool, in metres. The body
+  // must be within `near` of its place at this posture.
   double ErrorOfTool(const Body& body, const LinkPoses& X_BaseLink, double near) const;
   // Tests a pair whose bodies move by `motion` metres, at the posture q with all errors.
   Verdict LookAt(const JointVector& q, const LinkPoses& X_BaseLink, double motion,

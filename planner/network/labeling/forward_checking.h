@@ -15,9 +15,9 @@
 namespace assay::network {
 
 // Depth-first search that removes from the neighbours of a node the labels that the chosen label
-// does not support, and propagates no further (Haralick and Elliott 1980). It branches on nodes
-// with the fewest labels first, and among those on the node that changed last. If there are many
-// labelings, it leads straight to one and examines each arc about once.
+// does not support, and propagates no further (Haralick and Elliott 1980). It branches first on a
+// node with the fewest labels. If there are several such nodes, it branches on the one that changed
+// last. If there are many labelings, it leads straight to one and examines each arc about once.
 class ForwardChecking {
  public:
   // Returns true if every label set fits in one word and is not empty.

@@ -97,7 +97,7 @@ class Simulation {
 
  private:
   // A step and the state before it. The state is given by the step that last moved each part: this
-  // step determines the part's place, its hold and its mating.
+  // step determines the place, the hold and the mating of the part.
   using Situation = std::vector<StepId>;
 
   static Situation SituationOf(StepId step, const WorldState& state) {

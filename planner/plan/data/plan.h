@@ -24,7 +24,7 @@ namespace assay::plan {
 struct Travel {
   // Postures in radians, at least two; the arm moves straight in joint space from each to the next.
   // The path leads from where the step before leaves the tool after its retreat (plan::RouteOf) to
-  // where this step is poised. For the usual way, it is the part between the straight lines.
+  // where this step is poised. For the usual way, the path is the piece between the straight lines.
   std::vector<kinematics::JointVector> path;
   // Least distance between bodies all along the path, in metres, wherever the parts are within
   // their errors. Hand and held part may be as near to parts and table as they are at an end of the

@@ -41,8 +41,8 @@ void Yield(UncertainWorld& world, PartId part, RestingError& error) {
   }
 }
 
-// Returns whether a part that is let go in its seat may slide until the walls stop it. It may if
-// the seat leans more than the least friction between the two parts can hold.
+// Returns whether a part that is let go in its seat may slide until the walls stop it. It may slide
+// if the seat leans more than the least friction between the two parts can hold.
 bool SlidesInSeat(const domain::Problem& problem, const domain::Mating& mating,
                   const Vector3& motion) {
   const double friction = std::max(problem.part(mating.held).model->friction(),

@@ -26,14 +26,15 @@ struct Leaning {
 // error.
 Leaning LeaningOf(const UncertainWorld& world, const Vector3& up, const ManipulatorError& draw);
 
-// Returns how much of a standing part's error comes from pads that slide down on it, in metres: 0
-// if the pads bear the force that stops them. `released` is the part's error once it is let go.
+// Returns how much of a standing part's error comes from pads that slide down on the part, in
+// metres. The result is 0 if the pads bear the force that stops a guarded move
+// (plan::PadsBearResistance). `released` is the error of the part after the hand has let it go.
 double SlideOfPads(const UncertainWorld& world, const ManipulatorError& draw,
                    const RestingError& released);
 
-// Returns the error of a part on the table once the hand has let it go. X_WorldPart is its believed
-// pose at that time, and X_ToolGrasp is T'_d. The displacement is the displacement of the part in
-// the hand. The caller replaces the component that the surface under the part determines.
+// Returns the error of a part on the table after the hand has let the part go. X_WorldPart is its
+// believed pose at that time, and X_ToolGrasp is T'_d. The displacement is the displacement of the
+// part in the hand. The caller replaces the component that the surface under the part determines.
 RestingError Release(UncertainWorld& world, PartId part, const plan::Hold& hold,
                      const Transform& X_ToolGrasp, const ManipulatorError& draw,
                      const Pose& X_WorldPart);

@@ -102,8 +102,8 @@ class Closing {
     return is_straight() ? along_x : std::min(along_x, 2 * pad_z_ - off_z_);
   }
 
-  // Returns how far the first pad may turn the part while it pushes it to the second one: not at
-  // all if the centre of mass is surely behind the pad.
+  // Returns how far the first pad may turn the part while this pad pushes the part to the second
+  // pad. The result is 0 if the centre of mass is surely behind the first pad.
   double TurnOfFirstPad(const UncertainWorld& world, PartId part, const plan::Hold& hold,
                         double turned) const {
     const Vector3 level = up_.cross(Vector3::UnitY());  // horizontal, along the pads
@@ -135,9 +135,9 @@ class Closing {
   // the point towards the centre of mass. If the centre of mass is far off, the pads' friction
   // keeps the point between the pads, because they press as hard as the moment of the support's
   // friction requires. Let a be the distance of a contact from the middle of the pads, d the
-  // distance of the centre of mass from it, and mu the pads' coefficient of friction. A force R of
-  // the support requires the normal force R d / (2 a) at each pad. The friction of both pads, 2 mu
-  // times this force, is more than R if d > a / mu.
+  // distance of the centre of mass from this middle, and mu the pads' coefficient of friction. A
+  // force R of the support requires the normal force R d / (2 a) at each pad. The friction of both
+  // pads, 2 mu times this force, is more than R if d > a / mu.
   double LeverOfTurn(const UncertainWorld& world, PartId part, const plan::Hold& hold,
                      double turned) const {
     const domain::Problem& problem = world.problem();

@@ -119,7 +119,8 @@ class UncertainWorld {
   const domain::Problem* problem_;
   Propagation propagation_;
   std::shared_ptr<Variables> variables_;
-  // number of variables of this world by the beginning of their names: the kind and the owner
+  // The number of variables whose name begins with this text, which names the kind of error and its
+  // owner.
   std::map<std::string, int> count_by_stem_;
   std::vector<PartKnowledge> parts_;
   PartId in_hand_ = PartId::None();

@@ -13,7 +13,7 @@ using SnapshotId = Id<struct SnapshotTag>;
 
 // The knowledge after each sequence of actions from the beginning of a problem, and the goals that
 // are not proved on the way. Each result is computed when it is asked for, and only once: plan
-// instances share their first actions, also if they differ in one remedy.
+// instances share their first actions, even if the instances differ in one remedy.
 class WorldTree {
  public:
   // The problem must outlive the tree. `learn` adds what is observed at the beginning and after

@@ -88,8 +88,8 @@ class ClosingConditions {
   }
 
  private:
-  // Returns the height, in metres, at which a pad surely touches as the part topples. It is the
-  // height of the lowest of its cells. If the hand leans, any cell may touch first.
+  // Returns the height, in metres, at which a pad surely touches the part as the part topples. It
+  // is the height of the lowest cell of the pad. If the hand leans, any cell may touch first.
   double HighestOfLowest(double side) const {
     const domain::PartModel& model = *world_.problem().part(part_).model;
     const Vector2& pad = world_.problem().workcell->gripper().pad_half_extents();

@@ -183,8 +183,8 @@ class HandConditions {
 };
 
 // Returns the greatest movement, along each axis in metres, of a part that is let go against the
-// hand. The pads slide down on the part along the motion that brought it, and the part falls back
-// on its support.
+// hand. The pads slide down on the part along the motion that brought the part, and the part falls
+// back on its support.
 Vector3 MovesAsLetGo(const UncertainWorld& world, const LettingGo& work) {
   Vector3 moves = SlideOfPads(world, work.draw, work.released) * work.motion.cwiseAbs();
   if (!ComesUpright(world, work.hold, work.X_WorldPart)) {
@@ -213,8 +213,8 @@ PossibleFrame ToolAtEnd(const UncertainWorld& world, const LettingGo& work) {
           AngleOf(world, work.draw)};
 }
 
-// Returns the frame of a hand that a strategy has led: it yields to the walls, as the part in it
-// does.
+// Returns the frame of the hand after a strategy. The hand yields to the walls, and so does the
+// part in the hand.
 PossibleFrame ToolLed(const UncertainWorld& world, const LettingGo& work) {
   const Transform led = PossiblePose(work.X_WorldPart, work.released) *
                         AsTransform(work.hold.X_PartTool) *

@@ -91,8 +91,9 @@ class FitConditions {
     }
   }
 
-  // Requires the same of a round shaft. The circle through its corners reaches no farther along a
-  // wall's normal than its radius, however the shaft turns and leans.
+  // Requires that a round shaft is inside the walls. The circle through the corners of the shaft
+  // reaches no farther along a wall's normal than the radius of the circle, however the shaft turns
+  // and leans.
   void RequireInside(plan::Condition condition, const Relative& at, double behind, double bevel,
                      double radius) {
     const SymbolicVector center =

@@ -18,7 +18,7 @@ namespace {
 using domain::Mating;
 using domain::Problem;
 
-// Returns how far the walls of its holes let the held part move along a direction of the fixed
+// Returns how far the walls of the holes let the held part move along a direction of the fixed
 // part, in metres; infinite if no wall faces this direction.
 double PlayAlong(const Problem& problem, const Mating& mating, const Vector3& along) {
   double play = kInfinity;
@@ -72,8 +72,9 @@ class PlaceConditions {
   }
   Vector3 Axis(int axis) const { return X_FixedFeature_.linear().col(axis); }
 
-  // Holes that are to lie in line are displaced with the shaft, and turned with it about its axis.
-  // Each of the two components gets an equal share of the limit, which is one of their norm.
+  // Holes that are to lie in line are displaced with the shaft, and turned with the shaft about its
+  // axis. The limit is a limit of the norm of two components. Each component gets an equal share of
+  // this limit.
   void RequireAligned(std::size_t pair, const Vector3& shaft) {
     const Vector3 point = PointOf(pair);
     const double limit = domain::AlignmentLimit(problem_);

@@ -112,7 +112,7 @@ struct LettingGo {
   Pose X_WorldPart;              // pose at which the part is let go
   Vector3 motion;                // unit vector of the motion that brings it there, world
   Expression farther;            // metres along the motion until the part meets its support
-  const RestingError& released;  // its error once it is let go
+  const RestingError& released;  // the part's error after it has been let go
 };
 
 // Return kHandClear, for every action with the hand.

@@ -64,8 +64,9 @@ class StandingConditions {
   }
 
   // Pads that slide down on the part press on it in the middle of the patch that they touch. If
-  // this middle is beyond an edge of the support, they turn the part over. They do not if the
-  // part's weight holds it, or if the pads bear the force with which the edge pushes back.
+  // this middle is beyond an edge of the support, the pads turn the part over. They do not turn it
+  // over if the part's weight is great enough, or if the pads bear the force with which the edge
+  // pushes back.
   double PressRatio() const {
     const OffInHand off = OffInHandOf(world_, world_.held());
     const Grip grip = GripOf(world_.problem(), part_, hold_, off);

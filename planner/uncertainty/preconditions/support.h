@@ -14,9 +14,9 @@ struct Standing {
   std::vector<Vector3> at;
 };
 
-// Returns the contacts on which a part stands at X_WorldPart, without errors. It stands on a table
-// with its lowest vertices, and on other parts, at their planned poses at that time, with faces
-// that look down. Parts in the hand carry nothing.
+// Returns the contacts on which a part stands at X_WorldPart, without errors. The part stands on a
+// table with its lowest vertices, and on other parts with those of its faces that look down. The
+// other parts are at their planned poses at that time. Parts in the hand carry nothing.
 std::vector<Standing> StandingsOf(const UncertainWorld& world, PartId part,
                                   const Pose& X_WorldPart);
 

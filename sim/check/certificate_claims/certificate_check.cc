@@ -100,8 +100,8 @@ class CertificateCheck {
     if (std::ranges::count(collided_, step_) > 0) AddFailed("keeps clear of everything else");
   }
 
-  // The error set of a part that the step does not handle stays as it is. So a part that is
-  // believed to stay, and is thus not in the hand, must stay, on the way to the step as well.
+  // The error set of a part that the step does not handle stays as it is. A part that is believed
+  // to stay is not in the hand, and must therefore stay, also on the way to the step.
   void CheckBystanders(const plan::Certificate& certificate, const StepEvents& events) {
     if (certificate.before.empty() || events.poised == nullptr) return;
     const execution::Snapshot* const first = events.begun != nullptr ? events.begun : events.poised;

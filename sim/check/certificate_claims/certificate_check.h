@@ -14,11 +14,11 @@ namespace assay::check {
 //
 // The measured margin of a proved precondition must be at least nine tenths of the certified
 // margin. A certificate predicts the end of a step on the assumption that the preconditions of this
-// and of all earlier steps hold. A precondition that the planner could not prove may fail. If it
-// fails, or if nothing measures whether it does, nothing is claimed about its step or about later
-// steps. Nothing is claimed after a recovery. Preconditions that a strategy absorbs are no claims.
-// Three further claims are listed only when they fail: the step is completed, arm and hand touch
-// only what they may touch, and only parts that the step handles move.
+// and of all earlier steps hold. A precondition that the planner could not prove may fail. If such
+// a precondition fails, or if nothing measures whether it fails, nothing is claimed about its step
+// or about later steps. Nothing is claimed after a recovery. Preconditions that a strategy absorbs
+// are no claims. Three further claims are listed only when they fail: the step is completed, arm
+// and hand touch only what they may touch, and only parts that the step handles move.
 //
 // `first` is the step in which the trace begins; None means the plan's first step. `measurements`
 // must have one entry for each kind of precondition in the plan.

@@ -51,7 +51,8 @@ struct Claim {
   double gate = 0;    // the noise floor: a smaller deviation means nothing; in the claim's unit
   ClaimVerdict verdict = ClaimVerdict::kContained;
 
-  // Returns the SI unit of its numbers, as files name it; empty for ratios and statements.
+  // Returns the SI unit of the claim's numbers, as files name this unit; empty for ratios and
+  // statements.
   std::string_view UnitName() const {
     return domain::SiUnitOf(dimension.value_or(domain::Dimension::kRatio)).name;
   }

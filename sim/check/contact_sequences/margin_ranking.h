@@ -31,10 +31,10 @@ struct MarginRanking {
   std::optional<double> correlation = {};
   // The interval that holds the correlation with 95 % confidence, by a bootstrap over both trials
   // and contacts (Efron 1979) with 1000 draws. Draws without variation are left out. The interval
-  // is missing if more draws were left out than one tail of it has, because it would then depend on
-  // the remaining draws alone. If k of n trials had anything unwanted in them, a draw misses all k
-  // with probability (1 - k/n)^n, about e^-k. The same holds for contacts, so at least four of each
-  // are needed.
+  // is missing if more draws were left out than one tail of the interval has, because the interval
+  // would then depend on the remaining draws alone. If k of n trials had anything unwanted in them,
+  // a draw misses all k with probability (1 - k/n)^n, about e^-k. The same holds for contacts, so
+  // at least four of each are needed.
   std::optional<Interval> interval = {};
 };
 

@@ -137,8 +137,8 @@ class Falsifier {
     return options_.attempts * (done + 1) / steps - options_.attempts * done / steps;
   }
 
-  // Counts the violations of the execution without noise. It has no errors that could be reduced,
-  // so each counterexample stays as it is.
+  // Counts the violations of the execution without noise. This execution has no errors that could
+  // be reduced, so each counterexample stays as it is.
   void CountWithoutNoise() {
     const noise::Noise none(box_, std::vector<double>(box_.size(), 0));
     const std::vector<Claim>& violated = result_.noiseless.violated;

@@ -74,9 +74,9 @@ class PlayMeasurement {
   }
 
   // Sets the generalized forces of the free joint: a force at the part's origin in the world frame,
-  // and a torque about the origin in the part's frame. They cancel the weight, damp the motion and
-  // push. The damping of the centre's motion acts at the middle, like the push: the two are equal
-  // while the part moves, and would tilt it if they acted at different points.
+  // and a torque about the origin in the part's frame. These forces cancel the weight, damp the
+  // motion and push. The damping of the centre's motion acts at the middle, like the push: the two
+  // are equal while the part moves, and would tilt it if they acted at different points.
   void Push(const Vector3& direction_World) {
     const geometry::MassProperties& mass = problem_.part(mating_.held).model->mass();
     const geometry::Matrix3 R = scene_.TruePose(data_, mating_.held).linear();

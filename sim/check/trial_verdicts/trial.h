@@ -50,8 +50,9 @@ Trial RunTrial(const domain::Problem& problem, const plan::Plan& plan, const sce
 Trial RunTrial(const Experiment& experiment, const noise::Noise& noise,
                execution::ExecutorOptions options, Sensing sensing = Sensing::kDrawn);
 // Executes the plan in a world with this noise up to the step of the claim, and returns the claim
-// with what was observed in this execution. It is missing if the execution does not observe the
-// claim. Nothing else is judged, so that only a violation is executed again with half the timestep.
+// with what was observed in this execution. The result is empty if the execution does not observe
+// the claim. Nothing else is judged, so that only a violation is executed again with half the
+// timestep.
 std::optional<Claim> ObserveAgain(const Experiment& experiment, const Claim& claim,
                                   const noise::Noise& noise);
 // Executes the plan in a world with this noise and returns the verdict alone. Certificates are not

@@ -19,8 +19,8 @@ struct ContactPicture {
 // Writes pictures of the contact states that a strategy leads through without errors, one for the
 // end of each motion. A picture shows the fixed part as it lies, and a cross where the parts touch.
 // The held part is drawn as lines, so that the things behind it are visible. The files in `folder`
-// are called "03-contacts.png" and so on. Returns them, followed by one file that shows all of
-// them. Throws EnvironmentError if there is no renderer.
+// are called "03-contacts.png" and so on. Returns these files, followed by one file that shows all
+// pictures. Throws EnvironmentError if there is no renderer.
 std::vector<ContactPicture> WriteContactPictures(const std::filesystem::path& folder,
                                                  const domain::Problem& problem,
                                                  const scene::Scene& scene,

@@ -16,8 +16,8 @@ struct Snapshot {
 };
 
 // Selects the events of a mating that are worth a picture: the shaft is as far before the mouth as
-// the mouth is wide, the shaft enters, it is half inserted, and it comes to rest. All of them are
-// seen by one camera. It begins when the held part is before the hole.
+// the mouth is wide, the shaft enters, it is half inserted, and it comes to rest. One camera shows
+// all these events. An object of this class is made while the held part is before the hole.
 class MatingMoments {
  public:
   // The arguments must outlive the object. In `data` the held part must be before the hole.

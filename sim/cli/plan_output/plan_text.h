@@ -17,8 +17,8 @@ std::string PlanTable(const domain::Problem& problem, const plan::Plan& plan);
 // Returns the table and what was done about uncertainty, or the reason why there is no plan.
 std::string Text(const domain::Problem& problem, const plan::PlanResult& result);
 
-// Returns the text for a plan, or for an answer without a plan, in which flaws were found: its
-// table, without its claims.
+// Returns the text for a plan, or for an answer without a plan, in which flaws were found. The text
+// has the table, and leaves out the claims.
 std::string TextOfFlawed(const domain::Problem& problem, const plan::PlanResult& result);
 
 // Returns the flaws, one on each line, or how much was checked if there are none.

@@ -7,11 +7,11 @@
 
 namespace assay::cli {
 
-// Returns check::MeasureNoiseFloor of the plan, which is measured only once. The user's cache
-// folder (assay/noise-floor in XDG_CACHE_HOME, or in .cache of HOME) keeps it by a hash of all that
-// it depends on: this program, the engine, the origin of the problem, the plan, and the scene. If
-// there is no cache folder, if it cannot be written, or if the problem has no origin, the floor is
-// measured each time.
+// Returns the noise floor of the plan (check::MeasureNoiseFloor). It is measured only once. The
+// user's cache folder (assay/noise-floor in XDG_CACHE_HOME, or in .cache of HOME) keeps the noise
+// floor under a hash of everything that determines it: this program, the engine, the origin of the
+// problem, the plan, and the scene. If there is no cache folder, if it cannot be written, or if the
+// problem has no origin, the floor is measured each time.
 check::NoiseFloor KeptNoiseFloor(const domain::Problem& problem, const plan::Plan& plan,
                                  const scene::SceneOptions& scene);
 

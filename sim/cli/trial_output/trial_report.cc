@@ -52,8 +52,8 @@ std::string StepTable(const std::vector<StepRow>& rows) {
   return table.Text();
 }
 
-// Returns the side of its limit on which a value must be. Only the opening of a hand that let go
-// must be above it.
+// Returns the side of the limit on which a value must be. Every value must be below its limit,
+// except the opening of a hand that has let go.
 std::string_view Direction(const execution::Finding& finding) {
   return finding.aspect == execution::Aspect::kReleased ? ">=" : "<=";
 }

@@ -70,8 +70,8 @@ StepCommands CommandsToSqueeze(const domain::Problem& problem, const WorldModel&
 // The force at which a guarded move stops. It exceeds what starting and stopping the hand exerts.
 using plan::kResistance;
 
-// Adds commands by which the fixed part's fixture, if it has one, clamps it until the held part is
-// released.
+// If the fixed part has a fixture, adds the commands that clamp the fixed part until the held part
+// is released.
 void ClampFixed(const domain::Problem& problem, const domain::Mating& mating,
                 StepCommands& commands);
 

@@ -47,7 +47,8 @@ struct MoveStraight {
 inline constexpr double kFingersStill = 1e-4;     // m/s of the opening
 inline constexpr double kFingersStillFor = 0.05;  // seconds
 
-// The gripper opens wide. A part that it held is believed to stay where it is released.
+// The gripper opens wide. A part that the gripper held is believed to stay where the gripper
+// released it.
 struct OpenGripper {
   struct Release {
     PartId part;

@@ -275,8 +275,8 @@ HybridControl::Ended HybridControl::CheckObstruction(const PressedContacts& cont
 }
 
 // Slides along a crevice, in which there is one way to go. The walls guide the part: the hand
-// yields to all forces across the way. Along the way it is slower with more resistance, which gives
-// the walls time to guide it.
+// yields to all forces across the way. The greater the resistance along the way, the slower the
+// hand moves. The walls then have time to guide the part.
 HybridControl::Ended HybridControl::Slide(const Way& way) {
   const double length = way.twist.norm();
   const Vector6 direction = way.twist / length;

@@ -30,12 +30,12 @@ bool LetsGo(const plan::Strategy& strategy, std::size_t motion);
 // commanded position and is not undone later.
 //
 // After each motion, control decides whether the wrench can come from the planned contact state
-// (recognition.h). If it is not, or if the motion cannot go on, the arm is in an error state: it
-// draws back and starts again. It keeps what contacts have shown about the tip's pose. A recognized
-// unwanted contact shows more, since the plan has the mean of the errors that lead to it. The
-// believed pose is first corrected by this mean, and then by the least errors for which the
-// touching contacts touch. In the last attempt the arm goes on as long as it can, because parts
-// that touch otherwise than planned often still enter.
+// (recognition.h). If the wrench cannot, or if the motion cannot go on, the arm is in an error
+// state: the arm draws back and starts again. The controller keeps what contacts have shown about
+// the tip's pose. A recognized unwanted contact shows more, since the plan has the mean of the
+// errors that lead to this contact. The believed pose is first corrected by this mean, and then by
+// the least errors for which the touching contacts touch. In the last attempt the arm goes on as
+// long as it can, because parts that touch otherwise than planned often still enter.
 class HybridControl {
  public:
   // The part in the execution's hand follows the strategy, relative to `fixed`. The tool must be

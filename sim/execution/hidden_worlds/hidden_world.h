@@ -16,8 +16,8 @@ namespace assay::execution {
 
 using domain::PartId;
 
-// A fault just before an action of a plan: a part is moved, or slips in the hand. Neither plan nor
-// executor knows of it.
+// A fault just before an action of a plan: a part is moved, or slips in the hand. Neither the plan
+// nor the executor knows of the fault.
 struct Fault {
   std::string action = {};  // the action's name in the task
   std::string error = {};   // the error that the action's verification should signal

@@ -237,8 +237,8 @@ void Execution::Restore(const Checkpoint& checkpoint) {
 // The servo's law is linear in its command. If the command is a state between the arm's own and the
 // wanted one, the servo behaves as if its gains were lower. Damping is scaled by the root of the
 // stiffness, so the arm is as well damped as before. The accelerations by which the arm yields to
-// forces get no feedforward torques. Most of these torques would accelerate the motors, and the
-// touched bodies would return them as forces.
+// forces get no feedforward torques. Most of these torques would accelerate the motors. The touched
+// bodies would then exert forces of this size on the arm.
 Progress Execution::StepSoftly(const JointState& next, const JointVector& qdd, double share) {
   SetStepping(Stepping::kContact);
   const JointVector q = scene_.ArmPosition(data_);
@@ -277,7 +277,7 @@ scene::Load Execution::Carried() const {
 }
 
 // The engine computes the forces of contacts in the timestep that begins with these contacts. The
-// sample that was taken at its start then gets them.
+// sample that was taken at the start of the timestep then gets these forces.
 void Execution::StepEngine() {
   Sample* const sample = options_.sample_rate > 0 ? LastSample(trace_) : nullptr;
   if (sample == nullptr || sample->snapshot.time != data_.time()) {

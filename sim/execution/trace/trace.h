@@ -75,8 +75,8 @@ struct LookRecord {
   Pose believed;  // believed pose after the look
 };
 
-// The end of a guarded move. It ends where the force at the wrist has fallen along the move by
-// `force` since it began.
+// The end of a guarded move. The move ends when the component of the wrist's force along the move
+// has fallen by `force` since the move began.
 struct GuardRecord {
   double time = 0;
   bool resisted = false;                // whether the tool met resistance before the end of its way

@@ -41,15 +41,16 @@ bool CanStart(const domain::Problem& problem, const MatingSetting& setting,
 
 // Executes a strategy in the setting. The fixed part lies clamped at its believed pose, the hand
 // holds the other part, and the arm is where it believes the strategy to start. The displacement of
-// the part in the hand is applied as an error of the hand (Execution::SetHandError). Pads on which
-// a displaced part does not lie flat would correct it, and the arm sees no difference. CanStart
+// the part in the hand is applied as an error of the hand (Execution::SetHandError). If the part
+// itself were displaced, it would not lie flat on the pads, and the pads would correct the
+// displacement. The arm cannot distinguish an error of the hand from a displaced part. CanStart
 // must be true.
 MatingResult RunMatingTrial(const domain::Problem& problem, const scene::Scene& scene,
                             const MatingSetting& setting, const plan::Strategy& strategy,
                             const MatingTrialOptions& options = {});
 
 // Executes the same mating by one guarded straight line, as the executor does without a strategy.
-// It is done if it met resistance within a millimetre of its end.
+// The mating is done if the arm met resistance within a millimetre of the line's end.
 MatingResult RunStraightMating(const domain::Problem& problem, const scene::Scene& scene,
                                const MatingSetting& setting,
                                const MatingTrialOptions& options = {});

@@ -261,7 +261,8 @@ double StepExecution::RoomAt(const Vector3& offset) const {
 }
 
 // A held part that stopped at the rim of a hole is lifted a little and moved sideways. From there
-// it is pushed on, unless it meets the rim again. So the way down to the rim is made only once.
+// the part is pushed on, unless it meets the rim again. The way down to the rim is therefore made
+// only once.
 Progress StepExecution::TryAt(const Vector3& offset) {
   if (Progress failure = Withdraw()) return failure;
   execution_.world().Believe(sought_, geometry::Translation(offset) * X_WorldSought_);

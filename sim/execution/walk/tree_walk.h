@@ -67,7 +67,8 @@ class TreeWalk {
   std::optional<bool> Observed(contingent::AtomId atom) const;
   std::optional<bool> Observed(const contingent::Bound& bound) const;
   std::optional<bool> Observed(contingent::FormulaId formula) const;
-  // Returns the index of the value that sensors have observed; none if they leave it open.
+  // Returns the index of the value that sensors have observed; none if the sensors leave the value
+  // open.
   std::optional<std::size_t> ObservedValue(const std::vector<contingent::AtomId>& values) const;
   // Returns the answer of `ask`. While the answer is open, the last action is repeated if it is a
   // sensing action.

@@ -19,9 +19,9 @@ using sweep::VerdictRecord;
 // - If nothing was claimed of the step, the claim was not claimed.
 // - If the observation alone would give a worse verdict than the step's, the claim was not claimed.
 //   Otherwise the step's verdict would be as bad.
-// - All other observations are judged by the claim's prediction and noise floor.
-// If the step's certificate is violated, a claim that was not claimed counts as violated, too, if
-// its observation is outside its prediction.
+// - All other observations are judged by the claim's prediction and noise floor. If the step's
+//   certificate is violated, a claim that was not claimed also counts as violated if the
+//   observation is outside the prediction.
 ClaimVerdict VerdictOn(const ClaimRecord& claim, double observed, ClaimVerdict of_step) {
   if (of_step == ClaimVerdict::kNotClaimed || !claim.proved) return ClaimVerdict::kNotClaimed;
   check::Claim observation;

@@ -9,8 +9,8 @@
 namespace assay::report {
 
 // A verdict as it is shown to people. Some inconclusive verdicts only mean that the prediction is
-// narrower than the engine's resolution. They are no sign of an error, and have a name and a colour
-// of their own.
+// narrower than the engine's resolution. Such verdicts are no sign of an error, and have a name and
+// a colour of their own.
 enum class Standing {
   kContained,
   // Outside the prediction by less than the claim's noise floor, which is the engine's resolution

@@ -19,9 +19,10 @@ struct MotionRange {
 // dimension, with dimension 6 at the top. A line joins two states that differ by one contact.
 // Initial states and goals are marked. The states that `motions` of the plan reach are joined in
 // the plan's order, and each is numbered by the motion that ends in it. Some of these states are
-// not in the graph, because their contacts exist only for a tilted part. They have columns of their
-// own beside the graph. A key below the graph explains dots and lines, and lists the contacts of
-// the numbered states. Pointing at a state shows its contacts and its distance from a goal.
+// not in the graph, because their contacts exist only for a tilted part. These states have columns
+// of their own beside the graph. A key below the graph explains dots and lines, and lists the
+// contacts of the numbered states. Pointing at a state shows its contacts and its distance from a
+// goal.
 Element ContactGraphPicture(const finemotion::LocalTopology& topology,
                             const check::PlannedContacts& planned, const MotionRange& motions);
 

@@ -43,7 +43,8 @@ struct Sweep {
   std::string text;            // the text of the whole file
 
   std::string title = {};
-  std::vector<std::string> scenarios = {};  // from the sweep file's folder, as it has them
+  std::vector<std::string> scenarios =
+      {};  // paths relative to the sweep file's folder, as written there
   std::vector<std::optional<double>> clearances = {std::nullopt};
   std::vector<double> error_scales = {1};  // factors on the errors of parts and hand
   std::vector<uncertainty::Propagation> propagations = {uncertainty::Propagation::kSound};

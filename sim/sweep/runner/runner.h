@@ -46,9 +46,10 @@ struct RunEnd {
 // Does the trials of the shard that are not in the store yet. First it makes the plans of their
 // cells in parallel, one plan for all cells that differ only in noise, sensing and seed. Then it
 // runs the trials in parallel and writes their results in batches in the order of the trials.
-// Falsifications come last. Several run side by side, and each may use all threads that the others
-// leave free. Each is written when it is done. A cell without a plan has no trials. Rethrows what
-// the work or the store threw, after it has written what was done until then.
+// Falsifications come last. Several falsifications run side by side, and each may use all threads
+// that the others leave free. The result of each falsification is written as soon as this
+// falsification is done. A cell without a plan has no trials. Rethrows what the work or the store
+// threw, after it has written what was done until then.
 RunEnd RunSweep(const Sweep& sweep, const Work& work, Store& store, const RunOptions& options);
 
 }  // namespace assay::sweep

@@ -13,7 +13,7 @@ namespace assay::sweep {
 
 // The options of `assay run` that decide what its trials do. The program parses its options into
 // this struct, and a sweep fills it in for a cell. The command that repeats a trial is printed from
-// it.
+// this struct.
 struct RunCommand {
   std::filesystem::path input = {};  // scenario or plan file
   // The following members say what is executed.

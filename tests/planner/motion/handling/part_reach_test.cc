@@ -77,7 +77,7 @@ TEST(PartReach, RobotsThatStandAlikeServeAlike) {
 }
 
 // The plan must have five actions and a branch, and the bottle must be handed over at the place
-// that both robots reach (facts 5.8). The domain does not state which robot reaches what.
+// that both robots reach. The domain does not state which robot reaches what.
 TEST(PartReach, HandOverEmergesFromGeometry) {
   const std::string folder = ASSAY_SOURCE_DIR "/scenarios/know/";
   const contingent::Task task =

@@ -122,7 +122,7 @@ TEST(ConservatismRatio, IsFalseWhereATrialFailsWithWhatIsGuaranteed) {
   EXPECT_FALSE((ConservatismRatio{.variable = "all", .guaranteed = 0, .broken = 0.1}.IsFalse()));
 }
 
-// Spar neglects that the grasped point of a turned part is displaced by its lever arm (facts 2.6).
+// Spar neglects that the grasped point of a turned part is displaced by its lever arm.
 TEST(PaperPropagation, TheMissingLeverArmIsFoundAndShrunk) {
   Certified certified = CertifiedPlan("spar-fig13", {}, uncertainty::Propagation::kPaper);
   certified.plan = UpToThePickup(certified.plan);
