@@ -7,9 +7,9 @@
 // For labeling and counting, the time runs from a network in the contestant's own form to the
 // answer. Assay searches its network. Gecode posts its tables, which cannot be separated from their
 // propagation, and searches. CaDiCaL and Z3 solve their clauses. Reading files, drawing random
-// networks, and making arcs, tables and clauses of them is excluded; "assay:built" includes
-// building a network of nodes and arcs. For posting, everything counts except the making of
-// relations and tables.
+// networks, and making arcs, tables and clauses of these networks is excluded; "assay:built"
+// includes building a network of nodes and arcs. For posting, everything counts except the making
+// of relations and tables.
 //
 // A contestant's answer is compared with assay's before its time counts.
 

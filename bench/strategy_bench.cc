@@ -61,7 +61,7 @@ void Search(benchmark::State& state, double multiple) {
 }
 
 // --- Growth of the cost of a node. A search ends after kNodes nodes and moves no starts. No
-// sequence absorbs its errors, so it does not end sooner.
+// sequence absorbs the errors of this search, so the search does not end sooner.
 
 constexpr int kNodes = 20;  // nodes of one search; there is a second search, for twice the errors
 

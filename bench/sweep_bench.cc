@@ -203,8 +203,9 @@ Recording Record(const sweep::PlannedCell& cell, int number) {
   return recording;
 }
 
-// Returns the work of a sweep, all of whose cells have one plan. Its noise floor is measured by the
-// first call alone, since the program keeps it, too (sim/cli/tasks/noise_floor_cache.h).
+// Returns the work of a sweep, all of whose cells have one plan. The noise floor of this plan is
+// measured by the first call alone, since the program keeps the noise floor, too
+// (sim/cli/tasks/noise_floor_cache.h).
 sweep::Work WorkOf(const sweep::Sweep& sweep) {
   return sweep::RealWork(
       sweep, {},

@@ -297,7 +297,7 @@ std::vector<LimitedWork> LimitedWorks(const Measurements& measurements) {
   return works;
 }
 
-// Writes what the times measure. For families, their own sections say this.
+// Writes what the times measure. The section of a family says this for the family.
 void TellWhatIsMeasured(std::string& out, const std::vector<LimitedWork>& works,
                         const Measurements& measurements, const std::vector<Family>& families) {
   for (const LimitedWork& work : works) {
@@ -356,7 +356,8 @@ void AloneSection(std::string& out, const Measurements& measurements,
   out += "\n";
 }
 
-// Writes the wrong answers. They come first, since nothing below can make up for them.
+// Writes the wrong answers. The wrong answers come first, since nothing below can make up for a
+// wrong answer.
 void WrongSection(std::string& out, const Measurements& measurements) {
   const std::vector<const Series*> wrong = measurements.Wrong();
   if (wrong.empty()) return;

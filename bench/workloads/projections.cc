@@ -64,8 +64,8 @@ geometry::Zonotope RandomVelocity(int errors, int dimension, RandomStream& rando
   return velocity;
 }
 
-// Returns a value of a . z. It lies at the fraction `part` of the way from the middle of the
-// projection's range to its end.
+// Returns a value of a . z. This value lies at the fraction `part` of the way from the middle of
+// the range of a . z over the projection to the end of the range.
 double ValueAt(double part, const Eigen::VectorXd& a, const ForwardProjection& projection) {
   const double most = projection.Support(a);
   const double least = -projection.Support(-a);

@@ -32,8 +32,8 @@ SymbolicVector RandomOffset(bool is_planar, RandomStream& random) {
   return vector;
 }
 
-// Returns a random pose about one axis, followed by its error in its own frame: a turn and a
-// displacement.
+// Returns a random pose about one axis, followed by an error in the frame of this pose: a turn and
+// a displacement.
 Transform PlanarLink(int link, const ErrorBounds& errors, RandomStream& random,
                      ExpressionPool& pool) {
   const Expression angle = DeclareError("t", link, errors.angle, pool);

@@ -10,9 +10,9 @@
 #include "planner/base/random.h"
 
 // Looks for the greatest value of a function over a box. The best of many random points are
-// improved by steps along the axes, which become smaller. The search uses only values of the
-// function. Every value found is attained, so it never exceeds the true maximum. In few dimensions
-// it comes near it.
+// improved by smaller and smaller steps along the axes. The search uses only values of the
+// function. Every value that is found is a value of the function, so the result never exceeds the
+// true maximum. In few dimensions the result comes near the true maximum.
 namespace assay::oracle {
 
 using Function = std::function<double(const std::vector<double>&)>;  // NaN means undefined

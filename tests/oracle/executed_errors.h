@@ -375,8 +375,8 @@ class ExecutedWorld {
     return (a.X_FrameBox.translation() - b.X_FrameBox.translation()).norm() >
            a.half_extents.norm() + b.half_extents.norm();
   }
-  // Returns the least separation of a part and the hand with its pads this far apart. It is taken
-  // at a few places of the straight retreat from the hand's pose.
+  // Returns the least separation of a part and the hand with its pads this far apart. The
+  // separation is taken at a few places of the straight retreat from the hand's pose.
   double FromHand(const Pose& hand, double opening, PartId part, const Pose& X_WorldPart) const {
     const kinematics::Gripper& gripper = problem_.workcell->gripper();
     std::vector<Box> boxes = gripper.HandBoxes();
@@ -412,7 +412,8 @@ class ExecutedWorld {
                  "the open hand goes through the part that it handles");
   }
   double MostOpen() const { return problem_.workcell->gripper().max_opening(); }
-  // Requires a separation. It counts as promised unless a claim of this condition is unproved.
+  // Requires a separation. The separation counts as promised unless a claim of this condition is
+  // unproved.
   bool Keeps(const std::string& condition, double separation, const std::string& what) {
     if (separation > -kRounding) return true;
     const auto denied = [&](const plan::CertifiedPrecondition& claim) {

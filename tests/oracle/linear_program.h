@@ -12,8 +12,8 @@
 #include "planner/base/interval.h"
 
 // Solves linear programs by GLPK's simplex method in rational arithmetic. GLPK gives the bounds and
-// rows on which the optimum lies. Its numbers are rounded, so the point is computed from these
-// bounds and rows as a rational. The oracle can be trusted for small systems.
+// rows on which the optimum lies. GLPK's numbers are rounded, so the optimal point is computed from
+// these bounds and rows in rational numbers. The oracle can be trusted for small systems.
 namespace assay::oracle {
 
 struct LinearProgram {

@@ -30,8 +30,8 @@ INSTANTIATE_TEST_SUITE_P(
         // shared place.
         Known{"visual-sensing", "one-bottle", 5, 2},
         Known{"visual-sensing", "one-bottle-as-printed", 4, 1},
-        // The tree has n - 1 looks and a dunk. By dunking alone it would have 2 n - 1 actions with
-        // the flushes between them.
+        // The tree has n - 1 looks and a dunk. A tree with dunks alone would have 2 n - 1 actions,
+        // because there is a flush between two dunks.
         Known{"bomb-in-the-toilet", "four-packages", 4, 4},
         // The plan has one dial action more than there are wrong combinations.
         Known{"opening-a-safe", "safe-by-trial", 5, 5},

@@ -13,8 +13,9 @@
 #include "planner/finemotion/contacts/primitive_contact.h"
 
 // Finds all sets of primitive contacts that can touch together, by linear programs. For each
-// contact a program states that it touches, that its gap is positive, or that one of its limits is
-// exceeded. Every combination is tried unless a part of it is impossible already.
+// contact a linear program states one of three cases: the contact touches, its gap is positive, or
+// one of its limits is exceeded. Every combination of cases is tried, unless some cases of the
+// combination are already impossible together.
 namespace assay::oracle {
 
 using finemotion::HalfSpace;

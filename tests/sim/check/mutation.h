@@ -34,7 +34,8 @@ struct Mutation {
 // Returns every mutation of this plan that changes what one of its certificates says.
 std::vector<Mutation> MutationsOf(const Certified& certified);
 
-// Returns the plan as the theory would certify it with this lie in it.
+// Returns the plan with the certificates that the theory would give it if the theory contained this
+// lie.
 plan::Plan CertifiedWith(const Mutation& mutation, const Certified& certified);
 
 }  // namespace assay::check

@@ -13,8 +13,8 @@ namespace assay::check::slipping_pads_test {
 namespace {
 
 // Pads whose friction is less than the resistance that stops a guarded move (plan::kResistance)
-// slide down on the part once it is seated. The place where the part stopped then tells that it met
-// its seat.
+// slide down on the part after the part is seated. The place where the part stopped then tells that
+// the part met its seat.
 TEST(SlippingPads, MeetTheSeatWhereThePartStops) {
   domain::Problem problem = ScenarioNamed("uncertain-known");
   domain::WorkcellRules rules = problem.workcell->rules();

@@ -1,5 +1,5 @@
-#include "planner/geometry/pose.h"
 #include "sim/mujoco/data.h"
+#include "planner/geometry/pose.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -189,8 +189,8 @@ TEST(Data, StatesHoldTheHeightsOfGeoms) {
 }
 
 // A box on a turntable. The friction is ample for its centripetal acceleration of 0.3 m/s^2. If the
-// engine moved it along tangents, it would wander outward by half of that times the timestep, or
-// 0.3 mm in two seconds.
+// engine moved the box along tangents, the box would wander outward at half of this acceleration
+// times the timestep, or 0.3 mm in two seconds.
 constexpr char kTurntable[] = R"(<mujoco>
   <option timestep="0.001" cone="elliptic" impratio="100" tolerance="1e-12"/>
   <default><geom solref="0.002 1" solimp="0.99 0.9999 0.00001" friction="1"/></default>

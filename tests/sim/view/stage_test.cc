@@ -5,8 +5,8 @@
 namespace assay::view::stage_test {
 namespace {
 
-// A wedge is drawn as the hull of its six corners, where the body has it, although the engine keeps
-// meshes in frames of their own.
+// A wedge is drawn as the hull of its six corners, at the place of the wedge in its body, although
+// the engine keeps meshes in frames of their own.
 TEST(Stage, AMeshIsDrawnAsAHull) {
   const std::vector<Vector3> corners = {{0, 0, 0},    {0.03, 0, 0},    {0, 0.02, 0},
                                         {0, 0, 0.05}, {0.03, 0, 0.05}, {0, 0.02, 0.05}};

@@ -220,8 +220,8 @@ std::string Name(const plan::PlanResult& result) {
 }
 
 // The planner says "no plan exists" only if trying everything finds no plan, with any arm and in
-// any order. If there is no plan it always says so, unless it names the limit that keeps it from
-// knowing.
+// any order. If there is no plan, the planner always says so, unless it names a limit of its own
+// because of which it cannot know.
 TEST(Impossibility, IsProvedExactlyWhereTryingEverythingFindsNothing) {
   PlannerOptions options;
   options.partial_plans = 2'000;
@@ -356,8 +356,8 @@ TEST(Impossibility, EveryConstraintOfAConflictIsNeeded) {
   EXPECT_GT(proofs, 0);
 }
 
-// The set of attainable facts is a fixed point. It is not confirmed if one fact is missing, nor if
-// it contains the goal.
+// The set of attainable facts is a fixed point. A set is not confirmed if one fact is missing, or
+// if the set contains the goal.
 TEST(Impossibility, IsNotConfirmedWhereAnActionWasLeftOut) {
   const domain::Problem problem = LoadScenario("impossible");
   const ImpossibilityAnswer answer = ProveImpossible(problem);

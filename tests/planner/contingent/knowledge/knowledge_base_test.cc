@@ -524,8 +524,8 @@ TEST(Intervals, AreSensedAfterTheyAreChanged) {
 }
 
 // The new value of a number depends on the condition, and a sum depends on its parts. More may be
-// known about these than their intervals show. The planner therefore never claims that something is
-// unknown.
+// known about these numbers than their intervals show. The planner therefore never claims that
+// something is unknown.
 TEST(Intervals, ThatHangTogetherAreNotSaidToBeUnknown) {
   const std::vector<std::string> questions = {"K(weight(a) <= 3)", "!K(weight(a) <= 2)",
                                               "!K(weight(a) <= 0)", "!K(weight(b) <= 2)"};

@@ -50,7 +50,8 @@ TEST(ShaftFit, GapsAreHowFarTheSeatedPartCanMove) {
   }
 }
 
-// A round shaft whose circle is inside the walls is inside them however it is turned.
+// If the circle of a round shaft is inside the walls, the shaft is inside the walls however it is
+// turned.
 TEST(ShaftFit, WhatHoldsOfTheCircleHoldsForEveryTurn) {
   const Problem problem = Load("round-peg");
   const Mating& mating = problem.matings.front();

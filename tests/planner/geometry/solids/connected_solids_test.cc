@@ -16,7 +16,7 @@ namespace {
 constexpr std::uint64_t kSeed = 21;
 constexpr double kGrid = 0.01;  // metres
 
-// A box with corners on a grid, for which it can be decided exactly what it shares with another.
+// A box with corners on a grid. It can be decided exactly what two such boxes share.
 struct GridBox {
   std::array<int, 3> low, high;
 

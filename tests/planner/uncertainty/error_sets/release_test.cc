@@ -69,7 +69,7 @@ TEST(Release, LeaningTheTableMayAddToTheHandsTurn) {
 
 // Returns the yaw that is left after the table levels the part with the least work. The resistance
 // of the pads to each axis is `weights` times the angle for friction. For springs
-// (LeftAfterSprings) it is half of `weights` times its square.
+// (LeftAfterSprings) the resistance is half of `weights` times the square of the angle.
 double LeftAfterFriction(const Vector3& turned, const Vector3& up, const Vector3& weights) {
   const auto work = [&](double twist) { return weights.dot((turned - twist * up).cwiseAbs()); };
   const Vector3 ends = turned.cwiseQuotient(up);

@@ -55,7 +55,7 @@ class CertificateCheck : public ::testing::Test {
   Ended Check(const Json& plan) { return Assay({"check", Write(plan), "--json"}); }
   std::string Write(const Json& plan) { return folder_.Write("plan.json", plan.dump()); }
 
-  // Returns the flaws that `check` finds. It must fail if and only if it finds a flaw.
+  // Returns the flaws that `check` finds. `check` must fail if and only if it finds a flaw.
   std::vector<std::string> FlawsOf(const Json& plan) {
     const Ended ended = Check(plan);
     std::vector<std::string> flaws;

@@ -75,8 +75,8 @@ TEST_F(Calibrate, ABrokenPromiseIsAFailureWithTheCommandThatShowsIt) {
   EXPECT_THAT(ended.out, HasSubstr("assay calibrate " + kTwoLooks + " --seed 7 --trial 1"));
 }
 
-// The promise is the margin times the greatest errors of all scenarios. It is written into the
-// workcells of all of them and read from there. Nothing else in the files changes.
+// The promise is the margin times the greatest errors of all scenarios. The promise is written into
+// the workcells of all these scenarios and read from there. Nothing else in the files changes.
 TEST_F(Calibrate, WritesThePromiseIntoTheWorkcellsOfAllScenarios) {
   const Folder folder;
   const std::string models = ModelsIn(folder);

@@ -40,7 +40,7 @@ TEST(Mate, WithoutAStrategyThereIsNoPlan) {
 }
 
 // The contact that is named as the obstacle happens only with errors beyond the certain scale. With
-// greater errors it happens at a smaller multiple of them.
+// greater errors this contact happens at a smaller multiple of these errors.
 TEST(Mate, TheMarginOfTheObstacleIsOneOfTheErrors) {
   double last = 1;
   for (const auto& [displacement, rotation] : {std::pair("5", "2.5"), std::pair("10", "5")}) {

@@ -56,7 +56,7 @@ TEST_F(CollisionWatchTest, AHandTouchesWhatItHandlesAndNothingElse) {
 }
 
 // The block lies on the table, and the peg is put into the block. A held part may touch what it
-// touches when it is taken. In the next action it may no longer touch it.
+// touches when it is taken. In the next action, the part may no longer touch this.
 TEST_F(CollisionWatchTest, AHeldPartTouchesWhereItIsTakenFromAndNothingElse) {
   watch_.Handle({kBlock}, HeldTouches::kNothing);
   EXPECT_THAT(watch_.Look(data_), IsEmpty());

@@ -88,8 +88,8 @@ TEST_F(FalsificationRecording, SucceededWhereNoneWas) {
   EXPECT_EQ(timed.record.reason, "");
 }
 
-// The precondition has one end only, and its observed value is nearer to its end than x of the peg
-// is to either of its own.
+// The precondition has one end only. The observed value of the precondition is nearer to this end
+// than the observed x of the peg is to either of its two ends.
 TEST_F(FalsificationRecording, HasTheWorstClaimOfEachStepInTheOrderOfExecution) {
   const std::vector<VerdictRecord> verdicts = Record().record.verdicts;
   ASSERT_THAT(verdicts, SizeIs(2));

@@ -77,8 +77,8 @@ TEST_F(Grid, AFalsificationIsOneTrial) {
   EXPECT_TRUE(SharePlan(cells[0], cells[2]));
 }
 
-// Each shard gets its share of falsifications, even if the trials between them would bring all of
-// them to one shard.
+// Each shard gets its share of falsifications, even if the trials between the falsifications would
+// bring all falsifications to one shard.
 TEST_F(Grid, FalsificationsAreDealtOutEvenly) {
   const std::vector<Cell> cells = Cells(Read(
       "scenarios: [a.yaml]\nnoise: [attack, uniform]\nerror_scales: [1, 2, 3, 4]\ntrials: 3\n"));
