@@ -58,7 +58,8 @@ void TellWhy(ImpossibilityAnswer answer, plan::PlanResult& result) {
   result.near_misses = std::move(answer.proof->near_misses);
 }
 
-// Returns the actions and labels in the order of execution. They identify an instance.
+// Returns the actions and labels in the order of execution. Actions and labels together identify an
+// instance.
 std::string Signature(const Problem& problem, const plan::Plan& plan) {
   std::string signature;
   for (plan::StepId id : plan.ExecutionOrder()) {

@@ -27,8 +27,9 @@ Eigen::MatrixXd OrthogonalComplement(const Eigen::MatrixXd& basis);
 // times the greatest one count as 0.
 struct IndependentColumns {
   std::vector<int> columns;  // indices into the matrix, the greatest pivot first
-  Eigen::MatrixXd dual;  // column i is in the span of the independent columns; its product with the
-                         // i-th of them is 1, and with every other one 0
+  // Column i is in the span of the independent columns. Its product with the i-th of these columns
+  // is 1, and its products with all others are 0.
+  Eigen::MatrixXd dual;
   Eigen::MatrixXd complement;  // orthonormal columns, orthogonal to all of them
 };
 IndependentColumns IndependentColumnsOf(const Eigen::MatrixXd& a, double threshold);

@@ -16,8 +16,8 @@ struct Submitted {
   const domain::Problem& problem;
   const plan::Plan& plan;
   std::string file;  // names the plan in messages
-  bool is_of_file =
-      false;  // true: the plan was read from the file; false: it was planned in this process
+  // True if the plan was read from the file, and false if it was made in this process.
+  bool is_of_file = false;
   // Receives the name of each part of the verification as it begins; may be empty.
   std::function<void(std::string_view)> progress = {};
 };

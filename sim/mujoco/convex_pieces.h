@@ -12,7 +12,7 @@ struct mjModel_;
 
 namespace assay::mujoco {
 
-// Metres. Pieces of a body with a smaller gap lie against each other.
+// Pieces of a body lie against each other if the gap between them is smaller than this, in metres.
 inline constexpr double kFlush = 1e-6;
 
 // The convex solids of a model's boxes and meshes, prepared for contact. The engine has vertices of

@@ -15,11 +15,12 @@ using geometry::Plane;
 using geometry::Vector3;
 using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
 
-// Metres between a contact and a facet that it concerns.
+// The greatest distance, in metres, between a contact and a facet that the contact concerns.
 constexpr double kNearFacet = 1e-4;
 // A facet is inside the body if other pieces cover it this far around a point, in metres.
 constexpr double kAroundPoint = 2e-5;
-// Cosine. A contact's normal must have at least this much of a facet's normal to concern the facet.
+// The least cosine of the angle between the normal of a contact and the normal of a facet that the
+// contact concerns.
 constexpr double kThroughFacet = 0.2;
 
 // A simulation's geoms at the present time.

@@ -33,8 +33,8 @@ struct Subject {
   std::string summary = {};               // of the plan; empty: the page sums up its certificates
   std::vector<check::Claim> claims = {};  // verdicts on the certificates; empty: there are none
   std::optional<Beside> beside = {};
-  // For an execution that did not follow one plan. `plan` is then the plan of the execution's
-  // world, or empty if there is none.
+  // Set if the execution did not follow one plan. `plan` is then the plan of the execution's world,
+  // or empty if this world has no plan.
   std::optional<Way> way = {};
   std::vector<Reasons> why_not = {};  // if there is no plan: the scene is then shown as it lies
   std::string source = {};            // what was viewed, for people: "trace out/trace-3.jsonl"

@@ -8,7 +8,8 @@
 namespace assay::webp {
 namespace {
 
-// From 0 (quick) to 6 (small). With 4 a picture takes an eighth of the time in which it was drawn.
+// The effort of compression, from 0 (quick) to 6 (small). With 4 a picture takes an eighth of the
+// time in which it was drawn.
 constexpr int kMethod = 4;
 constexpr float kQuality = 75;  // of 100
 // Pictures are stored as their difference from the one before. The least and the greatest number of

@@ -20,7 +20,7 @@ struct Maximization {
   // One slack for each inequality. All slacks are >= 0 where all inequalities hold.
   std::vector<CompiledForm> slacks;
   std::vector<bool> constrained;  // indexed by number: the variable occurs in an inequality
-  // Indexed by VariableId: a coordinate for each variable without a number.
+  // A coordinate for each variable without a number, indexed by VariableId.
   std::vector<double> elsewhere;
   // The expression before it was brought to normal form. Its variables are indexed by VariableId.
   // It is kept only if it may be undefined, because the normal form can have a value where the

@@ -38,7 +38,7 @@ class Derivatives {
 
   Number ValueOf(const Step& step, std::span<const Number> place);
   void NoteDefinedness(const Step& step);
-  // For the step of a function. `operand`, i and j are 0 or 1.
+  // The next four declarations are about steps that are functions. `operand`, i and j are 0 or 1.
   FunctionPlace<Number> PlaceOf(const Step& step, int index) const;
   Number Slope(int index, int operand) const;
   Number Curvature(int index, int i, int j) const;

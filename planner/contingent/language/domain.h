@@ -96,14 +96,15 @@ enum class Store { kFacts, kWhether, kValues, kExclusive, kClosed };  // Kf, Kw,
 struct Change {
   bool is_addition = true;
   Store store = Store::kFacts;
-  // Kf: one literal. Kw: the conjunction. Kx: the alternatives. LCW: one literal with free
-  // variables.
+  // The literals of the effect: for Kf one literal, for Kw those of the conjunction, for Kx the
+  // alternatives, and for LCW one literal with free variables.
   std::vector<Literal> literals = {};
   std::vector<Term> terms = {};  // Kv: one term
   // Kv: the greatest error of the sensor; none for an exact sensor
   std::optional<double> within = {};
   std::vector<TypedName> variables = {};  // LCW: the free variables of the literal
-  // True for a Kx written some(...), of which one or more alternatives hold. False for exactly one.
+  // True for a Kx written some(...), of which one or more alternatives hold. False if exactly one
+  // alternative holds.
   bool is_inclusive = false;
   Place place = {};
 };

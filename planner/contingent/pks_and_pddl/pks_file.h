@@ -7,9 +7,10 @@
 
 namespace assay::contingent {
 
-// ReadPksDomain and ReadPksProblem read the format of scenarios/know/README.md. They check the form
-// only. CheckTypes (type_check.h) checks that names are declared and that types agree. Both throw
-// InputError with file, line and column, and with the input that is allowed there.
+// ReadPksDomain and ReadPksProblem read the format of scenarios/know/README.md. These functions
+// check only the form. CheckTypes (type_check.h) checks that names are declared and that types
+// agree. The two functions throw InputError with file, line and column, and with the input that is
+// allowed there.
 Domain ReadPksDomain(const std::string& text, const std::string& file);
 Problem ReadPksProblem(const std::string& text, const std::string& file);
 

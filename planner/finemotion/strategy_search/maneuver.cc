@@ -24,7 +24,7 @@ constexpr double kBlocked = 0.2;
 constexpr double kGrazing = 0.3;          // sine of an angle at which a contact is felt too late
 constexpr double kCorrection = 2e-3;      // metres; more is not a correction
 constexpr double kLongestMotion = 0.015;  // metres of the way that are checked as one motion
-// Metres before the next critical point, so that the part is free there.
+// A way ends this many metres before the next critical point, so that the part is free there.
 constexpr double kShortOfNext = 5e-4;
 constexpr double kUprightEnough = 0.02;  // radians from upright that count as upright
 

@@ -9,7 +9,7 @@ namespace assay::finemotion {
 namespace {
 
 constexpr double kAbove = 0.002;  // metres between a start and all that errors can bring near
-// Radians. Every start is tilted by more than this, so that no edges are parallel.
+// Every start is tilted by more than this angle, in radians, so that no edges are parallel.
 constexpr double kLeastTilt = 0.035;
 constexpr double kLeastInside = 1e-3;  // metres by which the lowest corner is inside the entry
 

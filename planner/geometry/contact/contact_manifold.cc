@@ -8,10 +8,11 @@
 namespace assay::geometry {
 namespace {
 
-// Metres by which a pair of edges must be better than a facet.
+// The separation of a pair of edges counts only if it is greater than that of every facet by this,
+// in metres.
 constexpr double kEdgePreference = 1e-6;
-// Metres by which a facet of the second solid must be better than one of the first, so that
-// rounding does not decide between them.
+// A facet of the second solid is preferred to one of the first only if its separation is greater by
+// this, in metres, so that rounding does not decide between the two.
 constexpr double kSecondPreference = 1e-9;
 
 // Returns the manifold with the points nearest to the plane of a surface, or none without points.

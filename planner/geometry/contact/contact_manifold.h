@@ -31,9 +31,11 @@ inline constexpr std::size_t kMostContactPoints = 8;
 // facets of the other solid, as far as the solids are at most `margin` apart there. Where edges
 // cross, there is one point.
 //
-// Edges count only if they are less deep in each other than any facet by a micrometre. Such edges
-// are apart by less than this if they are apart at all, and an area of contact holds still where a
-// single point does not. Rounding therefore does not choose between a facet and its edges.
+// Edges are considered only if the solids overlap by more than a micrometre along every normal of a
+// facet. Edges count only if the overlap along their axis is less by a micrometre than the overlap
+// along every such normal. Otherwise the contact is that of a facet, because parts lie still on an
+// area of contact, but not on a single point. Rounding therefore does not choose between a facet
+// and its edges.
 std::optional<ContactManifold> ContactBetween(const ContactSolid& a, const Pose& X_WorldA,
                                               const ContactSolid& b, const Pose& X_WorldB,
                                               double margin);

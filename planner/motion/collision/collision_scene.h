@@ -32,8 +32,7 @@ struct Body {
   std::array<double, 6> reach = {};
   Vector3 center = Vector3::Zero();  // center of a ball that contains the body, in the link's frame
   double ball_radius = 0;
-  double doubt =
-      0;  // greatest distance of the true place of a point of the body from its place here, metres
+  double doubt = 0;  // greatest distance of a point's true place from its place here, metres
 };
 
 // Two bodies that must not touch; the second is at least as far along the arm.

@@ -12,9 +12,9 @@ namespace assay::network {
 
 using NodeId = Id<struct NodeTag>;
 
-// The label sets of all nodes of a network, with a trail. Label sets only shrink. They grow again
-// only by undoing to an earlier mark, the last change first. A set of one word, the most common
-// kind, is stored beside its count.
+// The label sets of all nodes of a network, with a trail. Label sets only shrink. A label set grows
+// again only if changes are undone back to an earlier mark, the last change first. A set of one
+// word, the most common kind, is stored beside its count.
 class LabelStore {
  public:
   using Mark = std::size_t;  // a length of the trail

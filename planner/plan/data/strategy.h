@@ -39,13 +39,14 @@ struct TipError {
 struct UnwantedContact {
   int contact = 0;  // index in Strategy::contacts
   bool is_loss = false;
-  double scale = 0;  // least factor on all errors, among the tried factors, with which the contact
-                     // or loss happens
-  double gap = 0;    // width at the end of the motion without errors, metres
+  // The least factor on all errors, among the tried factors, with which the contact or loss
+  // happens.
+  double scale = 0;
+  double gap = 0;  // width at the end of the motion without errors, metres
   // Distance between the force signatures of the error state and the plan, 0 .. 1.
   double separation = 0;
-  std::optional<TipError> likely =
-      {};  // mean of the errors that lead to this error state; none: not known
+  // The mean of the errors that lead to this error state; none: not known.
+  std::optional<TipError> likely = {};
 };
 
 // One segment of a piecewise-linear trajectory: a contact state to keep, a direction to move in it,

@@ -21,8 +21,9 @@ struct Grip {
   Vector2 reach = Vector2::Zero();
   bool alike = false;  // true if both pads touch in the same places
 
-  // Returns the ratio of the load to what the pads bear when each presses with `force` newtons.
-  // Below 1 they hold. If a pad may touch nothing, the pads bear nothing.
+  // Returns the ratio of the load to what the pads bear when each presses with `force` newtons. If
+  // the ratio is below 1, the pads hold the part. If a pad may touch nothing, the pads bear
+  // nothing.
   double RatioOf(const GripLoad& load, double force) const;
 };
 Grip GripOf(const domain::Problem& problem, PartId part, const plan::Hold& hold,

@@ -22,9 +22,8 @@ struct Cell {
   NoiseKind noise = NoiseKind::kUniform;
   std::uint64_t seed = 0;
   int trials = 0;
-  int first_trial = 1;  // the number of the cell's first trial in the whole sweep
-  int falsification =
-      0;  // number among the falsification cells, from 1; 0: this is no falsification cell
+  int first_trial = 1;    // the number of the cell's first trial in the whole sweep
+  int falsification = 0;  // number among the falsification cells, from 1; 0: no such cell
 
   bool operator==(const Cell&) const = default;
 };

@@ -43,8 +43,8 @@ struct Sweep {
   std::string text;            // the text of the whole file
 
   std::string title = {};
-  std::vector<std::string> scenarios =
-      {};  // paths relative to the sweep file's folder, as written there
+  // Paths relative to the sweep file's folder, as written in the sweep file.
+  std::vector<std::string> scenarios = {};
   std::vector<std::optional<double>> clearances = {std::nullopt};
   std::vector<double> error_scales = {1};  // factors on the errors of parts and hand
   std::vector<uncertainty::Propagation> propagations = {uncertainty::Propagation::kSound};

@@ -68,10 +68,8 @@ TEST_F(FeltAssembly, SeatsThePartInSpiteOfErrors) {
   }
   EXPECT_THAT(claimed, Contains("tip shift"));
   EXPECT_THAT(claimed, Contains("tip turn"));
-  EXPECT_THAT(
-      claimed,
-      Not(Contains(
-          "entry")));  // the strategy absorbs this precondition, so it may fail, and it does
+  // The strategy absorbs the precondition `entry`, so this precondition may fail, and it does.
+  EXPECT_THAT(claimed, Not(Contains("entry")));
   EXPECT_THAT(claimed, Contains("x of peg"));
 
   const Experiment experiment{certified().problem, certified().plan, {}, Gate()};

@@ -222,7 +222,8 @@ TEST(ProblemFile, APartThatAFixtureHoldsMayLean) {
   EXPECT_THROW(ParseScenario(WithBrickAt(leaning)), InputError);
 }
 
-// A brick of 2 inches stands on a brick. It falls over once its centre is an inch beyond.
+// A brick that is 2 inches wide stands on another brick. The upper brick falls over if errors move
+// its centre more than an inch away from the centre of the lower brick.
 TEST(ProblemFile, APartThatStandsOnAnotherOneDoesSoForAllErrors) {
   const auto message_with = [](double error) {
     const std::string tower = fmt::format(

@@ -31,7 +31,7 @@ TEST(InitTest, WritesWhatRunsAsItIs) {
   EXPECT_EQ(Assay({"run", folder / "plan.json", "--noise", "uniform", "--trial", "1"}).code, 0);
 }
 
-// Its own file is kept, and no other is written beside it.
+// A file that is already in the folder is kept, and no other file is written beside it.
 TEST(InitTest, OverwritesNothing) {
   const Folder folder;
   const std::string kept = folder.Write("clearances.yaml", "mine");
