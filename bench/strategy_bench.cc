@@ -90,8 +90,8 @@ void NodesBySides(benchmark::State& state) {
   SearchNodes(passage, ErrorsOf(1), FixedNodes(), state);
 }
 
-// Times nodes by the number of drawn starts. They stand for the paper's target points, the points
-// between which motions lead. From a start on, a node has one maneuver for each contact and
+// Times nodes by the number of drawn starts. The starts stand for the paper's target points, the
+// points between which motions lead. From a start on, a node has one maneuver for each contact and
 // direction.
 void NodesByStarts(benchmark::State& state) {
   StrategyOptions options = FixedNodes();

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::uint64_t kSeed = 1;
 
-// Times a trial as in `assay run --noise uniform`, once there is a plan. The noise floor is left
+// Times a trial as in `assay run --noise uniform`, after there is a plan. The noise floor is left
 // out, since all trials share it. Errors are drawn, the scene is compiled, its parts settle, the
 // plan is executed, and every claim of its certificates is compared with the simulation.
 void WholeTrial(benchmark::State& state, const std::string& name) {

@@ -13,7 +13,8 @@ class MovingPicture {
 
   // Appends a picture that is shown for `duration` seconds. All pictures have the same size.
   virtual void Add(const render::Image& image, double duration) = 0;
-  // Writes what is not written yet. Nothing can be added later. There must be a picture.
+  // Writes what is not written yet. No picture can be added after this call. At least one picture
+  // must have been added before.
   virtual void Finish() = 0;
 };
 

@@ -8,7 +8,7 @@
 
 namespace assay::render {
 
-// A point that should be visible once the moving shapes of a Sight are displaced by `moved`. Both
+// A point that should be visible when the moving shapes of a Sight are displaced by `moved`. Both
 // vectors are in the world frame, in metres.
 struct Glimpse {
   Vector3 point;

@@ -108,8 +108,8 @@ class Scene {
   // the table.
   void Clamp(mujoco::Data& data, PartId part, double force) const;
 
-  // Raise the tables by a height, metres, under one part or under the hand. The caller must raise
-  // whatever rests there as well.
+  // Raise the tables by a height, metres, under one part or under the hand. The caller must also
+  // raise whatever rests there.
   void SetTableHeight(mujoco::Data& data, PartId part, double height) const;
   double TableHeight(const mujoco::Data& data, PartId part) const;
   void SetTableHeightUnderHand(mujoco::Data& data, double height) const;

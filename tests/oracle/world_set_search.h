@@ -143,7 +143,7 @@ class WorldSetSearch {
   }
 
   // Returns whether the goal can be reached with branches on the sensed formulas, one after the
-  // other. Branches end once the goal is true.
+  // other. Branches end when the goal is true.
   bool CanSolveSensed(const WorldSet& worlds, Sensed sensed, int depth) {
     if (sensed.empty()) return CanSolve(worlds, depth);
     if (IsKnown(task_.goal, worlds, sensed)) return true;

@@ -7,8 +7,8 @@
 
 namespace assay::algebra {
 
-// The bounding methods, from the cheapest to the tightest. Each is conservative, and each is tried
-// only where the one before it left a gap.
+// The bounding methods, from the cheapest to the tightest. Each method is conservative, and is
+// tried only if the method before it left a gap.
 enum class BoundingMethod {
   kLinear,    // SUP/INF's exact linear core: linear expressions over inequalities
   kTermwise,  // the paper's method: each product of the normal form is bounded alone

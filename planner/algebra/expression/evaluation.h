@@ -6,8 +6,8 @@
 
 namespace assay::algebra {
 
-// Applies the operator, which is no power, to its operands. There is at least one operand, and there
-// are as many as the operator takes.
+// Applies the operator, which is no power, to its operands. The number of operands must be the one
+// that the operator takes, and at least one.
 Expression Apply(Operator op, std::span<const Expression> operands);
 
 // Returns the value of e at a point, which is indexed by VariableId. It is computed in doubles and

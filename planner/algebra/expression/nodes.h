@@ -14,8 +14,8 @@ std::vector<Expression> NodesOf(const Expression& e);
 std::size_t NodeCount(const Expression& e);
 
 // Returns the distinct sub-expressions of e. Operands come before the expressions that contain
-// them. It takes less time than NodesOf, because the nodes are not sorted by index. e must belong
-// to a pool.
+// them. This function takes less time than NodesOf, because it does not sort the nodes by index. e
+// must belong to a pool.
 std::vector<Expression> NodesInPostorder(const Expression& e);
 
 // Returns the variables that occur in e, by increasing number.

@@ -14,7 +14,8 @@
 namespace assay::algebra {
 
 // Expands the nodes of expressions, one by one, as polynomials in atoms. The operations below are
-// for the rules of operators, which say how a node is expanded once its operands are.
+// for the rules of operators, which say how a node is expanded after its operands have been
+// expanded.
 class Expansion {
  public:
   using Polynomial = PolynomialAlgebra::Polynomial;

@@ -123,7 +123,7 @@ struct OperatorRule {
   const Operator* companion = nullptr;
   bool follows_companion = false;
   // Compiles the operation, whose operands are steps already, and returns the step of its value.
-  // Null: as one step.
+  // Null: the operation becomes one step.
   int (*compile)(StepWriter& writer, const Expression& e, std::span<const int> operands) = nullptr;
 
   // ---- Normal form (expansion.h)
@@ -131,8 +131,8 @@ struct OperatorRule {
   // Expands the operation as a polynomial. Null: it is an atom.
   Polynomial (*expand)(Expansion& expansion, const Expression& e) = nullptr;
   Symmetry symmetry = Symmetry::kNone;  // of an atom
-  // Returns what replaces the square of an atom. `operand` is the expansion of its operand.
-  // Null: nothing does.
+  // Returns what replaces the square of an atom. `operand` is the expansion of its operand. Null:
+  // the square is not replaced.
   SquareOfAtom (*square)(Expansion& expansion, const Expression& atom,
                          const Polynomial& operand) = nullptr;
 

@@ -27,7 +27,7 @@ std::string DidYouMean(std::string_view text, const std::vector<std::string>& na
   return nearest.empty() ? "" : fmt::format("; did you mean '{}'?", nearest);
 }
 
-// Returns nothing if the number does not fit. Unlike strtod, from_chars ignores the locale. It does
+// Returns nothing if the number does not fit. Unlike strtod, from_chars ignores the locale and does
 // not accept '+'.
 template <class T>
 std::optional<T> Convert(std::string_view digits) {

@@ -28,8 +28,8 @@ struct Number {
 // interval.
 //
 // Marks are carried back to a fixed point within the reach of the numbers, through at most as many
-// assignments as the tree's longest way has actions. The marks are not complete, and numbers are
-// only a sample, where a sum has several functions or where there would be too many marks.
+// assignments as the tree's longest way has actions. If a sum has several functions, or if there
+// would be too many marks, the marks are not complete, and numbers are only a sample.
 class NumberMarks {
  public:
   // Keeps no reference.

@@ -22,7 +22,7 @@ enum class Sharing {
 //     1: ungrasp(can1)
 //
 // It must not be used for trees whose branches are nested many thousand deep (SizeOf), because the
-// indents would be as long.
+// indents would be many thousand characters long.
 std::string TextOf(const GroundTask& task, const PlanTree& tree, Sharing sharing);
 
 // Returns the text of a branch's outcome: "isSpillable(can1)", "!isSpillable(can1)", "f(a) = b".

@@ -15,8 +15,8 @@ enum class Guarantee {
   // guarantee
   kReachesGoal,
   kLeastDepth,  // the tree reaches the goal, and no tree has fewer actions on its longest path
-  // The tree has repeats. It reaches the goal if no outcome of sensing is avoided for ever. There
-  // is no plan without repeats.
+  // The tree has repeats. Such a tree reaches the goal if no outcome of sensing is avoided for
+  // ever. There is no plan without repeats.
   kIfFair,
 };
 

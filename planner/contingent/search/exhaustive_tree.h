@@ -9,8 +9,8 @@ namespace assay::contingent {
 
 struct ExhaustiveTree {
   std::optional<PlanTree> tree;
-  // True for a tree with repeats. It reaches the goal if no outcome of sensing is avoided for ever.
-  // There is no plan without repeats.
+  // True if the tree has repeats. Such a tree reaches the goal if no outcome of sensing is avoided
+  // for ever. There is then no plan without repeats.
   bool repeats = false;
   // True if all reachable states have been visited. Without a tree, this proves that there is no
   // plan.

@@ -14,11 +14,11 @@ struct RelaxedPlan {
   std::vector<ActionId> helpful;  // the first actions of the relaxed plan, sorted
 };
 
-// A relaxed problem in which knowledge is never lost. Actions make literals known. Sensing makes
-// known whichever of a literal and its negation is wanted. A relation of the initial state settles
-// its last member. The relaxed plan is found as in FF (Hoffmann and Nebel 2001), with costs that
-// are summed over preconditions. Its length is neither a lower nor an upper bound. A condition that
-// something is not known counts as true.
+// A relaxed problem in which knowledge is never lost. Actions make literals known. Sensing makes a
+// literal or its negation known, whichever is wanted. If all members of a relation of the initial
+// state are known except one, the relation makes this member known. The relaxed plan is found as in
+// FF (Hoffmann and Nebel 2001), with costs that are summed over preconditions. Its length is
+// neither a lower nor an upper bound. A condition that something is not known counts as true.
 class RelaxedKnowledgeGraph {
  public:
   explicit RelaxedKnowledgeGraph(const GroundTask& task);

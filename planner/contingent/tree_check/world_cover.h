@@ -7,7 +7,7 @@
 namespace assay::contingent {
 
 // Compares the worlds and histories with which the repeats of a tree begin. Numbers of which
-// nothing is known initially are ignored, because any other number serves as well.
+// nothing is known initially are ignored, because every other number would give the same result.
 class WorldCover {
  public:
   // Keeps references.

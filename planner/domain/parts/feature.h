@@ -40,9 +40,9 @@ struct Mouth {
 struct Wall {
   FaceId face;
   geometry::Polygon outline;  // in the face's x and y
-  // True if a greater clearance sets the wall back by as much: the pocket is widened along this
-  // axis. The walls of a round pocket go back by less, since their polygon stays within the circle:
-  // by the clearance times cos(180 degrees / sides).
+  // True if the wall is set back by the clearance, because the pocket is widened along this axis.
+  // The walls of a round pocket go back by less, since their polygon stays within the circle: by
+  // the clearance times cos(180 degrees / sides).
   bool moves_with_clearance = false;
 };
 

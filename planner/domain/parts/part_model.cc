@@ -13,7 +13,8 @@
 namespace assay::domain {
 namespace {
 
-// A hole is touched once a region reaches this far into its mouth or onto its wall, in metres.
+// A region touches a hole if it reaches at least this far into the hole's mouth or onto the hole's
+// wall, in metres.
 constexpr double kReached = 1e-7;
 
 bool IsUnder(const Feature& feature, FaceId face, const geometry::Polygon& region) {

@@ -21,7 +21,7 @@ using PartPair = std::pair<PartId, PartId>;
 
 // Knows at which poses the parts of a problem can be at the same time: no two of them overlap
 // beyond contact. If the believed poses of two parts overlap by rounding, up to kGreatestOverlap,
-// these parts may overlap by as much in all poses. Pockets are as narrow as the tolerance of the
+// these parts may overlap by this much in all poses. Pockets are as narrow as the tolerance of the
 // clearance permits.
 class PossibleStarts {
  public:

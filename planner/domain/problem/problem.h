@@ -27,7 +27,8 @@ struct Part {
   Pose X_WorldPart = Pose::Identity();  // pose at the start; derived if assembled
   // The state at the start. `resting` is None if the part leans, lies on another part or is
   // assembled. `hidden` has the features that the table or other parts cover. `position_class` is
-  // the stable pose that the part rests in, or else the one that hides the same features.
+  // the stable pose in which the part rests. If the part rests in no stable pose, it is the stable
+  // pose in which the table hides the same features.
   StablePoseId resting = StablePoseId::None();
   std::vector<FeatureNumber> hidden = {};
   StablePoseId position_class = StablePoseId::None();

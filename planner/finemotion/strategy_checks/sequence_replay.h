@@ -18,11 +18,11 @@ struct ReplayedSequence {
   std::optional<Unwanted> unwanted = {};
 };
 
-// Replays a sequence of maneuvers from other starts, and with larger errors, than it was found
-// with.
+// Replays a sequence of maneuvers from other starts, and with larger errors, than those with which
+// the sequence was found.
 class SequenceReplay {
  public:
-  // The problem's own multiple is ignored.
+  // The multiple of the errors in `problem` is ignored; Replay has its own argument for it.
   SequenceReplay(const SequenceProblem& problem, Starts& starts)
       : problem_(problem), starts_(starts) {}
 

@@ -45,7 +45,8 @@ struct StrategyOptions {
   // when no other search finds a strategy, to learn whether there is one. With 0, neither the
   // thorough search nor the search for an obstacle is made.
   int thorough_nodes = 3000;
-  // Errors drawn for exact replays: as many from the whole box, as many from its surface.
+  // Number of errors that are drawn for exact replays from the whole box, and again from its
+  // surface.
   int drawn = 32;
   MeetingTest test = MeetingTest::kExact;
   std::uint64_t seed = 1;

@@ -20,9 +20,9 @@ struct ContactManifold {
   std::vector<Point> points;
 };
 
-// A manifold has at most so many points. If there are more, the points are kept that are farthest
-// in as many directions, which are fixed to one of the solids. Points therefore do not change while
-// the solids rest on each other.
+// The greatest number of points of a manifold. If there are more points, those are kept that are
+// farthest in certain directions, one for each kept point. The directions are fixed to one of the
+// solids. Points therefore do not change while the solids rest on each other.
 inline constexpr std::size_t kMostContactPoints = 8;
 
 // Returns the contact of two solids that are at most `margin` apart, or none. The manifold is in

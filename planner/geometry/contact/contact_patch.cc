@@ -9,9 +9,9 @@ namespace assay::geometry {
 namespace {
 
 constexpr double kSamePoint = 1e-6;  // m
-// Cosine. A facet that is steeper to the plane is left out. The part of such a facet that is near
-// the plane is at the edge of another facet. Rounding must not decide whether this part is
-// considered.
+// A facet is left out if the cosine of the angle between the facet and the plane is less than this.
+// The part of such a facet that is near the plane is at the edge of another facet. Rounding must
+// not decide whether this part is considered.
 constexpr double kSteep = 1e-3;
 // The first direction, in turns between two directions. It is not a simple fraction, so that the
 // corners of a regular polygon are not equally far in a direction.

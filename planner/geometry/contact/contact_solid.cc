@@ -14,7 +14,8 @@ namespace {
 
 using Ends = std::pair<int, int>;
 
-// Returns the facet of each side, by the vertices from which and to which the facet's loop goes.
+// Returns the facet to which each side belongs. A side is given by its first and its last vertex,
+// in the direction of the facet's loop.
 std::map<Ends, int> SidesOf(const ConvexHull& hull) {
   std::map<Ends, int> sides;
   for (std::size_t f = 0; f < hull.facets.size(); ++f) {

@@ -63,7 +63,7 @@ JointPath Steps(const Body& body, const JointPath& path, double sagitta) {
     for (int k = 1; k <= count; ++k)
       steps.push_back(path[i] + static_cast<double>(k) / count * way);
   }
-  // The arm stands still: a step of length 0.
+  // If the arm stands still, there is one step of length 0.
   if (steps.size() == 1) steps.push_back(steps.front());
   return steps;
 }

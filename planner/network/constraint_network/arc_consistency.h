@@ -22,7 +22,8 @@ class ArcConsistency {
   struct Direction {
     int revised;            // the node at the other end, whose labels are revised
     int arc;                // the index that was given to AddArc
-    int most_unsupporting;  // the most labels of the changed node that one revised label forbids
+    int most_unsupporting;  // greatest number of labels of the changed node that one revised label
+                            // forbids
     int residues;           // index of the first label's residual support
     int next;               // the next direction of the same node, or kNoDirection
     const Word* supports;   // the supports of each label of the revised node

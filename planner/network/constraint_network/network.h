@@ -108,7 +108,7 @@ class Network {
   mutable Counters counters_;
   std::vector<Arc> arcs_;
   // Changes that are not propagated are in the queue of consistency_. Their propagation is due
-  // (owed_) once a check has found a labeling.
+  // (owed_) after a check has found a labeling.
   mutable bool propagated_ = true;
   bool owed_ = false;
 

@@ -66,14 +66,14 @@ inline constexpr ConditionKind kLandingHeight = {
     NeededBy::kPutdown, Origin::kPaper};
 
 // Every vertex that is to touch the table lies on the table. This holds where the hand brings the
-// part. If the part does not come upright, it also holds once the part has settled.
+// part. If the part does not come upright, it also holds after the part has settled.
 inline constexpr ConditionKind kFootprint = {
     "footprint",        "the part comes to stand on the table",
     Dimension::kLength, NeededBy::kPutdown,
     Origin::kPaper,     AbsorbedBy::kOtherPlace};
 
 // A line keeps the part's footprint and each neighbour's footprint apart, where the hand brings the
-// part and once the part has settled.
+// part and after the part has settled.
 inline constexpr ConditionKind kNeighbourClear = {
     "neighbour clear",  "the part does not touch other parts",
     Dimension::kLength, NeededBy::kPutdown,
@@ -140,7 +140,7 @@ inline constexpr ConditionKind kFixedStays = {
     "fixed stays", "the push of the mating does not move the fixed part aside", Dimension::kRatio,
     NeededBy::kMating, Origin::kSoundMode};
 
-// Once the hand has let it go, the held part is off its place by less than a successful assembly
+// After the hand has let it go, the held part is off its place by less than a successful assembly
 // allows (planner/domain/matings/mating_success.h). Either the walls of the holes leave no more
 // room, or the errors do not reach so far.
 inline constexpr ConditionKind kInPlace = {

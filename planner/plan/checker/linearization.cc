@@ -5,8 +5,8 @@
 namespace assay::plan {
 namespace {
 
-// Visits orders depth-first over prefixes: a step may come next once all steps that must precede it
-// have come.
+// Visits orders depth-first over prefixes: a step may come next after all steps that must precede
+// it have come.
 class LinearizationVisitor {
  public:
   LinearizationVisitor(int steps, const Ordering& ordering,

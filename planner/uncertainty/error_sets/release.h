@@ -19,7 +19,7 @@ bool ComesUpright(const UncertainWorld& world, const plan::Hold& hold, const Pos
 // give way about the approach vector, the part may not be turned at all.
 struct Leaning {
   double tilt = 0;   // how far the part leans
-  double twist = 0;  // turn about the vertical that is left once the table has levelled the part
+  double twist = 0;  // turn about the vertical that is left after the table has levelled the part
   double levelling = 0;  // angle of the levelling, by which the part's points move
 };
 // Returns the leaning of a part whose tool has the vertical `up` in its axes. `draw` is the hand's
@@ -39,9 +39,9 @@ RestingError Release(UncertainWorld& world, PartId part, const plan::Hold& hold,
                      const Transform& X_ToolGrasp, const ManipulatorError& draw,
                      const Pose& X_WorldPart);
 
-// Returns the error of a part once it is let go in the seat of a mating. Along the mating motion
-// the part stands where its seat is, and the seat is displaced like the fixed part. Across the
-// motion, the wrist may have yielded.
+// Returns the error of a part after the hand has let it go in the seat of a mating. Along the
+// mating motion the part stands where its seat is, and the seat is displaced like the fixed part.
+// Across the motion, the wrist may have yielded.
 RestingError ReleaseInSeat(UncertainWorld& world, domain::MatingId mating, const plan::Hold& hold,
                            const Transform& X_ToolGrasp, const ManipulatorError& draw);
 
@@ -58,8 +58,8 @@ struct Drag {
 };
 Drag DragOfFixed(const UncertainWorld& world, domain::MatingId mating, const plan::Hold& hold,
                  const ManipulatorError& draw);
-// Adds the movement that DragOfFixed returns to the error of the fixed part. (Paper mode leaves it
-// out.)
+// Adds the movement that DragOfFixed returns to the error of the fixed part. (Paper mode leaves
+// this movement out.)
 void DragFixed(UncertainWorld& world, domain::MatingId mating, const plan::Hold& hold,
                const ManipulatorError& draw);
 

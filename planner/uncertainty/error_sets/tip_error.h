@@ -23,7 +23,8 @@ TipWay WayOf(const plan::Strategy& strategy);
 // Returns two errors of the tip: the error at the start, and the error after the tip has been
 // turned as at the end. The second error is given as it is seen after the tip is turned back to the
 // start. Fine motion assumes that errors turn with the hand. The errors of the hand and of the
-// grasp do so, but those of the fixed part do not, so the two results differ. X_ToolGrasp is T'_d.
+// grasp turn with the hand, but the errors of the fixed part do not, so the two results differ.
+// X_ToolGrasp is T'_d.
 std::vector<TipError> TipErrors(const UncertainWorld& world, domain::MatingId mating,
                                 const plan::Hold& hold, const Transform& X_ToolGrasp,
                                 const TipWay& way);

@@ -81,8 +81,8 @@ class UncertainWorld {
   // interval arithmetic, and TightRangeOf the tighter bounding methods.
   Interval RangeOf(const Expression& expression) const;
   Interval TightRangeOf(const Expression& expression) const;
-  // Return bounds to first order. They need very little work if many parts of the expression have
-  // been bounded before.
+  // The next four functions return bounds to first order. These functions need very little work if
+  // many parts of the expression have been bounded before.
   algebra::Glance GlanceAbove(const Expression& expression, double limit) const;
   algebra::Glance GlanceBelow(const Expression& expression, double limit) const;
   algebra::Bound FirstOrderAbove(const Expression& expression) const;

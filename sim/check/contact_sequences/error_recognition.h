@@ -29,7 +29,7 @@ struct RecognitionTally {
 // Returns whether the contact that was named in an error state truly existed at some time in the
 // hundredth of a second before it was felt. If the error state names the loss of a contact, the
 // contact must have been absent at such a time. `bridged` holds spans from Bridged, so that a
-// contact that has just rebounded counts as there.
+// contact that has just rebounded counts as present.
 bool IsRight(const execution::RecognizedContact& named, const std::vector<ContactSpan>& bridged);
 
 // Adds the error states of one trial to `tally`. Error states in motions whose contacts were not

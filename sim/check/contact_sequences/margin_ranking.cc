@@ -14,7 +14,8 @@ namespace {
 
 constexpr int kDraws = 1000;
 constexpr double kTail = 0.025;
-// Radians by which the part may be turned in contacts that count, the same value as in the search.
+// A contact counts if errors of at most this turn, in radians, can lead to it. The search uses the
+// same value.
 constexpr double kSearchTurn = finemotion::MotionChecker::Options{}.turn;
 
 using Margins = std::map<ContactEvent, double>;

@@ -31,8 +31,9 @@ struct ConservatismOptions {
   double greatest = 64;     // the greatest multiple that is tried
   double precision = 0.25;  // relative precision of the multiples
   std::vector<VariedErrors> variables = {};  // empty: each variable, and all together
-  // Asked before each trial, by one thread at a time. True ends the comparison with the variables
-  // that are done. An empty function never ends it.
+  // This function is called before each trial, by one thread at a time. If it returns true, the
+  // comparison ends with the variables that are done. If the function is empty, all variables are
+  // compared.
   std::function<bool()> stop = {};
 };
 

@@ -11,7 +11,8 @@
 namespace assay::check {
 
 struct FalsificationOptions {
-  // Attempts at single steps, in all. If there are fewer than steps, the first steps have one each.
+  // The number of attempts at single steps, in all. If this number is less than the number of
+  // steps, each of the first steps has one attempt.
   std::int64_t attempts = 1000;
   std::uint64_t seed = 0;
   int jobs = 1;                 // threads; the result does not depend on it
@@ -19,9 +20,10 @@ struct FalsificationOptions {
   int shrunk = 3;  // the greatest number of violations that are shrunk to counterexamples
   // Called with the number of attempts made so far, from one thread at a time.
   std::function<void(std::int64_t)> progress = {};
-  // Asked before each attempt, from any thread. True ends the falsification with the results so
-  // far, and violations are kept as far as they are shrunk by then. If it is true when an execution
-  // throws Stopped (planner/base/stop.h), that attempt is dropped. An empty function never ends it.
+  // This function is called before each attempt, from any thread. If it returns true, the
+  // falsification ends with the results so far, and violations are kept as far as they are shrunk
+  // by then. If it returns true when an execution throws Stopped (planner/base/stop.h), the attempt
+  // of that execution is dropped. If the function is empty, all attempts are made.
   std::function<bool()> stop = {};
 };
 

@@ -9,7 +9,7 @@ namespace assay::check {
 // Counts the verdicts of a falsification, and keeps the worst result of each claim.
 class FalsificationTally {
  public:
-  // Keeps a reference to the result, whose certificates must be one for each step.
+  // Keeps a reference to the result, which must have one certificate for each step.
   explicit FalsificationTally(FalsificationResult& result) : result_(result) {}
 
   void Count(const Sample& sample);  // an attempt at a step

@@ -45,7 +45,8 @@ struct Approach {
 // The stage up to which a step is attempted, in the order of time.
 enum class Until { kPoised, kReached, kActed, kEnd };
 
-// The stage and time at which a claim was decided: nothing observed later changed its result.
+// The stage and time at which a claim was decided. Nothing that was observed later changed the
+// result of the claim.
 struct Decision {
   Until until = Until::kEnd;
   double seconds = 0;  // simulated time since the attempt began

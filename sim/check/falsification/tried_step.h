@@ -31,7 +31,7 @@ struct Aim {
   double seconds = 0;  // simulated time up to that stage
 };
 
-// Divides attempts among aims so that all get the same simulated time. Claims that are decided
+// Divides attempts among aims so that all aims get the same simulated time. Claims that are decided
 // sooner are attempted more often.
 std::vector<std::int64_t> Allotted(std::int64_t attempts, const std::vector<Aim>& aims);
 

@@ -115,7 +115,7 @@ void Narrow(const Fit& fit, const domain::Mating& mating, const Motion& motion, 
     return held_is_shaft ? X_FixedHeld : X_FixedHeld.inverse();
   };
   // The distance to the nominal seat is measured along the true direction of the motion. The held
-  // part counts as seated once it has moved by this distance in this direction.
+  // part counts as seated after it has moved by this distance in this direction.
   const Vector3 way = mating.X_FixedHeld.translation() - motion.X_FixedHeld.translation();
   const Pose seated = MovedOn(motion, way.dot(motion.direction));
   const double depth = std::max(0.0, fit.Depth(seen(seated)));

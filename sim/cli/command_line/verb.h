@@ -11,7 +11,7 @@ class App;
 
 namespace assay::cli {
 
-// The work of a verb once its arguments are read.
+// The work of a verb after its arguments have been read.
 using Execution = std::function<ExitCode()>;
 
 // A verb of the command line: `assay NAME ...`. Each verb has a file of its name, with its options

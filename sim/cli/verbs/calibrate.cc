@@ -94,7 +94,7 @@ std::int64_t Wanted(const Options& options) {
   return std::ssize(options.scenarios) * (options.trial ? 1 : options.trials);
 }
 
-// An interruption ends the measurement, with the trials until then.
+// An interruption ends the measurement, and the trials that were made until then are returned.
 std::vector<CalibrationTrial> MeasureAll(const std::vector<CalibratedScenario>& subjects,
                                          const Options& options) {
   Progress progress("measuring parts");

@@ -60,7 +60,8 @@ StepCommands CommandsToMate(const domain::Problem& problem, const WorldModel& wo
                             const plan::Action& assemble, const plan::Certificate& certificate);
 StepCommands CommandsToMateBy(const plan::Strategy& strategy, const domain::Problem& problem,
                               const WorldModel& world, const plan::Action& assemble);
-// The arm first goes home, so that it hangs over no part that does not lie there.
+// The arm first goes home, so that it hangs over no part except a part that lies below the home
+// posture.
 StepCommands CommandsToLook(const domain::Problem& problem, const plan::Action& sense,
                             const plan::Certificate& certificate);
 // The gripper closes on the part as in a pickup, and releases it in place.

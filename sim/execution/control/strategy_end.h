@@ -14,7 +14,8 @@ struct ErrorState {
   TrialOutcome outcome = TrialOutcome::kSucceeded;
   std::string reason = {};
   int motion = 0;  // index of the motion in which it occurred
-  // Missing if the plan does not know this error state.
+  // The contact by which the error state was recognized; missing if the plan does not know this
+  // error state.
   std::optional<RecognizedContact> recognized = {};
   double time = 0;  // when it occurred, simulated seconds
   // The way in which a stuck part is held by the contacts that the engine has at that time. Control

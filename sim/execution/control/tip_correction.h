@@ -16,12 +16,14 @@ class TipCorrection {
 
   // Call it at the start of each attempt.
   void BeginAttempt() { X_TipTool_ = arm_.X_TipTool(); }
-  // After a motion to X_FixedTip, kept contacts are where the plan has them.
+  // Corrects the tip so that, after a motion to X_FixedTip, kept contacts are where the plan has
+  // them.
   void LearnKept(const PressedContacts& kept, const Pose& X_FixedTip);
-  // A contact that was made on the way `along` is where the plan has it, too.
+  // Corrects the tip so that a contact that was made on the way `along` is where the plan has this
+  // contact.
   void LearnMade(int contact, const Pose& X_FixedTip, const Vector6& along);
-  // In an error state, the tip is near the mean of the errors that lead to that state, and the
-  // touching contacts touch.
+  // Corrects the tip in an error state: the tip's error is taken to be near the mean of the errors
+  // that lead to that state, and the touching contacts touch.
   void LearnError(const ErrorState& error);
 
  private:

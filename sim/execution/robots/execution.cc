@@ -35,7 +35,8 @@ std::vector<BodyNames> ContactPairs(const mujoco::Data& data) {
   return {pairs.begin(), pairs.end()};
 }
 
-// The forces of the contacts must be valid. Points of other pairs are left out.
+// Returns the contact points of these pairs of bodies. The forces of the simulation's contacts must
+// be valid.
 std::vector<ContactPoint> ContactPoints(const mujoco::Data& data,
                                         const std::vector<BodyNames>& pairs) {
   std::vector<ContactPoint> points;

@@ -14,10 +14,10 @@ namespace assay::execution {
 // made the first ones. Results are kept by one thread at a time, so that keeping them needs no
 // lock.
 //
-// No more pieces are begun once `stop` has said so, or once a piece of work or keeping its result
-// has thrown. Pieces that take long ask Ends, and end by throwing anything. What a piece throws
-// after a stop is dropped, with its result. The first other exception is thrown again when the
-// pieces that were begun have ended, and no result is kept after it.
+// No more pieces are begun after `stop` has returned true, or after a piece of work or keeping its
+// result has thrown. Pieces that take long ask Ends, and end by throwing anything. What a piece
+// throws after a stop is dropped, with its result. The first other exception is thrown again when
+// the pieces that were begun have ended, and no result is kept after it.
 class Scheduler {
  public:
   // `stop` is asked before each piece, by one thread at a time; empty: nothing stops the work.

@@ -16,7 +16,7 @@ struct ViewedTrial {
   std::string FileName() const;  // "trial-17.html"
 };
 
-// Makes such a page and returns its address as seen from the report.
+// Makes the page and returns its address as seen from the report.
 using ViewMaker = std::function<std::string(const ViewedTrial& viewed)>;
 
 // Returns a link to the page. Without a maker, it returns the command that makes the page of a

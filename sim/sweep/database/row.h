@@ -130,7 +130,7 @@ void WriteRows(Statement& statement, int key, const std::vector<Record>& records
   for (const Record& record : records) WriteRow(statement, std::tuple(key), record);
 }
 
-// Returns a record from a row whose columns begin with so many keys.
+// Returns a record from a row whose first columns are keys. `keys` is the number of these columns.
 template <class Record>
 Record ReadRow(const Statement& row, int keys) {
   Record record;
@@ -139,8 +139,8 @@ Record ReadRow(const Statement& row, int keys) {
   return record;
 }
 
-// Returns the records of the rows that a query finds: "verdict WHERE trial = ? ORDER BY step".
-// The rows begin with so many keys.
+// Returns the records of the rows that a query finds: "verdict WHERE trial = ? ORDER BY step". The
+// first `keys` columns of the rows are keys.
 template <class Record, class... Values>
 std::vector<Record> ReadRows(const Database& database, std::string_view from, int keys,
                              const Values&... values) {

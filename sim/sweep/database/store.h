@@ -33,9 +33,9 @@ struct TimedTrial {
 
 // The results of a sweep in an SQLite database. Its tables are sweep, run, cell, gate,
 // gate_component, claim, trial, verdict, observation, attack, falsification_worst, counterexample,
-// conservatism, timing and planning (schema.cc). They keep their meaning once released. All tables
-// but `run`, `timing` and `planning` are the same, row for row, for the same sweep. They do not
-// depend on the number of threads, shards and starts of the program.
+// conservatism, timing and planning (schema.cc). After a release of the program they keep their
+// meaning. All tables but `run`, `timing` and `planning` are the same, row for row, for the same
+// sweep. They do not depend on the number of threads, shards and starts of the program.
 //
 // Added data are on the disk when the call returns, either all of them or none. Errors are those of
 // Database.

@@ -8,7 +8,7 @@
 namespace assay::view {
 namespace {
 
-// The samples' numbers: a row for each sample, from which each series takes a column.
+// A table of numbers. Each sample is a row of the table, and each series is a column.
 class Table {
  public:
   void BeginRow() { column_ = 0; }

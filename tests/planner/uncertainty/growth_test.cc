@@ -50,8 +50,8 @@ void Count(const plan::Certificate& certificate, Work& work) {
   }
 }
 
-// Returns the works, where works[n - 1] belongs to n. They end at kMost or where the text becomes
-// too long.
+// Returns the works, where works[n - 1] belongs to n. The list ends at kMost or where the text
+// becomes too long.
 std::vector<Work> WorkOf(double lean) {
   const auto plan = bench::MakePickAndPlace(kMost, lean);
   UncertainWorld world(plan.problem, Propagation::kSound);

@@ -223,7 +223,7 @@ TEST(Mutation, EachLieChangesWhatIsCertified) {
   };
   for (const Mutation& mutation : MutationsOf(certified)) {
     // The other lies may change nothing. For example, what is forgotten about a part is known again
-    // once the part is in its seat.
+    // after the part has come into its seat.
     if (mutation.lie != Lie::kHalvedSet && mutation.lie != Lie::kForgottenError) continue;
     EXPECT_TRUE(changed(CertifiedWith(mutation, certified))) << mutation.Text(certified);
   }

@@ -17,10 +17,10 @@ export class Beside {
         element('figure', {class: 'half'}, this.picture.surface, element('figcaption', {}, name));
   }
 
-  // Returns the time of this execution that is shown beside a time of the first execution. It is in
-  // the same step, after the same share of the step. If the first execution broke the step off,
-  // this share is unknown, and the same number of seconds after the step's beginning is taken. An
-  // execution without steps is shown at the same time.
+  // Returns the time of this execution that is shown beside a time of the first execution. The
+  // returned time is in the same step, after the same share of the step. If the first execution
+  // broke the step off, this share is unknown, and the same number of seconds after the step's
+  // beginning is taken. An execution without steps is shown at the same time.
   timeBeside(time) {
     if (this.times.length === 0) return Math.min(time, this.recording.end);
     const index = this.steps.findIndex((step) => step.from !== undefined && time < step.to);

@@ -54,7 +54,7 @@ export class ContactMarks {
         buffer(most), new three.PointsMaterial({...look, size: 5, sizeAttenuation: false})));
     this.normals = inFront(new three.LineSegments(
         buffer(2 * most), new three.LineBasicMaterial({...look, opacity: 0.6})));
-    // Both begin at the origin and point along y.
+    // The shaft and the head of an arrow begin at the origin and point along y.
     this.shafts = arrows(new three.CylinderBufferGeometry(1, 1, 1, 5).translate(0, 0.5, 0));
     this.heads = arrows(new three.ConeBufferGeometry(1, 1, 8).translate(0, 0.5, 0));
     this.root.add(this.dots, this.normals, this.shafts, this.heads);

@@ -199,7 +199,7 @@ TEST_F(CertificateCheckTest, AStepThatIsStoppedOnItsWayIsTheOneThatDoesNotComeTo
   trace.events.push_back(
       execution::ExecutionEnd{execution::TrialOutcome::kOverload, "", snapshot_});
   EXPECT_EQ(stopped(trace, order[1]), order[1]);
-  // Without a first step, the trace is taken to begin with the first step of the plan. Once that
+  // Without a first step, the trace is taken to begin with the first step of the plan. After that
   // step has ended, the next step is the one that is stopped.
   EXPECT_EQ(stopped(trace, plan::StepId::None()), order[0]);
   trace.events.insert(trace.events.begin(), execution::StepEnd{order[0], "", "", snapshot_});

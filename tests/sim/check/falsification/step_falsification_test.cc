@@ -81,7 +81,8 @@ const Claim* Find(const std::vector<Claim>& claims, const Claim& claim) {
   return found == claims.end() ? nullptr : &*found;
 }
 
-// An attempt that is broken off once a claim is decided observes exactly the same for that claim.
+// An attempt that is broken off when a claim is decided observes exactly the same values for that
+// claim as an attempt to the end.
 TEST_F(PickupAfterALook, ABrokenOffAttemptSaysTheSameOfWhatIsDecided) {
   const PoisedTrial poised = Poised();
   const StepAttempt whole = falsification_.Attempt(poised, Corner(), Until::kEnd);

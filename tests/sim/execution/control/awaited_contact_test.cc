@@ -23,7 +23,7 @@ TEST(AwaitedContact, ThatBearsEnoughIsMade) {
 }
 
 // Two contacts share the pressing force like the ends of a lever. The awaited contact counts as
-// made once it bears more than half of the force. More cannot be demanded, because the contacts may
+// made when it bears more than half of the force. More cannot be demanded, because the contacts may
 // be near each other.
 TEST(AwaitedContact, ThatBearsMoreThanWhatIsKeptIsMade) {
   for (const double share : {0.3, 0.45, 0.55, 0.7}) {
