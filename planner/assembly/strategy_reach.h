@@ -17,8 +17,9 @@ struct Unreached {
   domain::PartId obstacle = {};
 };
 
-// The arm's joint values at the start of the strategy, in a configuration in which it reaches the
-// ends of all motions and the hand is free of all parts there. If there is none, the obstruction.
+// The arm's joint values at the start of the strategy, in a configuration in which the arm reaches
+// the ends of all motions and the hand touches no part there. If there is no such configuration,
+// the obstruction.
 using StrategyReach = std::variant<kinematics::JointVector, Unreached>;
 
 // Returns the start of the strategy if the arm can execute it, and the obstruction otherwise.

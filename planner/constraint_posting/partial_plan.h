@@ -45,7 +45,7 @@ struct Threat {
 
 // The goal that a part is not where it was at the start, as precondition number `precondition` of
 // the consumer. `why` says what cannot be proved about the consumer as long as the part is there.
-// It is empty if the consumer could not even be executed.
+// `why` is empty if the consumer could not even be executed.
 struct RequiredMove {
   StepId consumer;
   domain::PartId part;

@@ -82,7 +82,7 @@ bool StepGeometry::WorksGivenRoom(const World& world, StepId step,
           PartLeaves(world, step, action.part, grasp, blame));
 }
 
-// A part on which another one stands would push it up.
+// A part that goes up would push up another part that stands on it.
 bool StepGeometry::PartLeaves(const World& world, StepId step, PartId part, GraspId grasp,
                               Blame& blame) const {
   constexpr double kFirst = 0.1;  // share of the straight way that leads off a touching part

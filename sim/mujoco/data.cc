@@ -217,7 +217,7 @@ void Data::Restore(const State& state) {
   CopyBack(state.eq_data, mjNEQDATA * m.neq, m.eq_data);
   CopyBack(state.geom_pos, 3 * m.ngeom, m.geom_pos);
   Forward();
-  // The warm start comes last, because Forward leaves its own accelerations there.
+  // The warm start is restored last, because Forward overwrites it with its own accelerations.
   CopyBack(state.qacc_warmstart, m.nv, d.qacc_warmstart);
 }
 

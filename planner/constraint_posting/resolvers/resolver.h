@@ -53,8 +53,8 @@ class Resolver {
   // Returns true if the inserted actions may move parts. Actions that move no part are inserted
   // even if they prove nothing, as long as they bring a step nearer to a proof.
   virtual bool disturbs() const { return true; }
-  // Returns the conditions that its remedies may absorb. If other conditions of a step fail even
-  // with all knowledge that remedies could give, no remedy can prove the step.
+  // Returns the conditions that the remedies of this resolver may absorb. If other conditions of a
+  // step fail even with all knowledge that remedies could give, no remedy can prove the step.
   virtual std::vector<plan::Condition> absorbs() const { return {}; }
   // Returns remedies that are worth trying, alone or together with remedies for other parts, best
   // first. The operational and geometric preconditions of their inserted actions hold. Their

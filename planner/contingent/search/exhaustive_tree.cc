@@ -121,8 +121,8 @@ class ExhaustiveTreeSearch {
   }
 
   // Computes least depths from the goals backward (Knuth 1977, a generalization of Dijkstra's
-  // algorithm). A transition is as deep as the deepest of its outcomes. Its depth is known when the
-  // last outcome's is.
+  // algorithm). A transition is as deep as the deepest of its outcomes. The depth of a transition
+  // is known when the depth of its last outcome is known.
   void ComputeDepths() {
     depths_.clear();
     std::unordered_map<StateId, std::vector<std::pair<StateId, int>>> leading_to;

@@ -15,11 +15,11 @@ namespace assay::contingent {
 // node has been sensed. A literal is not known if it is false in each world. It is not known either
 // if nothing on any path has said anything about its atom, so that each history allows both values.
 //
-// The tree holds, or it fails because a required literal is false in one of the worlds or because a
-// query fails on every path. Returns none if sets cannot decide this. Returns none, too, if task or
-// tree contain a function, an update rule, a repeat, Kx as an effect, sensing under a condition, or
-// an effect that depends on knowledge. The check shares with the planner the diagrams and their
-// variable order, which cannot make a wrong set, and no inference.
+// The answer is that the tree holds, or that it fails because a required literal is false in one of
+// the worlds or because a query fails on every path. Returns none if sets cannot decide this.
+// Returns none, too, if task or tree contain a function, an update rule, a repeat, Kx as an effect,
+// sensing under a condition, or an effect that depends on knowledge. The check shares with the
+// planner the diagrams and their variable order, which cannot make a wrong set, and no inference.
 std::optional<TreeCheck> CheckBySets(const GroundTask& task, const PlanTree& tree);
 
 }  // namespace assay::contingent

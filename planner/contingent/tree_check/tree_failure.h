@@ -25,7 +25,7 @@ class TreeFailure {
   void GoBack(std::size_t depth) { steps_.resize(depth); }
 
   // Records a failure at the end of the path, unless a failure was recorded before. The message
-  // names the steps and the world, or the first world of the history if it is null.
+  // names the steps and the world, or the first world of the history if `world` is null.
   void Fail(const std::string& what, const History& history, const World* world = nullptr);
   // Records a failure if a function got two values at once, unless a failure was recorded before.
   void FailIfTwoValued(const History& history);

@@ -10,8 +10,8 @@
 namespace assay::finemotion {
 
 // The directions of the kept contacts' gaps, along which force control allows no motion. They are
-// orthonormal, with rotations times the radius as lengths. Each has the shift that tolerances
-// cause.
+// orthonormal, with rotations times the radius as lengths. Each direction has the shift that
+// tolerances cause.
 class KeptDirections {
  public:
   KeptDirections(const std::vector<const PrimitiveContact*>& kept,

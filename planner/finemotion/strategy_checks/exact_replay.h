@@ -20,9 +20,9 @@ class ExactPart {
 
   const Pose& X() const { return X_; }
 
-  // Moves the part by up to `most` displacements and returns the first contact made, kept contacts
-  // aside, or none. The part is turned about `believed`, the believed position of the tip in
-  // metres.
+  // Moves the part by up to `most` displacements and returns the first contact that is made, or
+  // none. Kept contacts are not considered. The part is turned about `believed`, the believed
+  // position of the tip in metres.
   std::optional<ContactKey> Move(const Command& command, double most, Vector3 believed);
   // Returns whether the contact's point is at most `beside` metres beside its features.
   bool Touches(const ContactKey& key, double beside) const;

@@ -16,7 +16,8 @@ struct ErrorSum {
   PoseChange sum = PoseChange::Zero();
   int count = 0;
 };
-// Index of motion, name of contact, whether it is lost.
+// A contact or a loss: the index of the motion, the name of the contact, and whether the contact is
+// lost.
 using ErrorState = std::tuple<std::size_t, std::string, bool>;
 
 std::map<ErrorState, ErrorSum> ErrorStatesOf(const ExactReplay& replay,

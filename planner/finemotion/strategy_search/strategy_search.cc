@@ -61,7 +61,7 @@ class StrategySearch {
   }
 
  private:
-  // The state of one attempt. Multiples refer to its errors.
+  // The state of one attempt. Multiples are multiples of the attempt's errors.
   struct Trying {
     Trying(const StrategySearch& search, const Attempt& with, SequenceSearch::Effort effort)
         : attempt(with),

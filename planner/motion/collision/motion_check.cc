@@ -13,7 +13,7 @@
 namespace assay::motion {
 namespace {
 
-// Share of the distance in a given posture that must be kept elsewhere.
+// The share of the distance in a given posture that must be kept in the rest of the motion.
 constexpr double kShareOfGiven = 0.9;
 constexpr double kFar = std::numeric_limits<double>::infinity();
 constexpr int kFirstOfWrist = 4;  // link of the arm: the axes beyond it meet in one point

@@ -65,8 +65,8 @@ std::string Describe(const CollisionScene& scene, const MotionRules& rules,
 //
 // Where joints may sway, a pair is tested in a box of the joints that move its bodies against each
 // other. The box is halved until the pair is decided. Links from the wrist on are tested against
-// standing bodies as seen from the tool, whose errors are small, and not from the arm's base. Their
-// box contains the joints between the link and the tool.
+// standing bodies as seen from the tool, whose errors are small, and not from the arm's base. The
+// box of such a link contains the joints between the link and the tool.
 class MotionCheck {
  public:
   MotionCheck(const CollisionScene& scene, const MotionRules& rules);

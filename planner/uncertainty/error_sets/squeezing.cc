@@ -149,8 +149,8 @@ class Closing {
     return std::max(hold.width / 2, mass.high);
   }
 
-  // Returns the slip of the grasped point in an upright tool. A pushed part turns first to the
-  // turned position and then back; any other only turns back.
+  // Returns the slip of the grasped point in an upright tool. A part that is pushed turns first to
+  // the turned position and then back; any other part only turns back.
   double StraightSlip() const {
     const double across = lever_ * (pushed_turn_ + std::sin(turn_));
     const double along = 2 * pad_x_ * (1 - std::cos(turn_));

@@ -4,7 +4,6 @@
 
 #include "planner/geometry/coordinates.h"
 
-
 namespace assay::uncertainty {
 
 using geometry::Vector2;
@@ -25,8 +24,8 @@ struct PadCell {
 // The forces and torsions that the friction of pads bears without slipping. They are the inside of
 // the limit surface of Goyal, Ruina and Papadopoulos (1991), under Coulomb's law and a pressure
 // that is even over each pad's touching patch. Each cell's pressure is taken to act in its middle.
-// This bears less than the same pressure spread over the cell, since friction's power in a rotation
-// is a convex function of the place.
+// Such pressures bear less than the same pressures spread over the cells, since friction's power in
+// a rotation is a convex function of the place.
 class PadFriction {
  public:
   explicit PadFriction(std::vector<PadCell> cells);

@@ -18,7 +18,7 @@ enum class Holding {
 std::string_view Name(Holding holding);  // for example "wedge"
 
 // Returns how the contacts felt in a motion under control can hold a part that is pushed along
-// `way` (unit). Their places are relative to the point that is pushed. `length` is
+// `way` (unit). The places of the contacts are relative to the point that is pushed. `length` is
 // plan::Strategy::length.
 Holding HoldingOf(const std::vector<plan::StrategyContact>& contacts, const geometry::Vector3& way,
                   double friction, double length);

@@ -152,8 +152,8 @@ Progress Execution::TakeUpHandError(const Pose& error) {
   return Follow(way, way.duration());
 }
 
-// The arm has the commanded state at the beginning of each timestep. After the timestep it is
-// therefore where the trajectory is one timestep later.
+// The arm has the commanded state at the beginning of each timestep. At the end of the timestep,
+// the arm is therefore where the trajectory is one timestep later.
 Progress Execution::Follow(const JointTrajectory& asked, double fine_from) {
   const JointTrajectory trajectory = AsCarried(asked, problem_, world_);
   if (asked.duration() > 0) fine_from *= trajectory.duration() / asked.duration();

@@ -17,8 +17,8 @@ namespace assay::constraint_posting {
 // only a remedy that absorbs the goal can help.
 class BestKnown {
  public:
-  // Returns true if these worlds bound all remedies. They do not if the bounds of an error exclude
-  // 0, or if errors of different actions may cancel (paper propagation).
+  // Returns true if these worlds bound all remedies. They do not bound all remedies if the bounds
+  // of an error exclude 0, or if errors of different actions may cancel (paper propagation).
   static bool Bounds(const domain::Problem& problem, uncertainty::Propagation propagation);
 
   // The problem must outlive the object.
