@@ -18,7 +18,7 @@ inline constexpr double kRounding = 1e-9;
 using FaceId = Id<struct FaceTag>;
 using FeatureNumber = Id<struct FeatureTag>;  // number in the part file
 
-// The whole exposed surface of a part that lies in one plane and looks the same way.
+// The whole exposed surface of a part that lies in one plane and has the same outward normal.
 struct Face {
   Vector3 normal;                          // unit, outward, part frame
   double offset = 0;                       // normal . p == offset on the face

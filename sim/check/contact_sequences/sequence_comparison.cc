@@ -11,7 +11,7 @@ bool IsProperPart(const ContactSet& part, const ContactSet& of) {
 }
 
 // Returns whether the observed state lies on the way between two planned states. Contacts of the
-// first planned state that the second lacks open one after the other.
+// first planned state that are not in the second planned state open one after the other.
 bool IsLettingGo(const ContactSet& from, const ContactSet& to, const ContactSet& before,
                  const ContactSet& observed) {
   return IsProperPart(observed, from) && IsProperPart(observed, before) &&
