@@ -103,6 +103,24 @@ TEST_F(PageOfFigure15, CountsEveryPrecondition) {
   }
 }
 
+// The planner computes one number for the whole way of the arm, and for the load that the pads
+// bear. Such a number counts all errors, and says nothing about an execution without errors.
+TEST_F(PageOfFigure15, ANumberForAllErrorsIsNoValueWithoutErrors) {
+  std::set<std::string> with_nominal, without_nominal;
+  for (const Json& step : data()["steps"]) {
+    for (const Json& group : step["preconditions"]) {
+      (group.contains("nominal") ? with_nominal : without_nominal)
+          .insert(group["condition"].get<std::string>());
+      if (!group.contains("nominal")) {
+        EXPECT_TRUE(group["costs"].empty());
+      }
+    }
+  }
+  EXPECT_TRUE(with_nominal.contains("between fingers"));
+  EXPECT_TRUE(without_nominal.contains("way clear"));
+  EXPECT_TRUE(without_nominal.contains("holding"));
+}
+
 // A way of the arm is either proved, or the page says what errors may cause on it.
 TEST_F(PageOfFigure15, SaysWhyAWayIsNotProved) {
   int unproved = 0;
