@@ -11,6 +11,8 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "planner/plan/certificates/condition_table.h"
+#include "planner/plan/certificates/coverage.h"
 #include "planner/plan/certificates/not_covered.h"
 #include "tests/sim/view/recording/series_decoder.h"
 #include "tests/sim/view/viewed_execution.h"
@@ -101,6 +103,18 @@ TEST_F(PageOfFigure15, CountsEveryPrecondition) {
     EXPECT_EQ(open, std::ranges::count_if(claims, [](const auto& c) { return !c.holds(); }));
     ++at;
   }
+}
+
+// A plan by the paper's rules leaves out conditions. Its page does not say that all is proved.
+TEST_F(PageOfFigure15, SaysThatCertificatesAreAsPublished) {
+  EXPECT_FALSE(data().contains("asPublished"));
+  plan::Plan plan = Figure15().plan;
+  plan.steps[0].certificate.not_needed.push_back(
+      {plan::condition::kReach, std::string(plan::kNotPublished)});
+  Subject subject = Figure15().subject();
+  const Json published = DataIn(Page(
+      {.problem = subject.problem, .plan = plan, .scene = subject.scene, .trace = subject.trace}));
+  EXPECT_EQ(published["asPublished"], true);
 }
 
 // The planner computes one number for the whole way of the arm, and for the load that the pads
