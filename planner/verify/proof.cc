@@ -68,6 +68,10 @@ std::string CertificateProofs::ExpressionText(const CertifiedPrecondition& claim
   return algebra::Text(algebra::Simplify(algebra_.Read(claim.expression)));
 }
 
+bool CertificateProofs::IsNumber(const CertifiedPrecondition& claim) const {
+  return algebra::Simplify(algebra_.Read(claim.expression)).IsConstant();
+}
+
 Proof CertificateProofs::Of(const CertifiedPrecondition& claim) const {
   const algebra::ExpressionPool& pool = algebra_.pool();
   const algebra::ConstraintSet& box = algebra_.box();
@@ -75,7 +79,8 @@ Proof CertificateProofs::Of(const CertifiedPrecondition& claim) const {
   const bool less = claim.relation == Relation::kLess;
   std::vector<double> point;
   for (const Interval& range : box.box) point.push_back(MiddleOf(range));
-  Proof proof = {.claim = claim, .nominal = algebra::Evaluate(e, point)};
+  Proof proof = {
+      .claim = claim, .is_number = e.IsConstant(), .nominal = algebra::Evaluate(e, point)};
   proof.terms = TermTexts(e, box);
   std::vector<std::optional<double>> worst(box.box.size());
   for (const auto& [name, value] : claim.worst) {

@@ -30,6 +30,9 @@ struct NarrowedVariable {
 // certificate.
 struct Proof {
   const plan::CertifiedPrecondition& claim;
+  // True if the expression is a number: the planner computed it for all errors together. It then
+  // has no value for single errors, and nothing is known about the effect of one variable.
+  bool is_number = false;
   double nominal = 0;                   // value in the middle of all ranges
   std::optional<double> at_worst = {};  // value at the worst corner, if one is stated
   std::vector<std::string> terms = {};  // terms of the expression; those that vary most come first
@@ -50,6 +53,8 @@ class CertificateProofs {
   Proof Of(const plan::CertifiedPrecondition& claim) const;
   // Returns the precondition's expression as a sum, in full.
   std::string ExpressionText(const plan::CertifiedPrecondition& claim) const;
+  // Returns whether the precondition's expression is a number (Proof::is_number).
+  bool IsNumber(const plan::CertifiedPrecondition& claim) const;
 
  private:
   CertificateAlgebra algebra_;

@@ -61,7 +61,7 @@ std::string StandingOf(const ClaimGroup& group, const plan::PlannedStep& step) {
 }
 
 void AddProof(const verify::Proof& proof, Json& data) {
-  data["nominal"] = proof.nominal;
+  if (!proof.is_number) data["nominal"] = proof.nominal;
   data["costs"] = CostsOf(proof);
   if (proof.claim.holds()) return;
   data["refuted"] = proof.IsRefuted();

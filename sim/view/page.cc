@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "planner/plan/certificates/coverage.h"
 #include "planner/plan/certificates/not_covered.h"
 #include "sim/render/ghost.h"
 #include "sim/report/charts/palette.h"
@@ -159,6 +160,7 @@ Json DataOf(const Subject& subject) {
   AddUnprovedWays(subject.problem, subject.plan, subject.scene, data["steps"]);
   data.update(PictureData(subject.plan, subject.scene, subject.trace));
   if (!subject.summary.empty()) data["summary"] = subject.summary;
+  if (plan::IsAsPublished(subject.plan)) data["asPublished"] = true;
   if (subject.way) AddWay(*subject.way, data);
   if (subject.beside) data["beside"] = BesideData(subject.plan, *subject.beside);
   return data;

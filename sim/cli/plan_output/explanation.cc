@@ -69,10 +69,16 @@ std::vector<ClaimKind> KindsOf(const std::vector<CertifiedPrecondition>& precond
 
 Unit UnitOf(const CertifiedPrecondition& claim) { return ShownUnitOf(claim.condition->dimension); }
 
+// Returns whether the bound is infinite, or is the number that stands for a load that nothing
+// bears.
+bool IsUnbounded(const CertifiedPrecondition& claim) {
+  return !std::isfinite(claim.bound) || claim.IsUnborne();
+}
+
 // Returns the bound: "INF -23.01 mm".
 std::string BoundText(const CertifiedPrecondition& claim) {
   return fmt::format("{} {}", claim.relation == Relation::kLess ? "SUP" : "INF",
-                     QuantityText(claim.bound, UnitOf(claim)));
+                     IsUnbounded(claim) ? "infinite" : QuantityText(claim.bound, UnitOf(claim)));
 }
 
 // Returns the limit: "> -19.55 mm".
@@ -82,7 +88,7 @@ std::string LimitText(const CertifiedPrecondition& claim) {
 }
 
 std::string MarginText(const CertifiedPrecondition& claim) {
-  return QuantityText(claim.margin, UnitOf(claim));
+  return IsUnbounded(claim) ? "none" : QuantityText(claim.margin, UnitOf(claim));
 }
 
 std::string GapText(const CertifiedPrecondition& claim) {
@@ -178,6 +184,7 @@ std::string Verdict(const Proof& proof) {
     return fmt::format("proved with {} to spare", MarginText(proof.claim));
   }
   if (proof.claim.IsUnborne()) return "at worst, nothing bears the load";
+  if (IsUnbounded(proof.claim)) return "no finite bound is known";
   const std::string short_by = QuantityText(-proof.claim.margin, UnitOf(proof.claim));
   return proof.IsRefuted()
              ? fmt::format("{} short of a proof; at the worst corner it is false", short_by)
@@ -195,17 +202,22 @@ std::string RemedyText(const Proof& proof) {
                      RangeText(remedy.range, unit), unit.name);
 }
 
+// Returns the values of the expression: "0 mm if all is as believed, 7 mm at the worst corner".
+std::string ValuesText(const Proof& proof) {
+  if (proof.is_number) return "one number for all errors together";
+  const Unit unit = UnitOf(proof.claim);
+  const std::string text = QuantityText(proof.nominal, unit) + " if all is as believed";
+  if (!proof.at_worst) return text;
+  return fmt::format("{}, {} at the worst corner", text, QuantityText(*proof.at_worst, unit));
+}
+
 // Returns the whole proof of one precondition.
 std::string ChainText(const Proof& proof) {
   const CertifiedPrecondition& claim = proof.claim;
-  const Unit unit = UnitOf(claim);
-  std::string text =
-      fmt::format("  {}, must be {}: {}\n", BoundText(claim), LimitText(claim), Verdict(proof));
-  text += fmt::format("  {} if all is as believed", QuantityText(proof.nominal, unit));
-  if (proof.at_worst) {
-    text += fmt::format(", {} at the worst corner", QuantityText(*proof.at_worst, unit));
-  }
-  text += fmt::format("; rung {}, gap {}\n", claim.method, GapText(claim));
+  const std::string text = fmt::format("  {}, must be {}: {}\n  {}; rung {}, gap {}\n",
+                                       BoundText(claim), LimitText(claim), Verdict(proof),
+                                       ValuesText(proof), claim.method, GapText(claim));
+  if (proof.is_number) return text;
   return text + FoldedSum(proof.terms) + VariablesText(proof) + RemedyText(proof);
 }
 
@@ -260,8 +272,10 @@ std::string KindText(const ClaimKind& kind, const CertificateProofs& proofs, boo
   std::string text = fmt::format("\n{}: {}: {}\n", kind.condition.name(), kind.meaning,
                                  StandingText(unproved, all, absorbed));
   if (!in_full) {
-    return text + fmt::format("    {}\n", OneLine(proofs.ExpressionText(*kind.claims.front()))) +
-           ClaimsTable(kind.claims);
+    if (!proofs.IsNumber(*kind.claims.front())) {
+      text += fmt::format("{}{}\n", kIndent, OneLine(proofs.ExpressionText(*kind.claims.front())));
+    }
+    return text + ClaimsTable(kind.claims);
   }
   text += ChainText(proofs.Of(*kind.claims.front()));
   if (all == 1) return text;

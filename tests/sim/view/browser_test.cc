@@ -25,6 +25,12 @@ constexpr const char* kUse = R"(
   d.querySelectorAll(".steps button")[1].click();
   say("clicked", step()); say("lead", d.querySelector(".lead").textContent);
   say("claims", d.querySelectorAll(".claim").length > 5);
+  const marks = [...d.querySelectorAll(".steps .mark")].map((mark) => mark.textContent);
+  say("marks", marks.indexOf("✗") === 1 && marks.lastIndexOf("✗") === 1);
+  say("violated", d.querySelector(".outcome.bad").textContent);
+  const clicked = d.querySelectorAll(".steps button")[0];
+  clicked.focus(); clicked.dispatchEvent(new w.MouseEvent("click", { bubbles: true, detail: 1 }));
+  say("space plays", d.activeElement === d.body);
   press("Home"); say("home", clock());
   press("ArrowDown"); say("next", step());
   press("ArrowRight"); press("."); press("ArrowUp"); say("again", step());
@@ -44,8 +50,17 @@ constexpr const char* kUse = R"(
   say("overflow", d.documentElement.scrollWidth - d.documentElement.clientWidth);
 )";
 
+// Two executions beside each other. The first one violates a claim about the step that is executed
+// second.
 Subject TwoExecutions() {
   Subject subject = Figure15().subject();
+  subject.claims.push_back({.step = subject.plan.ExecutionOrder()[1],
+                            .name = "x of peg",
+                            .dimension = domain::Dimension::kLength,
+                            .predicted = {-1e-3, 1e-3},
+                            .observed = 3e-3,
+                            .margin = -2e-3,
+                            .verdict = check::ClaimVerdict::kViolated});
   subject.beside.emplace("the same again", Figure15().scene, Figure15().trace);
   return subject;
 }
@@ -63,11 +78,27 @@ SeenPage Seen(const Subject& subject, const char* use) {
 TEST(InBrowser, IsUsedAsPeopleDo) {
   if (!HasChromium()) GTEST_SKIP() << "chromium is not installed";
   const SeenPage seen = Seen(TwoExecutions(), kUse);
-  for (const char* expected :
-       {"played=true\n", "paused=true\n", "clicked=2\n", "the arm's way not.\n", "claims=true\n",
-        "home=0", "next=3\n", "again=3\n", "end=true\n", "speed=2\n", "camera=top\n",
-        "pictures=true\n", "halves=true\n", "beside=true\n", "alone=true\n", "again beside=true\n",
-        "help=true\n", "overflow=0\n"}) {
+  for (const char* expected : {"played=true\n",
+                               "paused=true\n",
+                               "clicked=2\n",
+                               "the arm's way not.\n",
+                               "claims=true\n",
+                               "marks=true\n",
+                               "violated=Violated claims: step 2 (x of peg)\n",
+                               "space plays=true\n",
+                               "home=0",
+                               "next=3\n",
+                               "again=3\n",
+                               "end=true\n",
+                               "speed=2\n",
+                               "camera=top\n",
+                               "pictures=true\n",
+                               "halves=true\n",
+                               "beside=true\n",
+                               "alone=true\n",
+                               "again beside=true\n",
+                               "help=true\n",
+                               "overflow=0\n"}) {
     EXPECT_THAT(seen.said, HasSubstr(expected));
   }
 }

@@ -12,6 +12,8 @@
 #include <set>
 
 #include "planner/geometry/pose.h"
+#include "planner/plan/certificates/condition_table.h"
+#include "planner/plan/certificates/coverage.h"
 #include "planner/plan/certificates/not_covered.h"
 #include "tests/sim/view/recording/series_decoder.h"
 #include "tests/sim/view/viewed_execution.h"
@@ -102,6 +104,36 @@ TEST_F(PageOfFigure15, CountsEveryPrecondition) {
     EXPECT_EQ(open, std::ranges::count_if(claims, [](const auto& c) { return !c.holds(); }));
     ++at;
   }
+}
+
+// A plan by the paper's rules leaves out conditions. Its page does not say that all is proved.
+TEST_F(PageOfFigure15, SaysThatCertificatesAreAsPublished) {
+  EXPECT_FALSE(data().contains("asPublished"));
+  plan::Plan plan = Figure15().plan;
+  plan.steps[0].certificate.not_needed.push_back(
+      {plan::condition::kReach, std::string(plan::kNotPublished)});
+  Subject subject = Figure15().subject();
+  const Json published = DataIn(Page(
+      {.problem = subject.problem, .plan = plan, .scene = subject.scene, .trace = subject.trace}));
+  EXPECT_EQ(published["asPublished"], true);
+}
+
+// The planner computes one number for the whole way of the arm, and for the load that the pads
+// bear. Such a number counts all errors, and says nothing about an execution without errors.
+TEST_F(PageOfFigure15, ANumberForAllErrorsIsNoValueWithoutErrors) {
+  std::set<std::string> with_nominal, without_nominal;
+  for (const Json& step : data()["steps"]) {
+    for (const Json& group : step["preconditions"]) {
+      (group.contains("nominal") ? with_nominal : without_nominal)
+          .insert(group["condition"].get<std::string>());
+      if (!group.contains("nominal")) {
+        EXPECT_TRUE(group["costs"].empty());
+      }
+    }
+  }
+  EXPECT_TRUE(with_nominal.contains("between fingers"));
+  EXPECT_TRUE(without_nominal.contains("way clear"));
+  EXPECT_TRUE(without_nominal.contains("holding"));
 }
 
 // The page says that a way of the arm is proved, or what errors may cause on this way.

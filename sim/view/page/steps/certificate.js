@@ -137,8 +137,9 @@ function boundTable(group) {
       element('tr', {}, element('th', {scope: 'row'}, name), element('td', {}, value));
   const q = (value) => quantityText(value, group.unit);
   const extreme = group.relation === '<' ? 'at most' : 'at least';
+  const nominal = isNumber(group) ? [] : [row('without errors', q(group.nominal))];
   return element(
-      'table', {class: 'bound'}, row('without errors', q(group.nominal)),
+      'table', {class: 'bound'}, ...nominal,
       row(`under all errors, ${extreme}`, group.unborne ? '∞' : q(group.bound)),
       row('must be', `${group.relation} ${q(group.limit)}`), row('margin', marginText(group)));
 }
@@ -162,8 +163,13 @@ function costsOf(group) {
       ...rows)];
 }
 
-function remedyOf({remedy, standing}) {
-  if (standing !== 'open') return [];
+// Whether the planner computed one number for all errors together. Nothing is known about the effect
+// of single errors then.
+const isNumber = ({nominal}) => nominal === undefined;
+
+function remedyOf(group) {
+  const {remedy, standing} = group;
+  if (standing !== 'open' || isNumber(group)) return [];
   if (!remedy)
     return [element('p', {}, 'No smaller range of a single error is enough for a proof.')];
   return [element(

@@ -13,7 +13,19 @@ export function headOf(data) {
           'p', {class: isGood ? 'outcome' : 'outcome bad'},
           outcome.name === 'reached' ? 'The goal was reached' : `Execution ${outcome.name}`,
           outcome.reason ? `: ${outcome.reason}` : ''),
+      ...violatedClaims(data),
       element('p', {class: 'summary'}, summaryOf(data)), ...notCovered(data));
+}
+
+// What makes an execution a counterexample, even if the execution succeeded.
+function violatedClaims(data) {
+  const texts = data.steps.flatMap((step) => {
+    const violated = step.verdicts.filter((claim) => claim.verdict === 'violated');
+    const names = [...new Set(violated.map((claim) => claim.name))];
+    return names.length > 0 ? [`step ${step.number} (${names.join(', ')})`] : [];
+  });
+  if (texts.length === 0) return [];
+  return [element('p', {class: 'outcome bad'}, `Violated claims: ${texts.join('; ')}`)];
 }
 
 function notCovered(data) {

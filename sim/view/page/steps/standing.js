@@ -50,7 +50,8 @@ export function summaryOf(data) {
   if (open.length === 0) {
     const absorbs = data.steps.some((s) => s.preconditions.some((p) => p.standing === 'absorbed'));
     const ways = data.steps.filter((step) => step.unprovedWays.length > 0);
-    return `Every precondition is proved${absorbs ? ', or absorbed by fine motion' : ''}${
+    const whose = data.asPublished ? ' of the paper' : '';
+    return `Every precondition${whose} is proved${absorbs ? ', or absorbed by fine motion' : ''}${
         ways.length > 0 ? `, except for the arm's way in ${stepsText(ways)}` : ''}.`;
   }
   return `Some preconditions of ${stepsText(open)} are not proved.`;

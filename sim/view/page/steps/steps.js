@@ -5,7 +5,7 @@ import {countText} from '../units.js';
 import {certificateOf} from './certificate.js';
 import {headOf} from './head.js';
 import {bodiesNamedIn} from './names.js';
-import {standingOf, uncoveredOf, verdictOf} from './standing.js';
+import {standingOf, uncoveredOf, VERDICT_MARKS, verdictOf} from './standing.js';
 import {treeOf} from './tree.js';
 
 // The steps as a list or a tree, and the certificate of the step that is shown. A click on a step
@@ -35,13 +35,17 @@ export class Steps {
   }
 
   // Returns whether the step's certificate is proved, as a text with a mark. Actions that belong to
-  // no plan have no certificate.
+  // no plan have no certificate. If this execution violates the certificate, the mark says so.
   noteOf(step) {
     if (!step.planned) return null;
-    const {mark, color, text, isOpen} = standingOf(step, this.data.colors);
+    const {text, isOpen, ...proved} = standingOf(step, this.data.colors);
+    const verdict = verdictOf(step);
+    const {mark, color} = verdict === 'violated' ?
+        {mark: VERDICT_MARKS.violated, color: this.data.colors.violated} :
+        proved;
     const uncovered = uncoveredOf(step, this.data).length;
     const notes = [
-      text, uncovered > 0 ? `${countText(uncovered, 'effect')} not covered` : '', verdictOf(step),
+      text, uncovered > 0 ? `${countText(uncovered, 'effect')} not covered` : '', verdict,
       step.from === undefined ? 'not reached' : ''
     ].filter(Boolean).join(', ');
     return element(

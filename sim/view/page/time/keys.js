@@ -80,6 +80,10 @@ export function listenToKeys(keys) {
     event.preventDefault();
     found.act(event);
   });
+  // A button that was clicked with the mouse would take the space bar, which people press to play.
+  document.addEventListener('click', (event) => {
+    if (event.detail > 0) event.target.closest('button, summary')?.blur();
+  });
 }
 
 // The list of keys, and how the mouse turns the picture.

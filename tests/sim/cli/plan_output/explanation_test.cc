@@ -122,8 +122,33 @@ TEST_F(Explained, InfiniteBounds) {
   certificate_["preconditions"].push_back(precondition);
   const Ended ended = Explain();
   EXPECT_EQ(ended.code, 12) << ended.err;  // only the explanation is as it should be
-  EXPECT_THAT(ended.out, HasSubstr("SUP inf mm, must be < 5 mm"));
+  EXPECT_THAT(ended.out, HasSubstr("SUP infinite, must be < 5 mm: no finite bound is known\n"));
+  EXPECT_THAT(ended.out, Not(ContainsRegex("\\binf\\b")));
   EXPECT_THAT(ended.out, HasSubstr("gap unknown"));
+}
+
+// The pads may jam on the peg, so that nothing bears it. The planner writes a number that stands
+// for infinity. It means nothing to a person, and neither does a value without errors: the number
+// is that of all errors together.
+TEST(Explain, NothingBearsTheLoad) {
+  const std::string text = Assay({"plan", kUnproved, "--explain", "1"}).out;
+  EXPECT_THAT(text, HasSubstr("\nholding: the pads' friction bears the part: NOT PROVED\n"
+                              "  SUP infinite, must be < 1: at worst, nothing bears the load\n"
+                              "  one number for all errors together; rung termwise, gap 0\n\n"));
+  EXPECT_THAT(text, Not(HasSubstr("1e+06")));
+}
+
+TEST_F(Explained, OneNumberForAllErrorsSaysNothingOfSingleErrors) {
+  certificate_["preconditions"] = {Less("upright", "1.626", 1, 1.626, {}),
+                                   Less("fixed stays", "0.5", 1, 0.5, {})};
+  const std::string text = Explain().out;
+  EXPECT_THAT(text,
+              HasSubstr("  SUP 1.626, must be < 1: 0.626 short of a proof; no corner is known "
+                        "at which it is false\n"
+                        "  one number for all errors together; rung termwise, gap 0\n\n"));
+  EXPECT_THAT(text, Not(HasSubstr("if all is as believed")));
+  EXPECT_THAT(text, Not(HasSubstr("No smaller range")));
+  EXPECT_THAT(text, Not(HasSubstr("    0.5\n")));
 }
 
 TEST_F(Explained, LongExpressionsAreFolded) {
