@@ -19,9 +19,4 @@ std::array<Vector3, 8> Box::Corners() const {
   return corners;
 }
 
-bool Box::Contains(const Vector3& p, double tolerance) const {
-  const Vector3 p_Box = X_FrameBox.inverse() * p;
-  return ((p_Box.cwiseAbs() - half_extents).array() <= tolerance).all();
-}
-
 }  // namespace assay::geometry

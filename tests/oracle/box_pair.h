@@ -7,11 +7,21 @@
 
 #include "planner/geometry/box.h"
 
-// Separation and distance of two boxes, slowly and by definition.
+// The volume of a box, the points within it, and the separation and distance of two boxes, slowly
+// and by definition.
 namespace assay::oracle {
 
 using geometry::Box;
 using geometry::Vector3;
+
+inline double VolumeOf(const Box& box) { return 8 * box.half_extents.prod(); }
+
+// Returns whether p is inside the box, or at most `tolerance` outside along one of its axes. A
+// negative tolerance requires p to be at least that deep inside.
+inline bool IsWithin(const Box& box, const Vector3& p, double tolerance) {
+  const Vector3 in_box = box.X_FrameBox.inverse() * p;
+  return ((in_box.cwiseAbs() - box.half_extents).array() <= tolerance).all();
+}
 
 // Returns the greatest separation over the 15 axes of Gottschalk, Lin and Manocha (1996), from the
 // corners. For boxes that overlap, it is minus the least overlap. Cross products of nearly parallel

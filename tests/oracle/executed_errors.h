@@ -15,12 +15,11 @@
 #include "planner/domain/problem/problem.h"
 #include "planner/geometry/polygon.h"
 #include "planner/plan/data/plan.h"
-#include "tests/oracle/box_pair.h"
-#include "tests/oracle/part_boxes.h"
+#include "tests/oracle/convex_solid.h"
 
 // Tests the promises of certificates by executing a plan in numbers. Every error is drawn from its
-// bounds, and often at their ends. Poses are plain 4x4 matrices and parts are boxes. Only the
-// certificates themselves are shared with planner/uncertainty.
+// bounds, and often at their ends. Poses are plain 4x4 matrices and parts are convex solids. Only
+// the certificates themselves are shared with planner/uncertainty.
 //
 // The physics is quasi-static:
 // - A part on the table only slides and turns on it.
@@ -34,7 +33,6 @@
 namespace assay::oracle {
 
 using domain::PartId;
-using geometry::Pose;
 using geometry::Vector2;
 
 constexpr double kRounding = 1e-9;  // metres, radians
@@ -209,6 +207,7 @@ class ExecutedWorld {
       const Vector3 d(draw_(part.error.x), draw_(part.error.y), draw_(part.error.z));
       const Pose X = part.X_WorldPart;
       parts_.push_back({Displaced(X, d, draw_(part.error.theta)), X, X, d.z()});
+      solids_.push_back(SolidsOf(*part.model));
     }
   }
 
@@ -250,6 +249,7 @@ class ExecutedWorld {
 
   Body& body(PartId part) { return parts_[part.index()]; }
   const domain::PartModel& model(PartId part) const { return *problem_.part(part).model; }
+  const std::vector<ConvexSolid>& solids(PartId part) const { return solids_[part.index()]; }
   const domain::WorkcellRules& rules() const { return problem_.workcell->rules(); }
 
   Pose HandAt(const Pose& X_WorldCommanded) {
@@ -371,9 +371,20 @@ class ExecutedWorld {
     }
     return Require("fingertip", lowest - table, "a finger goes through the table");
   }
-  static bool AreFar(const Box& a, const Box& b) {
-    return (a.X_FrameBox.translation() - b.X_FrameBox.translation()).norm() >
-           a.half_extents.norm() + b.half_extents.norm();
+  static bool AreFar(const ConvexSolid& a, const ConvexSolid& b) {
+    const geometry::Ball of_a = geometry::BallAround(a.hull.vertices);
+    const geometry::Ball of_b = geometry::BallAround(b.hull.vertices);
+    return (of_a.center - of_b.center).norm() > of_a.radius + of_b.radius;
+  }
+  // Returns the least separation of a part from a solid of the hand; infinity if they are far
+  // apart.
+  double FromSolid(const ConvexSolid& of_hand, PartId part, const Pose& X_WorldPart) const {
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const ConvexSolid& solid : solids(part)) {
+      const ConvexSolid of_part = solid.Transformed(X_WorldPart);
+      if (!AreFar(of_hand, of_part)) nearest = std::min(nearest, Separation(of_hand, of_part));
+    }
+    return nearest;
   }
   // Returns the least separation of a part and the hand with its pads this far apart. The
   // separation is taken at a few places of the straight retreat from the hand's pose.
@@ -384,12 +395,8 @@ class ExecutedWorld {
     double nearest = std::numeric_limits<double>::infinity();
     for (const double way : {0.0, 0.3, 0.7, 1.0}) {
       const Pose X = hand * geometry::Translation(0, 0, -way * rules().approach_distance);
-      for (const Box& of_part : oracle::BoxesOf(model(part))) {
-        for (const Box& box : boxes) {
-          if (AreFar(box.Transformed(X), of_part.Transformed(X_WorldPart))) continue;
-          nearest =
-              std::min(nearest, Separation(box.Transformed(X), of_part.Transformed(X_WorldPart)));
-        }
+      for (const ConvexSolid& of_hand : SolidsOf(boxes)) {
+        nearest = std::min(nearest, FromSolid(of_hand.Transformed(X), part, X_WorldPart));
       }
     }
     return nearest;
@@ -451,11 +458,11 @@ class ExecutedWorld {
   std::vector<Vector3> FeetOf(PartId part, const Pose& flat) const {
     std::vector<Vector3> feet;
     double lowest = std::numeric_limits<double>::infinity();
-    for (const Box& box : oracle::BoxesOf(model(part))) {
-      for (const Vector3& p : box.Corners()) lowest = std::min(lowest, (flat * p).z());
+    for (const ConvexSolid& solid : solids(part)) {
+      for (const Vector3& p : solid.hull.vertices) lowest = std::min(lowest, (flat * p).z());
     }
-    for (const Box& box : oracle::BoxesOf(model(part))) {
-      for (const Vector3& p : box.Corners()) {
+    for (const ConvexSolid& solid : solids(part)) {
+      for (const Vector3& p : solid.hull.vertices) {
         if ((flat * p).z() < lowest + 1e-6) feet.push_back(p);
       }
     }
@@ -473,8 +480,8 @@ class ExecutedWorld {
   }
   geometry::Polygon ShadowOf(PartId part, const Pose& X) const {
     std::vector<Vector2> points;
-    for (const Box& box : oracle::BoxesOf(model(part))) {
-      for (const Vector3& p : box.Corners()) points.push_back((X * p).head<2>());
+    for (const ConvexSolid& solid : solids(part)) {
+      for (const Vector3& p : solid.hull.vertices) points.push_back((X * p).head<2>());
     }
     return geometry::Hull2(points);
   }
@@ -555,11 +562,11 @@ class ExecutedWorld {
   std::vector<Seat> SeatsOf(const domain::Mating& mating) const {
     const Vector3 axis = mating.mating_vector.normalized();
     std::vector<Seat> seats;
-    for (const Box& held : oracle::BoxesOf(model(mating.held))) {
-      for (const Vector3& corner : held.Corners()) {
+    for (const ConvexSolid& held : solids(mating.held)) {
+      for (const Vector3& corner : held.hull.vertices) {
         const Vector3 p = mating.X_FixedHeld * corner;
-        for (const Box& fixed : oracle::BoxesOf(model(mating.fixed))) {
-          if (fixed.Contains(p, 1e-6) && !fixed.Contains(p - 1e-4 * axis, 1e-6)) {
+        for (const ConvexSolid& fixed : solids(mating.fixed)) {
+          if (IsWithin(fixed.hull, p, 1e-6) && !IsWithin(fixed.hull, p - 1e-4 * axis, 1e-6)) {
             seats.push_back({corner, axis.dot(p)});
           }
         }
@@ -579,9 +586,10 @@ class ExecutedWorld {
   }
   double LeastSeparation(const domain::Mating& mating, const Pose& X_FixedHeld) const {
     double least = std::numeric_limits<double>::infinity();
-    for (const Box& held : oracle::BoxesOf(model(mating.held))) {
-      for (const Box& fixed : oracle::BoxesOf(model(mating.fixed))) {
-        least = std::min(least, Separation(held.Transformed(X_FixedHeld), fixed));
+    for (const ConvexSolid& held : solids(mating.held)) {
+      const ConvexSolid moved = held.Transformed(X_FixedHeld);
+      for (const ConvexSolid& fixed : solids(mating.fixed)) {
+        least = std::min(least, Separation(moved, fixed));
       }
     }
     return least;
@@ -640,10 +648,8 @@ class ExecutedWorld {
     for (int i = 0; i <= kPlaces; ++i) {
       const Pose hand = Between(from, to, static_cast<double>(i) / kPlaces);
       for (const Box& box : problem_.workcell->gripper().FingerBoxes(hold_.width)) {
-        for (const Box& of_part : oracle::BoxesOf(model(fixed))) {
-          nearest = std::min(
-              nearest, Separation(box.Transformed(hand), of_part.Transformed(body(fixed).truth)));
-        }
+        const ConvexSolid finger = SolidOf(geometry::HullOf(box.Transformed(hand)));
+        nearest = std::min(nearest, FromSolid(finger, fixed, body(fixed).truth));
       }
     }
     return Keeps("hand clear", nearest, "the hand goes through the fixed part");
@@ -670,6 +676,7 @@ class ExecutedWorld {
   const domain::Problem& problem_;
   ErrorDraws draw_;
   std::vector<Body> parts_;
+  std::vector<std::vector<ConvexSolid>> solids_;  // of each part, in its frame
   PartId in_hand_ = PartId::None();
   plan::Hold hold_;
   Pose hand_ = Pose::Identity();

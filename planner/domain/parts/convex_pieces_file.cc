@@ -2,12 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-#include <sstream>
+#include <algorithm>
 #include <string>
 
 #include "planner/base/input_files/input_error.h"
 #include "planner/base/input_files/input_file.h"
+#include "planner/geometry/files/obj.h"
 #include "planner/geometry/hull.h"
 
 namespace assay::domain {
@@ -20,64 +20,43 @@ constexpr double kFarthest = 100;        // greatest coordinate, metres
 constexpr std::size_t kMostPieces = 1000;
 constexpr std::size_t kMostVertices = 1000;  // of one piece
 
-// The vertices of one object, and the line in which it begins.
-struct Cloud {
-  int line = 1;
+// Returns the vertices of an object in metres.
+std::vector<Vector3> VerticesOf(const geometry::ObjText& obj, std::size_t object, double unit,
+                                const FilePlace& place) {
+  const std::size_t next = object + 1;
+  const std::size_t end = next < obj.objects.size() ? obj.objects[next].first : obj.vertices.size();
   std::vector<Vector3> vertices;
-};
-
-Vector3 ReadVertex(std::istringstream& words, double unit, const FilePlace& place) {
-  Vector3 vertex;
-  for (int axis = 0; axis < 3; ++axis) {
-    double number = 0;
-    if (!(words >> number) || !std::isfinite(number) || std::abs(number * unit) > kFarthest) {
-      throw InputError(place, "the vertex has no three usable coordinates",
-                       fmt::format("three numbers, each at most {} m", kFarthest));
-    }
-    vertex[axis] = number * unit;
+  for (std::size_t i = obj.objects[object].first; i < end; ++i)
+    vertices.push_back(unit * obj.vertices[i]);
+  if (vertices.size() > kMostVertices) {
+    throw InputError(place, fmt::format("the object has {} vertices", vertices.size()),
+                     fmt::format("at most {}", kMostVertices));
   }
-  return vertex;
-}
-
-std::vector<Cloud> ReadClouds(const std::filesystem::path& file, double unit) {
-  std::istringstream lines(ReadInput(file, "an OBJ file of convex pieces"));
-  std::vector<Cloud> clouds(1);
-  std::string line;
-  for (int number = 1; std::getline(lines, line); ++number) {
-    std::istringstream words(line);
-    std::string kind;
-    words >> kind;
-    if (kind == "o" || kind == "g") {
-      if (!clouds.back().vertices.empty()) clouds.emplace_back();
-      clouds.back().line = number;
-    } else if (kind == "v") {
-      clouds.back().vertices.push_back(ReadVertex(words, unit, {file.string(), number, 1}));
-    }
+  const auto is_far = [](const Vector3& p) { return p.cwiseAbs().maxCoeff() > kFarthest; };
+  if (std::ranges::any_of(vertices, is_far)) {
+    throw InputError(place, "a vertex of the object is too far away",
+                     fmt::format("coordinates of at most {} m", kFarthest));
   }
-  if (clouds.back().vertices.empty()) clouds.pop_back();
-  return clouds;
+  if (!geometry::SpanSpace(vertices, kThinnestPiece)) {
+    throw InputError(place, "the vertices of the object lie in one plane",
+                     fmt::format("an object that is at least {} m thick", kThinnestPiece));
+  }
+  return vertices;
 }
 
 }  // namespace
 
 std::vector<geometry::ConvexHull> ReadConvexPieces(const std::filesystem::path& file, double unit) {
-  std::vector<geometry::ConvexHull> pieces;
-  const std::vector<Cloud> clouds = ReadClouds(file, unit);
-  if (clouds.empty() || clouds.size() > kMostPieces) {
-    throw InputError({file.string()}, fmt::format("the file has {} objects", clouds.size()),
+  const geometry::ObjText obj =
+      geometry::ReadObj(ReadInput(file, "an OBJ file of convex pieces"), file.string());
+  if (obj.objects.empty() || obj.objects.size() > kMostPieces) {
+    throw InputError({file.string()}, fmt::format("the file has {} objects", obj.objects.size()),
                      fmt::format("1 to {} objects, each of them convex", kMostPieces));
   }
-  for (const Cloud& cloud : clouds) {
-    const FilePlace place = {file.string(), cloud.line, 1};
-    if (cloud.vertices.size() > kMostVertices) {
-      throw InputError(place, fmt::format("the object has {} vertices", cloud.vertices.size()),
-                       fmt::format("at most {}", kMostVertices));
-    }
-    if (!geometry::SpanSpace(cloud.vertices, kThinnestPiece)) {
-      throw InputError(place, "the vertices of the object lie in one plane",
-                       fmt::format("an object that is at least {} m thick", kThinnestPiece));
-    }
-    pieces.push_back(geometry::HullOf(cloud.vertices));
+  std::vector<geometry::ConvexHull> pieces;
+  for (std::size_t i = 0; i < obj.objects.size(); ++i) {
+    const FilePlace place = {file.string(), obj.objects[i].line, 1};
+    pieces.push_back(geometry::HullOf(VerticesOf(obj, i, unit, place)));
   }
   return pieces;
 }

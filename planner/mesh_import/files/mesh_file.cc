@@ -9,7 +9,7 @@
 
 #include "planner/base/input_files/input_error.h"
 #include "planner/base/input_files/input_file.h"
-#include "planner/mesh_import/files/obj.h"
+#include "planner/mesh_import/files/obj_mesh.h"
 #include "planner/mesh_import/files/stl.h"
 
 namespace assay::mesh_import {
@@ -51,7 +51,7 @@ TriangleMesh ReadMeshFile(const std::filesystem::path& file) {
   if (ending == ".stl") {
     mesh = ReadStl(text, file.string());
   } else if (ending == ".obj") {
-    mesh = ReadObj(text, file.string());
+    mesh = ReadObjMesh(text, file.string());
     std::vector<int> all(mesh.triangles.size());
     std::iota(all.begin(), all.end(), 0);
     mesh = SubMesh(mesh, all);  // vertices of points and lines are not part of the surface

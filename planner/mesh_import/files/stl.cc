@@ -10,7 +10,7 @@
 
 #include "planner/base/input_files/input_error.h"
 #include "planner/base/input_files/quotation.h"
-#include "planner/mesh_import/files/text_words.h"
+#include "planner/base/input_files/text_words.h"
 
 namespace assay::mesh_import {
 namespace {

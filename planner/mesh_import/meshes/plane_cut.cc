@@ -7,6 +7,8 @@
 namespace assay::mesh_import {
 namespace {
 
+using geometry::Loop;
+
 std::size_t Place(int index) { return static_cast<std::size_t>(index); }
 
 // One cut of one mesh. The vertices of the mesh keep their numbers, and crossings follow.
@@ -42,7 +44,7 @@ class MeshCut {
     const std::vector<Loop> loops = Loops();
     std::vector<Vector2> flat;
     for (const Vector3& point : points_) flat.emplace_back(u.dot(point), v.dot(point));
-    for (const auto& [a, b, c] : Triangulated(flat, loops))
+    for (const auto& [a, b, c] : geometry::Triangulated(flat, loops))
       below_.push_back({.corners = {a, b, c}, .number = 0, .line = 0});
     std::vector<int> every(below_.size());
     std::iota(every.begin(), every.end(), 0);

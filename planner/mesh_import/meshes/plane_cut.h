@@ -3,7 +3,7 @@
 #include <utility>
 #include <vector>
 
-#include "planner/mesh_import/meshes/planar_triangulation.h"
+#include "planner/geometry/solids/triangulation.h"
 #include "planner/mesh_import/meshes/triangle_mesh.h"
 
 namespace assay::mesh_import {
@@ -22,7 +22,7 @@ struct CutPlane {
 // normal points.
 struct Section {
   std::vector<Vector3> points;
-  std::vector<Loop> loops;  // indices of points
+  std::vector<geometry::Loop> loops;  // indices of points
 };
 Section SectionOf(const TriangleMesh& mesh, const CutPlane& plane);
 

@@ -99,9 +99,8 @@ BodyShape BestStack(const TriangleMesh& body) {
   return std::move(best->shape);
 }
 
-// Returns whether one convex piece is simpler than a stack of many layers, as it is for a ball.
-bool IsSimplerConvex(const TriangleMesh& body, const Stack& stack) {
-  if (stack.Count() <= kFewPosts) return false;
+// Returns whether a body is convex, but for what one piece may be off.
+bool IsNearlyConvex(const TriangleMesh& body) {
   const std::optional<geometry::ConvexHull> hull = HullOfExtremes(body.vertices, kConvexPoints);
   return hull && DepthOf(body, *hull) <= kDeepest * body.Size();
 }
@@ -153,8 +152,10 @@ class StackSplitter {
 
 std::vector<BodyShape> ShapesOf(const TriangleMesh& body) {
   BodyShape shape = BestStack(body);
-  const bool is_convex = shape.is_stack && IsSimplerConvex(body, shape.stack);
-  if (is_convex) {
+  const bool is_simple = shape.is_stack && shape.stack.Count() <= kFewPosts;
+  // One convex piece is simpler than a stack of many layers, as it is for a ball.
+  const bool is_convex = !is_simple && IsNearlyConvex(body);
+  if (is_convex && shape.is_stack) {
     shape.is_stack = false;
     shape.reason = fmt::format("as a stack it would have {} solids", shape.stack.Count());
   }

@@ -5,11 +5,13 @@
 #include <algorithm>
 #include <map>
 
-#include "planner/mesh_import/meshes/planar_triangulation.h"
+#include "planner/geometry/solids/triangulation.h"
 #include "planner/mesh_import/repair/edge_uses.h"
 
 namespace assay::mesh_import {
 namespace {
+
+using geometry::Loop;
 
 constexpr std::size_t kMostOpenings = 2000;
 constexpr std::size_t kMostRims = 20'000;
@@ -170,7 +172,7 @@ void Fill(TriangleMesh& mesh, const std::vector<const Opening*>& together) {
   }
   const Triangle& beside = mesh.triangles[static_cast<std::size_t>(together.front()->triangle)];
   Triangle fill = {.corners = {}, .number = beside.number, .line = beside.line};
-  for (const auto& [a, b, c] : Triangulated(flat, loops)) {
+  for (const auto& [a, b, c] : geometry::Triangulated(flat, loops)) {
     const auto corner = [&](int i) { return vertex[static_cast<std::size_t>(i)]; };
     fill.corners = {corner(a), corner(b), corner(c)};
     mesh.triangles.push_back(fill);

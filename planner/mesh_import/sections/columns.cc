@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "planner/geometry/ring.h"
 #include "planner/mesh_import/meshes/plane_cut.h"
 #include "planner/mesh_import/sections/notches.h"
 
@@ -72,7 +73,7 @@ class SectionReader {
     const Section section =
         SectionOf(mesh_, {.normal = Vector3::UnitZ(), .height = height, .tolerance = 0});
     std::vector<Column> read;
-    for (const Loop& loop : section.loops) {
+    for (const geometry::Loop& loop : section.loops) {
       if (read.size() > kMostLoops) break;
       std::vector<Vector2> curve;
       for (const int i : loop)
@@ -84,7 +85,7 @@ class SectionReader {
 
  private:
   void Read(const std::vector<Vector2>& curve, std::vector<Column>& read) const {
-    const double area = SignedArea(curve);
+    const double area = geometry::SignedArea(curve);
     std::vector<Vector2> corners = Simplified(curve, rules_.tolerance / 2);
     if (corners.size() < 3 || std::abs(area) <= rules_.tolerance * GirthOf(corners)) return;
     if (area < 0) {

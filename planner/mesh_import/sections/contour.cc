@@ -8,6 +8,8 @@
 #include <numeric>
 #include <optional>
 
+#include "planner/geometry/ring.h"
+
 namespace assay::mesh_import {
 namespace {
 
@@ -204,19 +206,12 @@ Eigen::AlignedBox2d Contour::Bounds() const {
 }
 
 double Contour::Area() const {
-  return IsCircle() ? std::numbers::pi * radius * radius : SignedArea(corners);
+  return IsCircle() ? std::numbers::pi * radius * radius : geometry::SignedArea(corners);
 }
 
 bool Contour::Contains(const Vector2& p) const {
   if (IsCircle()) return (p - center).norm() <= radius;
-  bool inside = false;
-  for (std::size_t i = 0; i < corners.size(); ++i) {
-    const Vector2& a = corners[i];
-    const Vector2& b = corners[(i + 1) % corners.size()];
-    if ((a.y() > p.y()) == (b.y() > p.y())) continue;
-    if (p.x() < a.x() + (p.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x())) inside = !inside;
-  }
-  return inside;
+  return geometry::IsInside(corners, p);
 }
 
 double Contour::DistanceTo(const Vector2& p) const {
@@ -247,16 +242,6 @@ std::vector<Vector2> Contour::Outline(int sides) const {
   return outline;
 }
 
-double SignedArea(std::span<const Vector2> polygon) {
-  double area = 0;
-  for (std::size_t i = 2; i < polygon.size(); ++i) {
-    const Vector2 a = polygon[i - 1] - polygon[0];
-    const Vector2 b = polygon[i] - polygon[0];
-    area += (a.x() * b.y() - a.y() * b.x()) / 2;
-  }
-  return area;
-}
-
 std::vector<Vector2> Simplified(std::span<const Vector2> curve, double tolerance) {
   if (curve.size() < 3) return {curve.begin(), curve.end()};
   Vector2 middle = Vector2::Zero();
@@ -279,7 +264,7 @@ std::vector<Vector2> Simplified(std::span<const Vector2> curve, double tolerance
 
 Contour FitContour(std::span<const Vector2> curve, const ContourFit& fit) {
   std::vector<Vector2> corners = Simplified(curve, fit.tolerance);
-  if (SignedArea(corners) < 0) std::ranges::reverse(corners);
+  if (geometry::SignedArea(corners) < 0) std::ranges::reverse(corners);
   if (std::optional<Contour> circle = AsCircle(corners, fit.tolerance)) return *std::move(circle);
   if (std::optional<Contour> rectangle = AsRectangle(corners, fit)) return *std::move(rectangle);
   Contour polygon{.kind = Contour::Kind::kPolygon, .corners = std::move(corners)};

@@ -54,8 +54,6 @@ Contour FitContour(std::span<const Vector2> curve, const ContourFit& fit);
 // neighbours that remain (Ramer 1972, Douglas and Peucker 1973).
 std::vector<Vector2> Simplified(std::span<const Vector2> curve, double tolerance);
 
-double SignedArea(std::span<const Vector2> polygon);
-
 // Returns whether no point of one contour is farther than `tolerance` from the other.
 bool AreEqual(const Contour& a, const Contour& b, double tolerance);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "planner/geometry/ring.h"
 #include "planner/mesh_import/sections/contour.h"
 
 namespace assay::mesh_import {
@@ -44,7 +45,7 @@ std::vector<Notch> FillNotches(std::vector<Vector2>& polygon, double tolerance) 
     for (std::size_t i = 0; length && i <= *length; ++i)
       outline.push_back(polygon[(begin + i) % polygon.size()]);
     std::ranges::reverse(outline);
-    if (!length || SignedArea(outline) > kMostShare * SignedArea(polygon)) {
+    if (!length || geometry::SignedArea(outline) > kMostShare * geometry::SignedArea(polygon)) {
       ++begin;
       continue;
     }

@@ -11,6 +11,7 @@
 #include "planner/geometry/pose.h"
 #include "planner/geometry/solids/convex_cut.h"
 #include "planner/geometry/solids/mass_properties.h"
+#include "tests/oracle/box_pair.h"
 #include "tests/oracle/random_pose.h"
 
 namespace assay::geometry::box_test {
@@ -26,12 +27,13 @@ constexpr double kPi = std::numbers::pi;
 
 double VolumeOf(std::span<const Box> boxes) {
   double volume = 0;
-  for (const Box& box : boxes) volume += box.Volume();
+  for (const Box& box : boxes) volume += oracle::VolumeOf(box);
   return volume;
 }
 
 bool AnyContains(std::span<const Box> boxes, const Vector3& p, double tolerance) {
-  return std::ranges::any_of(boxes, [&](const Box& box) { return box.Contains(p, tolerance); });
+  return std::ranges::any_of(boxes,
+                             [&](const Box& box) { return oracle::IsWithin(box, p, tolerance); });
 }
 
 // Returns what a pocket that is aligned with a box leaves of it.
@@ -72,14 +74,14 @@ std::vector<Box> Prism(int k, double inradius, double half_height) {
 
 TEST(BoxTest, CornersVolumeAndMembership) {
   const Box box = Box::FromCorners({0, 1, 2}, {2, 5, 8});
-  EXPECT_DOUBLE_EQ(box.Volume(), 48);
+  EXPECT_DOUBLE_EQ(oracle::VolumeOf(box), 48);
   EXPECT_EQ(box.X_FrameBox.translation(), Vector3(1, 3, 5));
   for (const Vector3& corner : box.Corners()) {
-    EXPECT_TRUE(box.Contains(corner, 1e-12));
-    EXPECT_FALSE(box.Contains(corner, -1e-3));
+    EXPECT_TRUE(oracle::IsWithin(box, corner, 1e-12));
+    EXPECT_FALSE(oracle::IsWithin(box, corner, -1e-3));
   }
-  EXPECT_TRUE(box.Contains({2.09, 3, 5}, 0.1));
-  EXPECT_FALSE(box.Contains({2.11, 3, 5}, 0.1));
+  EXPECT_TRUE(oracle::IsWithin(box, {2.09, 3, 5}, 0.1));
+  EXPECT_FALSE(oracle::IsWithin(box, {2.11, 3, 5}, 0.1));
 }
 
 TEST(BoxTest, MembershipFollowsRigidMotions) {
@@ -88,7 +90,7 @@ TEST(BoxTest, MembershipFollowsRigidMotions) {
     const Box box = RandomBox(random, 1, 0.1, 1);
     const Pose X = RandomPose(random, 5);
     const Vector3 p = PointNear(random, box);
-    EXPECT_EQ(box.Contains(p, 0.01), box.Transformed(X).Contains(X * p, 0.01));
+    EXPECT_EQ(oracle::IsWithin(box, p, 0.01), oracle::IsWithin(box.Transformed(X), X * p, 0.01));
   }
 }
 
@@ -114,7 +116,8 @@ TEST(SubtractTest, BlindHoleLeavesFourWallsAndOneWholeFloorWhicheverWayItPoints)
       const Box pocket{Translation(center), {1, 1, 1}};
       const std::vector<Box> ring = Subtract(cube, pocket);
       ASSERT_EQ(ring.size(), 5u);
-      EXPECT_DOUBLE_EQ(ring[0].Volume(), 4 * 4 * 3) << "the floor is cut off first, and whole";
+      EXPECT_DOUBLE_EQ(oracle::VolumeOf(ring[0]), 4 * 4 * 3)
+          << "the floor is cut off first, and whole";
       EXPECT_DOUBLE_EQ(VolumeOf(ring), 64 - 4);
     }
   }
@@ -146,13 +149,15 @@ TEST(SubtractTest, VolumesAddUpAndMembershipAgrees) {
     const std::vector<Box> boxes = Subtract(minuend, pocket);
     EXPECT_LE(boxes.size(), 6u);
     const std::array<Box, 2> both = {minuend, pocket};
-    EXPECT_NEAR(VolumeOf(boxes), MassOf(both, 1).mass - pocket.Volume(), 1e-9) << "draw " << i;
+    EXPECT_NEAR(VolumeOf(boxes), MassOf(both, 1).mass - oracle::VolumeOf(pocket), 1e-9)
+        << "draw " << i;
     for (int k = 0; k < 50; ++k) {
       const Vector3 p = PointNear(random, minuend);
-      const bool inside = minuend.Contains(p, -1e-7) && !pocket.Contains(p, 1e-7);
-      const bool outside = !minuend.Contains(p, 1e-7) || pocket.Contains(p, -1e-7);
+      const bool inside = oracle::IsWithin(minuend, p, -1e-7) && !oracle::IsWithin(pocket, p, 1e-7);
+      const bool outside =
+          !oracle::IsWithin(minuend, p, 1e-7) || oracle::IsWithin(pocket, p, -1e-7);
       const auto holders =
-          std::ranges::count_if(boxes, [&](const Box& b) { return b.Contains(p, 0); });
+          std::ranges::count_if(boxes, [&](const Box& b) { return oracle::IsWithin(b, p, 0); });
       EXPECT_TRUE(!inside || AnyContains(boxes, p, 1e-8)) << "draw " << i << " seed " << kSeed;
       EXPECT_TRUE(!outside || holders == 0) << "draw " << i << " seed " << kSeed;
       EXPECT_LE(holders, 1) << "draw " << i << " seed " << kSeed;
@@ -162,7 +167,7 @@ TEST(SubtractTest, VolumesAddUpAndMembershipAgrees) {
 
 // Returns the mass properties of a solid box in closed form.
 MassProperties SolidBox(const Box& box, double density) {
-  const double mass = density * box.Volume();
+  const double mass = density * oracle::VolumeOf(box);
   const Vector3 squares = box.half_extents.cwiseAbs2();
   const Vector3 own = mass / 3 * (Vector3::Constant(squares.sum()) - squares);
   const Matrix3 R = box.X_FrameBox.linear();

@@ -9,6 +9,7 @@
 
 #include "planner/geometry/box.h"
 #include "planner/geometry/pose.h"
+#include "tests/oracle/box_pair.h"
 #include "tests/oracle/random_pose.h"
 
 namespace assay::geometry::hull_test {
@@ -99,7 +100,7 @@ TEST(HullTest, RandomBoxesHaveSixFacetsOfFourCorners) {
     EXPECT_EQ(hull.vertices.size(), 8u) << "draw " << i;
     EXPECT_EQ(hull.facets.size(), 6u) << "draw " << i;
     for (const Facet& facet : hull.facets) EXPECT_EQ(facet.loop.size(), 4u);
-    EXPECT_NEAR(VolumeOf(hull), box.Volume(), 1e-9) << "draw " << i;
+    EXPECT_NEAR(VolumeOf(hull), oracle::VolumeOf(box), 1e-9) << "draw " << i;
     ExpectHullOf(hull, points, 1e-9);
   }
 }
@@ -209,10 +210,10 @@ TEST(AsBox, RecognizesBoxesAtAnyPose) {
     const std::optional<Box> same = AsBox(HullOf(HullOf(box).vertices));
     ASSERT_TRUE(same.has_value()) << "seed " << kSeed;
     for (const Vector3& corner : box.Corners()) {
-      EXPECT_TRUE(same->Contains(corner, 1e-9));
-      EXPECT_FALSE(same->Contains(corner, -1e-9));
+      EXPECT_TRUE(oracle::IsWithin(*same, corner, 1e-9));
+      EXPECT_FALSE(oracle::IsWithin(*same, corner, -1e-9));
     }
-    EXPECT_NEAR(same->Volume(), box.Volume(), 1e-9);
+    EXPECT_NEAR(oracle::VolumeOf(*same), oracle::VolumeOf(box), 1e-9);
     EXPECT_NEAR(same->X_FrameBox.linear().determinant(), 1, 1e-9);
   }
 }

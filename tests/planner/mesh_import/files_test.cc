@@ -5,7 +5,7 @@
 
 #include "planner/base/input_files/input_error.h"
 #include "planner/mesh_import/files/mesh_file.h"
-#include "planner/mesh_import/files/obj.h"
+#include "planner/mesh_import/files/obj_mesh.h"
 #include "planner/mesh_import/files/stl.h"
 #include "tests/planner/mesh_import/made_mesh.h"
 
@@ -40,7 +40,7 @@ TEST(MeshFile, ObjFacesMayHaveManyCornersAndNegativeIndices) {
   const std::string text =
       "# a wedge\no thing\nv 0 0 0\nv 2 0 0\nv 2 1 0\nv 1 0.2 0\nv 0 1 0 1 1 1\nvn 0 0 1\n"
       "f 1/1/1 2//1 3 -2 -1\n";
-  const TriangleMesh mesh = ReadObj(text, "w.obj");
+  const TriangleMesh mesh = ReadObjMesh(text, "w.obj");
   ASSERT_EQ(mesh.triangles.size(), 3u);
   double area = 0;
   for (const Triangle& triangle : mesh.triangles) {
@@ -57,7 +57,7 @@ TEST(MeshFile, ErrorsNameTheLine) {
     return MessageOfReading([&] { ReadStl(text, "a.stl"); });
   };
   const auto obj = [](const std::string& text) {
-    return MessageOfReading([&] { ReadObj(text, "a.obj"); });
+    return MessageOfReading([&] { ReadObjMesh(text, "a.obj"); });
   };
   EXPECT_THAT(stl("solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 zero 0\n"),
               StartsWith("a.stl:4:10: 'zero' is no coordinate"));

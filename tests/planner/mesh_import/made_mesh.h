@@ -10,7 +10,7 @@
 
 #include <fmt/format.h>
 
-#include "planner/mesh_import/meshes/planar_triangulation.h"
+#include "planner/geometry/solids/triangulation.h"
 #include "planner/mesh_import/meshes/triangle_mesh.h"
 #include "tests/scratch_file.h"
 
@@ -62,17 +62,17 @@ class MadeMesh {
   // Adds a flat end between an outline and holes in it, which looks up or down.
   void AddEnd(double height, const Curve& outline, const std::vector<Curve>& holes, bool looks_up) {
     std::vector<Vector2> points = outline;
-    std::vector<Loop> loops(1);
+    std::vector<geometry::Loop> loops(1);
     for (int i = 0; i < static_cast<int>(outline.size()); ++i) loops[0].push_back(i);
     for (const Curve& hole : holes) {
-      Loop loop;
+      geometry::Loop loop;
       for (auto corner = hole.rbegin(); corner != hole.rend(); ++corner) {
         loop.push_back(static_cast<int>(points.size()));
         points.push_back(*corner);
       }
       loops.push_back(loop);
     }
-    for (const auto& [a, b, c] : Triangulated(points, loops)) {
+    for (const auto& [a, b, c] : geometry::Triangulated(points, loops)) {
       const auto at = [&](int i) { return Add(points[static_cast<std::size_t>(i)], height); };
       AddTriangle(at(a), at(looks_up ? b : c), at(looks_up ? c : b));
     }

@@ -4,60 +4,14 @@
 #include <algorithm>
 
 #include "planner/base/random.h"
+#include "planner/geometry/ring.h"
 #include "planner/mesh_import/meshes/nearest_surface.h"
-#include "planner/mesh_import/meshes/planar_triangulation.h"
 #include "planner/mesh_import/meshes/plane_cut.h"
 #include "planner/mesh_import/repair/weld.h"
 #include "tests/planner/mesh_import/made_mesh.h"
 
 namespace assay::mesh_import {
 namespace {
-
-double AreaOfTriangle(const Vector2& a, const Vector2& b, const Vector2& c) {
-  return ((b - a).x() * (c - a).y() - (b - a).y() * (c - a).x()) / 2;
-}
-
-// Returns a polygon that is star-shaped about its centre, with random radii.
-Curve RandomStar(RandomStream& random, int corners, double least, double most, Vector2 center) {
-  Curve star;
-  for (int i = 0; i < corners; ++i) {
-    const double angle = 2 * std::numbers::pi * i / corners;
-    star.push_back(center +
-                   random.Uniform(least, most) * Vector2(std::cos(angle), std::sin(angle)));
-  }
-  return star;
-}
-
-// The triangles of a region do not overlap, and fill it.
-TEST(PlanarTriangulation, FillsRegionsWithHoles) {
-  RandomStream random(7, "triangulation");
-  for (int trial = 0; trial < 200; ++trial) {
-    std::vector<Vector2> points = RandomStar(random, 5 + random.Index(20), 4, 8, {0, 0});
-    std::vector<Loop> loops(1);
-    for (int i = 0; i < static_cast<int>(points.size()); ++i) loops[0].push_back(i);
-    double expected = SignedArea(points, loops[0]);
-    for (const Vector2& center : {Vector2(-1.2, 0), Vector2(1.2, 0), Vector2(0, 1.8)}) {
-      if (random.Index(3) == 0) continue;
-      Curve hole = RandomStar(random, 3 + random.Index(8), 0.2, 0.6, center);
-      std::ranges::reverse(hole);
-      Loop loop;
-      for (const Vector2& corner : hole) {
-        loop.push_back(static_cast<int>(points.size()));
-        points.push_back(corner);
-      }
-      expected += SignedArea(points, loop);
-      loops.push_back(loop);
-    }
-    double area = 0;
-    for (const auto& [a, b, c] : Triangulated(points, loops)) {
-      const auto at = [&](int i) { return points[static_cast<std::size_t>(i)]; };
-      const double own = AreaOfTriangle(at(a), at(b), at(c));
-      EXPECT_GE(own, -1e-9) << trial;
-      area += std::abs(own);
-    }
-    EXPECT_NEAR(area, expected, 1e-9) << trial;
-  }
-}
 
 TriangleMesh Welded(TriangleMesh mesh) {
   Weld(mesh, 1e-6);
@@ -98,10 +52,12 @@ TEST(PlaneCut, SectionKeepsTheInsideToItsLeft) {
   const Section section =
       SectionOf(mesh, {.normal = Vector3::UnitZ(), .height = 4, .tolerance = 0});
   ASSERT_EQ(section.loops.size(), 2u);
-  std::vector<Vector2> points;
-  for (const Vector3& p : section.points) points.push_back(p.head<2>());
-  std::vector<double> areas = {SignedArea(points, section.loops[0]),
-                               SignedArea(points, section.loops[1])};
+  std::vector<double> areas;
+  for (const geometry::Loop& loop : section.loops) {
+    std::vector<Vector2> curve;
+    for (const int i : loop) curve.push_back(section.points[static_cast<std::size_t>(i)].head<2>());
+    areas.push_back(geometry::SignedArea(curve));
+  }
   std::ranges::sort(areas);
   EXPECT_NEAR(areas[0], -80, 1e-9);
   EXPECT_NEAR(areas[1], 625, 1e-9);

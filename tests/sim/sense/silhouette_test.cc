@@ -10,7 +10,7 @@
 #include "planner/geometry/polygon.h"
 #include "planner/geometry/solids/convex_cut.h"
 #include "planner/geometry/solids/mass_properties.h"
-#include "tests/oracle/part_boxes.h"
+#include "tests/oracle/convex_solid.h"
 #include "tests/sim/scene/peg_and_block.h"
 
 namespace assay::sense::silhouette_test {
@@ -28,33 +28,16 @@ Vector3 OnRay(const View& view, const Vector2& pixel) {
   return view.camera().X_WorldCamera * Vector3(in_camera.normalized());
 }
 
-// Returns whether the ray from the eye goes through the box. Each pair of faces narrows the
-// interval in which the ray is between them.
-bool Hits(const Vector3& eye, const Vector3& through, const Box& box) {
-  const Pose X_BoxWorld = box.X_FrameBox.inverse();
-  const Vector3 start = X_BoxWorld * eye;
-  const Vector3 way = X_BoxWorld * through - start;
-  double enters = 0;
-  double leaves = 1e9;
-  for (int axis = 0; axis < 3; ++axis) {
-    const double a = (-box.half_extents[axis] - start[axis]) / way[axis];
-    const double b = (box.half_extents[axis] - start[axis]) / way[axis];
-    enters = std::max(enters, std::min(a, b));
-    leaves = std::min(leaves, std::max(a, b));
-  }
-  return enters < leaves;
-}
-
-bool HitsAny(const View& view, const Vector2& pixel, const std::vector<Box>& boxes) {
+bool HitsAny(const View& view, const Vector2& pixel, const std::vector<ConvexHull>& solids) {
   const Vector3 eye = view.camera().X_WorldCamera.translation();
   const Vector3 through = OnRay(view, pixel);
-  return std::ranges::any_of(boxes, [&](const Box& box) { return Hits(eye, through, box); });
+  return std::ranges::any_of(
+      solids, [&](const ConvexHull& solid) { return oracle::RayHits(eye, through, solid); });
 }
 
 // A part in one of its stable poses, with a view from above.
 struct Sight {
-  std::vector<Box> boxes;
-  std::vector<ConvexHull> solids;  // the same
+  std::vector<ConvexHull> solids;
   View view;
 };
 
@@ -66,9 +49,7 @@ Sight RandomSight(const std::string& model, RandomStream& random) {
       domain::Placement{0.7, 0.1, random.Uniform(-3, 3)}.X_WorldTable() * X_TablePart;
   const Vector3 eye(random.Uniform(0, 1.5), random.Uniform(-1, 1), random.Uniform(1, 2));
   const Vector3 center = X_WorldPart * part.model->mass().center;
-  std::vector<Box> boxes;
-  for (const Box& box : oracle::BoxesOf(*part.model)) boxes.push_back(box.Transformed(X_WorldPart));
-  return {boxes, geometry::HullsOf(boxes), View(eye, center, 0.13, kSize)};
+  return {geometry::Transformed(part.model->pieces(), X_WorldPart), View(eye, center, 0.13, kSize)};
 }
 
 class SilhouetteTest : public testing::TestWithParam<const char*> {
@@ -84,7 +65,7 @@ TEST_P(SilhouetteTest, ShadowsCoverWhatRaysHit) {
       const Vector2 p(random_.Uniform(0, kSize), random_.Uniform(0, kSize));
       const bool covered = std::ranges::any_of(
           shadows, [&](const auto& shadow) { return geometry::Depth(shadow, p) > 0; });
-      EXPECT_EQ(covered, HitsAny(sight.view, p, sight.boxes)) << p.transpose();
+      EXPECT_EQ(covered, HitsAny(sight.view, p, sight.solids)) << p.transpose();
     }
   }
 }
@@ -99,9 +80,9 @@ TEST_P(SilhouetteTest, ContourPointsAreWhereTheHitsEnd) {
       EXPECT_NEAR(point.normal.norm(), 1, 1e-12);
       for (const double offset : {0.02, 1.0, 2.0}) {
         const Vector2 outside = point.pixel + offset * point.normal;
-        EXPECT_FALSE(HitsAny(sight.view, outside, sight.boxes)) << offset;
+        EXPECT_FALSE(HitsAny(sight.view, outside, sight.solids)) << offset;
       }
-      EXPECT_TRUE(HitsAny(sight.view, point.pixel - 0.01 * point.normal, sight.boxes));
+      EXPECT_TRUE(HitsAny(sight.view, point.pixel - 0.01 * point.normal, sight.solids));
     }
   }
 }
@@ -126,8 +107,8 @@ TEST_P(SilhouetteTest, TheContourHasNoGaps) {
     for (int row = 0; row < kSize; row += 7) {
       for (int column = 0; column + 1 < kSize; ++column) {
         const Vector2 p(column + 0.5, row + 0.5);
-        const bool ends_here = HitsAny(sight.view, p, sight.boxes) !=
-                               HitsAny(sight.view, p + Vector2(1, 0), sight.boxes);
+        const bool ends_here = HitsAny(sight.view, p, sight.solids) !=
+                               HitsAny(sight.view, p + Vector2(1, 0), sight.solids);
         if (!ends_here || AnyWithin(8, corners, p)) continue;
         ++ends;
         if (!AnyWithin(4, contour, p)) ++missed;

@@ -93,6 +93,47 @@ TEST(ConvexPieces, AConvexPolygonIsOnePiece) {
   EXPECT_EQ(ConvexPieces(circle, {}).size(), 1u);
 }
 
+// Returns a comb with many teeth, whose ears come in rows in both directions.
+Ring Comb(int teeth) {
+  Ring ring = {{0.0, -1.0}, {1.0 * teeth, -1.0}};
+  for (int i = teeth; i > 0; --i) {
+    ring.emplace_back(i, 1);
+    ring.emplace_back(i - 0.5, 0);
+  }
+  return ring;
+}
+
+// Returns a band that winds around its middle.
+Ring Spiral(int corners) {
+  Ring ring;
+  for (int i = 0; i < corners; ++i) {
+    ring.push_back((2 + 0.02 * i) * Vector2(std::cos(0.1 * i), std::sin(0.1 * i)));
+  }
+  for (int i = corners; i-- > 0;) {
+    ring.push_back((1.5 + 0.02 * i) * Vector2(std::cos(0.1 * i), std::sin(0.1 * i)));
+  }
+  return ring;
+}
+
+TEST(ConvexPieces, PolygonsWithManyConcaveCornersAreCutExactly) {
+  for (const Ring& ring : {Comb(300), Spiral(500)}) {
+    ASSERT_TRUE(IsSimple(ring));
+    const std::vector<Polygon> pieces = ConvexPieces(ring, {});
+    double area = 0;
+    for (const Polygon& piece : pieces) {
+      EXPECT_TRUE(IsConvex(piece));
+      area += Area(piece);
+    }
+    EXPECT_NEAR(area, AreaOf(ring), 1e-9 * AreaOf(ring));
+  }
+}
+
+TEST(ConvexPieces, TheFewestForAPlateWithAHole) {
+  const Ring plate = {{-2, -2}, {2, -2}, {2, 2}, {-2, 2}};
+  const Ring hole = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
+  EXPECT_LE(ConvexPieces(plate, std::vector<Ring>{hole}).size(), 4u);
+}
+
 TEST(IsSimple, KnownAnswers) {
   EXPECT_TRUE(IsSimple({{0, 0}, {1, 0}, {1, 1}, {0, 1}}));
   EXPECT_TRUE(IsSimple({{0, 0}, {0, 1}, {1, 1}, {1, 0}}));

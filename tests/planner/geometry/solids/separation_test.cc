@@ -58,7 +58,7 @@ TEST(Separation, IsPositiveOnlyForBoxesApartAndNeverMoreThanTheirDistance) {
     }
     const Vector3 in_b =
         b.X_FrameBox * oracle::RandomVector(random, 1).cwiseProduct(b.half_extents);
-    EXPECT_TRUE(gap <= 0 || !a.Contains(in_b, 0)) << "seed " << kSeed;
+    EXPECT_TRUE(gap <= 0 || !oracle::IsWithin(a, in_b, 0)) << "seed " << kSeed;
   }
   EXPECT_GT(apart, kPairs / 10);
 }

@@ -7,6 +7,7 @@
 #include "planner/geometry/box.h"
 #include "planner/geometry/hull.h"
 #include "planner/geometry/pose.h"
+#include "tests/oracle/box_pair.h"
 #include "tests/oracle/random_pose.h"
 
 namespace assay::geometry::shadow_test {
@@ -51,7 +52,7 @@ TEST(ShadowTest, IsTheProjectionOfTheCutBox) {
     }
     for (const Vector2& p : shadow) {
       EXPECT_TRUE(std::ranges::any_of(
-          heights, [&](double z) { return box.Contains(Vector3(p.x(), p.y(), z), 1e-9); }))
+          heights, [&](double z) { return oracle::IsWithin(box, Vector3(p.x(), p.y(), z), 1e-9); }))
           << "seed " << kSeed << " trial " << trial;
     }
   }

@@ -4,13 +4,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "planner/base/random.h"
 #include "planner/geometry/box.h"
 #include "planner/geometry/pose.h"
 #include "planner/plan/certificates/condition_table.h"
-#include "tests/oracle/part_boxes.h"
+#include "tests/oracle/convex_solid.h"
 #include "tests/sim/check/certified.h"
 
 namespace assay::check::measurement_test {
@@ -19,6 +20,7 @@ namespace {
 using geometry::Box;
 using geometry::Pose;
 using geometry::Vector3;
+using oracle::ConvexSolid;
 
 constexpr double kGrid = 0.006;     // metres between the oracle's sample points
 constexpr double kOverlap = -1e-3;  // the observation for bodies that overlap
@@ -32,40 +34,35 @@ const domain::Part& PartNamed(const std::string& name) {
   return *std::ranges::find(Known().problem.parts, name, &domain::Part::name);
 }
 
-// Returns points on the faces and inside of boxes. Neighbours are at most kGrid apart.
-std::vector<Vector3> PointsOf(const std::vector<Box>& boxes, const Pose& X_WorldBody) {
+// Returns points on the faces of solids. Neighbours are at most kGrid apart.
+std::vector<Vector3> PointsOf(const std::vector<ConvexSolid>& solids) {
   std::vector<Vector3> points;
-  for (const Box& box : boxes) {
-    const Eigen::Array3i n = (2 * box.half_extents / kGrid).array().ceil().cast<int>();
-    for (int i = 0; i <= n.x(); ++i) {
-      for (int j = 0; j <= n.y(); ++j) {
-        for (int k = 0; k <= n.z(); ++k) {
-          const Vector3 share = 2 * Vector3(i, j, k).cwiseQuotient(n.matrix().cast<double>());
-          const Vector3 at = box.half_extents.cwiseProduct(share - Vector3::Ones());
-          points.push_back(X_WorldBody * box.X_FrameBox * at);
-        }
-      }
+  const auto add_triangle = [&](const Vector3& a, const Vector3& b, const Vector3& c) {
+    const double longest = std::max({(b - a).norm(), (c - a).norm(), (c - b).norm()});
+    const int n = static_cast<int>(std::ceil(longest / kGrid));
+    for (int i = 0; i <= n; ++i) {
+      for (int j = 0; i + j <= n; ++j) points.push_back(a + i * (b - a) / n + j * (c - a) / n);
+    }
+  };
+  for (const ConvexSolid& solid : solids) {
+    for (const geometry::Facet& facet : solid.hull.facets) {
+      const auto at = [&](std::size_t i) { return solid.hull.vertices[facet.loop[i]]; };
+      for (std::size_t i = 2; i < facet.loop.size(); ++i) add_triangle(at(0), at(i - 1), at(i));
     }
   }
   return points;
 }
 
-double DistanceTo(const std::vector<Box>& boxes, const Pose& X_WorldBody, const Vector3& p) {
-  double nearest = std::numeric_limits<double>::infinity();
-  for (const Box& box : boxes) {
-    const Vector3 in_box = (X_WorldBody * box.X_FrameBox).inverse() * p;
-    nearest = std::min(nearest, (in_box.cwiseAbs() - box.half_extents).cwiseMax(0).norm());
-  }
-  return nearest;
-}
-
 // Returns the oracle's distance of two bodies by sampling. It is never less than the true distance,
 // and exceeds it by little because the samples are dense.
-double Sampled(const std::vector<Box>& a, const Pose& X_WorldA, const std::vector<Box>& b,
-               const Pose& X_WorldB) {
+double Sampled(const std::vector<ConvexSolid>& a, const Pose& X_WorldA,
+               const std::vector<ConvexSolid>& b, const Pose& X_WorldB) {
+  const Pose X_BA = X_WorldB.inverse() * X_WorldA;
   double nearest = std::numeric_limits<double>::infinity();
-  for (const Vector3& p : PointsOf(a, X_WorldA))
-    nearest = std::min(nearest, DistanceTo(b, X_WorldB, p));
+  for (const Vector3& p : PointsOf(a)) {
+    for (const ConvexSolid& solid : b)
+      nearest = std::min(nearest, oracle::PointSolidDistance(X_BA * p, solid.hull));
+  }
   return nearest;
 }
 
@@ -122,6 +119,7 @@ TEST(Measurement, HandClearIsTheHandsDistanceFromAnotherPart) {
   const kinematics::Gripper& gripper = Known().problem.workcell->gripper();
   std::vector<Box> hand = gripper.HandBoxes();
   std::ranges::copy(gripper.FingerBoxes(hold.width), std::back_inserter(hand));
+  const std::vector<ConvexSolid> block_solids = oracle::SolidsOf(*block.model);
   RandomStream random(5, "hand clear");
   int overlaps = 0;
   for (int i = 0; i < 40; ++i) {
@@ -133,7 +131,7 @@ TEST(Measurement, HandClearIsTheHandsDistanceFromAnotherPart) {
     events.acted = &acted;
     const double observed = Observed(Measured(plan::condition::kHandClear, pickup, events),
                                      "the hand stays clear of block");
-    ExpectMeasured(Sampled(oracle::BoxesOf(*block.model), X_WorldBlock, hand, acted.tool.truth),
+    ExpectMeasured(Sampled(block_solids, X_WorldBlock, oracle::SolidsOf(hand), acted.tool.truth),
                    observed);
     overlaps += observed == kOverlap;
   }

@@ -3,9 +3,9 @@
 #include <string>
 #include <string_view>
 
-namespace assay::mesh_import {
+namespace assay {
 
-// Reads the words of a text that describes a mesh, line by line.
+// Reads the words of a text that describes a solid or a surface, line by line.
 class TextWords {
  public:
   TextWords(std::string_view text, std::string file) : rest_(text), file_(std::move(file)) {}
@@ -34,4 +34,4 @@ class TextWords {
   int line_ = 0;
 };
 
-}  // namespace assay::mesh_import
+}  // namespace assay

@@ -1,4 +1,4 @@
-#include "planner/mesh_import/files/text_words.h"
+#include "planner/base/input_files/text_words.h"
 
 #include <charconv>
 #include <cmath>
@@ -6,7 +6,7 @@
 #include "planner/base/input_files/input_error.h"
 #include "planner/base/input_files/quotation.h"
 
-namespace assay::mesh_import {
+namespace assay {
 namespace {
 
 constexpr double kGreatest = 1e6;
@@ -60,4 +60,4 @@ void TextWords::Fail(const std::string& what, const std::string& allowed) const 
   throw InputError({file_, line_, column_}, what, allowed);
 }
 
-}  // namespace assay::mesh_import
+}  // namespace assay

@@ -1,12 +1,13 @@
-#include "planner/mesh_import/meshes/planar_triangulation.h"
+#include "planner/geometry/solids/triangulation.h"
 
 #include <algorithm>
 #include <limits>
 
-namespace assay::mesh_import {
+#include "planner/geometry/ring.h"
+
+namespace assay::geometry {
 namespace {
 
-using geometry::Vector2;
 using Points = std::span<const Vector2>;
 
 // Cutting ears takes time that grows with the square of the number of corners. Longer loops become
@@ -14,20 +15,26 @@ using Points = std::span<const Vector2>;
 constexpr std::size_t kMostEarCorners = 4000;
 // A loop that crosses itself can have few ears. After so many tries for each corner the rest
 // becomes a fan.
-constexpr std::size_t kMostTries = 20;
+constexpr std::size_t kMostTries = 100;
 
-const Vector2& At(Points points, int index) { return points[static_cast<std::size_t>(index)]; }
+const Vector2& PointAt(Points points, int index) { return points[static_cast<std::size_t>(index)]; }
 
 // Returns twice the signed area of a triangle.
-double Turn(const Vector2& a, const Vector2& b, const Vector2& c) {
+double TwiceAreaOf(const Vector2& a, const Vector2& b, const Vector2& c) {
   return (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
 }
 
 bool IsInTriangle(const Vector2& a, const Vector2& b, const Vector2& c, const Vector2& p) {
-  return Turn(a, b, p) >= 0 && Turn(b, c, p) >= 0 && Turn(c, a, p) >= 0;
+  return TwiceAreaOf(a, b, p) >= 0 && TwiceAreaOf(b, c, p) >= 0 && TwiceAreaOf(c, a, p) >= 0;
 }
 
-std::vector<std::array<int, 3>> Fan(const Loop& loop) {
+Ring RingOf(Points points, const Loop& loop) {
+  Ring ring;
+  for (const int i : loop) ring.push_back(PointAt(points, i));
+  return ring;
+}
+
+std::vector<std::array<int, 3>> FanOf(const Loop& loop) {
   std::vector<std::array<int, 3>> triangles;
   for (std::size_t i = 2; i < loop.size(); ++i)
     triangles.push_back({loop[0], loop[i - 1], loop[i]});
@@ -52,10 +59,13 @@ class EarCutter {
         continue;
       }
       triangles_.push_back({loop_[Before(at)], loop_[at], loop_[After(at)]});
+      const std::size_t before = Before(at);
       loop_.erase(loop_.begin() + static_cast<std::ptrdiff_t>(at));
+      // Ears come in rows. Both neighbours are tried next, so that a row is cut in one pass.
+      at = before < at ? before : loop_.size() - 1;
       in_vain = 0;
     }
-    std::ranges::move(Fan(loop_), std::back_inserter(triangles_));
+    std::ranges::move(FanOf(loop_), std::back_inserter(triangles_));
     return std::move(triangles_);
   }
 
@@ -64,12 +74,12 @@ class EarCutter {
   std::size_t After(std::size_t i) const { return (i + 1) % loop_.size(); }
 
   bool IsEar(std::size_t i) const {
-    const Vector2& a = At(points_, loop_[Before(i)]);
-    const Vector2& b = At(points_, loop_[i]);
-    const Vector2& c = At(points_, loop_[After(i)]);
-    if (Turn(a, b, c) <= 0) return false;
+    const Vector2& a = PointAt(points_, loop_[Before(i)]);
+    const Vector2& b = PointAt(points_, loop_[i]);
+    const Vector2& c = PointAt(points_, loop_[After(i)]);
+    if (TwiceAreaOf(a, b, c) <= 0) return false;
     return std::ranges::none_of(loop_, [&](int other) {
-      const Vector2& p = At(points_, other);
+      const Vector2& p = PointAt(points_, other);
       return p != a && p != b && p != c && IsInTriangle(a, b, c, p);
     });
   }
@@ -79,15 +89,38 @@ class EarCutter {
   std::vector<std::array<int, 3>> triangles_;
 };
 
+// Returns whether the corner i of a loop opens towards p: p is between its two sides, on the inside.
+bool OpensTowards(Points points, const Loop& loop, std::size_t i, const Vector2& p) {
+  const Vector2& before = PointAt(points, loop[(i + loop.size() - 1) % loop.size()]);
+  const Vector2& at = PointAt(points, loop[i]);
+  const Vector2& after = PointAt(points, loop[(i + 1) % loop.size()]);
+  const bool left_of_first = TwiceAreaOf(before, at, p) >= 0;
+  const bool left_of_second = TwiceAreaOf(at, after, p) >= 0;
+  if (TwiceAreaOf(before, at, after) >= 0) return left_of_first && left_of_second;
+  return left_of_first || left_of_second;
+}
+
+// Returns the place of a corner that lies where the given one lies, and opens towards p. The ends
+// of earlier bridges occur twice in the loop.
+std::ptrdiff_t CopyTowards(Points points, const Loop& loop, std::ptrdiff_t corner,
+                           const Vector2& p) {
+  const Vector2& at = PointAt(points, loop[static_cast<std::size_t>(corner)]);
+  for (std::size_t i = 0; i < loop.size(); ++i) {
+    if (PointAt(points, loop[i]) == at && OpensTowards(points, loop, i, p))
+      return static_cast<std::ptrdiff_t>(i);
+  }
+  return corner;
+}
+
 // Returns the place in the outer loop to which a bridge from the point p (of a hole) leads: the
 // nearest corner that p sees to its right (Eberly 2008). Returns none if there is no loop there.
 std::ptrdiff_t BridgeFrom(Points points, const Loop& outer, const Vector2& p) {
   std::ptrdiff_t best = -1;
   double nearest = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < outer.size(); ++i) {
-    const Vector2& a = At(points, outer[i]);
+    const Vector2& a = PointAt(points, outer[i]);
     const std::size_t next = (i + 1) % outer.size();
-    const Vector2& b = At(points, outer[next]);
+    const Vector2& b = PointAt(points, outer[next]);
     if (a.y() > p.y() || b.y() < p.y() || a.y() == b.y()) continue;  // edges to the right go up
     const double x = a.x() + (p.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x());
     if (x < p.x() || x >= nearest) continue;
@@ -96,29 +129,29 @@ std::ptrdiff_t BridgeFrom(Points points, const Loop& outer, const Vector2& p) {
   }
   if (best < 0) return best;
   const Vector2 crossing(nearest, p.y());
-  const Vector2 corner = At(points, outer[static_cast<std::size_t>(best)]);
+  const Vector2 corner = PointAt(points, outer[static_cast<std::size_t>(best)]);
   const auto sees_less = [&](const Vector2& q) {
     return corner.y() >= p.y() ? IsInTriangle(p, crossing, corner, q)
                                : IsInTriangle(p, corner, crossing, q);
   };
   double steepest = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < outer.size(); ++i) {
-    const Vector2& q = At(points, outer[i]);
+    const Vector2& q = PointAt(points, outer[i]);
     if (q == corner || q.x() <= p.x() || !sees_less(q)) continue;
     const double slope = std::abs(q.y() - p.y()) / (q.x() - p.x());
     if (slope >= steepest) continue;
     steepest = slope;
     best = static_cast<std::ptrdiff_t>(i);
   }
-  return best;
+  return CopyTowards(points, outer, best, p);
 }
 
 // Joins a hole with its outer loop by a bridge that is walked in both directions. Returns false if
 // the hole is not in the loop.
-bool Join(Points points, Loop& outer, const Loop& hole) {
+bool JoinHole(Points points, Loop& outer, const Loop& hole) {
   const auto rightmost = std::ranges::max_element(
-      hole, {}, [&](int i) { return std::pair(At(points, i).x(), At(points, i).y()); });
-  const std::ptrdiff_t bridge = BridgeFrom(points, outer, At(points, *rightmost));
+      hole, {}, [&](int i) { return std::pair(PointAt(points, i).x(), PointAt(points, i).y()); });
+  const std::ptrdiff_t bridge = BridgeFrom(points, outer, PointAt(points, *rightmost));
   if (bridge < 0) return false;
   Loop way(rightmost, hole.end());
   way.insert(way.end(), hole.begin(), rightmost);
@@ -130,16 +163,16 @@ bool Join(Points points, Loop& outer, const Loop& hole) {
 
 double RightEnd(Points points, const Loop& loop) {
   double right = -std::numeric_limits<double>::infinity();
-  for (const int i : loop) right = std::max(right, At(points, i).x());
+  for (const int i : loop) right = std::max(right, PointAt(points, i).x());
   return right;
 }
 
 // Returns the index of the smallest outer loop around a hole; -1 if there is none.
-int Around(Points points, const std::vector<Loop>& outers, const std::vector<double>& areas,
-           const Loop& hole) {
+int LoopAround(Points points, const std::vector<Ring>& outers, const std::vector<double>& areas,
+               const Loop& hole) {
   int best = -1;
   for (int i = 0; i < static_cast<int>(outers.size()); ++i) {
-    if (!IsInside(points, outers[static_cast<std::size_t>(i)], At(points, hole.front()))) continue;
+    if (!IsInside(outers[static_cast<std::size_t>(i)], PointAt(points, hole.front()))) continue;
     if (best < 0 || areas[static_cast<std::size_t>(i)] < areas[static_cast<std::size_t>(best)])
       best = i;
   }
@@ -148,33 +181,15 @@ int Around(Points points, const std::vector<Loop>& outers, const std::vector<dou
 
 }  // namespace
 
-double SignedArea(Points points, const Loop& loop) {
-  double area = 0;
-  for (std::size_t i = 2; i < loop.size(); ++i)
-    area += Turn(At(points, loop[0]), At(points, loop[i - 1]), At(points, loop[i])) / 2;
-  return area;
-}
-
-bool IsInside(Points points, const Loop& loop, const Vector2& p) {
-  bool inside = false;
-  for (std::size_t i = 0; i < loop.size(); ++i) {
-    const Vector2& a = At(points, loop[i]);
-    const Vector2& b = At(points, loop[(i + 1) % loop.size()]);
-    if ((a.y() > p.y()) == (b.y() > p.y())) continue;
-    if (p.x() < a.x() + (p.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x())) inside = !inside;
-  }
-  return inside;
-}
-
 std::vector<std::array<int, 3>> Triangulated(Points points, const std::vector<Loop>& loops) {
   std::vector<Loop> outers;
   std::vector<double> areas;
   std::vector<Loop> holes;
   std::vector<std::array<int, 3>> triangles;
   for (const Loop& loop : loops) {
-    const double area = SignedArea(points, loop);
+    const double area = SignedArea(RingOf(points, loop));
     if (loop.size() < 3 || loop.size() > kMostEarCorners || area == 0) {
-      std::ranges::move(Fan(loop), std::back_inserter(triangles));
+      std::ranges::move(FanOf(loop), std::back_inserter(triangles));
     } else if (area > 0) {
       outers.push_back(loop);
       areas.push_back(area);
@@ -184,15 +199,16 @@ std::vector<std::array<int, 3>> Triangulated(Points points, const std::vector<Lo
   }
   std::ranges::stable_sort(holes, std::ranges::greater(),
                            [&](const Loop& hole) { return RightEnd(points, hole); });
-  const std::vector<Loop> alone = outers;
+  std::vector<Ring> alone;
+  for (const Loop& outer : outers) alone.push_back(RingOf(points, outer));
   for (const Loop& hole : holes) {
-    const int around = Around(points, alone, areas, hole);
-    if (around < 0 || !Join(points, outers[static_cast<std::size_t>(around)], hole))
-      std::ranges::move(Fan(hole), std::back_inserter(triangles));
+    const int around = LoopAround(points, alone, areas, hole);
+    if (around < 0 || !JoinHole(points, outers[static_cast<std::size_t>(around)], hole))
+      std::ranges::move(FanOf(hole), std::back_inserter(triangles));
   }
   for (Loop& outer : outers)
     std::ranges::move(EarCutter(points, std::move(outer)).Cut(), std::back_inserter(triangles));
   return triangles;
 }
 
-}  // namespace assay::mesh_import
+}  // namespace assay::geometry
