@@ -1,5 +1,5 @@
-#include "planner/geometry/pose.h"
 #include "sim/mujoco/data.h"
+#include "planner/geometry/pose.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
