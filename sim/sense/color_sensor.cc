@@ -8,7 +8,7 @@
 #include "planner/base/check.h"
 #include "planner/geometry/hull.h"
 #include "sim/render/picture_library.h"
-#include "sim/sense/silhouette.h"
+#include "sim/sense/fitting/silhouette.h"
 
 namespace assay::sense {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/sense/placement_search.h"
+#include "sim/sense/fitting/placement_search.h"
 
 namespace assay::sense {
 namespace {

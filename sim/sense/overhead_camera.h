@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "sim/scene/scene.h"
-#include "sim/sense/edge_search.h"
+#include "sim/sense/fitting/edge_search.h"
+#include "sim/sense/fitting/pose_fit.h"
 #include "sim/sense/overhead_eyes.h"
-#include "sim/sense/pose_fit.h"
 #include "sim/sense/pose_sensor.h"
 
 namespace assay::sense {

@@ -4,7 +4,7 @@
 
 #include "sim/render/renderer.h"
 #include "sim/scene/scene.h"
-#include "sim/sense/placement_search.h"
+#include "sim/sense/fitting/placement_search.h"
 #include "sim/sense/view.h"
 
 namespace assay::sense {

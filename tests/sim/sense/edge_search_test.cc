@@ -1,4 +1,4 @@
-#include "sim/sense/edge_search.h"
+#include "sim/sense/fitting/edge_search.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "sim/sense/pose_fit.h"
+#include "sim/sense/fitting/pose_fit.h"
 
 #include <Eigen/Cholesky>
 #include <algorithm>

@@ -1,4 +1,4 @@
-#include "sim/sense/placement_search.h"
+#include "sim/sense/fitting/placement_search.h"
 
 #include <array>
 #include <cmath>

@@ -4,7 +4,7 @@
 #include <span>
 
 #include "sim/sense/displacement.h"
-#include "sim/sense/edge_search.h"
+#include "sim/sense/fitting/edge_search.h"
 
 namespace assay::sense {
 

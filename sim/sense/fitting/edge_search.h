@@ -2,8 +2,8 @@
 
 #include <optional>
 
+#include "sim/sense/fitting/silhouette.h"
 #include "sim/sense/palette.h"
-#include "sim/sense/silhouette.h"
 
 namespace assay::sense {
 

@@ -1,4 +1,4 @@
-#include "sim/sense/silhouette.h"
+#include "sim/sense/fitting/silhouette.h"
 
 #include <algorithm>
 #include <array>
