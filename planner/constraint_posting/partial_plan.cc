@@ -148,6 +148,11 @@ std::vector<ActionTemplate> PartialPlan::Establishers(const OperationalGoal& goa
         kind->achieve(*problem_, ConditionOf(goal.consumer, goal.precondition), variables_),
         std::back_inserter(actions));
   }
+  // An action whose variable has no label, as the grasp of a part that has none, is never possible.
+  std::erase_if(actions, [](const ActionTemplate& action) {
+    return std::ranges::any_of(action.initial, &std::vector<int>::empty,
+                               &domain::InitialConstraint::labels);
+  });
   return actions;
 }
 

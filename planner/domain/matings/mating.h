@@ -22,6 +22,9 @@ struct Mating {
   geometry::Pose X_FixedHeld;       // Ta
   geometry::Vector3 mating_vector;  // metres, frame of the fixed part; the motion starts at
                                     // X_FixedHeld displaced by minus this vector
+  // True if nothing of the fixed part stops the motion at its end. The table on which the fixed
+  // part lies stops it, as for a shaft that goes through its hole. It then carries the held part.
+  bool ends_on_table = false;
 };
 
 }  // namespace assay::domain

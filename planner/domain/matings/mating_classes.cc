@@ -2,10 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "planner/domain/actions/condition.h"
 
 namespace assay::domain {
+
+namespace {
+
+constexpr double kStraightDown = 1e-3;  // radians, as for axes of features that are equal
+constexpr double kOpensAbove = 0.5;  // least cosine between the vertical and a hole that opens up
+
+}  // namespace
 
 double LeastMatingFriction(const Problem& problem) {
   return problem.workcell->rules().friction - problem.tolerances.friction;
@@ -13,19 +21,31 @@ double LeastMatingFriction(const Problem& problem) {
 
 Limited MatingLean(const Problem& problem, const Mating& mating, const Pose& X_WorldFixed) {
   return {.value = LeanOf(X_WorldFixed.linear() * mating.mating_vector),
-          .limit = std::atan(LeastMatingFriction(problem))};
+          .limit = mating.ends_on_table ? kStraightDown : std::atan(LeastMatingFriction(problem))};
 }
 
 // -v_z >= |v| cos(atan(mu)): the vector points into the cone about the downward direction.
 bool InFrictionCone(const Problem& problem, const Mating& mating, const Pose& X_WorldFixed) {
-  return MatingLean(problem, mating, X_WorldFixed).excess() <= kRounding;
+  return MatingLean(problem, mating, X_WorldFixed).excess() <= kRounding &&
+         MeetsTable(problem, mating, X_WorldFixed);
+}
+
+bool MeetsTable(const Problem& problem, const Mating& mating, const Pose& X_WorldFixed) {
+  if (!mating.ends_on_table) return true;
+  double lowest = std::numeric_limits<double>::infinity();
+  for (const Vector3& p : problem.part(mating.held).model->hull().vertices)
+    lowest = std::min(lowest, (X_WorldFixed * mating.X_FixedHeld * p).z());
+  return std::abs(lowest) <= kSeatGap;
 }
 
 bool HidesMatingFeatures(const Problem& problem, const Mating& mating, StablePoseId pose_of_fixed) {
-  const auto& hidden =
-      problem.part(mating.fixed).model->stable_poses()[pose_of_fixed.index()].hidden;
+  const PartModel& fixed = *problem.part(mating.fixed).model;
+  const StablePose& pose = fixed.stable_poses()[pose_of_fixed.index()];
   return std::ranges::any_of(mating.features, [&](const auto& pair) {
-    return std::ranges::binary_search(hidden, pair.second);
+    const Feature& feature = *fixed.FindFeature(pair.second);
+    const double up = (pose.X_TablePart.linear() * feature.X_PartFeature.linear()).col(2).z();
+    const bool opens_above = feature.mouths.size() > 1 && up > kOpensAbove;
+    return !opens_above && std::ranges::binary_search(pose.hidden, pair.second);
   });
 }
 

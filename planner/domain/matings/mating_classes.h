@@ -8,16 +8,24 @@
 
 namespace assay::domain {
 
+// Mated parts may be this far apart where the mating motion ends, in metres.
+inline constexpr double kSeatGap = 1e-4;
+
 // Returns the least friction of mating surfaces within its tolerance, on which the friction cone
 // can rely. 0 allows only straight down.
 double LeastMatingFriction(const Problem& problem);
 
-// Returns the angle of the mating vector from straight down, with the friction cone's half angle as
-// its limit.
+// Returns the angle of the mating vector from straight down. Its limit is the friction cone's half
+// angle, and zero, but for rounding, for a motion that ends on the table.
 Limited MatingLean(const Problem& problem, const Mating& mating, const Pose& X_WorldFixed);
-// Returns whether the mating vector is inside the friction cone.
+// Returns whether the mating vector is inside the friction cone, and MeetsTable holds.
 bool InFrictionCone(const Problem& problem, const Mating& mating, const Pose& X_WorldFixed);
-// Returns whether a stable pose of the fixed part hides one of its mating features.
+// Returns whether the mating motion ends on the table (Mating::ends_on_table), if this is where it
+// must end: straight down, with the held part's lowest point level with the table. True for other
+// matings.
+bool MeetsTable(const Problem& problem, const Mating& mating, const Pose& X_WorldFixed);
+// Returns whether a stable pose of the fixed part hides one of its mating features. The
+// far mouth of a through hole may be hidden: the shaft enters at the other one.
 bool HidesMatingFeatures(const Problem& problem, const Mating& mating, StablePoseId pose_of_fixed);
 // Returns whether a grasp leaves the held part's mating features free.
 bool LeavesMatingFeaturesFree(const Problem& problem, const Mating& mating, GraspId grasp);

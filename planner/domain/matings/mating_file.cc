@@ -5,8 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
+#include "planner/domain/matings/mating_classes.h"
 #include "planner/domain/matings/shaft_fit.h"
 #include "planner/domain/problem/name.h"
 #include "planner/domain/problem/part_name.h"
@@ -21,7 +23,6 @@ constexpr double kShortestMatingVector = 1e-6;  // metres
 constexpr double kLongestMatingVector = 2;      // metres
 constexpr double kSamePose = 1e-9;     // greatest difference between entries of equal poses
 constexpr double kMatingStep = 0.005;  // metres between tests along a mating vector
-constexpr double kSeatGap = 1e-4;      // metres that mated parts may be apart
 constexpr double kLeastDepth = 1e-4;   // metres that a shaft must be in its hole
 constexpr double kBesideWall = 1e-6;   // depth in a wall that counts as rounding, metres
 constexpr double kMostTurn = 0.4;      // greatest turn of a seated part that is tried, radians
@@ -88,7 +89,7 @@ class MatingFile {
   void CheckFacesMeet(const Value& pose, const Mating& mating) const;
   void CheckShaftIsInside(const Value& value, const ShaftFit& fit) const;
   void CheckWayIn(const Value& vector, const Mating& mating, const ShaftFit& fit) const;
-  void CheckEnd(const Value& pose, const Mating& mating) const;
+  bool EndsOnTable(const Value& pose, const Mating& mating) const;
   void CheckNothingElseFits(const Value& features, const Mating& mating) const;
   std::string InFileUnit(double metres) const { return InUnit(metres, units_.length); }
 
@@ -118,7 +119,7 @@ Mating MatingFile::Read(const Value& value) const {
     CheckShaftIsInside(value, fit);
     CheckWayIn(value.At("mating_vector"), mating, fit);
   }
-  CheckEnd(value.At("pose"), mating);
+  mating.ends_on_table = EndsOnTable(value.At("pose"), mating);
   CheckNothingElseFits(value.At("features"), mating);
   return mating;
 }
@@ -272,19 +273,31 @@ void MatingFile::CheckWayIn(const Value& vector, const Mating& mating, const Sha
   }
 }
 
-// Checks that the motion ends at a contact where the part is to be: a guarded move feels for it.
-void MatingFile::CheckEnd(const Value& pose, const Mating& mating) const {
-  const auto& held = problem_.part(mating.held).model->shape();
-  const auto& fixed = problem_.part(mating.fixed).model->shape();
+// Checks that the motion ends at a contact where the part is to be, because a guarded move feels
+// for it. Returns whether this is the table: nothing of the fixed part is ahead, and the held part
+// is level with the side of the fixed part that lies on the table if the motion goes straight down.
+bool MatingFile::EndsOnTable(const Value& pose, const Mating& mating) const {
+  const PartModel& held = *problem_.part(mating.held).model;
+  const PartModel& fixed = *problem_.part(mating.fixed).model;
   const double allowance = problem_.workcell->rules().contact_allowance;
-  const Vector3 farther = (allowance + kSeatGap) * mating.mating_vector.normalized();
-  if (Overlaps(held, geometry::Translation(farther) * mating.X_FixedHeld, fixed, Pose::Identity(),
-               allowance)) {
-    return;
+  const Vector3 in = mating.mating_vector.normalized();
+  if (Overlaps(held.shape(),
+               geometry::Translation((allowance + kSeatGap) * in) * mating.X_FixedHeld,
+               fixed.shape(), Pose::Identity(), allowance)) {
+    return false;
   }
-  pose.Fail("the parts do not touch where the mating motion ends",
-            fmt::format("a mated pose in which the fixed part is at most {} ahead",
-                        InFileUnit(kSeatGap)));
+  const auto farthest = [&](const PartModel& model, const Pose& X_FixedPart) {
+    double most = -std::numeric_limits<double>::infinity();
+    for (const Vector3& p : model.hull().vertices) most = std::max(most, in.dot(X_FixedPart * p));
+    return most;
+  };
+  const double beyond = farthest(held, mating.X_FixedHeld) - farthest(fixed, Pose::Identity());
+  if (std::abs(beyond) <= kSeatGap) return true;
+  pose.Fail(
+      "the parts do not touch where the mating motion ends",
+      fmt::format("a mated pose in which the fixed part is at most {} ahead, or in which the "
+                  "held part is level with the far side of the fixed part, where the table is",
+                  InFileUnit(kSeatGap)));
 }
 
 // Returns poses of the seated held part in which its shafts and holes have almost all the play that

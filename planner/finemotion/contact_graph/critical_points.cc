@@ -87,17 +87,22 @@ std::vector<TravelStretch> United(std::vector<TravelStretch> stretches) {
 class Slide {
  public:
   Slide(const Polyhedron& moving, const Polyhedron& stationary, const Pose& X_StationaryEnd,
-        const Vector3& mating_vector)
+        const Vector3& mating_vector, double play)
       : moving_(moving),
         stationary_(stationary),
         X_StationaryEnd_(X_StationaryEnd),
         length_(mating_vector.norm()),
+        play_(play),
         direction_(mating_vector / length_) {
     ASSAY_CHECK(length_ > kSlideTolerance);
     for (std::size_t i = 0; i < moving.faces.size(); ++i) {
       for (std::size_t j = 0; j < stationary.faces.size(); ++j) {
+        if (moving.faces[i].is_round && stationary.faces[j].is_round) continue;
         AddTouches({static_cast<int>(i), static_cast<int>(j)});
       }
+    }
+    for (std::size_t i = 0; i < moving.shafts.size(); ++i) {
+      for (std::size_t j = 0; j < stationary.holes.size(); ++j) AddRoundTouches(i, j);
     }
   }
 
@@ -138,10 +143,24 @@ class Slide {
     const double gap_at_end = height_at_end - other.height;
     const double fall = -other.normal.dot(direction_);
     if (std::abs(fall) <= kSameDirection) {
-      if (std::abs(gap_at_end) <= kSlideTolerance) AddSliding(faces, Overlaps(face, other));
+      if (gap_at_end >= -kSlideTolerance && gap_at_end <= play_ + kSlideTolerance)
+        AddSliding(faces, Overlaps(face, other));
     } else {
       AddLanding(faces, length_ + gap_at_end / fall, Overlaps(face, other));
     }
+  }
+
+  // Adds a round shaft on the axis of a round hole, which touches it from the mouth on. Indices of
+  // shafts and holes follow those of faces.
+  void AddRoundTouches(std::size_t shaft, std::size_t hole) {
+    const RoundHole& around = stationary_.holes[hole];
+    const Vector3 tip = X_StationaryEnd_ * moving_.shafts[shaft].tip;
+    const double inside = around.axis.dot(around.mouth - tip);
+    const Vector3 beside = tip - around.mouth + inside * around.axis;
+    if (inside < 0 || beside.norm() > around.radius) return;
+    const int of_shaft = static_cast<int>(moving_.faces.size() + shaft);
+    const int of_hole = static_cast<int>(stationary_.faces.size() + hole);
+    AddSliding({of_shaft, of_hole}, {{length_ - inside, 2 * length_}});
   }
 
   // Returns the stretches of travel in which the faces, moved into one plane, have an area in
@@ -217,6 +236,7 @@ class Slide {
   const Polyhedron& stationary_;
   const Pose X_StationaryEnd_;
   const double length_;
+  const double play_;
   const Vector3 direction_;
   std::vector<Touch> touches_;
 };
@@ -224,9 +244,9 @@ class Slide {
 }  // namespace
 
 std::vector<CriticalPoint> CriticalPoints(const Polyhedron& moving, const Polyhedron& stationary,
-                                          const Pose& X_StationaryEnd,
-                                          const Vector3& mating_vector) {
-  return Slide(moving, stationary, X_StationaryEnd, mating_vector).CriticalPoints();
+                                          const Pose& X_StationaryEnd, const Vector3& mating_vector,
+                                          double play) {
+  return Slide(moving, stationary, X_StationaryEnd, mating_vector, play).CriticalPoints();
 }
 
 }  // namespace assay::finemotion

@@ -29,11 +29,13 @@ struct CriticalPoint {
 };
 
 // Returns the critical points in the order of travel. The trajectory is the translation along
-// `mating_vector` (metres, in the stationary part's axes) that ends at X_StationaryEnd. The
-// polyhedra must be those without clearance, so that they touch while they slide. Faces within
-// a micrometre of one plane count as in it, and places within a micrometre of each other count as
-// one.
+// `mating_vector` (metres, in the stationary part's axes) that ends at X_StationaryEnd. Faces that
+// slide along each other count as touching if the gap between them is at most `play` metres: the
+// play that is left in polyhedra without clearance. A round shaft touches a round hole while its
+// tip is inside. Faces within a micrometre of one plane count as in it, and places within a
+// micrometre of each other count as one.
 std::vector<CriticalPoint> CriticalPoints(const Polyhedron& moving, const Polyhedron& stationary,
-                                          const Pose& X_StationaryEnd, const Vector3& mating_vector);
+                                          const Pose& X_StationaryEnd, const Vector3& mating_vector,
+                                          double play = 0);
 
 }  // namespace assay::finemotion

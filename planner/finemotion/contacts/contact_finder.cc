@@ -11,6 +11,7 @@
 #include "planner/finemotion/contacts/linear_rows.h"
 #include "planner/finemotion/contacts/parallel_edge_finder.h"
 #include "planner/finemotion/contacts/placed_part.h"
+#include "planner/finemotion/contacts/round_contacts.h"
 
 namespace assay::finemotion {
 
@@ -47,13 +48,22 @@ class ContactFinder::Parts {
  public:
   Parts(const Polyhedron& moving_shape, const Polyhedron& stationary_shape,
         const std::vector<ModelTolerance>& model_tolerances)
-      : moving(moving_shape, ModelTolerance::Of::kMovingFaces, model_tolerances),
+      : round(moving_shape, stationary_shape),
+        moving(moving_shape, ModelTolerance::Of::kMovingFaces, model_tolerances),
         stationary(stationary_shape, ModelTolerance::Of::kStationaryFaces, model_tolerances),
         tolerances(std::ssize(model_tolerances)),
         placed_stationary(stationary, Pose::Identity()) {}
   Parts(const Parts&) = delete;
   Parts& operator=(const Parts&) = delete;
 
+  // Adds the contact if it is within the range.
+  void AddRound(const ContactKey& key, const Pose& X, const ContactRange& range,
+                std::vector<PrimitiveContact>& contacts) const {
+    if (auto contact = round.Linearized(key, X, range, tolerances))
+      contacts.push_back(std::move(*contact));
+  }
+
+  const RoundContacts round;
   const Part moving;
   const Part stationary;
   const Eigen::Index tolerances;
@@ -83,20 +93,18 @@ class Linearizer {
                  [&](Index moving, Index stationary) { AddEdgeOnEdge(moving, stationary); });
   }
 
+  // Adds a contact that is not round.
   void Add(const ContactKey& key) {
     const auto moving = static_cast<Index>(key.moving);
     const auto stationary = static_cast<Index>(key.stationary);
     if (moving >= CountOf(moving_.part, key.kind == ContactKind::kVertexFace, key.kind) ||
         stationary >= CountOf(stationary_.part, key.kind == ContactKind::kFaceVertex, key.kind))
       return;
-    switch (key.kind) {
-      case ContactKind::kVertexFace:
-        return AddVertexOnFace(moving_, moving, stationary_, stationary);
-      case ContactKind::kFaceVertex:
-        return AddVertexOnFace(stationary_, stationary, moving_, moving);
-      case ContactKind::kEdgeEdge:
-        return AddEdgeOnEdge(moving, stationary);
-    }
+    if (key.kind == ContactKind::kVertexFace)
+      AddVertexOnFace(moving_, moving, stationary_, stationary);
+    if (key.kind == ContactKind::kFaceVertex)
+      AddVertexOnFace(stationary_, stationary, moving_, moving);
+    if (key.kind == ContactKind::kEdgeEdge) AddEdgeOnEdge(moving, stationary);
   }
 
   std::vector<PrimitiveContact> Take() && { return std::move(contacts_); }
@@ -122,6 +130,7 @@ class Linearizer {
     const double reach = reach_ + kSamePoint;
     const Part& part = with_face.part;
     for (Index i = 0; i < with_vertex.part.vertices.size(); ++i) {
+      if (with_vertex.part.vertices[i].is_round) continue;
       const Vector3 p = with_face.MovedBack(with_vertex.X * with_vertex.part.vertices[i].p);
       if (!part.extent.IsNear(p, reach)) continue;
       for (Index j = 0; j < part.faces.size(); ++j) {
@@ -325,7 +334,10 @@ std::vector<PrimitiveContact> ContactFinder::Near(const Pose& X_StationaryMoving
   const Placed moving(parts_->moving, X_StationaryMoving);
   Linearizer linearizer(moving, parts_->placed_stationary, parts_->tolerances, range);
   linearizer.AddAll();
-  return std::move(linearizer).Take();
+  std::vector<PrimitiveContact> contacts = std::move(linearizer).Take();
+  for (const ContactKey& key : parts_->round.keys())
+    parts_->AddRound(key, X_StationaryMoving, range, contacts);
+  return contacts;
 }
 
 std::vector<ParallelEdges> ContactFinder::NearlyParallel(const Pose& X_StationaryMoving,
@@ -341,7 +353,10 @@ std::vector<PrimitiveContact> ContactFinder::Of(std::span<const ContactKey> keys
   Linearizer linearizer(moving, parts_->placed_stationary, parts_->tolerances,
                         {.reach = kFar, .turn = turn});
   for (const ContactKey& key : keys) linearizer.Add(key);
-  return std::move(linearizer).Take();
+  std::vector<PrimitiveContact> contacts = std::move(linearizer).Take();
+  for (const ContactKey& key : keys)
+    parts_->AddRound(key, X_StationaryMoving, {.reach = kFar, .turn = turn}, contacts);
+  return contacts;
 }
 
 std::vector<PrimitiveContact> PrimitiveContacts(const Polyhedron& moving,

@@ -25,7 +25,9 @@ struct Placed {
     for (const ToleratedPart::Edge& edge : part.edges) {
       const Vector3 start = X * edge.start;
       const Vector3 direction = Turned(edge.direction);
-      edges.push_back({start, direction, Extent::Of(start, start + edge.length * direction)});
+      edges.push_back(
+          {start, direction,
+           edge.is_round ? Extent() : Extent::Of(start, start + edge.length * direction)});
     }
   }
 

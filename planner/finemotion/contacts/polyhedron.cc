@@ -1,6 +1,7 @@
 #include "planner/finemotion/contacts/polyhedron.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <limits>
 #include <map>
@@ -109,8 +110,8 @@ double Union::HighestAbove(const Plane& plane, const Solid& solid) const {
 
 // Returns whether all these solids lie below the plane.
 bool Union::Supports(const Plane& plane, const std::vector<int>& solids) const {
-  return std::ranges::all_of(solids,
-                             [&](int s) { return HighestAbove(plane, solids_[s]) <= kUnionTolerance; });
+  return std::ranges::all_of(
+      solids, [&](int s) { return HighestAbove(plane, solids_[s]) <= kUnionTolerance; });
 }
 
 std::vector<int> Union::Containing(const Vector3& p) const {
@@ -138,7 +139,8 @@ std::vector<Outline> Union::Without(const std::vector<Outline>& region, const So
     Outline rest = outline;
     for (int plane : cover.planes) {
       Halves halves = Split(rest, planes_[plane], kUnionTolerance);
-      if (geometry::IsBroad(halves.above, kUnionTolerance)) cut_off.push_back(std::move(halves.above));
+      if (geometry::IsBroad(halves.above, kUnionTolerance))
+        cut_off.push_back(std::move(halves.above));
       rest = std::move(halves.below);
     }
     // If nothing is covered, the polygon stays whole.
@@ -171,7 +173,8 @@ std::vector<Vector3> Union::CutPoints(const Segment& edge) const {
   for (const Plane& plane : planes_) {
     const double at_start = plane.Above(edge.start);
     const double at_end = plane.Above(edge.end);
-    if (std::min(at_start, at_end) < -kUnionTolerance && std::max(at_start, at_end) > kUnionTolerance) {
+    if (std::min(at_start, at_end) < -kUnionTolerance &&
+        std::max(at_start, at_end) > kUnionTolerance) {
       fractions.push_back(at_start / (at_start - at_end));
     }
   }
@@ -356,8 +359,7 @@ Polyhedron Union::Outside() const {
 
 }  // namespace
 
-Polyhedron OutsideOf(const std::vector<ConvexPiece>& pieces) { return Union(pieces).Outside();
-}
+Polyhedron OutsideOf(const std::vector<ConvexPiece>& pieces) { return Union(pieces).Outside(); }
 
 Polyhedron Transformed(Polyhedron shape, const Pose& X_NewOld) {
   for (OuterFace& face : shape.faces) {
@@ -372,6 +374,14 @@ Polyhedron Transformed(Polyhedron shape, const Pose& X_NewOld) {
     edge.end = X_NewOld * edge.end;
   }
   for (OuterVertex& vertex : shape.vertices) vertex.p = X_NewOld * vertex.p;
+  for (RoundShaft& shaft : shape.shafts) {
+    shaft.tip = X_NewOld * shaft.tip;
+    shaft.axis = X_NewOld.linear() * shaft.axis;
+  }
+  for (RoundHole& hole : shape.holes) {
+    hole.mouth = X_NewOld * hole.mouth;
+    hole.axis = X_NewOld.linear() * hole.axis;
+  }
   return shape;
 }
 

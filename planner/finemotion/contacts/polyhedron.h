@@ -28,6 +28,7 @@ struct OuterFace {
   Vector3 normal = Vector3::Zero();  // unit vector, outward
   double height = 0;                 // normal . p for each point p of the plane, metres
   std::vector<std::vector<Vector3>> region;
+  bool is_round = false;  // a side of a shaft or hole of Polyhedron
 };
 
 // A convex edge, or the stretch of one that is outside.
@@ -35,6 +36,7 @@ struct OuterEdge {
   Vector3 start = Vector3::Zero();
   Vector3 end = Vector3::Zero();
   std::array<int, 2> faces{};  // indices of the two faces that meet at the edge
+  bool is_round = false;       // an edge of a side of a shaft or hole of Polyhedron
 
   Vector3 direction() const { return (end - start).normalized(); }
 };
@@ -43,6 +45,23 @@ struct OuterEdge {
 struct OuterVertex {
   Vector3 p = Vector3::Zero();
   std::vector<int> edges;  // indices of the edges that leave the corner
+  bool is_round = false;   // a corner of a side of a shaft or hole of Polyhedron
+};
+
+// A round shaft: a cylinder with a free end, its tip.
+struct RoundShaft {
+  Vector3 tip = Vector3::Zero();   // centre of the rim at the tip
+  Vector3 axis = Vector3::Zero();  // unit vector, outward at the tip
+  double radius = 0;               // metres
+  double length = 0;               // metres from the tip to the end of the cylinder
+};
+
+// A round hole: a cylinder that opens into a plane at its mouth.
+struct RoundHole {
+  Vector3 mouth = Vector3::Zero();  // centre of the rim at the mouth
+  Vector3 axis = Vector3::Zero();   // unit vector, outward at the mouth
+  double radius = 0;                // metres
+  double depth = 0;                 // metres from the mouth to the end of the cylinder
 };
 
 // The outside of a union of convex pieces, which is what another part can touch (Dakin and
@@ -53,6 +72,10 @@ struct Polyhedron {
   std::vector<OuterFace> faces;
   std::vector<OuterEdge> edges;
   std::vector<OuterVertex> vertices;
+  // Cylinders that stand for polygons with many sides. Features marked `is_round` belong to these
+  // polygons: they are part of the shape, and its contacts are those of the cylinders.
+  std::vector<RoundShaft> shafts = {};
+  std::vector<RoundHole> holes = {};
 };
 
 // Returns the outside of the union of the pieces, which may touch and overlap. Features shorter

@@ -10,6 +10,8 @@
 
 namespace assay::finemotion {
 
+bool IsRound(ContactKind kind) { return kind >= ContactKind::kRimFace; }
+
 ContactKey KeyOf(const PrimitiveContact& contact) {
   return {contact.kind, contact.moving, contact.stationary};
 }
@@ -39,6 +41,14 @@ std::string Name(const ContactKey& key) {
       return pair("face", "vertex");
     case ContactKind::kEdgeEdge:
       return pair("edge", "edge");
+    case ContactKind::kRimFace:
+      return pair("rim", "face");
+    case ContactKind::kRimRim:
+      return pair("rim", "rim");
+    case ContactKind::kSideRim:
+      return pair("side", "rim");
+    case ContactKind::kRimWall:
+      return pair("rim", "wall");
   }
   ASSAY_CHECK(false, "no such kind of contact");
 }
@@ -50,8 +60,9 @@ std::optional<ContactKey> ContactNamed(const std::string& name) {
   std::string word;
   ContactKey key;
   words >> word >> key.moving >> word >> word >> key.stationary;
-  for (const auto kind :
-       {ContactKind::kVertexFace, ContactKind::kFaceVertex, ContactKind::kEdgeEdge}) {
+  for (const auto kind : {ContactKind::kVertexFace, ContactKind::kFaceVertex,
+                          ContactKind::kEdgeEdge, ContactKind::kRimFace, ContactKind::kRimRim,
+                          ContactKind::kSideRim, ContactKind::kRimWall}) {
     key.kind = kind;
     if (Name(key) == name) return key;
   }

@@ -16,7 +16,19 @@ namespace assay::finemotion {
 // than this.
 inline constexpr double kSameSurface = 1e-9;
 
-enum class ContactKind { kVertexFace, kFaceVertex, kEdgeEdge };
+// The kinds of contacts. The last four are those of a round shaft of the moving part with a round
+// hole of the stationary part (round_contacts.h).
+enum class ContactKind {
+  kVertexFace,
+  kFaceVertex,
+  kEdgeEdge,
+  kRimFace,  // the rim of the shaft's tip on a face
+  kRimRim,   // the rim of the shaft's tip crosses that of the hole's mouth
+  kSideRim,  // the side of the shaft on the rim of the hole's mouth
+  kRimWall,  // the rim of the shaft's tip on the wall of the hole
+};
+
+bool IsRound(ContactKind kind);  // whether it is one of the last four
 
 // A model parameter that may differ from its nominal value. It is one dimension of generalized
 // space.

@@ -97,7 +97,7 @@ Face MakeFace(const OuterFace& face, int index, const Shifts& shifts) {
     Region region{std::move(sides), {}};
     for (const RegionSide& side : region.sides) {
       region.shifts.emplace_back(shifts.At(side.middle()).transpose() * side.outward);
-      made.extent.Add(side.start);
+      if (!face.is_round) made.extent.Add(side.start);
     }
     made.regions.push_back(std::move(region));
   }
@@ -108,6 +108,7 @@ Edge MakeEdge(const OuterEdge& edge, const Polyhedron& shape, const Shifts& shif
   Edge made{.start = edge.start,
             .direction = edge.direction(),
             .length = (edge.end - edge.start).norm(),
+            .is_round = edge.is_round,
             .shift = shifts.Of({edge.faces[0], edge.faces[1]}),
             .end_shifts = {}};
   for (const Index which : {0U, 1U}) {
@@ -120,7 +121,8 @@ Edge MakeEdge(const OuterEdge& edge, const Polyhedron& shape, const Shifts& shif
 }
 
 Vertex MakeVertex(const OuterVertex& vertex, const Polyhedron& shape, const Shifts& shifts) {
-  Vertex made{.p = vertex.p, .leaving = {}, .shift = shifts.At(vertex.p)};
+  Vertex made{
+      .p = vertex.p, .leaving = {}, .is_round = vertex.is_round, .shift = shifts.At(vertex.p)};
   for (const int index : vertex.edges) {
     const OuterEdge& edge = shape.edges[static_cast<Index>(index)];
     const bool from_start =
@@ -138,6 +140,7 @@ ToleratedPart::ToleratedPart(const Polyhedron& shape, ModelTolerance::Of of,
   const Shifts shifts(shape, of, tolerances);
   for (Index i = 0; i < shape.faces.size(); ++i) {
     faces.push_back(MakeFace(shape.faces[i], static_cast<int>(i), shifts));
+    if (shape.faces[i].is_round) continue;
     extent.Add(faces.back().extent.low);
     extent.Add(faces.back().extent.high);
   }

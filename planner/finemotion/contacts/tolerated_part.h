@@ -24,6 +24,7 @@ struct ToleratedPart {
     double length = 0;
     std::array<Vector3, 2> into{};
     std::array<Vector3, 2> normals{};      // outward normals of the edge's two faces
+    bool is_round = false;                 // no contact of its own (Polyhedron)
     Shift shift;                           // shift of the edge's line, across its direction
     std::array<ShiftAlong, 2> end_shifts;  // shifts of start and end, along the edge
 
@@ -36,6 +37,7 @@ struct ToleratedPart {
   struct Vertex {
     Vector3 p = Vector3::Zero();
     std::vector<Vector3> leaving;  // directions of the edges that leave the vertex
+    bool is_round = false;         // no contact of its own (Polyhedron)
     Shift shift;
   };
 

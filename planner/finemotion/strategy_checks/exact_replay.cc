@@ -3,6 +3,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "planner/base/check.h"
@@ -12,17 +13,20 @@ namespace assay::finemotion {
 
 namespace {
 
-constexpr int kSteps = 24;          // steps of one motion
-constexpr int kClosings = 3;        // number of Newton steps, which begin near the solution
-constexpr double kTouching = 1e-7;  // metres; smaller gaps touch
-constexpr double kBeside = 1e-6;    // metres; edges in a concave corner touch at their ends
-constexpr double kNudge = 1e-7;     // metres, for numerical derivatives
-constexpr double kLonger = 1.05;    // contacts are awaited for the longest way times this factor
-constexpr double kMargin = 1e-3;    // metres beyond what a motion can reach
+constexpr int kSteps = 24;           // steps of one motion
+constexpr int kClosings = 3;         // number of Newton steps, which begin near the solution
+constexpr double kTouching = 1e-7;   // metres; smaller gaps touch
+constexpr double kBeside = 1e-6;     // metres; edges in a concave corner touch at their ends
+constexpr double kNudge = 1e-7;      // metres, for numerical derivatives
+constexpr double kLonger = 1.05;     // contacts are awaited for the longest way times this factor
+constexpr double kMargin = 1e-3;     // metres beyond what a motion can reach
+constexpr double kRoundTurn = 2e-3;  // radians by which a round contact may be turned past its end
+constexpr double kApart = std::numeric_limits<double>::infinity();  // a gap that cannot close
 
 std::size_t At(int index) { return static_cast<std::size_t>(index); }
 
-double GapOf(const Passage& passage, const ContactKey& key, const Pose& X) {
+double GapOf(const Passage& passage, const RoundContacts& round, const ContactKey& key,
+             const Pose& X) {
   switch (key.kind) {
     case ContactKind::kVertexFace: {
       const OuterFace& face = passage.stationary.faces[At(key.stationary)];
@@ -32,6 +36,13 @@ double GapOf(const Passage& passage, const ContactKey& key, const Pose& X) {
       const OuterFace& face = passage.moving.faces[At(key.moving)];
       const Vector3& p = passage.stationary.vertices[At(key.stationary)].p;
       return (X.linear() * face.normal).dot(p - X.translation()) - face.height;
+    }
+    case ContactKind::kRimFace:
+    case ContactKind::kRimRim:
+    case ContactKind::kSideRim:
+    case ContactKind::kRimWall: {
+      const auto contact = round.At(key, X, kRoundTurn);
+      return contact ? contact->gap : kApart;
     }
     case ContactKind::kEdgeEdge: {
       const OuterEdge& a = passage.moving.edges[At(key.moving)];
@@ -56,7 +67,8 @@ bool IsInside(const OuterFace& face, const Vector3& p, double beside) {
 
 // Returns whether the features have a point in common, to within `beside` metres, where their gap
 // is 0.
-bool Overlap(const Passage& passage, const ContactKey& key, const Pose& X, double beside) {
+bool Overlap(const Passage& passage, const RoundContacts& round, const ContactKey& key,
+             const Pose& X, double beside) {
   switch (key.kind) {
     case ContactKind::kVertexFace:
       return IsInside(passage.stationary.faces[At(key.stationary)],
@@ -66,6 +78,18 @@ bool Overlap(const Passage& passage, const ContactKey& key, const Pose& X, doubl
                       X.linear().transpose() *
                           (passage.stationary.vertices[At(key.stationary)].p - X.translation()),
                       beside);
+    case ContactKind::kRimFace:
+    case ContactKind::kRimRim:
+    case ContactKind::kSideRim:
+    case ContactKind::kRimWall: {
+      const auto contact = round.At(key, X, kRoundTurn);
+      if (!contact) return false;
+      for (std::size_t i = 0; i < contact->inside.size(); ++i) {
+        const double most = std::cmp_less(i, contact->turns) ? kRoundTurn : beside;
+        if (contact->inside[i] < -most) return false;
+      }
+      return true;
+    }
     case ContactKind::kEdgeEdge: {
       const OuterEdge& a = passage.moving.edges[At(key.moving)];
       const OuterEdge& b = passage.stationary.edges[At(key.stationary)];
@@ -127,7 +151,10 @@ struct ExactPart::Watched {
 };
 
 ExactPart::ExactPart(const Passage& passage, const Pose& X_StationaryMoving, double radius)
-    : passage_(passage), X_(X_StationaryMoving), radius_(radius) {
+    : passage_(passage),
+      round_(passage.moving, passage.stationary),
+      X_(X_StationaryMoving),
+      radius_(radius) {
   for (const OuterVertex& vertex : passage.moving.vertices)
     size_ = std::max(size_, vertex.p.norm());
 }
@@ -141,9 +168,10 @@ std::vector<ExactPart::Watched> ExactPart::Apart(double travel) const {
     const std::vector<Extent> of_stationary = ExtentsOf(stationary, Pose::Identity());
     for (std::size_t i = 0; i < moving.size(); ++i) {
       for (std::size_t j = 0; j < stationary.size(); ++j) {
+        if (moving[i].is_round || stationary[j].is_round) continue;
         if (!of_moving[i].IsNear(of_stationary[j], travel)) continue;
         const ContactKey key{kind, static_cast<int>(i), static_cast<int>(j)};
-        const double gap = GapOf(passage_, key, X_);
+        const double gap = GapOf(passage_, round_, key, X_);
         if (!(std::abs(gap) < kTouching)) apart.push_back({key, gap});
       }
     }
@@ -153,6 +181,10 @@ std::vector<ExactPart::Watched> ExactPart::Apart(double travel) const {
   watch(ContactKind::kVertexFace, moving.vertices, stationary.faces);
   watch(ContactKind::kFaceVertex, moving.faces, stationary.vertices);
   watch(ContactKind::kEdgeEdge, moving.edges, stationary.edges);
+  for (const ContactKey& key : round_.keys()) {
+    const double gap = GapOf(passage_, round_, key, X_);
+    if (!(std::abs(gap) < kTouching)) apart.push_back({key, gap});
+  }
   return apart;
 }
 
@@ -173,15 +205,15 @@ std::optional<ContactKey> ExactPart::Move(const Command& command, double most, V
     const ContactKey* first = nullptr;
     double earliest = 1;
     for (Watched& watched : apart) {
-      const double gap = std::exchange(watched.gap, GapOf(passage_, watched.key, after));
+      const double gap = std::exchange(watched.gap, GapOf(passage_, round_, watched.key, after));
       const bool crosses = watched.key.kind == ContactKind::kEdgeEdge
                                ? (gap > 0) != (watched.gap > 0)
                                : gap > 0 && watched.gap <= 0;
       if (!crosses) continue;
-      const double part = gap / (gap - watched.gap);
+      const double part = std::isfinite(gap) ? gap / (gap - watched.gap) : 1;
       if (part > earliest) continue;
       go(part);
-      if (!Overlap(passage_, watched.key, X_, kBeside)) continue;
+      if (!Overlap(passage_, round_, watched.key, X_, kBeside)) continue;
       first = &watched.key;
       earliest = part;
     }
@@ -199,7 +231,7 @@ std::optional<ContactKey> ExactPart::Move(const Command& command, double most, V
 }
 
 bool ExactPart::Touches(const ContactKey& key, double beside) const {
-  return Overlap(passage_, key, X_, beside);
+  return Overlap(passage_, round_, key, X_, beside);
 }
 
 void ExactPart::Advance(const PoseChange& step, const Vector3& believed) {
@@ -215,15 +247,17 @@ void ExactPart::Close(std::span<const ContactKey> keys) {
     Eigen::Matrix<double, Eigen::Dynamic, kPoseDimensions, 0, kPoseDimensions, kPoseDimensions>
         rows(std::ssize(keys), kPoseDimensions);
     for (Eigen::Index i = 0; i < gaps.size(); ++i)
-      gaps[i] = GapOf(passage_, keys[At(static_cast<int>(i))], X_);
-    if (gaps.cwiseAbs().maxCoeff() < kTouching * 1e-3) return;
+      gaps[i] = GapOf(passage_, round_, keys[At(static_cast<int>(i))], X_);
+    if (!gaps.allFinite() || gaps.cwiseAbs().maxCoeff() < kTouching * 1e-3) return;
     for (int k = 0; k < kPoseDimensions; ++k) {
       const double size = k < 3 ? 1 : 1 / radius_;
       const Pose nudged = Displaced(X_, kNudge * size * PoseChange::Unit(k));
       for (Eigen::Index i = 0; i < gaps.size(); ++i) {
-        rows(i, k) = (GapOf(passage_, keys[At(static_cast<int>(i))], nudged) - gaps[i]) / kNudge;
+        rows(i, k) =
+            (GapOf(passage_, round_, keys[At(static_cast<int>(i))], nudged) - gaps[i]) / kNudge;
       }
     }
+    if (!rows.allFinite()) return;
     PoseChange closing = rows.completeOrthogonalDecomposition().solve(-gaps);
     closing.tail<3>() /= radius_;
     X_ = Displaced(X_, closing);

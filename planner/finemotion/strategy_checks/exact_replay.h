@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "planner/base/random.h"
+#include "planner/finemotion/contacts/round_contacts.h"
 #include "planner/finemotion/strategy_search/maneuver.h"
 
 namespace assay::finemotion {
@@ -35,6 +36,7 @@ class ExactPart {
   void Close(std::span<const ContactKey> keys);
 
   const Passage& passage_;
+  RoundContacts round_;
   Pose X_;
   double radius_;
   double size_ = 0;  // metres from the origin to the farthest corner

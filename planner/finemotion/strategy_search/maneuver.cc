@@ -24,6 +24,9 @@ constexpr double kBlocked = 0.2;
 constexpr double kGrazing = 0.3;          // sine of an angle at which a contact is felt too late
 constexpr double kCorrection = 2e-3;      // metres; more is not a correction
 constexpr double kLongestMotion = 0.015;  // metres of the way that are checked as one motion
+// More metres of a way along round contacts are not checked as one motion, because the normals of
+// such contacts turn as the part moves.
+constexpr double kLongestRoundMotion = 0.002;
 // A way ends this many metres before the next critical point, so that the part is free there.
 constexpr double kShortOfNext = 5e-4;
 constexpr double kUprightEnough = 0.02;  // radians from upright that count as upright
@@ -68,6 +71,23 @@ Hit FirstHit(const std::vector<PrimitiveContact>& contacts, const std::vector<Co
 bool IsGrazing(const PrimitiveContact& contact, const PoseChange& direction, double radius) {
   const double size = direction.head<3>().norm() + radius * direction.tail<3>().norm();
   return contact.row.head<kPoseDimensions>().dot(direction) > -kGrazing * size;
+}
+
+bool HasRound(const std::vector<ContactKey>& keys) {
+  return std::ranges::any_of(keys, [](const ContactKey& key) { return IsRound(key.kind); });
+}
+
+// Returns the least displacement that closes the contacts to first order.
+PoseChange ClosingMove(const std::vector<const PrimitiveContact*>& contacts) {
+  Eigen::MatrixXd normals(std::ssize(contacts), 3);
+  Eigen::VectorXd gaps(normals.rows());
+  for (Eigen::Index i = 0; i < gaps.size(); ++i) {
+    normals.row(i) = contacts[static_cast<std::size_t>(i)]->normal;
+    gaps[i] = contacts[static_cast<std::size_t>(i)]->offset;
+  }
+  PoseChange closing = PoseChange::Zero();
+  closing.head<3>() = numeric::ShortestLeastSquares(normals, -gaps);
+  return closing;
 }
 
 // Returns (d, w) changed so that kept contacts neither close nor open: w stays, and d changes as
@@ -230,17 +250,20 @@ std::optional<Maneuvering::Direction> Maneuvering::DirectionOf(const Situation& 
 }
 
 // Returns the displacement changed so that the contacts touch at its end to second order as well.
+// Without a turn, only the gaps of round contacts are of second order.
 PoseChange Maneuvering::Refined(const Pose& X, const Command& command) const {
   const PoseChange& z = command.displacement;
   std::vector<ContactKey> touching = command.kept;
   if (command.until) touching.push_back(*command.until);
-  if (touching.empty() || z.tail<3>().isZero(1e-9)) return z;
+  const bool turns = !z.tail<3>().isZero(1e-9);
+  if (touching.empty() || (!turns && !HasRound(touching))) return z;
   Pose end = Displaced(X, z);
-  for (int round = 0; round < 2; ++round) {
+  for (int round = 0; round < (turns ? 2 : 4); ++round) {
     const std::vector<PrimitiveContact> contacts = checker_.Of(touching, end);
     const auto those = Those(contacts, touching);
     if (those.size() != touching.size()) return z;
-    const PoseChange closing = Closing(those, PoseChange::Zero(), checker_.options().radius);
+    const PoseChange closing =
+        turns ? Closing(those, PoseChange::Zero(), checker_.options().radius) : ClosingMove(those);
     if (closing.head<3>().norm() > kCorrection) return z;
     end = Displaced(end, closing);
   }
@@ -262,7 +285,8 @@ Maneuvered Maneuvering::Apply(const Situation& situation, const Maneuver& maneuv
         maneuver.kind == Maneuver::Kind::kUpright || maneuver.kind == Maneuver::Kind::kAdvance;
     const double left = direction->amount - (anew ? 0 : done);
     const double turn = direction->along.tail<3>().norm();
-    const double most = std::min(left, turn > 0 ? kLinearTurn / turn : kLongestMotion);
+    const double longest = HasRound(direction->kept) ? kLongestRoundMotion : kLongestMotion;
+    const double most = std::min(left, turn > 0 ? kLinearTurn / turn : longest);
     const Hit hit = FirstHit(now->contacts, now->believed.kept, direction->along);
     const bool touches = hit.contact != nullptr && hit.distance <= most;
     if (touches && !maneuver.to_contact) return result;

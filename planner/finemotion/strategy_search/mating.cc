@@ -3,12 +3,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <map>
+#include <optional>
 #include <set>
+#include <utility>
 
 #include "planner/base/check.h"
+#include "planner/domain/matings/shaft_fit.h"
 #include "planner/domain/parts/part_file.h"
+#include "planner/finemotion/contacts/round_contacts.h"
 #include "planner/finemotion/forces/force_signature.h"
 #include "planner/geometry/hull.h"
 
@@ -135,19 +140,89 @@ Polyhedron OutsideOf(const domain::PartModel& model) {
   return OutsideOf(pieces);
 }
 
+namespace {
+
+// A part of a mating with its round features, in its own frame.
+struct Shapes {
+  Polyhedron held;
+  Polyhedron fixed;
+};
+
+// Returns the distance of a round hole's walls from its axis, or none if the hole is not round: its
+// walls must be as many as those of a circle (domain::RadiusOfRound), and all equally far.
+std::optional<double> RadiusOfRoundHole(const domain::ShaftFit& fit) {
+  constexpr std::size_t kFewestWalls = 16;
+  const std::vector<domain::SideWall> walls = domain::SideWalls(fit, 0);
+  const auto radius = [&](const domain::SideWall& wall) {
+    return wall.normal.dot(fit.hole.X_PartFeature.translation()) - wall.offset;
+  };
+  if (walls.size() < kFewestWalls) return std::nullopt;
+  for (const domain::SideWall& wall : walls) {
+    if (std::abs(radius(wall) - radius(walls.front())) > kSamePoint) return std::nullopt;
+  }
+  return radius(walls.front());
+}
+
+// Makes round what is round: shafts of the held part that go into holes of the fixed part. A shaft
+// is as wide as the corners of its polygon, and a hole as its sides, so that the cylinders touch
+// wherever the polygons do.
+void AddRoundFits(const std::vector<domain::ShaftFit>& fits, Shapes& shapes) {
+  for (const domain::ShaftFit& fit : fits) {
+    const geometry::Polygon section = domain::CrossSection(fit);
+    const std::optional<double> of_shaft = domain::RadiusOfRound(section);
+    const std::optional<double> of_hole = RadiusOfRoundHole(fit);
+    if (!fit.shaft_is_held || !of_shaft || !of_hole) continue;
+    const double half_side = (section[1] - section[0]).norm() / 2;
+    const Pose& shaft = fit.shaft.X_PartFeature;
+    const Pose& hole = fit.hole.X_PartFeature;
+    AddRoundShaft({shaft.translation(), shaft.linear().col(2), *of_shaft, 0},
+                  std::sqrt(*of_shaft * *of_shaft - half_side * half_side), shapes.held);
+    AddRoundHole({hole.translation(), hole.linear().col(2), *of_hole, 0}, *of_hole, shapes.fixed);
+  }
+}
+
+Shapes ShapesOf(const domain::Problem& problem, const domain::Mating& mating) {
+  Shapes shapes{OutsideOf(*problem.part(mating.held).model),
+                OutsideOf(*problem.part(mating.fixed).model)};
+  if (problem.tolerances.clearance == 0) AddRoundFits(domain::FitsOf(problem, mating), shapes);
+  return shapes;
+}
+
+// Returns the problem with parts that have no clearance.
+domain::Problem WithoutClearance(domain::Problem problem, const domain::Mating& mating) {
+  problem.clearance = 0;
+  for (const domain::PartId id : {mating.held, mating.fixed}) {
+    domain::Part& part = problem.parts[id.index()];
+    part.model = domain::PartFile::WithClearance(*part.model, 0);
+  }
+  return problem;
+}
+
+// Returns the critical points of the parts without clearance. Play that is left then is that of
+// the parts' files.
+std::vector<CriticalPoint> CriticalPointsOf(const domain::Problem& problem,
+                                            const domain::Mating& mating) {
+  const domain::Problem tight = WithoutClearance(problem, mating);
+  const Shapes shapes = ShapesOf(tight, mating);
+  double play = 0;
+  for (const domain::FitGap& gap : domain::GapsOf(tight, mating))
+    play = std::max({play, gap.low, gap.high});
+  return CriticalPoints(shapes.held, shapes.fixed, mating.X_FixedHeld, mating.mating_vector, play);
+}
+
+}  // namespace
+
 MatingGeometry GeometryOf(const domain::Problem& problem, const domain::Mating& mating) {
   const domain::PartModel& held = *problem.part(mating.held).model;
-  const domain::PartModel& fixed = *problem.part(mating.fixed).model;
   MatingGeometry geometry;
   const domain::Feature* tip = FirstIn(held, mating);
   geometry.X_HeldTip.linear() = mating.X_FixedHeld.linear().transpose();
   geometry.X_HeldTip.translation() = tip->X_PartFeature.translation();
   geometry.X_FixedSeat = mating.X_FixedHeld * geometry.X_HeldTip;
-  geometry.critical_points = CriticalPoints(OutsideOf(*domain::PartFile::WithClearance(held, 0)),
-                                            OutsideOf(*domain::PartFile::WithClearance(fixed, 0)),
-                                            mating.X_FixedHeld, mating.mating_vector);
-  geometry.passage.moving = Transformed(OutsideOf(held), geometry.X_HeldTip.inverse());
-  geometry.passage.stationary = OutsideOf(fixed);
+  geometry.critical_points = CriticalPointsOf(problem, mating);
+  Shapes shapes = ShapesOf(problem, mating);
+  geometry.passage.moving = Transformed(std::move(shapes.held), geometry.X_HeldTip.inverse());
+  geometry.passage.stationary = std::move(shapes.fixed);
   geometry.passage.mating = mating.mating_vector.normalized();
   const Pose& entry = geometry.critical_points.empty()
                           ? mating.X_FixedHeld

@@ -253,11 +253,32 @@ class ActionChecker::Examination {
         std::acos(std::clamp(-v.z() / v.norm(), -1.0, 1.0)) / kDegree, std::atan(mu) / kDegree);
   }
 
+  // If the table is what stops the mating motion, the motion must go straight down to it.
+  void ExamineTableEnd(const domain::Mating& mating, const Pose& X_WorldFixed) {
+    if (!mating.ends_on_table) return;
+    constexpr double kLevel = 1e-4;     // metres from the table
+    constexpr double kStraight = 1e-6;  // 1 less the cosine of the angle from straight down
+    const double lowest = geometry::LowestPoint(
+        geometry::Transformed(part().model->pieces(), X_WorldFixed * mating.X_FixedHeld));
+    const Vector3& v = handling_.motion;
+    if (std::abs(lowest) <= kLevel && -v.z() >= (1 - kStraight) * v.norm()) return;
+    Report("the mating of {} ends on the table, but not straight down at its height", part().name);
+  }
+
+  // Returns whether a hole goes through its part and opens upward, where shafts enter it. The table
+  // may then cover its other mouth.
+  static bool OpensAbove(const domain::Feature& hole, const Pose& X_WorldPart) {
+    return hole.mouths.size() > 1 &&
+           (X_WorldPart.linear() * hole.X_PartFeature.linear()).col(2).z() > 0.5;
+  }
+
   void ExamineMatingFeatures(const domain::Mating& mating, const Pose& X_WorldFixed) {
+    ExamineTableEnd(mating, X_WorldFixed);
     const domain::Part& fixed = problem_.part(mating.fixed);
     for (const auto& [of_held, of_fixed] : mating.features) {
       const domain::Feature* hole = fixed.model->FindFeature(of_fixed);
-      if (hole != nullptr && IsOnTable(*fixed.model, *hole, X_WorldFixed)) {
+      if (hole != nullptr && !OpensAbove(*hole, X_WorldFixed) &&
+          IsOnTable(*fixed.model, *hole, X_WorldFixed)) {
         Report("mating feature {} of {} is on the table", of_fixed.index(), fixed.name);
       }
       const domain::Feature* shaft = part().model->FindFeature(of_held);

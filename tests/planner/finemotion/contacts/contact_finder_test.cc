@@ -102,6 +102,11 @@ double DistanceOfSegments(const Vector3& a, const Vector3& b, const Vector3& c, 
 
 double DistanceOf(const Scene& scene, const ContactKey& key) {
   switch (key.kind) {
+    case ContactKind::kRimFace:
+    case ContactKind::kRimRim:
+    case ContactKind::kSideRim:
+    case ContactKind::kRimWall:
+      break;  // no shape of these tests is round
     case ContactKind::kVertexFace:
       return DistanceToFace(scene.X * At(scene.moving.vertices, key.moving).p,
                             At(scene.stationary.faces, key.stationary));

@@ -149,6 +149,11 @@ OuterEdge Moved(OuterEdge edge, const Pose& X) {
 // Returns the normal that points to the moving part.
 Vector3 ExactNormal(const Scene& scene, const PrimitiveContact& contact, const Pose& X) {
   switch (contact.kind) {
+    case ContactKind::kRimFace:
+    case ContactKind::kRimRim:
+    case ContactKind::kSideRim:
+    case ContactKind::kRimWall:
+      break;  // no shape of these tests is round
     case ContactKind::kVertexFace:
       return At(scene.stationary.faces, contact.stationary).normal;
     case ContactKind::kFaceVertex:
@@ -166,6 +171,11 @@ Vector3 ExactNormal(const Scene& scene, const PrimitiveContact& contact, const P
 double ExactGap(const Scene& scene, const PrimitiveContact& contact, const Pose& X) {
   const Vector3 n = ExactNormal(scene, contact, X);
   switch (contact.kind) {
+    case ContactKind::kRimFace:
+    case ContactKind::kRimRim:
+    case ContactKind::kSideRim:
+    case ContactKind::kRimWall:
+      break;  // no shape of these tests is round
     case ContactKind::kVertexFace:
       return n.dot(X * At(scene.moving.vertices, contact.moving).p) -
              At(scene.stationary.faces, contact.stationary).height;
@@ -203,6 +213,11 @@ double RangeLeft(const OuterEdge& a, const OuterEdge& b) {
 // Returns the depth of the contact point inside both features; negative outside.
 double ExtentLeft(const Scene& scene, const PrimitiveContact& contact, const Pose& X) {
   switch (contact.kind) {
+    case ContactKind::kRimFace:
+    case ContactKind::kRimRim:
+    case ContactKind::kSideRim:
+    case ContactKind::kRimWall:
+      break;  // no shape of these tests is round
     case ContactKind::kVertexFace:
       return DepthIn(At(scene.stationary.faces, contact.stationary),
                      X * At(scene.moving.vertices, contact.moving).p);
@@ -246,6 +261,11 @@ double RoomLeft(const Scene& scene, const PrimitiveContact& contact, const Pose&
   const Vector3 n = ExactNormal(scene, contact, X);
   const Vector3 n_moving = X.linear().transpose() * n;
   switch (contact.kind) {
+    case ContactKind::kRimFace:
+    case ContactKind::kRimRim:
+    case ContactKind::kSideRim:
+    case ContactKind::kRimWall:
+      break;  // no shape of these tests is round
     case ContactKind::kVertexFace:
       return LeastRise(scene.moving, contact.moving, n_moving);
     case ContactKind::kFaceVertex:
@@ -538,6 +558,11 @@ TEST(PrimitiveContactTest, SquarePegHalfInASquareHole) {
 
 ContactKind Mirrored(ContactKind kind) {
   switch (kind) {
+    case ContactKind::kRimFace:
+    case ContactKind::kRimRim:
+    case ContactKind::kSideRim:
+    case ContactKind::kRimWall:
+      break;  // no shape of these tests is round
     case ContactKind::kVertexFace:
       return ContactKind::kFaceVertex;
     case ContactKind::kFaceVertex:

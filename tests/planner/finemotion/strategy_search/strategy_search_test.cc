@@ -245,6 +245,11 @@ double GapOf(const Passage& passage, const ContactKey& key, const Pose& X) {
       const OuterFace& face = passage.moving.faces[moving];
       return face.normal.dot(X.inverse() * passage.stationary.vertices[stationary].p) - face.height;
     }
+    case ContactKind::kRimFace:
+    case ContactKind::kRimRim:
+    case ContactKind::kSideRim:
+    case ContactKind::kRimWall:
+      break;  // the shapes of these tests are not round
     case ContactKind::kEdgeEdge: {
       const OuterEdge& a = passage.moving.edges[moving];
       const OuterEdge& b = passage.stationary.edges[stationary];
@@ -276,6 +281,11 @@ bool Overlap(const Passage& passage, const ContactKey& key, const Pose& X) {
     case ContactKind::kFaceVertex:
       return IsInside(passage.moving.faces[moving],
                       X.inverse() * passage.stationary.vertices[stationary].p);
+    case ContactKind::kRimFace:
+    case ContactKind::kRimRim:
+    case ContactKind::kSideRim:
+    case ContactKind::kRimWall:
+      break;  // the shapes of these tests are not round
     case ContactKind::kEdgeEdge: {
       const OuterEdge& a = passage.moving.edges[moving];
       const OuterEdge& b = passage.stationary.edges[stationary];
