@@ -19,7 +19,8 @@ Limited MatingLean(const Problem& problem, const Mating& mating, const Pose& X_W
 bool InFrictionCone(const Problem& problem, const Mating& mating, const Pose& X_WorldFixed);
 // Returns whether a stable pose of the fixed part hides one of its mating features.
 bool HidesMatingFeatures(const Problem& problem, const Mating& mating, StablePoseId pose_of_fixed);
-// Returns whether a grasp leaves the held part's mating features free.
+// Returns whether a grasp leaves the held part's mating features free. It may touch a shaft where
+// the shaft is outside of its hole at the end of the mating.
 bool LeavesMatingFeaturesFree(const Problem& problem, const Mating& mating, GraspId grasp);
 
 // Returns the grasps that suit a mating, as labels: those of the held part that hide none of its
