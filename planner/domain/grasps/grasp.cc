@@ -7,10 +7,12 @@
 #include <limits>
 #include <numbers>
 #include <optional>
-#include <tuple>
+#include <span>
 
 #include "planner/base/check.h"
+#include "planner/domain/grasps/face_pair.h"
 #include "planner/domain/grasps/hand_clearance.h"
+#include "planner/domain/grasps/round_side.h"
 #include "planner/domain/parts/exposed_faces.h"
 #include "planner/geometry/planar_region.h"
 #include "planner/geometry/polygon.h"
@@ -20,164 +22,21 @@
 namespace assay::domain {
 namespace {
 
+using geometry::Patches;
 using geometry::Polygon;
 
-// Normals count as opposite if they deviate from opposite directions by at most this angle, in
-// radians.
-constexpr double kOpposite = 0.1 * std::numbers::pi / 180;
-constexpr double kGridStep = 4e-3;  // distance between candidate positions, metres
-// Margin around the pads beyond which more is no better, metres.
-constexpr double kDeepEnough = 4e-3;
 constexpr double kAllowance = 1e-4;  // overlap of hand and part that is ignored, metres
-constexpr double kEqual = 1e-7;      // lengths that differ less are equal, metres
-
-// Two faces with opposite outward normals.
-struct FacePair {
-  FaceId first;
-  FaceId second;
-  double width = 0;   // metres between them
-  Pose X_PartMiddle;  // frame midway; z is the outward normal of the first, x and y are its x and y
-  geometry::Patches region;  // points that are on both faces, seen along z
-};
-
-// Returns the surface of a face that pads may touch. Walls of holes are left out: holes are for
-// other parts, so a hand does not reach into them.
-geometry::Patches Graspable(const PartModel& part, FaceId id) {
-  geometry::Patches patches = part.faces()[id.index()].patches;
-  for (const Feature& feature : part.features()) {
-    for (const Wall& wall : feature.walls) {
-      if (wall.face == id) patches = geometry::Without(patches, wall.outline);
-    }
-  }
-  return patches;
-}
-
-std::optional<FacePair> PairUp(std::span<const Face> faces, FaceId a, FaceId b, double widest) {
-  const Face& first = faces[a.index()];
-  const Face& second = faces[b.index()];
-  if ((first.normal + second.normal).norm() >= kOpposite) return std::nullopt;
-  const Pose X_FirstSecond = first.X_PartFace.inverse() * second.X_PartFace;
-  const double width = -X_FirstSecond.translation().z();
-  if (width <= kEqual || width > widest + kEqual) return std::nullopt;
-  geometry::Patches seen;
-  for (const Polygon& patch : second.patches) {
-    std::vector<Vector2> corners;
-    for (const Vector2& p : patch) {
-      corners.push_back((X_FirstSecond * Vector3(p.x(), p.y(), 0)).head<2>());
-    }
-    seen.push_back(geometry::Hull2(corners));
-  }
-  geometry::Patches region = geometry::Common(first.patches, seen);
-  if (region.empty()) return std::nullopt;
-  const Pose X_PartMiddle = first.X_PartFace * geometry::Translation(0, 0, -width / 2);
-  return FacePair{a, b, width, X_PartMiddle, std::move(region)};
-}
-
-std::vector<FacePair> PairsOf(const PartModel& part, double widest) {
-  std::vector<Face> faces = part.faces();
-  for (std::size_t i = 0; i < faces.size(); ++i) faces[i].patches = Graspable(part, FaceId(i));
-  std::vector<FacePair> pairs;
-  for (std::size_t i = 0; i < faces.size(); ++i) {
-    for (std::size_t j = i + 1; j < faces.size(); ++j) {
-      std::optional<FacePair> pair = PairUp(faces, FaceId(i), FaceId(j), widest);
-      if (pair) pairs.push_back(*std::move(pair));
-    }
-  }
-  return pairs;
-}
-
-// A candidate position of the pads' centres on a pair of faces.
-struct Spot {
-  Vector2 center;        // position in the middle plane
-  double from_mass = 0;  // distance to the centre of mass in that plane
-  double clearance = 0;  // distance to the border of the region, or less
-};
-
-// The region of a pair of faces on which pads can be: a convex outline without convex gaps.
-class PadRegion {
- public:
-  explicit PadRegion(const geometry::Patches& region)
-      : outline_(geometry::Hull(region)), gaps_({outline_}) {
-    for (const Polygon& patch : region) gaps_ = geometry::Without(gaps_, patch);
-  }
-
-  // Returns a lower bound on a point's distance from the border of the region; negative outside.
-  double ClearanceAt(const Vector2& p) const {
-    double least = geometry::Depth(outline_, p);
-    for (const Polygon& gap : gaps_) least = std::min(least, -geometry::Depth(gap, p));
-    return least;
-  }
-
-  // Returns a pad's distance from the border of the region; negative if the pad sticks out.
-  double MarginOf(const Polygon& pad) const {
-    double least = kDeepEnough;
-    for (const Vector2& corner : pad) least = std::min(least, geometry::Depth(outline_, corner));
-    for (const Polygon& gap : gaps_) {
-      if (least < 0) break;
-      least = std::min(least, geometry::Gap(pad, gap));
-    }
-    return least;
-  }
-
-  // Returns the room that a pad needs and has across the outline's edge at which most room is
-  // missing. The pad sticks out by `overhang`. If the outline has room for the pad, the pad sticks
-  // out into a gap.
-  PadRoom Lacking(const Polygon& pad, double overhang) const {
-    PadRoom least;
-    for (std::size_t i = 0; i < outline_.size(); ++i) {
-      const Vector2 along = (outline_[(i + 1) % outline_.size()] - outline_[i]).normalized();
-      const Vector2 across(-along.y(), along.x());
-      const PadRoom room = {ExtentOf(pad, across), ExtentOf(outline_, across)};
-      if (i == 0 || room.needed - room.available > least.needed - least.available) least = room;
-    }
-    if (least.fits()) least.available = least.needed - 2 * overhang;
-    return least;
-  }
-
-  Eigen::AlignedBox2d Bounds() const {
-    Eigen::AlignedBox2d bounds;
-    for (const Vector2& p : outline_) bounds.extend(p);
-    return bounds;
-  }
-
- private:
-  static double ExtentOf(const Polygon& polygon, const Vector2& direction) {
-    const auto height = [&](const Vector2& p) { return direction.dot(p); };
-    const auto [low, high] = std::ranges::minmax(polygon, {}, height);
-    return height(high) - height(low);
-  }
-
-  Polygon outline_;
-  geometry::Patches gaps_;
-};
-
-// Returns the positions inside the region on a grid through the region's centroid, and the position
-// under the centre of mass. The nearest to the centre of mass come first.
-std::vector<Spot> SpotsOf(const FacePair& pair, const PadRegion& room, const Vector2& mass_center) {
-  std::vector<Spot> spots;
-  const auto add = [&](const Vector2& p) {
-    const double clearance = room.ClearanceAt(p);
-    if (clearance < 0) return;
-    spots.push_back({p, (p - mass_center).norm(), clearance});
-  };
-  add(mass_center);
-  const Vector2 origin = geometry::Centroid(pair.region);
-  const Eigen::AlignedBox2d bounds = room.Bounds();
-  const Vector2 below = ((bounds.min() - origin) / kGridStep).array().ceil();
-  const Vector2 above = ((bounds.max() - origin) / kGridStep).array().floor();
-  for (int i = static_cast<int>(below.x()); i <= static_cast<int>(above.x()); ++i) {
-    for (int j = static_cast<int>(below.y()); j <= static_cast<int>(above.y()); ++j) {
-      add(origin + kGridStep * Vector2(i, j));
-    }
-  }
-  // Keys are rounded, so that rounding errors do not order equal spots.
-  const auto key = [](const Spot& spot) {
-    return std::tuple(std::llround(spot.from_mass / kEqual), std::llround(spot.center.x() / kEqual),
-                      std::llround(spot.center.y() / kEqual));
-  };
-  std::ranges::stable_sort(spots, {}, key);
-  return spots;
-}
+// The same for pads that stick out of their faces, so that they reach into no other face.
+constexpr double kNarrowAllowance = 1e-6;
+constexpr double kEqual = kEqualLength;
+// The least breadth of the patch that both pads touch, in metres, and its least extent across the
+// approach, as a share of the width of the grasp. Narrower patches hold nothing, since pads jam on
+// them however little the part is turned.
+constexpr double kLeastPatch = 1e-3;
+constexpr double kLeastShare = 0.1;
+// An edge is ahead if the cosine between its outward normal and the approach is at least this. The
+// hand leans too much for a table at other edges.
+constexpr double kAhead = 0.45;
 
 Polygon PadAt(const Vector2& center, const Approach& approach, const Vector2& half_extents) {
   const Vector2 x = half_extents.x() * approach.x;
@@ -186,38 +45,95 @@ Polygon PadAt(const Vector2& center, const Approach& approach, const Vector2& ha
   return {center - x - z, center - x + z, center + x + z, center + x - z};
 }
 
+// Returns whether no pad has room on the faces in any of the directions.
+bool IsNarrow(const PartModel& part, const FacePair& pair, const Vector2& pads,
+              std::span<const double> angles) {
+  const PadRegion region(pair.region);
+  const Vector2 mass_center = (pair.X_PartMiddle.inverse() * part.mass().center).head<2>();
+  for (const Spot& spot : SpotsOf(pair.region, region, mass_center, mass_center)) {
+    for (const double angle : angles) {
+      const Polygon pad = PadAt(spot.center, Approach::At(angle, 0), pads);
+      if (region.MarginOf(pad) > -2 * kEqual) return false;
+    }
+  }
+  return true;
+}
+
 // The search for all grasps of one pair of faces.
 class PairSearch {
  public:
+  // `round` is the round side that narrow faces belong to. Overlaps of hand and part up to
+  // `allowance` metres are ignored.
   PairSearch(const PartModel& part, const kinematics::Gripper& gripper, FacePair pair,
-             bool with_misfits)
+             const std::optional<RoundSide>& round, double allowance)
       : part_(part),
         pads_(gripper.pad_half_extents()),
         pair_(std::move(pair)),
+        is_round_(round.has_value()),
         region_(pair_.region),
-        clearance_(part, gripper, pair_.X_PartMiddle, pair_.width, kAllowance),
-        least_margin_(with_misfits ? std::numeric_limits<double>::lowest() : -2 * kEqual) {
-    const Vector3 mass_center = pair_.X_PartMiddle.inverse() * part.mass().center;
-    spots_ = SpotsOf(pair_, region_, mass_center.head<2>());
+        clearance_(part, gripper, pair_.X_PartMiddle, pair_.width, allowance) {
+    const Pose X_MiddlePart = pair_.X_PartMiddle.inverse();
+    const Vector2 mass_center = (X_MiddlePart * part.mass().center).head<2>();
+    if (!is_round_) {
+      spots_ = SpotsOf(pair_.region, region_, mass_center, mass_center);
+      return;
+    }
+    const Vector2 middle = geometry::Centroid(pair_.region);
+    axis_ = (X_MiddlePart.linear() * round->X_PartAxis.linear().col(2)).head<2>();
+    const Vector2 nearest = middle + axis_.dot(mass_center - middle) * axis_;
+    spots_ = SpotsOf(pair_.region, region_, nearest, mass_center);
+    std::erase_if(spots_, [&](const Spot& spot) {
+      const Vector2 off = spot.center - middle;
+      return std::abs(off.x() * axis_.y() - off.y() * axis_.x()) > kRounding;
+    });
   }
 
-  // Returns the grasp that represents its class. Returns none if the pads have no room, or if the
-  // hand cannot approach.
-  std::optional<Grasp> Along(double angle) const {
-    const Approach approach = Approach::At(angle, ExtentAlong(angle));
-    const std::optional<Vector2> center = BestCenter(approach);
+  // Returns the directions of the approach: along the axis of a round side and across it, or all of
+  // these.
+  std::vector<double> Angles(std::vector<double> all) const {
+    if (!is_round_) return all;
+    const double along = std::atan2(axis_.y(), axis_.x());
+    all.clear();
+    for (const int quarter : {0, 1, 2, 3}) all.push_back(along + quarter * std::numbers::pi / 2);
+    return all;
+  }
+
+  // Returns the grasp that represents its class, with pads wholly on the faces. With misfits,
+  // the pads may stick out. Returns none if the pads have no room, or if the hand cannot approach.
+  std::optional<Grasp> OnFaces(double angle, bool with_misfits) const {
+    const Approach approach = Approach::At(angle, ExtentAlong(angle).length());
+    const std::optional<Vector2> center = DeepestCenter(approach, with_misfits);
     if (!center) return std::nullopt;
+    Grasp grasp = GraspAt(*center, approach);
     const Polygon pad = PadAt(*center, approach, pads_);
-    Grasp grasp;
-    grasp.X_PartTool = pair_.X_PartMiddle * ToolInMiddle(*center, approach);
-    grasp.width = pair_.width;
-    grasp.hidden = HiddenBy(pad);
     const double margin = region_.MarginOf(pad);
     if (margin <= -kEqual) grasp.room = region_.Lacking(pad, -margin);
     return grasp;
   }
 
+  // Returns the grasp that stands for its class on faces that are too narrow for the pads; none if
+  // the pads touch too little, or if there is no way in.
+  std::optional<Grasp> OnNarrowFaces(double angle) const {
+    const Approach approach = Approach::At(angle, ExtentAlong(angle).length());
+    const std::optional<Vector2> center = WidestTouch(approach);
+    return center ? std::optional(GraspAt(*center, approach)) : std::nullopt;
+  }
+
  private:
+  struct Extent {
+    double low = 0;
+    double high = 0;
+    double length() const { return high - low; }
+  };
+
+  Grasp GraspAt(const Vector2& center, const Approach& approach) const {
+    Grasp grasp;
+    grasp.X_PartTool = pair_.X_PartMiddle * ToolInMiddle(center, approach);
+    grasp.width = pair_.width;
+    grasp.hidden = HiddenBy(PadAt(center, approach, pads_));
+    return grasp;
+  }
+
   double MarginAt(const Spot& spot, const Approach& approach) const {
     if (spot.clearance >= pads_.norm() + kDeepEnough) return kDeepEnough;
     return region_.MarginOf(PadAt(spot.center, approach, pads_));
@@ -225,14 +141,13 @@ class PairSearch {
 
   // The spots nearest to the centre of mass come first, so a later spot must lie deeper to replace
   // an earlier one.
-  std::optional<Vector2> BestCenter(const Approach& approach) const {
+  std::optional<Vector2> DeepestCenter(const Approach& approach, bool with_misfits) const {
     const std::vector<CObstacle> obstacles = clearance_.ObstaclesOf(approach);
     const Spot* best = nullptr;
-    double best_margin = least_margin_;
+    double best_margin = with_misfits ? std::numeric_limits<double>::lowest() : -2 * kEqual;
     for (const Spot& spot : spots_) {
       if (best_margin >= kDeepEnough - kEqual) break;
-      const auto blocks = [&](const CObstacle& o) { return o.Contains(spot.center); };
-      if (std::ranges::any_of(obstacles, blocks)) continue;
+      if (IsBlocked(obstacles, spot.center)) continue;
       const double margin = MarginAt(spot, approach);
       if (margin <= best_margin + kEqual) continue;
       best = &spot;
@@ -241,19 +156,71 @@ class PairSearch {
     return best == nullptr ? std::nullopt : std::optional(best->center);
   }
 
+  // As above, with the area that the pads touch instead of their depth.
+  std::optional<Vector2> WidestTouch(const Approach& approach) const {
+    const std::vector<CObstacle> obstacles = clearance_.ObstaclesOf(approach);
+    std::optional<Vector2> best;
+    double best_area = 0;
+    for (const Spot& spot : spots_) {
+      const Vector2 center = HeldBack(spot.center, approach);
+      if (IsBlocked(obstacles, center)) continue;
+      const Polygon pad = PadAt(center, approach, pads_);
+      const Patches touched = geometry::Common(pair_.region, {pad});
+      const double area = geometry::Area(touched);
+      if (area <= best_area + kEqual * pads_.norm()) continue;
+      if (!Suffices(touched, approach) || geometry::Meets(pair_.walls, pad)) continue;
+      best = center;
+      best_area = area;
+    }
+    return best;
+  }
+
+  bool Suffices(const Patches& touched, const Approach& approach) const {
+    const Polygon outline = geometry::Hull(touched);
+    if (is_round_) return ExtentOf(outline, axis_) >= kLeastPatch;
+    return BreadthOf(outline) >= kLeastPatch &&
+           ExtentOf(outline, approach.x) >= kLeastShare * pair_.width;
+  }
+
+  // Returns the center, moved back against the approach, so that the pads end before the part does:
+  // across each edge of the faces that is ahead, they reach over at most half of what the part has
+  // beyond the middle of the faces. The hand can then take a part from a table that is there.
+  Vector2 HeldBack(const Vector2& center, const Approach& approach) const {
+    const Polygon outline = geometry::Hull(pair_.region);
+    double back = 0;
+    for (std::size_t i = 0; i < outline.size(); ++i) {
+      const Vector2 edge = outline[(i + 1) % outline.size()] - outline[i];
+      const Vector2 outward = Vector2(edge.y(), -edge.x()).normalized();
+      const double ahead = outward.dot(approach.z);
+      if (ahead < kAhead) continue;
+      const double middle = outward.dot(outline[i]) - ExtentOf(outline, outward) / 2;
+      const double end = ExtentAlong(std::atan2(outward.y(), outward.x())).high;
+      const double reach =
+          outward.dot(center) + pads_.x() * std::abs(outward.dot(approach.x)) + pads_.y() * ahead;
+      back = std::max(back, (reach - (middle + end) / 2) / ahead);
+    }
+    return center - back * approach.z;
+  }
+
+  static bool IsBlocked(const std::vector<CObstacle>& obstacles, const Vector2& center) {
+    return std::ranges::any_of(obstacles, [&](const CObstacle& o) { return o.Contains(center); });
+  }
+
   static Pose ToolInMiddle(const Vector2& center, const Approach& approach) {
     const auto lift = [](const Vector2& v) { return Vector3(v.x(), v.y(), 0); };
     return geometry::PoseFromColumns(lift(approach.x), Vector3::UnitZ(), lift(approach.z),
                                      lift(center));
   }
 
-  // Returns the length of the part along the approach direction.
-  double ExtentAlong(double angle) const {
+  // Returns where the part is along the approach direction, from the origin of the middle plane.
+  Extent ExtentAlong(double angle) const {
     const Vector3 along =
         pair_.X_PartMiddle.linear() * Vector3(std::cos(angle), std::sin(angle), 0);
-    const auto height = [&](const Vector3& p) { return along.dot(p); };
+    const auto height = [&](const Vector3& p) {
+      return along.dot(p - pair_.X_PartMiddle.translation());
+    };
     const auto [low, high] = std::ranges::minmax(part_.corners(), {}, height);
-    return height(high) - height(low);
+    return {height(low), height(high)};
   }
 
   std::vector<FeatureNumber> HiddenBy(const Polygon& pad) const {
@@ -272,30 +239,82 @@ class PairSearch {
   const PartModel& part_;
   Vector2 pads_;  // half extents along the tool's x and z
   FacePair pair_;
+  bool is_round_;
+  Vector2 axis_ = Vector2::Zero();  // of the round side, in the middle plane
   PadRegion region_;
   HandClearance clearance_;
-  double least_margin_;  // least margin of the pads in the faces; they may end at the border
   std::vector<Spot> spots_;
 };
 
+// The round sides that pads close on, each with the direction in which they close.
+class RoundGrasps {
+ public:
+  explicit RoundGrasps(double step) : step_(step) {}
+
+  // Notes a pair of faces of a round side. Returns false if the pads close on the same side in
+  // nearly the same direction for another pair: the grasps would be alike.
+  bool Add(const RoundSide& side, const Vector3& closing) {
+    const auto is_alike = [&](const Taken& other) {
+      const Vector3 axis = side.X_PartAxis.linear().col(2);
+      const Vector3 apart = other.side.X_PartAxis.translation() - side.X_PartAxis.translation();
+      return axis.cross(other.side.X_PartAxis.linear().col(2)).norm() < kEqual &&
+             axis.cross(apart).norm() < kEqual &&
+             std::abs(side.radius - other.side.radius) < kEqual &&
+             std::abs(closing.dot(other.closing)) > std::cos(step_ - kRounding);
+    };
+    if (std::ranges::any_of(taken_, is_alike)) return false;
+    taken_.push_back({side, closing});
+    return true;
+  }
+
+ private:
+  struct Taken {
+    RoundSide side;
+    Vector3 closing;
+  };
+  double step_;
+  std::vector<Taken> taken_;
+};
+
+std::vector<double> AnglesBy(double step) {
+  const int count = static_cast<int>(std::ceil(2 * std::numbers::pi / step - kRounding));
+  std::vector<double> angles;
+  for (int i = 0; i < count; ++i) angles.push_back(i * step);
+  return angles;
+}
+
 }  // namespace
 
-// The pads lie wholly on exposed surface, and mouths of holes are open. The features that a grasp
-// hides therefore depend on its two faces alone. So each pair of faces with one approach direction
-// is one class of grasps.
+// The features that a grasp hides depend on its two faces, and on where the pads stick out of them.
+// Each pair of faces with one approach direction counts as one class of grasps.
 std::vector<Grasp> ComputeGrasps(const PartModel& part, const kinematics::Gripper& gripper,
                                  const GraspSearch& search) {
   ASSAY_CHECK(search.approach_step > kRounding);
-  const double turns = 2 * std::numbers::pi / search.approach_step;
-  const int directions = static_cast<int>(std::ceil(turns - kRounding));
+  const std::vector<double> angles = AnglesBy(search.approach_step);
   std::vector<Grasp> grasps;
+  const auto add = [&](std::optional<Grasp> grasp) {
+    if (!grasp) return;
+    grasp->label = fmt::format("{}G{}", part.initial(), grasps.size() + 1);
+    grasps.push_back(*std::move(grasp));
+  };
+  std::vector<FacePair> narrow;
   for (FacePair& pair : PairsOf(part, search.widest)) {
-    const PairSearch pair_search(part, gripper, std::move(pair), search.with_misfits);
-    for (int i = 0; i < directions; ++i) {
-      std::optional<Grasp> grasp = pair_search.Along(i * search.approach_step);
-      if (!grasp) continue;
-      grasp->label = fmt::format("{}G{}", part.initial(), grasps.size() + 1);
-      grasps.push_back(*std::move(grasp));
+    if (IsNarrow(part, pair, gripper.pad_half_extents(), angles)) {
+      narrow.push_back(std::move(pair));
+      continue;
+    }
+    const PairSearch on_faces(part, gripper, std::move(pair), std::nullopt, kAllowance);
+    for (const double angle : angles) add(on_faces.OnFaces(angle, search.with_misfits));
+  }
+  RoundGrasps round_grasps(search.approach_step);
+  for (FacePair& pair : narrow) {
+    const std::optional<RoundSide> round = RoundSideOf(part, pair);
+    if (round && !round_grasps.Add(*round, pair.X_PartMiddle.linear().col(2))) continue;
+    const PairSearch on_faces(part, gripper, std::move(pair), round, kNarrowAllowance);
+    for (const double angle : on_faces.Angles(angles)) {
+      std::optional<Grasp> grasp = on_faces.OnNarrowFaces(angle);
+      if (!grasp && search.with_misfits) grasp = on_faces.OnFaces(angle, true);
+      add(std::move(grasp));
     }
   }
   return grasps;

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "planner/base/id.h"
+#include "planner/domain/grasps/pad_region.h"
 #include "planner/domain/parts/feature.h"
 #include "planner/domain/resting/stable_pose.h"
 #include "planner/geometry/coordinates.h"
@@ -12,15 +13,6 @@
 namespace assay::domain {
 
 using GraspId = Id<struct GraspTag>;
-
-// The room that the pads need, and the room that is available on the faces that they touch, in the
-// direction in which room is scarcest. Both are in metres, and both are 0 if the pads fit.
-struct PadRoom {
-  double needed = 0;
-  double available = 0;
-
-  bool fits() const { return needed <= available; }
-};
 
 // One way to hold a part between the pads. It represents its class: all grasps of the same pair of
 // faces and approach direction that hide the same features (Spar, "Reachability of Grasps").
@@ -35,19 +27,26 @@ struct Grasp {
 struct GraspSearch {
   double approach_step = 0;  // radians between approach directions in the plane of the faces
   double widest = 0;         // greatest width to look for, metres
-  // True to search for grasps whose pads stick out of the faces (Grasp::room), in classes without a
-  // grasp whose pads lie wholly on the faces. Such a grasp shows how much room is missing.
+  // True to search, in classes without a grasp, for grasps whose pads have too little room on the
+  // faces (Grasp::room). Such a grasp shows how much room is missing.
   bool with_misfits = false;
 };
 
 class PartModel;
 
 // Returns the grasps of a part by a gripper. They are at pairs of parallel faces not wider than
-// `widest`, with approach directions quantized from a part axis, and with pads wholly on the faces
-// and not on walls of holes. Hand and fingers are clear of the part when open, on the straight
-// approach, and when closed. For grasps wider than the gripper opens, only the hand must be clear.
-// Each class gives the grasp whose pads lie deepest in the faces (up to 4 mm), and among equals the
-// nearest to the centre of mass. The grasps are ordered by face pairs, then by directions.
+// `widest`, with approach directions quantized from a part axis, and not on walls of holes. Hand
+// and fingers are clear of the part when open, on the straight approach, and when closed. For
+// grasps wider than the gripper opens, only the hand must be clear.
+//
+// The pads lie wholly on the faces. Each class gives the grasp whose pads lie deepest in the faces
+// (up to 4 mm), and among equals the nearest to the centre of mass. These grasps are ordered by
+// face pairs, then by directions.
+//
+// Faces that have no room for the pads in any direction come after them. There the pads stick out,
+// and each class gives the grasp that touches most. Of the faces of a round side, pairs that are
+// turned by less than `approach_step` against each other count as one, and the directions are along
+// the axis and across it.
 std::vector<Grasp> ComputeGrasps(const PartModel& part, const kinematics::Gripper& gripper,
                                  const GraspSearch& search);
 

@@ -49,10 +49,34 @@ bool HidesMatingFeatures(const Problem& problem, const Mating& mating, StablePos
   });
 }
 
-bool LeavesMatingFeaturesFree(const Problem& problem, const Mating& mating, GraspId grasp) {
-  const auto& hidden = (*problem.part(mating.held).grasps)[grasp.index()].hidden;
+namespace {
+
+// Returns whether a held shaft is touched only where it is outside of its hole, once it is seated.
+bool IsTouchedOutside(const Problem& problem, const Mating& mating, const Grasp& grasp,
+                      FeatureNumber of_held, FeatureNumber of_fixed) {
+  const Feature* shaft = problem.part(mating.held).model->FindFeature(of_held);
+  const Feature* hole = problem.part(mating.fixed).model->FindFeature(of_fixed);
+  if (shaft == nullptr || hole == nullptr || hole->mouths.empty() || !shaft->mouths.empty()) {
+    return false;
+  }
+  const Vector2& pad = problem.workcell->gripper().pad_half_extents();
+  const Pose X_HoleTool = hole->X_PartFeature.inverse() * mating.X_FixedHeld * grasp.X_PartTool;
+  for (const Vector3& corner :
+       geometry::Box::FromCorners(-Vector3(pad.x(), grasp.width / 2, pad.y()),
+                                  Vector3(pad.x(), grasp.width / 2, pad.y()))
+           .Corners()) {
+    if ((X_HoleTool * corner).z() < kRounding) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+bool LeavesMatingFeaturesFree(const Problem& problem, const Mating& mating, GraspId id) {
+  const Grasp& grasp = (*problem.part(mating.held).grasps)[id.index()];
   return std::ranges::none_of(mating.features, [&](const auto& pair) {
-    return std::ranges::binary_search(hidden, pair.first);
+    return std::ranges::binary_search(grasp.hidden, pair.first) &&
+           !IsTouchedOutside(problem, mating, grasp, pair.first, pair.second);
   });
 }
 

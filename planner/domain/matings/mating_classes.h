@@ -27,7 +27,8 @@ bool MeetsTable(const Problem& problem, const Mating& mating, const Pose& X_Worl
 // Returns whether a stable pose of the fixed part hides one of its mating features. The
 // far mouth of a through hole may be hidden: the shaft enters at the other one.
 bool HidesMatingFeatures(const Problem& problem, const Mating& mating, StablePoseId pose_of_fixed);
-// Returns whether a grasp leaves the held part's mating features free.
+// Returns whether a grasp leaves the held part's mating features free. It may touch a shaft where
+// the shaft is outside of its hole at the end of the mating.
 bool LeavesMatingFeaturesFree(const Problem& problem, const Mating& mating, GraspId grasp);
 
 // Returns, as labels, the grasps of the held part that suit a mating, because they hide none of the

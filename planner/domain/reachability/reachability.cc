@@ -351,7 +351,7 @@ std::string Describe(const Problem& problem, GraspCondition condition) {
       return fmt::format("the gripper opens at most {:.4g} mm",
                          Millimetres(workcell.gripper().max_opening()));
     case GraspCondition::kPadsFit:
-      return "the pads lie wholly on the faces that they hold";
+      return "the pads have room on the faces that they hold";
     case GraspCondition::kFacesFree:
       return "the held faces are not on the table";
     case GraspCondition::kToolLean:

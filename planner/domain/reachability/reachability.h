@@ -21,7 +21,7 @@ enum class GraspCondition : std::uint16_t {
   kReach = 16,      // the arm goes the action's straight ways, from the safe height and back to
                     // it, within its joint limits and in one configuration
   kMateClear = 32,  // hand and fingers do not go through the fixed part of the mating
-  kPadsFit = 64,    // the pads lie wholly on the faces: always true unless misfits are sought
+  kPadsFit = 64,    // the pads have room on the faces: always true unless misfits are sought
 };
 inline constexpr std::array kGraspConditions = {
     GraspCondition::kFacesFree, GraspCondition::kTableClear, GraspCondition::kMateClear,

@@ -24,6 +24,7 @@ using geometry::Vector3;
 
 constexpr int kApproachIntervals = 10;
 constexpr int kMatingIntervals = 20;
+constexpr int kLeastTouch = 3;      // points at which both pads touch
 constexpr double kRounding = 1e-6;  // metres and radians
 constexpr double kDegree = M_PI / 180;
 
@@ -152,15 +153,14 @@ class ActionChecker::Examination {
     ExamineReach();
   }
 
-  // A two-sided grasp needs both pads wholly on the surface. The faces that they press must not lie
-  // on the table (Spar, "Reachability of Grasps", first condition).
+  // A two-sided grasp needs pads that touch the part opposite each other. The faces that they press
+  // must not lie on the table (Spar, "Reachability of Grasps", first condition).
   void ExaminePads() {
-    for (const PadContact& pad : PadContactsOf(handling_.hold, gripper().pad_half_extents())) {
-      const int off = PointsOffSurface(pad, part().model->pieces());
-      if (off > 0) {
-        Report("the {} pad is not wholly on the surface of {}: {} of {} points of it are off",
-               pad.finger, part().name, off, pad.points.size());
-      }
+    const auto pads = PadContactsOf(handling_.hold, gripper().pad_half_extents());
+    if (PointsOfTouch(pads, part().model->pieces()) < kLeastTouch) {
+      Report("the pads do not touch {} opposite each other", part().name);
+    }
+    for (const PadContact& pad : pads) {
       const Vector3 normal = handling_.X_WorldPart.linear() * pad.normal;
       const double height = (handling_.X_WorldPart * pad.points.front()).z();
       if (normal.z() < -1 + kRounding && height < allowance_) {
@@ -282,8 +282,25 @@ class ActionChecker::Examination {
         Report("mating feature {} of {} is on the table", of_fixed.index(), fixed.name);
       }
       const domain::Feature* shaft = part().model->FindFeature(of_held);
-      if (shaft != nullptr) ExaminePadsAgainst(*shaft);
+      if (shaft != nullptr && !IsTouchedOutside(mating, hole, *shaft)) ExaminePadsAgainst(*shaft);
     }
+  }
+
+  // Returns whether both pads are outside of the face in which the shaft's hole opens, once the
+  // shaft is seated.
+  bool IsTouchedOutside(const domain::Mating& mating, const domain::Feature* hole,
+                        const domain::Feature& shaft) const {
+    if (hole == nullptr || !shaft.mouths.empty()) return false;
+    const auto pads = PadContactsOf(handling_.hold, gripper().pad_half_extents());
+    return std::ranges::any_of(hole->mouths, [&](const domain::Mouth& mouth) {
+      const domain::Face& face = problem_.part(mating.fixed).model->faces()[mouth.face.index()];
+      if (face.normal.dot(mating.mating_vector) > 0) return false;
+      return std::ranges::all_of(pads, [&](const PadContact& pad) {
+        return std::ranges::all_of(pad.points, [&](const Vector3& p) {
+          return face.normal.dot(mating.X_FixedHeld * p) > face.offset;
+        });
+      });
+    });
   }
 
   void ExaminePadsAgainst(const domain::Feature& feature) {

@@ -17,6 +17,7 @@ using geometry::Vector3;
 constexpr int kPointsPerSide = 17;    // points of the grid per side: 1 mm apart on a pad of 16 mm
 constexpr double kProbe = 1e-5;       // distance of the tested points from the surface, metres
 constexpr double kSeam = 1e-6;        // metres, between pieces of one solid, and around rims
+constexpr double kNearCorner = 0.9;   // share of the way from the middle to a corner
 constexpr double kSameNormal = 1e-6;  // 1 - cosine, of normals that count as equal
 
 PadContact ContactOf(const Hold& hold, const Vector2& half, double side) {
@@ -36,6 +37,34 @@ PadContact ContactOf(const Hold& hold, const Vector2& half, double side) {
 bool IsInAny(std::span<const geometry::ConvexHull> solids, const Vector3& p, double tolerance) {
   return std::ranges::any_of(
       solids, [&](const geometry::ConvexHull& solid) { return Contains(solid, p, tolerance); });
+}
+
+bool IsOnSurface(std::span<const geometry::ConvexHull> part, const Vector3& p,
+                 const Vector3& normal) {
+  return IsInAny(part, p - kProbe * normal, kSeam) && !IsInAny(part, p + kProbe * normal, 0);
+}
+
+// Appends points of a facet under the pad: the middle of what the pad covers of it, and points near
+// the corners of that.
+void AppendPointsOn(const geometry::ConvexHull& piece, const geometry::Facet& facet,
+                    const PadContact& pad, std::vector<Vector3>& points) {
+  const Vector3& corner = pad.points.front();
+  if (facet.normal.dot(pad.normal) < 1 - kSameNormal) return;
+  if (std::abs(facet.offset - facet.normal.dot(corner)) > kProbe) return;
+  const Vector3 x = pad.points[kPointsPerSide * (kPointsPerSide - 1)] - corner;
+  const Vector3 z = pad.points[kPointsPerSide - 1] - corner;
+  std::vector<Vector2> outline;  // in shares of the pad's sides
+  for (const int vertex : facet.loop) {
+    const Vector3 p = piece.vertices[static_cast<std::size_t>(vertex)] - corner;
+    outline.emplace_back(p.dot(x) / x.squaredNorm(), p.dot(z) / z.squaredNorm());
+  }
+  const Polygon covered =
+      geometry::Intersection(geometry::Hull2(outline), {{0, 0}, {1, 0}, {1, 1}, {0, 1}});
+  if (covered.empty()) return;
+  const Vector2 middle = geometry::Centroid(covered);
+  std::vector<Vector2> on_facet = {middle};
+  for (const Vector2& p : covered) on_facet.push_back(kNearCorner * p + (1 - kNearCorner) * middle);
+  for (const Vector2& p : on_facet) points.push_back(corner + p.x() * x + p.y() * z);
 }
 
 // Returns whether p is inside a convex polygon, farther than kSeam from its rim.
@@ -93,10 +122,18 @@ std::array<PadContact, 2> PadContactsOf(const Hold& hold, const Vector2& pad_hal
   return {ContactOf(hold, pad_half_extents, 1), ContactOf(hold, pad_half_extents, -1)};
 }
 
-int PointsOffSurface(const PadContact& contact, std::span<const geometry::ConvexHull> part) {
-  return static_cast<int>(std::ranges::count_if(contact.points, [&](const Vector3& p) {
-    return !IsInAny(part, p - kProbe * contact.normal, kSeam) ||
-           IsInAny(part, p + kProbe * contact.normal, 0);
+int PointsOfTouch(const std::array<PadContact, 2>& pads,
+                  std::span<const geometry::ConvexHull> part) {
+  const auto& [left, right] = pads;
+  const Vector3 across = right.points.front() - left.points.front();
+  std::vector<Vector3> examined = left.points;
+  for (const geometry::ConvexHull& piece : part) {
+    for (const geometry::Facet& facet : piece.facets) {
+      AppendPointsOn(piece, facet, left, examined);
+    }
+  }
+  return static_cast<int>(std::ranges::count_if(examined, [&](const Vector3& p) {
+    return IsOnSurface(part, p, left.normal) && IsOnSurface(part, p + across, right.normal);
   }));
 }
 

@@ -23,10 +23,13 @@ struct PadContact {
 std::array<PadContact, 2> PadContactsOf(const Hold& hold,
                                         const geometry::Vector2& pad_half_extents);
 
-// Checks whether pads lie on faces: returns how many points of the contact are not on the surface
-// of the pieces' union. At a point on the surface, there is one of the part's pieces 10 micrometres
-// further into the part, and none 10 micrometres out of it.
-int PointsOffSurface(const PadContact& contact, std::span<const geometry::ConvexHull> part);
+// Returns at how many examined points both pads touch the part opposite each other. They touch it
+// at a point of the surface of the pieces' union: one of the part's pieces is 10 micrometres
+// further into the part, and none is 10 micrometres out of it. The points are those of the grid,
+// and more points on the facets of the pieces that lie in the pads' planes, since these may be
+// narrower than the grid.
+int PointsOfTouch(const std::array<PadContact, 2>& pads,
+                  std::span<const geometry::ConvexHull> part);
 
 // Returns whether the pads of a checked grasp touch or cover a feature (its faces, or the mouth of
 // a hole). The test uses the points of the pad's grid and the corners of the feature. Points on the

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 
 #include "planner/algebra/expression/simplify.h"
 #include "planner/domain/parts/part_model.h"
@@ -11,6 +12,7 @@
 #include "planner/uncertainty/error_sets/axis_angle.h"
 #include "planner/uncertainty/error_sets/possible_masses.h"
 #include "planner/uncertainty/error_sets/turn_of_push.h"
+#include "planner/uncertainty/pads/contact_patch.h"
 
 namespace assay::uncertainty {
 namespace {
@@ -40,6 +42,10 @@ double GreatestPadFriction(const domain::Problem& problem) {
   return problem.workcell->rules().pad_friction + problem.tolerances.pad_friction;
 }
 
+double LeastPadFriction(const domain::Problem& problem) {
+  return problem.workcell->rules().pad_friction - problem.tolerances.pad_friction;
+}
+
 // The greatest effect that closing the pads may have on the part. Angles are in radians and lengths
 // in metres, about and along the tool's axes; all of them are magnitudes.
 class Closing {
@@ -52,17 +58,21 @@ class Closing {
         hand_(Magnitude(world.RangeOf(draw.theta))),
         off_x_(Magnitude(world.RangeOf(grasped[0]))),
         off_y_(Magnitude(world.RangeOf(grasped[1]))),
-        off_z_(Magnitude(world.RangeOf(grasped[2]))) {
+        off_z_(Magnitude(world.RangeOf(grasped[2]))),
+        pad_friction_(GreatestPadFriction(world.problem())) {
+    NotePatch(world, part, hold);
     const double theta = Magnitude(world.RangeOf(world.resting(part).theta));
     pushed_turn_ = TurnOfFirstPad(world, part, hold, theta + hand_);
     turn_ = AtMostRight(theta + pushed_turn_ + hand_);
     lever_ = LeverOfTurn(world, part, hold, turn_);
     way_ = turn_ + pushed_turn_;
-    jams_ = !(turn_ + std::atan(GreatestPadFriction(world.problem())) <
-              std::atan(ContactLength() / hold.width));
+    jams_ = !(turn_ + std::atan(pad_friction_) < std::atan(ContactLength() / hold.width));
+    if (jams_ && is_straight()) NoteRoundSide(world, part, hold);
+    if (jams_ && patch_ && !(turn_ < std::atan(ContactLength() / hold.width))) TurnAway();
   }
 
   bool jams() const { return jams_; }
+  bool is_round() const { return is_round_; }
   double turn() const { return turn_; }  // between faces and pads, when they touch
   double pushed_turn() const { return pushed_turn_; }
 
@@ -78,6 +88,7 @@ class Closing {
   }
 
   double SlipX() const {
+    if (is_round()) return RoundSlip();
     if (is_straight()) return StraightSlip();
     const Vector3 way = WaysOfGraspedPoint();
     return way.x() + turn_ * (way.y() + way.z());
@@ -96,10 +107,44 @@ class Closing {
 
   bool is_straight() const { return std::abs(up_.z()) == 1; }
 
+  // Notes what both pads surely touch, if they do not lie wholly on their faces.
+  void NotePatch(const UncertainWorld& world, PartId part, const plan::Hold& hold) {
+    const domain::PartModel& model = *world.problem().part(part).model;
+    const Vector2 pad(pad_x_, pad_z_);
+    const bool on_faces = FaceAt(model, hold, 1) != nullptr && FaceAt(model, hold, -1) != nullptr;
+    if (!on_faces || LieOnFaces(model, hold, pad)) return;
+    patch_ = BoundsOf(OppositePatch(model, hold, pad - Vector2(off_x_, off_z_)));
+  }
+
+  // Notes whether the part is round about the approach vector, which is vertical. Its middle comes
+  // midway between the pads at every turn, since its side looks alike from opposite directions. It
+  // keeps its turn if friction keeps the pads from pressing one of its faces flat.
+  void NoteRoundSide(const UncertainWorld& world, PartId part, const plan::Hold& hold) {
+    const domain::PartModel& model = *world.problem().part(part).model;
+    const auto half_step = RoundAboutApproach(model, hold, {pad_x_, pad_z_}, pad_z_ + off_z_);
+    if (!half_step || !patch_ || patch_->isEmpty()) return;
+    is_round_ = std::tan(*half_step) < LeastPadFriction(world.problem());
+    jams_ = !is_round_;
+    round_push_ = off_y_ + hold.width / 2 * (1 / std::cos(*half_step) - 1);
+  }
+
+  // Pads that press beside each other on a part that is turned too far turn it away from its faces,
+  // until it lies on others.
+  void TurnAway() {
+    turn_ = kRightAngle;
+    way_ = turn_ + pushed_turn_;
+  }
+
   // Returns the length on which the pads touch the faces, even if the part is displaced along them.
   double ContactLength() const {
+    if (patch_) return LengthOfPatch();
     const double along_x = 2 * pad_x_ - off_x_;
     return is_straight() ? along_x : std::min(along_x, 2 * pad_z_ - off_z_);
+  }
+
+  double LengthOfPatch() const {
+    if (patch_->isEmpty()) return 0;
+    return is_straight() ? patch_->sizes().x() : patch_->sizes().minCoeff();
   }
 
   // Returns how far the first pad may turn the part while this pad pushes the part to the second
@@ -107,10 +152,25 @@ class Closing {
   double TurnOfFirstPad(const UncertainWorld& world, PartId part, const plan::Hold& hold,
                         double turned) const {
     const Vector3 level = up_.cross(Vector3::UnitY());  // horizontal, along the pads
-    const double reach = pad_x_ * std::abs(level.x()) + pad_z_ * std::abs(level.z());
-    if (up_.y() == 0 && OffsetOfMass(world, part, hold, level, turned).high <= reach) return 0;
+    if (up_.y() == 0 && IsBehindPad(world, part, hold, level, turned)) return 0;
     const double push = off_y_ + 2 * pad_x_ * std::sin(AtMostRight(turned));
     return AtMostRight(TurnOfPush(world, part, world.X_WorldPart(part), push));
+  }
+
+  // Returns whether the centre of mass is surely behind what the pad touches.
+  bool IsBehindPad(const UncertainWorld& world, PartId part, const plan::Hold& hold,
+                   const Vector3& level, double turned) const {
+    const Vector2 along(std::abs(level.x()), std::abs(level.z()));
+    if (!patch_) {
+      const double reach = pad_x_ * along.x() + pad_z_ * along.y();
+      return OffsetOfMass(world, part, hold, level, turned).high <= reach;
+    }
+    if (patch_->isEmpty()) return false;
+    const Vector2 middle = patch_->center();
+    plan::Hold in_patch = hold;
+    in_patch.X_PartTool = hold.X_PartTool * geometry::Translation(middle.x(), 0, middle.y());
+    return OffsetOfMass(world, part, in_patch, level, turned).high <=
+           along.dot(patch_->sizes()) / 2;
   }
 
   // Returns the least and the greatest distance, in metres along an axis of the tool, between the
@@ -140,9 +200,7 @@ class Closing {
   // pads, 2 mu times this force, is more than R if d > a / mu.
   double LeverOfTurn(const UncertainWorld& world, PartId part, const plan::Hold& hold,
                      double turned) const {
-    const domain::Problem& problem = world.problem();
-    const double friction =
-        problem.workcell->rules().pad_friction - problem.tolerances.pad_friction;
+    const double friction = LeastPadFriction(world.problem());
     const double contact = is_straight() ? pad_x_ : std::max(pad_x_, pad_z_);
     const Interval mass = OffsetOfMass(world, part, hold, Vector3::UnitY(), turned);
     if (friction * mass.low > contact) return hold.width / 2;
@@ -156,6 +214,12 @@ class Closing {
     const double along = 2 * pad_x_ * (1 - std::cos(turn_));
     return across + (pushed_turn_ > 0 ? 2 * along : along);
   }
+
+  // Returns how far the axis of a round part slips along the pads. The first pad pushes it with a
+  // force within its friction cone, and the part slides in the direction of the force: along the
+  // pad by the friction times the push. Twice as much is allowed for, since the support's friction
+  // is not even.
+  double RoundSlip() const { return 2 * pad_friction_ * round_push_; }
 
   // Returns how far the grasped point moves, in the part's own axes, when the part turns about
   // points on its faces that the pads reach.
@@ -178,6 +242,11 @@ class Closing {
   double turn_ = 0;
   double way_ = 0;  // the total turn of the part, there and back
   bool jams_ = false;
+  // What both pads surely touch, in the tool's x and z; none if they lie wholly on their faces.
+  std::optional<Eigen::AlignedBox2d> patch_;
+  double pad_friction_;  // the greatest
+  bool is_round_ = false;
+  double round_push_ = 0;  // of a round part by the first pad, metres
 };
 
 HeldError Sound(UncertainWorld& world, PartId part, const plan::Hold& hold,
@@ -194,6 +263,10 @@ HeldError Sound(UncertainWorld& world, PartId part, const plan::Hold& hold,
     held.y = declare(plan::error::kJam, closing.SkewY());
     held.skew = declare(plan::error::kSkew, std::min(closing.turn(), closing.TurnAbout(2)));
     held.tip = declare(plan::error::kTip, std::min(closing.turn(), closing.TurnAbout(0)));
+  }
+  if (closing.is_round()) {
+    held.skew = declare(plan::error::kSkew, closing.turn());
+    held.is_round = true;
   }
   return held;
 }

@@ -47,6 +47,9 @@ struct HeldError {
   Expression x, z;                      // metres
   Expression twist = 0;                 // radians about the tool's y
   Expression y = 0, skew = 0, tip = 0;  // metres; radians about the tool's z and x
+  // True if the pads closed on a round side about the tool's z: a skewed part touches them like any
+  // other.
+  bool is_round = false;
 };
 
 // Converts numbers to constant symbols. Entries within 1e-15 of 0, 1 and -1 become exactly these

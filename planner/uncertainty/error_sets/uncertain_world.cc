@@ -125,7 +125,8 @@ void UncertainWorld::SetHeld(PartId part, const HeldError& error) {
            .twist = Condensed(error.twist, plan::error::kThetaRest, part),
            .y = Condensed(error.y, plan::error::kRest, part),
            .skew = Condensed(error.skew, plan::error::kThetaRest, part),
-           .tip = Condensed(error.tip, plan::error::kThetaRest, part)};
+           .tip = Condensed(error.tip, plan::error::kThetaRest, part),
+           .is_round = error.is_round};
 }
 
 RestingError UncertainWorld::about_plan(PartId part) const {

@@ -1,7 +1,9 @@
 #include "planner/uncertainty/pads/grip.h"
 
 #include <algorithm>
+#include <cmath>
 
+#include "planner/uncertainty/pads/contact_patch.h"
 #include "planner/uncertainty/preconditions/precondition.h"
 
 namespace assay::uncertainty {
@@ -13,40 +15,60 @@ namespace assay::uncertainty {
 // other. If the pads touch in the same places, the two pressures together are then spread wider
 // about the same middle, and friction bears no less: its power in a motion is a convex function of
 // the place. If they touch in different places, the friction of the pressure that moves counts for
-// nothing.
+// nothing. On a narrow patch or a line, pressure bears the moment across it, and friction the
+// moment about it: the pads' forces are opposite, and act at the same place of each.
 double Grip::RatioOf(const GripLoad& load, double force) const {
   const double pressing = force - load.across / 2;
-  const double arm = 2 * reach.minCoeff();
-  if (!(pressing > 0) || !(arm > 0)) return kNothingBorne;
-  const double tilting = load.tilting / arm;
-  const double borne_of = alike ? std::max(load.slipping, tilting) : load.slipping + tilting;
-  return std::min(kNothingBorne, borne_of / pressing);
+  if (!(pressing > 0) || !touches) return kNothingBorne;
+  const double tilting = load.tilting / (2 * reach.minCoeff());
+  double borne_of = alike ? std::max(load.slipping, tilting) : load.slipping + tilting;
+  if (alike && couple > 0) {
+    const double by_friction =
+        std::max(load.slipping + load.tilting / couple, load.tilting / (2 * reach.maxCoeff()));
+    borne_of = borne_of < by_friction ? borne_of : by_friction;
+  }
+  return borne_of < kNothingBorne * pressing ? borne_of / pressing + wedging : kNothingBorne;
 }
+
+namespace {
+
+// Notes how a round part may touch the pads: at corners that are up to half a face aside of each
+// other. The pressures then turn the part, and friction keeps it.
+void NoteRoundSide(const domain::PartModel& model, const plan::Hold& hold, const Vector2& pad,
+                   const OffInHand& off, double friction, Grip& grip) {
+  const auto half_step = RoundAboutApproach(model, hold, pad, pad.y() + off.shift.z());
+  grip.touches = half_step.has_value();
+  if (half_step) grip.wedging = std::tan(*half_step) / friction;
+}
+
+}  // namespace
 
 Grip GripOf(const domain::Problem& problem, PartId part, const plan::Hold& hold,
             const OffInHand& off) {
   const domain::PartModel& model = *problem.part(part).model;
   const Vector2& pad = problem.workcell->gripper().pad_half_extents();
-  const Vector2 cell = pad / kCellsPerSide;
-  const std::vector<Vector2> left = TouchingCells(model, hold, 1, pad, off);
-  const std::vector<Vector2> right = TouchingCells(model, hold, -1, pad, off);
-  if (left.empty() || right.empty()) return {};
+  const TouchingCells left = TouchingCellsOf(model, hold, 1, pad, off);
+  const TouchingCells right = TouchingCellsOf(model, hold, -1, pad, off);
+  if (left.middles.empty() || right.middles.empty()) return {};
+  const bool alike = left.middles == right.middles;
   const double friction = problem.workcell->rules().pad_friction - problem.tolerances.pad_friction;
   std::vector<PadCell> cells;
-  Vector2 low = left.front();
-  Vector2 high = left.front();
-  for (const std::vector<Vector2>* side : {&left, &right}) {
-    if (side == &right && left == right) continue;
-    const double share = friction / static_cast<double>(side->size());
-    for (const Vector2& at : *side) {
-      cells.push_back({at, left == right ? 2 * share : share});
-      low = low.cwiseMin(at - cell);
-      high = high.cwiseMax(at + cell);
+  Eigen::AlignedBox2d bounds;
+  for (const TouchingCells* side : {&left, &right}) {
+    if (side == &right && alike) continue;
+    const double share = friction / static_cast<double>(side->middles.size());
+    for (const Vector2& at : side->middles) {
+      cells.push_back({at, alike ? 2 * share : share});
+      bounds.extend(at - side->half);
+      bounds.extend(at + side->half);
     }
   }
   PadFriction pads(std::move(cells));
-  const Vector2 reach = (high - pads.center()).cwiseMin(pads.center() - low);
-  return {std::move(pads), reach, left == right};
+  const Vector2 reach = (bounds.max() - pads.center()).cwiseMin(pads.center() - bounds.min());
+  Grip grip = {std::move(pads), true, reach, alike};
+  if (!LieOnFaces(model, hold, pad)) grip.couple = hold.width * friction;
+  if (off.rolls) NoteRoundSide(model, hold, pad, off, friction, grip);
+  return grip;
 }
 
 PlaneLoad ActingAt(const Vector2& lever, const Vector2& force) {

@@ -17,9 +17,16 @@ struct GripLoad {
 // newton on each pad.
 struct Grip {
   PadFriction friction{{}};
+  bool touches = false;  // true if both pads surely touch
   // Least distance from the center of friction to the patch's edges, along each axis, metres.
   Vector2 reach = Vector2::Zero();
   bool alike = false;  // true if both pads touch in the same places
+  // The moment about an axis in the plane of the pads that their friction bears alone, by opposite
+  // forces, for each newton on each pad, metres. 0 if it does not count.
+  double couple = 0;
+  // The share of the friction that keeps a round part from turning between the pads until one of
+  // its faces lies flat.
+  double wedging = 0;
 
   // Returns the ratio of the load to what the pads bear when each presses with `force` newtons. If
   // the ratio is below 1, the pads hold the part. If a pad may touch nothing, the pads bear

@@ -93,13 +93,14 @@ class ClosingConditions {
   double HighestOfLowest(double side) const {
     const domain::PartModel& model = *world_.problem().part(part_).model;
     const Vector2& pad = world_.problem().workcell->gripper().pad_half_extents();
-    const Vector2 half = pad / kCellsPerSide;
+    const TouchingCells cells = TouchingCellsOf(model, hold_, side, pad, {});
     const bool is_straight = std::abs(VerticalInTool(X_WorldTool_).z()) == 1;
     std::map<double, double> lowest;  // lowest height of each column of cells, by the tool's x
     double highest = -std::numeric_limits<double>::infinity();
-    for (const Vector2& cell : TouchingCells(model, hold_, side, pad, {})) {
+    for (const Vector2& cell : cells.middles) {
       const Vector3 middle(cell.x(), side * hold_.width / 2, cell.y());
-      const double height = (X_WorldTool_ * middle).z() + (is_straight ? -half.y() : half.sum());
+      const double height =
+          (X_WorldTool_ * middle).z() + (is_straight ? -cells.half.y() : cells.half.sum());
       highest = std::max(highest, height);
       const auto [column, is_new] = lowest.try_emplace(cell.x(), height);
       if (!is_new) column->second = std::min(column->second, height);

@@ -89,9 +89,11 @@ double LoadRatio(const Grip& grip, double force, const Carried& carried, const V
 
 // Returns whether pads may have jammed before the part's faces lay flat on them. They may then
 // touch the part at two corners. The part rolls from corner to corner without any friction, so
-// nothing keeps it from turning in the hand.
+// nothing keeps it from turning in the hand. A round part touches alike at every turn about its
+// axis.
 bool MayHaveJammed(const UncertainWorld& world, const HeldError& held) {
-  return Magnitude(world.RangeOf(held.skew)) > 0 || Magnitude(world.RangeOf(held.tip)) > 0;
+  return (Magnitude(world.RangeOf(held.skew)) > 0 && !held.is_round) ||
+         Magnitude(world.RangeOf(held.tip)) > 0;
 }
 
 }  // namespace

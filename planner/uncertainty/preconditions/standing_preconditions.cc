@@ -70,7 +70,7 @@ class StandingConditions {
   double PressRatio() const {
     const OffInHand off = OffInHandOf(world_, world_.held());
     const Grip grip = GripOf(world_.problem(), part_, hold_, off);
-    if (!(grip.reach.minCoeff() > 0)) return kNothingBorne;
+    if (!grip.touches) return kNothingBorne;
     const Vector2& center = grip.friction.center();
     const Vector3 middle = X_WorldPart_ * hold_.X_PartTool * Vector3(center.x(), 0, center.y());
     const double beside = off.shift.norm() + off.turn * hold_.width + off_;

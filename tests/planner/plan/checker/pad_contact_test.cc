@@ -39,40 +39,52 @@ TEST(PadContact, LeftIsOnTheSideOfTheClosingDirection) {
   for (const Vector3& p : right.points) EXPECT_NEAR(p.x(), 0, 1e-12);
 }
 
-TEST(PadContact, IsWhollyOnAPlainFace) {
-  for (const PadContact& pad : FrontToBack(5.5))
-    EXPECT_EQ(PointsOffSurface(pad, Block().pieces()), 0);
+TEST(PadContact, TouchesAPlainFaceEverywhere) {
+  EXPECT_GE(PointsOfTouch(FrontToBack(5.5), Block().pieces()), 17 * 17);
 }
 
-TEST(PadContact, OverTheHoleIsOffTheSurfaceAndCoversIt) {
-  const auto [front, back] = FrontToBack(3.25);
-  EXPECT_EQ(PointsOffSurface(front, Block().pieces()), static_cast<int>(front.points.size()));
-  EXPECT_EQ(PointsOffSurface(back, Block().pieces()), 0);
-  EXPECT_TRUE(Covers(front, Block(), FeatureOf(Block(), 7)));
-  EXPECT_FALSE(Covers(back, Block(), FeatureOf(Block(), 7)));
-  EXPECT_FALSE(Covers(front, Block(), FeatureOf(Block(), 8)));
+TEST(PadContact, OverTheHoleTouchesNothingAndCoversIt) {
+  const auto pads = FrontToBack(3.25);
+  EXPECT_EQ(PointsOfTouch(pads, Block().pieces()), 0);
+  EXPECT_TRUE(Covers(pads[0], Block(), FeatureOf(Block(), 7)));
+  EXPECT_FALSE(Covers(pads[1], Block(), FeatureOf(Block(), 7)));
+  EXPECT_FALSE(Covers(pads[0], Block(), FeatureOf(Block(), 8)));
 }
 
 TEST(PadContact, CoversAHoleThatIsSmallerThanThePad) {
   const auto [front, back] = FrontToBack(4.375);
-  EXPECT_GT(PointsOffSurface(front, Block().pieces()), 0);
   EXPECT_TRUE(Covers(front, Block(), FeatureOf(Block(), 8)));
 }
 
-TEST(PadContact, OfTheWrongWidthIsOffTheSurface) {
+TEST(PadContact, OfTheWrongWidthTouchesNothing) {
   for (const double width : {0.0761, 0.0763}) {
     Hold hold = BlockHold();
     hold.width = width;
-    for (const PadContact& pad : PadContactsOf(hold, Vector2(0.008, 0.008))) {
-      EXPECT_EQ(PointsOffSurface(pad, Block().pieces()), static_cast<int>(pad.points.size()));
-    }
+    EXPECT_EQ(PointsOfTouch(PadContactsOf(hold, Vector2(0.008, 0.008)), Block().pieces()), 0);
   }
 }
 
-TEST(PadContact, OverAnEdgeIsPartlyOffTheSurface) {
-  const auto [front, back] = FrontToBack(6.5);
-  EXPECT_GT(PointsOffSurface(back, Block().pieces()), 100);
-  EXPECT_LT(PointsOffSurface(back, Block().pieces()), static_cast<int>(back.points.size()));
+TEST(PadContact, OverAnEdgeTouchesWithTheRest) {
+  const int touched = PointsOfTouch(FrontToBack(6.5), Block().pieces());
+  EXPECT_GT(touched, 100);
+  EXPECT_LT(touched, 200);
+}
+
+// The middle facets of a polygon are found between the points of the grid.
+TEST(PadContact, TouchesFacetsThatAreNarrowerThanTheGrid) {
+  const auto cylinder = domain::PartFile::Read(
+      Document::Parse("format: assay-part/1\nname: c\ninitial: C\nunits: {length: mm}\n"
+                      "density: 1000\nfriction: 0.25\nsolids:\n"
+                      "  c: {cylinder: {from: [0, 0, 0], to: [0, 0, 50], radius: 4, sides: 64}}\n",
+                      "part.yaml"),
+      0);
+  Hold hold{"",
+            geometry::PoseFromColumns(Vector3::UnitY(), Vector3::UnitX(), -Vector3::UnitZ(),
+                                      {0, 0.0003, 0.025}),
+            0.008};
+  EXPECT_GE(PointsOfTouch(PadContactsOf(hold, Vector2(0.008, 0.008)), cylinder->pieces()), 3);
+  hold.X_PartTool.translation().y() = 0.009;
+  EXPECT_EQ(PointsOfTouch(PadContactsOf(hold, Vector2(0.008, 0.008)), cylinder->pieces()), 0);
 }
 
 TEST(IsOnTable, OnlyForWhatFacesTheTableAndTouchesIt) {

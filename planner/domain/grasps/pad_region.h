@@ -1,0 +1,65 @@
+#pragma once
+
+#include <vector>
+
+#include "planner/geometry/planar_region.h"
+
+namespace assay::domain {
+
+using geometry::Vector2;
+
+constexpr double kEqualLength = 1e-7;  // lengths of grasps that differ less are equal, metres
+// Margin around the pads beyond which more is no better, metres.
+constexpr double kDeepEnough = 4e-3;
+
+// The room that the pads need, and the room that is available on the faces that they touch, in the
+// direction in which room is scarcest. Both are in metres, and both are 0 if the pads fit.
+struct PadRoom {
+  double needed = 0;
+  double available = 0;
+
+  bool fits() const { return needed <= available; }
+};
+
+// Returns the extent of a polygon along a unit vector.
+double ExtentOf(const geometry::Polygon& polygon, const Vector2& direction);
+
+// Returns the least extent of a polygon, which is across one of its edges.
+double BreadthOf(const geometry::Polygon& polygon);
+
+// The region of a pair of faces on which pads can be: a convex outline without convex gaps.
+class PadRegion {
+ public:
+  explicit PadRegion(const geometry::Patches& region);
+
+  // Returns a lower bound on a point's distance from the border of the region; negative outside.
+  double ClearanceAt(const Vector2& p) const;
+
+  // Returns a pad's distance from the border of the region; negative if the pad sticks out.
+  double MarginOf(const geometry::Polygon& pad) const;
+
+  // Returns the room that a pad needs and has across the outline's edge at which most room is
+  // missing. The pad sticks out by `overhang`. If the outline has room for the pad, the pad sticks
+  // out into a gap.
+  PadRoom Lacking(const geometry::Polygon& pad, double overhang) const;
+
+  Eigen::AlignedBox2d Bounds() const;
+
+ private:
+  geometry::Polygon outline_;
+  geometry::Patches gaps_;
+};
+
+// A candidate position of the pads' centres on a pair of faces.
+struct Spot {
+  Vector2 center;        // position in the middle plane
+  double from_mass = 0;  // distance to the centre of mass in that plane
+  double clearance = 0;  // distance to the border of the region, or less
+};
+
+// Returns the positions inside the region on a grid through the region's centroid, and the position
+// `first`. The nearest to the centre of mass come first.
+std::vector<Spot> SpotsOf(const geometry::Patches& region, const PadRegion& room,
+                          const Vector2& first, const Vector2& mass_center);
+
+}  // namespace assay::domain
