@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "planner/geometry/pose.h"
+#include "planner/geometry/coordinates.h"
 
 namespace assay::geometry {
 

@@ -6,6 +6,8 @@
 #include <span>
 
 #include "planner/domain/parts/part_model.h"
+#include "planner/geometry/polygon.h"
+#include "planner/geometry/pose.h"
 
 namespace assay::domain {
 namespace {

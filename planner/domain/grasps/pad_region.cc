@@ -5,6 +5,8 @@
 #include <limits>
 #include <tuple>
 
+#include "planner/geometry/polygon.h"
+
 namespace assay::domain {
 namespace {
 

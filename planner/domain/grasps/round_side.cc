@@ -6,6 +6,7 @@
 
 #include "planner/domain/parts/exposed_faces.h"
 #include "planner/domain/parts/part_model.h"
+#include "planner/geometry/hull.h"
 #include "planner/geometry/planar_region.h"
 #include "planner/geometry/solids/shadow.h"
 

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "planner/domain/actions/condition.h"
+#include "planner/geometry/box.h"
 
 namespace assay::domain {
 
@@ -33,7 +34,7 @@ bool InFrictionCone(const Problem& problem, const Mating& mating, const Pose& X_
 bool MeetsTable(const Problem& problem, const Mating& mating, const Pose& X_WorldFixed) {
   if (!mating.ends_on_table) return true;
   double lowest = std::numeric_limits<double>::infinity();
-  for (const Vector3& p : problem.part(mating.held).model->hull().vertices)
+  for (const Vector3& p : problem.part(mating.held).model->corners())
     lowest = std::min(lowest, (X_WorldFixed * mating.X_FixedHeld * p).z());
   return std::abs(lowest) <= kSeatGap;
 }

@@ -288,7 +288,7 @@ bool MatingFile::EndsOnTable(const Value& pose, const Mating& mating) const {
   }
   const auto farthest = [&](const PartModel& model, const Pose& X_FixedPart) {
     double most = -std::numeric_limits<double>::infinity();
-    for (const Vector3& p : model.hull().vertices) most = std::max(most, in.dot(X_FixedPart * p));
+    for (const Vector3& p : model.corners()) most = std::max(most, in.dot(X_FixedPart * p));
     return most;
   };
   const double beyond = farthest(held, mating.X_FixedHeld) - farthest(fixed, Pose::Identity());

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "planner/geometry/pose.h"
+#include "planner/geometry/coordinates.h"
 
 namespace assay::finemotion {
 

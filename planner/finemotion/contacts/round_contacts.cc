@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "planner/finemotion/contacts/rim_crossing.h"
+#include "planner/geometry/hull.h"
 #include "planner/geometry/polygon.h"
 
 namespace assay::finemotion {

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "planner/geometry/pose.h"
+#include "planner/geometry/coordinates.h"
 
 namespace assay::geometry {
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "planner/geometry/hull.h"
+#include "planner/geometry/polygon.h"
 
 namespace assay::plan {
 namespace {

@@ -8,6 +8,7 @@
 
 #include "planner/algebra/expression/simplify.h"
 #include "planner/domain/parts/part_model.h"
+#include "planner/geometry/pose.h"
 #include "planner/geometry/solids/mass_properties.h"
 #include "planner/uncertainty/error_sets/axis_angle.h"
 #include "planner/uncertainty/error_sets/possible_masses.h"

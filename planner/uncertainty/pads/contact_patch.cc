@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "planner/domain/grasps/round_side.h"
+#include "planner/geometry/polygon.h"
 
 namespace assay::uncertainty {
 namespace {

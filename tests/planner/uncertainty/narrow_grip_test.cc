@@ -5,6 +5,8 @@
 
 #include "planner/base/random.h"
 #include "planner/domain/parts/part_file.h"
+#include "planner/geometry/pose.h"
+#include "planner/geometry/solids/mass_properties.h"
 #include "planner/plan/certificates/carrying.h"
 #include "planner/uncertainty/error_sets/squeezing.h"
 #include "planner/uncertainty/preconditions/precondition.h"

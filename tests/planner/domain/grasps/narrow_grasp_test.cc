@@ -6,6 +6,7 @@
 
 #include "planner/domain/grasps/grasp.h"
 #include "planner/domain/parts/part_model.h"
+#include "planner/geometry/hull.h"
 #include "tests/planner/domain/parts.h"
 
 // Grasps of faces that are narrower than the pads of 16 mm.
@@ -118,7 +119,7 @@ TEST(NarrowGrasp, PadsEndBeforeALyingPartDoes) {
     int from_above = 0;
     for (const Grasp& grasp : GraspsOf(*part)) {
       double end = -1;
-      for (const Vector3& corner : part->hull().vertices) {
+      for (const Vector3& corner : part->corners()) {
         end = std::max(end, (grasp.X_PartTool.inverse() * corner).z());
       }
       if (part->name() == "narrow" && std::abs(ApproachOf(grasp).z() + 1) < 1e-9) ++from_above;

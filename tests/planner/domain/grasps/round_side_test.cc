@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "planner/domain/parts/part_model.h"
+#include "planner/geometry/pose.h"
 #include "tests/planner/domain/parts.h"
 
 namespace assay::domain::round_side_test {
@@ -35,7 +36,7 @@ TEST(RoundSide, HasAllFacesAroundTheAxis) {
     ASSERT_TRUE(side) << sides;
     EXPECT_EQ(side->faces.size(), static_cast<std::size_t>(sides));
     EXPECT_NEAR(side->half_step, M_PI / sides, 1e-9);
-    EXPECT_NEAR(side->OuterRadius(), part->hull().vertices.front().head<2>().norm(), 1e-9);
+    EXPECT_NEAR(side->OuterRadius(), part->corners().front().head<2>().norm(), 1e-9);
     EXPECT_TRUE(IsRoundBetween(*part, *side, {0, 0.05}));
     EXPECT_FALSE(IsRoundBetween(*part, *side, {0, 0.051}));
   }

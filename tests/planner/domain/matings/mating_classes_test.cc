@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "planner/domain/problem/problem_file.h"
+#include "planner/geometry/pose.h"
 
 namespace assay::domain::mating_classes_test {
 namespace {

@@ -7,6 +7,7 @@
 
 #include "planner/base/input_files/input_error.h"
 #include "planner/domain/matings/mating_classes.h"
+#include "planner/geometry/pose.h"
 #include "tests/planner/domain/scenario.h"
 #include "tests/scratch_file.h"
 

@@ -13,6 +13,7 @@
 #include "planner/finemotion/contacts/contact_finder.h"
 #include "planner/finemotion/contacts/rim_crossing.h"
 #include "planner/finemotion/motions/believed_pose.h"
+#include "planner/geometry/polygon.h"
 
 namespace assay::finemotion::round_contacts_test {
 namespace {
