@@ -127,6 +127,10 @@ class Closing {
     is_round_ = std::tan(*half_step) < LeastPadFriction(world.problem());
     jams_ = !is_round_;
     round_push_ = off_y_ + hold.width / 2 * (1 / std::cos(*half_step) - 1);
+    // The first pad touches at a corner, and may turn the part until the next face lies flat on it.
+    pushed_turn_ =
+        AtMostRight(pushed_turn_ + TurnOfPush(world, part, world.X_WorldPart(part), round_push_));
+    turn_ = AtMostRight(turn_ + pushed_turn_);
   }
 
   // Pads that press beside each other on a part that is turned too far turn it away from its faces,
