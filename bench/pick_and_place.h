@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "planner/domain/problem/problem_file.h"
+#include "planner/geometry/pose.h"
 #include "planner/plan/data/plan.h"
 
 // The workload of the growth test and of its benchmark: one part, picked up and put down n times.

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "planner/domain/parts/part_model.h"
+#include "planner/geometry/box.h"
 #include "planner/geometry/hull.h"
 #include "tests/oracle/box_pair.h"
 

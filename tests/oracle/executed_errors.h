@@ -13,7 +13,11 @@
 
 #include "planner/base/random.h"
 #include "planner/domain/problem/problem.h"
+#include "planner/geometry/box.h"
+#include "planner/geometry/hull.h"
 #include "planner/geometry/polygon.h"
+#include "planner/geometry/pose.h"
+#include "planner/geometry/solids/mass_properties.h"
 #include "planner/plan/data/plan.h"
 #include "tests/oracle/convex_solid.h"
 

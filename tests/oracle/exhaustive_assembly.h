@@ -10,6 +10,7 @@
 #include "planner/domain/matings/mating_classes.h"
 #include "planner/domain/reachability/reachability.h"
 #include "planner/domain/resting/resting.h"
+#include "planner/geometry/pose.h"
 
 namespace assay::oracle {
 

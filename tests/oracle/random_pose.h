@@ -5,6 +5,7 @@
 
 #include "planner/base/random.h"
 #include "planner/geometry/box.h"
+#include "planner/geometry/pose.h"
 
 namespace assay::oracle {
 

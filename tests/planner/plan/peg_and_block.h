@@ -7,6 +7,7 @@
 
 #include "planner/base/input_files/document.h"
 #include "planner/domain/problem/problem_file.h"
+#include "planner/geometry/pose.h"
 #include "planner/plan/data/plan.h"
 #include "tests/planner/plan/actions.h"
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "planner/geometry/pose.h"
+#include "planner/geometry/solids/mass_properties.h"
 #include "tests/planner/uncertainty/action_lists.h"
 
 // Test data: Spar's block on its end, with its axes parallel to the world's, and poses of the hand

@@ -2,6 +2,7 @@
 
 #include "planner/base/check.h"
 #include "planner/domain/workcell/workcell.h"
+#include "planner/geometry/pose.h"
 
 namespace assay::scene {
 

@@ -8,6 +8,7 @@
 #include "planner/domain/parts/exposed_faces.h"
 #include "planner/domain/parts/part_file.h"
 #include "planner/geometry/box.h"
+#include "planner/geometry/collision.h"
 #include "planner/geometry/hull.h"
 #include "planner/geometry/planar_region.h"
 #include "planner/geometry/polygon.h"

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "planner/geometry/contact/contact_solid.h"
+#include "planner/geometry/hull.h"
 #include "tests/oracle/random_pose.h"
 
 namespace assay::geometry {

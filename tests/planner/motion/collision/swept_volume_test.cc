@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "planner/geometry/hull.h"
+#include "planner/geometry/solids/mass_properties.h"
 #include "tests/oracle/random_pose.h"
 #include "tests/planner/motion/arm_scene.h"
 

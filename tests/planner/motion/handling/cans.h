@@ -1,6 +1,7 @@
 #pragma once
 
 #include "planner/domain/problem/problem_file.h"
+#include "planner/geometry/pose.h"
 #include "planner/motion/collision/collision_scene.h"
 
 namespace assay::motion {
