@@ -19,8 +19,10 @@ namespace assay::cli {
 namespace {
 
 [[noreturn]] void FailToPrint(int error) {
-  throw EnvironmentError(fmt::format("the result is lost: standard output cannot be written: {}",
-                                     std::generic_category().message(error)));
+  throw EnvironmentError(fmt::format(
+      "standard output cannot be written: {}; the text is lost, but files that the command writes "
+      "are kept: give it another output, or read these files",
+      std::generic_category().message(error)));
 }
 
 }  // namespace

@@ -158,7 +158,8 @@ TEST(OutputFile, OnAFullDisk) {
 TEST(OutputFile, StandardOutputOnAFullDisk) {
   const Ended ended = Assay({"plan", kTwoActions}, "/dev/full");
   EXPECT_EQ(ended.code, 4);
-  EXPECT_THAT(ended.err, HasSubstr("standard output"));
+  EXPECT_THAT(ended.err, HasSubstr("standard output cannot be written"));
+  EXPECT_THAT(ended.err, HasSubstr("files that the command writes are kept"));
 }
 
 TEST(OutputFile, DevicesAreWrittenInto) {
