@@ -16,6 +16,8 @@ std::shared_ptr<const PartModel> PartFile::Load(const std::filesystem::path& fil
 std::shared_ptr<const PartModel> PartFile::Read(const Document& document, double clearance) {
   ASSAY_CHECK(std::isfinite(clearance));
   document.RequireFormat("assay-part/1");
+  document.root().AllowOnly({"format", "name", "initial", "units", "density", "friction", "solids",
+                             "pockets", "features", "stable_poses"});
   return PartReader(document.root(), clearance).Model(document);
 }
 

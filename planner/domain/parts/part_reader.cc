@@ -110,8 +110,6 @@ PartReader::PartReader(const Value& root, double clearance)
       solids_(root, units_, clearance) {}
 
 std::shared_ptr<const PartModel> PartReader::Model(const Document& document) const {
-  root_.AllowOnly({"format", "name", "initial", "units", "density", "friction", "solids", "pockets",
-                   "features", "stable_poses"});
   const std::shared_ptr<PartModel> model(new PartModel(document, clearance_));
   model->name_ = ReadAnyName(root_.At("name"));
   model->initial_ = ReadInitial(root_.At("initial"));
