@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <set>
 #include <utility>
 
 #include "planner/domain/problem/possible_starts.h"
@@ -83,6 +84,19 @@ std::vector<std::string> StartsNotCovered(const domain::Problem& problem) {
 }
 
 }  // namespace
+
+std::vector<int> StepsWithUnprovedWays(const Plan& plan) {
+  std::set<int> unproved;
+  bool is_claimed = false;
+  for (const ConditionKind* kind : KnownConditions()) {
+    if (kind->left_open.empty()) continue;
+    const std::vector<int> steps = StepsWithout(*kind, plan);
+    is_claimed |= steps.size() < plan.steps.size();
+    unproved.insert(steps.begin(), steps.end());
+  }
+  if (!is_claimed) return {};
+  return {unproved.begin(), unproved.end()};
+}
 
 std::vector<std::string> NotCovered(const domain::Problem& problem, const Plan& plan) {
   std::vector<std::string> all = StartsNotCovered(problem);

@@ -14,4 +14,8 @@ namespace assay::plan {
 // which they may first matter.
 std::vector<std::string> NotCovered(const domain::Problem& problem, const Plan& plan);
 
+// Returns the steps, in the order of execution, for which a condition on the arm's ways could not be
+// proved. Returns none if the plan claims nothing about ways.
+std::vector<int> StepsWithUnprovedWays(const Plan& plan);
+
 }  // namespace assay::plan

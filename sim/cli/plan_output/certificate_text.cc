@@ -56,6 +56,14 @@ bool AnyStrategy(const plan::Plan& plan) {
       plan.steps, [](const plan::PlannedStep& step) { return step.strategy.has_value(); });
 }
 
+// Returns the exception of the plan's summary, as the plan's page says it (sim/view/page/steps).
+std::string ExceptWaysText(const plan::Plan& plan) {
+  const std::vector<int> steps = plan::StepsWithUnprovedWays(plan);
+  if (steps.empty()) return "";
+  return fmt::format(", except for the arm's way in {} {}", steps.size() == 1 ? "step" : "steps",
+                     fmt::join(steps, ", "));
+}
+
 // Returns what certificates leave open if they are computed as published.
 std::string UnaskedText(const plan::Plan& plan) {
   if (!plan::IsAsPublished(plan)) return "";
@@ -124,9 +132,10 @@ std::string UncertaintyText(const domain::Problem& problem, const plan::Plan& pl
   }
   const std::string summary =
       plan.errors == 0
-          ? fmt::format("Every precondition{} is proved{}.{}{}",
+          ? fmt::format("Every precondition{} is proved{}{}.{}{}",
                         plan::IsAsPublished(plan) ? " of the paper" : "",
                         AnyStrategy(plan) ? ", or absorbed by fine motion" : "",
+                        ExceptWaysText(plan),
                         plan::NotCovered(problem, plan).empty() ? "" : kSomeIsNotCovered,
                         UnaskedText(plan))
           : fmt::format("Some preconditions of {} are not proved. The plan has {} and {} for {}.",
