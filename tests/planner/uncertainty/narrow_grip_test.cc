@@ -171,8 +171,9 @@ TEST(RoundGrip, KeepsItsTurnAndIsHeld) {
   const domain::Problem problem = Cylinder(64, errors);
   const Closed closed = Close(problem);
   EXPECT_TRUE(closed.is_round);
-  EXPECT_GE(closed.skew, errors.angle);
-  EXPECT_LT(closed.skew, 4 * errors.angle);
+  // The first pad may turn the part until its next face lies flat.
+  EXPECT_GE(closed.skew, errors.angle + M_PI / 64);
+  EXPECT_LT(closed.skew, 8 * errors.angle);
   EXPECT_EQ(closed.y, 0);
   EXPECT_GE(closed.x, errors.length);
   EXPECT_LT(closed.x, 2 * errors.length);

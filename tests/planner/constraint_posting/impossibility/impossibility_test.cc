@@ -83,10 +83,14 @@ const Models& TheModels() {
   return models;
 }
 
-// Returns a box with a stud on its upper end and a socket for a stud in its lower end, in
-// millimetres.
-std::string StackingBox(int x, int y, int z) {
-  return fmt::format(R"(format: assay-part/1
+enum class Stud { kYes, kNo };
+
+// Returns a box with a socket for a stud in its lower end and, if asked for, a stud on its upper
+// end, in millimetres. Pads can hold a box by its stud.
+std::string StackingBox(int x, int y, int z, Stud stud = Stud::kYes) {
+  const bool has_stud = stud == Stud::kYes;
+  return fmt::format(
+      R"(format: assay-part/1
 name: box
 initial: X
 units: {{length: mm, angle: degree}}
@@ -94,17 +98,17 @@ density: 700
 friction: 0.25
 solids:
   body: {{box: [[{}, {}, 0], [{}, {}, {}]]}}
-  stud: {{box: [[-8, -8, {}], [8, 8, {}]]}}
-pockets:
+{}pockets:
   socket: {{cut_from: body, box: [[-8, -8, 0], [8, 8, 12]], widen: [x, y]}}
 features:
-  1: {{shaft: stud, axis: [0, 0, 1], what: stud}}
-  2: {{hole: socket, axis: [0, 0, -1], what: socket}}
+{}  2: {{hole: socket, axis: [0, 0, -1], what: socket}}
   3: {{face: body, normal: [1, 0, 0], what: front}}
 stable_poses:
   upright: [0, 0, -1]
 )",
-                     -x / 2, -y / 2, x / 2, y / 2, z, z, z + 10);
+      -x / 2, -y / 2, x / 2, y / 2, z,
+      has_stud ? fmt::format("  stud: {{box: [[-8, -8, {}], [8, 8, {}]]}}\n", z, z + 10) : "",
+      has_stud ? "  1: {shaft: stud, axis: [0, 0, 1], what: stud}\n" : "");
 }
 
 std::string Stacked(const std::string& held, const std::string& fixed, int height) {
@@ -264,9 +268,11 @@ std::string BoxesOnTable(const std::string& parts, const std::string& goals,
       workcell, lean, parts, goals);
 }
 
-std::string Box(const std::string& name, int x, int y, int z, const std::string& pose) {
-  const std::string model = fmt::format("box-{}-{}-{}", x, y, z);
-  TheModels().Write("parts/" + model + "/part.yaml", StackingBox(x, y, z));
+std::string Box(const std::string& name, int x, int y, int z, const std::string& pose,
+                Stud stud = Stud::kYes) {
+  const std::string model =
+      fmt::format("box-{}-{}-{}{}", x, y, z, stud == Stud::kYes ? "" : "-smooth");
+  TheModels().Write("parts/" + model + "/part.yaml", StackingBox(x, y, z, stud));
   return fmt::format("  {}: {{model: {}, pose: {{stable: {}}}}}\n", name, model, pose);
 }
 
@@ -289,7 +295,7 @@ TEST(Impossibility, IsProvedOfAChainWhereAPartOfItCannotBeTaken) {
   const plan::PlanResult result =
       MakePlan(Read(BoxesOnTable(Box("a", 60, 60, 50, "upright, at: [600, 0]") +
                                      Box("b", 60, 60, 50, "upright, at: [550, -180]") +
-                                     Box("c", 120, 120, 50, "upright, at: [550, 180]"),
+                                     Box("c", 120, 120, 50, "upright, at: [550, 180]", Stud::kNo),
                                  Stacked("b", "a", 50) + Stacked("c", "b", 50), "one-arm", 20)),
                {});
   EXPECT_EQ(result.outcome, Outcome::kNone);
@@ -312,12 +318,12 @@ TEST(Impossibility, AnotherArmThatGetsThereIsALimitOfThePlanner) {
 // can be held only across. Each box keeps the other from being taken first.
 TEST(Impossibility, IsProvedOfPartsThatKeepEachOtherFromBeingTaken) {
   const auto result_with = [](int y) {
-    return MakePlan(
-        Read(BoxesOnTable(Box("a", 120, 40, 60, "upright, at: [600, 0]") +
-                              Box("b", 120, 40, 60, fmt::format("upright, at: [600, {}]", y)) +
-                              Box("base", 60, 60, 40, "upright, at: [550, -250]"),
-                          Stacked("a", "base", 40), "one-arm", 5)),
-        {.partial_plans = 500, .instance_choices = 500});
+    return MakePlan(Read(BoxesOnTable(Box("a", 120, 40, 60, "upright, at: [600, 0]", Stud::kNo) +
+                                          Box("b", 120, 40, 60,
+                                              fmt::format("upright, at: [600, {}]", y), Stud::kNo) +
+                                          Box("base", 60, 60, 40, "upright, at: [550, -250]"),
+                                      Stacked("a", "base", 40), "one-arm", 5)),
+                    {.partial_plans = 500, .instance_choices = 500});
   };
   EXPECT_EQ(result_with(200).outcome, Outcome::kFound);
   const plan::PlanResult result = result_with(41);
