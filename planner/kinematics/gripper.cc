@@ -95,6 +95,12 @@ Box RequirePad(const RobotModel& model, LinkId id, const std::vector<Box>& boxes
 
 }  // namespace
 
+Gripper::Gripper(const Gripper& other) = default;
+Gripper::Gripper(Gripper&& other) noexcept = default;
+Gripper& Gripper::operator=(const Gripper& other) = default;
+Gripper& Gripper::operator=(Gripper&& other) noexcept = default;
+Gripper::~Gripper() = default;
+
 Gripper::Gripper(RobotModel model) : model_(std::move(model)) {
   if (RequireLink(model_, "hand") != LinkId(0)) model_.Fail("the root link is not 'hand'", "hand");
   ReadTool(RequireLink(model_, "tool"));

@@ -28,6 +28,12 @@ class Gripper {
   // meet in the tool's origin at joint values 0.
   static Gripper FromUrdf(const std::filesystem::path& file);
 
+  Gripper(const Gripper& other);
+  Gripper(Gripper&& other) noexcept;
+  Gripper& operator=(const Gripper& other);
+  Gripper& operator=(Gripper&& other) noexcept;
+  ~Gripper();
+
   const RobotModel& model() const { return model_; }
   const Pose& X_FlangeTool() const { return X_FlangeTool_; }
 
