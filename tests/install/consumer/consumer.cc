@@ -2,6 +2,7 @@
 
 #include "planner/constraint_posting/posting_planner.h"
 #include "planner/domain/problem/problem_file.h"
+#include "planner/geometry/box.h"
 #include "planner/geometry/collision.h"
 #include "planner/geometry/pose.h"
 #include "planner/motion/paths/tree_search.h"
