@@ -26,7 +26,8 @@ using geometry::Patches;
 using geometry::Polygon;
 
 constexpr double kAllowance = 1e-4;  // overlap of hand and part that is ignored, metres
-// The same for pads that stick out of their faces, so that they reach into no other face.
+// Overlap of hand and part that is ignored if the pads stick out of their faces, in metres. It is
+// this small so that no pad reaches into another face.
 constexpr double kNarrowAllowance = 1e-6;
 constexpr double kEqual = kEqualLength;
 // The least breadth of the patch that both pads touch, in metres, and its least extent across the
