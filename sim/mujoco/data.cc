@@ -129,6 +129,17 @@ void Data::MoveBodies() {
   mj_kinematics(own_model_.get(), data_.get());
 }
 
+void Data::FindContacts() {
+  const KeepPosition keep(qpos());
+  const CollidingPieces colliding(model_.convex_pieces());
+  mj_kinematics(own_model_.get(), data_.get());
+  mj_comPos(own_model_.get(), data_.get());
+  mj_collision(own_model_.get(), data_.get());
+  for (int i = 0; i < data_->ncon; ++i) data_->contact[i].efc_address = -1;  // without forces
+}
+
+void Data::PassTime(double seconds) { data_->time += seconds; }
+
 void Data::AddForce(BodyId body, const Vector3& p_World, const Vector3& force_World) {
   const Vector3 no_torque = Vector3::Zero();
   mj_applyFT(own_model_.get(), data_.get(), force_World.data(), no_torque.data(), p_World.data(),

@@ -58,6 +58,13 @@ class Data {
   // Computes the poses of the bodies from qpos, and nothing else. Call Forward before a step.
   void MoveBodies();
 
+  // For motion that the caller computes: FindContacts computes the poses of the bodies and the
+  // contacts from qpos, without forces, PassTime moves the time on, and Resume computes all that
+  // the next step needs from qpos and qvel.
+  void FindContacts();
+  void PassTime(double seconds);
+  void Resume() { BeginStep(); }
+
   // Adds to qfrc_applied the force on a body at a point, in newtons and metres in the world's axes.
   void AddForce(BodyId body, const geometry::Vector3& p_World,
                 const geometry::Vector3& force_World);

@@ -130,6 +130,16 @@ void Scene::SetArm(Data& data, const JointVector& q) const {
   Scatter(Gather(data.qfrc_bias(), arm().dof), arm().dof, data.qfrc_applied());
 }
 
+void Scene::MoveArm(Data& data, const JointVector& q) const {
+  Scatter(q, arm().qpos, data.qpos());
+  data.MoveBodies();
+}
+
+void Scene::SetVelocity(Data& data, const JointVector& qd, double opening_rate) const {
+  Scatter(qd, arm().dof, data.qvel());
+  for (const Finger& finger : acting().fingers) data.qvel()[finger.dof] = opening_rate / 2;
+}
+
 JointVector Scene::ArmPosition(const Data& data) const { return ArmPosition(data, acting_); }
 
 JointVector Scene::ArmPosition(const Data& data, domain::RobotId robot) const {
@@ -143,6 +153,10 @@ Pose Scene::ToolPose(const Data& data) const { return data.SitePose(acting().too
 void Scene::CommandGripper(Data& data, double opening) const {
   const double half = std::clamp(opening, 0.0, max_opening()) / 2;
   for (const Finger& finger : acting().fingers) data.ctrl()[finger.ctrl] = half;
+}
+
+void Scene::MoveFingers(Data& data, double change) const {
+  for (const Finger& finger : acting().fingers) data.qpos()[finger.qpos] += change / 2;
 }
 
 void Scene::SetGripper(Data& data, double opening) const {
@@ -176,6 +190,23 @@ Twist Scene::TrueTwist(const Data& data, PartId part) const {
           .angular = TruePose(data, part).linear() * angular_in_body};
 }
 
+Twist Scene::TwistWithHand(const Data& data, const Vector3& p_World) const {
+  const mjModel& m = *data.own_model();
+  using Jacobian = Eigen::Matrix<double, 3, Eigen::Dynamic, Eigen::RowMajor>;
+  Jacobian linear(3, m.nv);
+  Jacobian angular(3, m.nv);
+  mj_jac(&m, data.get(), linear.data(), angular.data(), p_World.data(), hand().index());
+  const Eigen::Map<const Eigen::VectorXd> qvel(data.get()->qvel, m.nv);
+  return {.linear = linear * qvel, .angular = angular * qvel};
+}
+
+void Scene::SetPartTwist(Data& data, PartId part, const Twist& twist) const {
+  const auto at = data.qvel().begin() + parts_[part.index()].dof;
+  const Vector3 angular_in_body = TruePose(data, part).linear().transpose() * twist.angular;
+  std::copy_n(twist.linear.data(), 3, at);
+  std::copy_n(angular_in_body.data(), 3, at + 3);
+}
+
 ArmPosture Scene::Posture(const Data& data, domain::RobotId robot) const {
   return {ArmPosition(data, robot), Opening(data, robot)};
 }
@@ -194,10 +225,13 @@ void Scene::Show(Data& data, const std::vector<ArmPosture>& arms,
   data.MoveBodies();
 }
 
+void Scene::MovePart(Data& data, PartId part, const Pose& X_WorldPart) const {
+  Scatter(X_WorldPart, parts_[part.index()].qpos, data.qpos());
+}
+
 void Scene::SetPart(Data& data, PartId part, const Pose& X_WorldPart) const {
-  const FreeBody& body = parts_[part.index()];
-  Scatter(X_WorldPart, body.qpos, data.qpos());
-  std::fill_n(data.qvel().begin() + body.dof, 6, 0.0);
+  MovePart(data, part, X_WorldPart);
+  SetPartTwist(data, part, {});
   data.Forward();
 }
 
@@ -235,6 +269,10 @@ void Scene::AttachPart(Data& data, PartId part) const {
 
 void Scene::DetachPart(Data& data, PartId part) const {
   if (!WeldOf(part).IsNone()) data.Deactivate(WeldOf(part));
+}
+
+bool Scene::IsAttached(const Data& data, PartId part) const {
+  return !WeldOf(part).IsNone() && data.IsActive(WeldOf(part));
 }
 
 // The sensors measure what the arm exerts on the hand, in the site's frame. At rest this wrench,

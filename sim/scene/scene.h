@@ -74,6 +74,10 @@ class Scene {
   // Moves the arm to these joint values (radians) in one jump, for the start of a trial. The arm is
   // at rest and its servos hold it.
   void SetArm(mujoco::Data& data, const JointVector& q) const;
+  // Moves the arm to these joint values, and computes the poses of the bodies and nothing else.
+  void MoveArm(mujoco::Data& data, const JointVector& q) const;
+  // Sets the velocities of the joints, and the rate of the gripper's opening, m/s.
+  void SetVelocity(mujoco::Data& data, const JointVector& qd, double opening_rate) const;
   JointVector ArmPosition(const mujoco::Data& data) const;
   JointVector ArmPosition(const mujoco::Data& data, domain::RobotId robot) const;
   JointVector ArmVelocity(const mujoco::Data& data) const;
@@ -83,6 +87,8 @@ class Scene {
   // stop earlier if each pushes with the workcell's grip force. CommandGripper(data, 0) closes on
   // whatever is between the pads.
   void CommandGripper(mujoco::Data& data, double opening) const;
+  // Opens the gripper by a length (metres) in one jump, and computes nothing that follows from it.
+  void MoveFingers(mujoco::Data& data, double change) const;
   // Sets the gripper to this opening (metres) in one jump, at rest and commanded to stay there.
   void SetGripper(mujoco::Data& data, double opening) const;
   double Opening(const mujoco::Data& data) const;  // metres between the pads
@@ -95,12 +101,17 @@ class Scene {
   Pose TruePose(const mujoco::Data& data, PartId part) const;  // X_WorldPart
   double TrueMass(PartId part) const;                          // kg
   Twist TrueTwist(const mujoco::Data& data, PartId part) const;
+  // Returns the twist of a body at a point (world frame) that moves with the hand.
+  Twist TwistWithHand(const mujoco::Data& data, const Vector3& p_World) const;
   ArmPosture Posture(const mujoco::Data& data, domain::RobotId robot) const;
   // Moves all arms (by RobotId) and all parts (by PartId) in one jump, and computes the poses of
   // the bodies. It is for pictures. Data::Forward must be called before the simulation goes on.
   void Show(mujoco::Data& data, const std::vector<ArmPosture>& arms,
             const std::vector<Pose>& X_WorldPart) const;
 
+  // Set the pose and the twist of a part, and nothing that follows from them.
+  void MovePart(mujoco::Data& data, PartId part, const Pose& X_WorldPart) const;
+  void SetPartTwist(mujoco::Data& data, PartId part, const Twist& twist) const;
   // Moves a part to a pose in one jump, at rest, for the start of a trial.
   void SetPart(mujoco::Data& data, PartId part, const Pose& X_WorldPart) const;
 
@@ -118,6 +129,7 @@ class Scene {
   // with kFriction.
   void AttachPart(mujoco::Data& data, PartId part) const;
   void DetachPart(mujoco::Data& data, PartId part) const;
+  bool IsAttached(const mujoco::Data& data, PartId part) const;  // whether it is fixed to the tool
 
   // Returns the wrench that contacts and welds exert on hand, fingers and held part, about the
   // origin of the wrist site (the flange), world frame. It is the reading of the force and torque

@@ -42,14 +42,12 @@ class NoiselessExecution {
   std::vector<Claim> Claims() { return CheckCertificates(problem_, plan_, trace(), {}); }
 
  private:
-  // The first look follows the larger timesteps of the empty hand's motion, in which contacts are
-  // deeper.
   void HoldStill(plan::StepId id) {
     const execution::Checkpoint checkpoint = execution_.Save();
     const double end = data_.time() + kHold;
     do {
       LookForDeepest(penetrations_[id.index()]);
-    } while (data_.time() < end && !execution_.Stay(0, execution::Stepping::kContact));
+    } while (data_.time() < end && !execution_.Stay(0));
     execution_.Restore(checkpoint);
   }
 

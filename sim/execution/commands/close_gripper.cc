@@ -18,18 +18,21 @@ constexpr double kLongest = 10;          // seconds until closing ends in any ca
 Progress CloseUntilStill(double expected_width, Execution& execution) {
   const scene::Scene& scene = execution.scene();
   mujoco::Data& data = execution.data();
-  double target = scene.Opening(data);
+  const double near = expected_width + kTouchMargin;
+  if (scene.Opening(data) > near) {
+    if (Progress failure = execution.MoveFingers(near, 2 * kClosingSpeed)) return failure;
+  }
+  double target = std::min(near, scene.Opening(data));
   double still_since = data.time();
   const double end = data.time() + kLongest;
   while (data.time() < end && data.time() < still_since + kFingersStillFor) {
-    const bool near = target < expected_width + kTouchMargin;
-    target = std::max(0.0, target - 2 * (near ? kTouchSpeed : kClosingSpeed) * data.timestep());
+    target = std::max(0.0, target - 2 * kTouchSpeed * data.timestep());
     scene.CommandGripper(data, target);
-    if (Progress failure = execution.Stay(0, Stepping::kContact)) return failure;
+    if (Progress failure = execution.Stay(0)) return failure;
     if (std::abs(scene.OpeningSpeed(data)) > kFingersStill) still_since = data.time();
   }
   scene.CommandGripper(data, 0);
-  return execution.Stay(kFingersStillFor, Stepping::kContact);
+  return execution.Stay(kFingersStillFor);
 }
 
 }  // namespace
@@ -37,7 +40,7 @@ Progress CloseUntilStill(double expected_width, Execution& execution) {
 Progress Run(const CloseGripper& close, std::span<const Command>, Execution& execution) {
   const scene::Scene& scene = execution.scene();
   mujoco::Data& data = execution.data();
-  if (Progress failure = execution.Stay(kClosingSettle, Stepping::kContact)) return failure;
+  if (Progress failure = execution.Stay(kClosingSettle)) return failure;
   if (Progress failure = CloseUntilStill(close.hold.width, execution)) return failure;
   const GraspFact fact = {.time = data.time(),
                           .part = close.part,

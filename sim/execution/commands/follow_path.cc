@@ -33,7 +33,7 @@ Progress Run(const FollowPath& follow, std::span<const Command>, Execution& exec
   path.insert(path.begin(), execution.commanded());
   path.push_back(*end);
   const JointTrajectory way = motion::AlongPath(path, motion::RatesOf(workcell));
-  return execution.Follow(way, way.duration());
+  return execution.Follow(way);
 }
 
 }  // namespace assay::execution

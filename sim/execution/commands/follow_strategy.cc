@@ -34,7 +34,7 @@ Progress Run(const FollowStrategy& follow, std::span<const Command>, Execution& 
 Progress Run(const Clamp& clamp, std::span<const Command>, Execution& execution) {
   constexpr double kSettle = 0.1;  // seconds for the part to settle
   execution.scene().Clamp(execution.data(), clamp.part, clamp.force);
-  return execution.Stay(kSettle, Stepping::kContact);
+  return execution.Stay(kSettle);
 }
 
 }  // namespace assay::execution

@@ -34,7 +34,7 @@ Progress Go(const motion::TravelResult& travel, Execution& execution) {
   const motion::JointRates rates = motion::RatesOf(*execution.problem().workcell);
   for (std::size_t i = 0; i + 1 < path.size(); ++i) {
     const JointTrajectory way = motion::SynchronizedMove(path[i], path[i + 1], rates);
-    if (Progress failure = execution.Follow(way, way.duration())) return failure;
+    if (Progress failure = execution.Follow(way)) return failure;
   }
   return std::nullopt;
 }

@@ -17,10 +17,9 @@ Progress Run(const MoveStraight& move, std::span<const Command>, Execution& exec
                                "{:.1f}) mm in its present configuration",
                                p.x(), p.y(), p.z())};
   }
-  const TimedLine timed = WithTimes(*line.path, move.pace, motion::RatesOf(workcell));
-  if (!move.guard) return execution.Follow(timed.trajectory, timed.final_from);
-  return execution.Follow(timed.trajectory, timed.final_from,
-                          {move.guard->force, (end - start).normalized()});
+  const JointTrajectory timed = WithTimes(*line.path, move.pace, motion::RatesOf(workcell));
+  if (!move.guard) return execution.Follow(timed);
+  return execution.Follow(timed, {move.guard->force, (end - start).normalized()});
 }
 
 }  // namespace assay::execution

@@ -11,6 +11,20 @@ constexpr double kSlowLength = 0.001;   // metres of opening
 constexpr double kOpeningSettle = 0.1;  // seconds for the arm, and for the released part, to settle
 constexpr double kOpenEnough = 0.0005;  // metres from fully open that count as open
 
+// If something is in the way of the fingers, opening ends where they come to rest.
+Progress StayUntilOpen(Execution& execution) {
+  const scene::Scene& scene = execution.scene();
+  mujoco::Data& data = execution.data();
+  const double open_enough = scene.max_opening() - kOpenEnough;
+  scene.CommandGripper(data, scene.max_opening());
+  double still_since = data.time();
+  while (scene.Opening(data) < open_enough && data.time() < still_since + kFingersStillFor) {
+    if (Progress failure = execution.Stay(0)) return failure;
+    if (std::abs(scene.OpeningSpeed(data)) > kFingersStill) still_since = data.time();
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 Progress Run(const OpenGripper& open, std::span<const Command>, Execution& execution) {
@@ -18,25 +32,17 @@ Progress Run(const OpenGripper& open, std::span<const Command>, Execution& execu
   mujoco::Data& data = execution.data();
   const double wide = scene.max_opening();
   if (open.release) {
-    if (Progress failure = execution.Stay(kOpeningSettle, Stepping::kContact)) return failure;
+    if (Progress failure = execution.Stay(kOpeningSettle)) return failure;
     scene.DetachPart(data, open.release->part);
     execution.world().LetGo(open.release->part, open.release->X_WorldPart);
   }
-  double target = scene.Opening(data);
-  const double slow_until = open.release ? target + kSlowLength : target;
-  // If something is in the way of the fingers, opening ends where they come to rest.
-  double still_since = data.time();
-  while (scene.Opening(data) < wide - kOpenEnough && data.time() < still_since + kFingersStillFor) {
-    const double speed = target < slow_until ? kSlowSpeed : kOpeningSpeed;
-    const Stepping stepping = open.release ? Stepping::kContact : Stepping::kFree;
-    target = std::min(wide, target + 2 * speed * data.timestep());
-    scene.CommandGripper(data, target);
-    if (Progress failure = execution.Stay(0, stepping)) return failure;
-    const bool moves = std::abs(scene.OpeningSpeed(data)) > kFingersStill;
-    if (moves || target < wide) still_since = data.time();
+  if (open.release) {
+    const double slow_until = std::min(wide, scene.Opening(data) + kSlowLength);
+    if (Progress failure = execution.MoveFingers(slow_until, 2 * kSlowSpeed)) return failure;
   }
-  scene.CommandGripper(data, wide);
-  return open.release ? execution.Stay(kOpeningSettle, Stepping::kContact) : std::nullopt;
+  if (Progress failure = execution.MoveFingers(wide, 2 * kOpeningSpeed)) return failure;
+  if (Progress failure = StayUntilOpen(execution)) return failure;
+  return open.release ? execution.Stay(kOpeningSettle) : std::nullopt;
 }
 
 }  // namespace assay::execution

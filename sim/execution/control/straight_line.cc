@@ -67,17 +67,15 @@ std::vector<double> CompatibleSpeeds(const std::vector<PointLimits>& limits, dou
 
 }  // namespace
 
-TimedLine WithTimes(const LinePath& path, const Pace& pace, const JointRates& rates) {
+JointTrajectory WithTimes(const LinePath& path, const Pace& pace, const JointRates& rates) {
   const std::size_t count = path.q.size();
   const double length = path.step * static_cast<double>(count - 1);
-  if (length < 1e-9) return {JointTrajectory({{0, {path.q.back(), JointVector::Zero()}}}), 0};
+  if (length < 1e-9) return JointTrajectory({{0, {path.q.back(), JointVector::Zero()}}});
   std::vector<Derivatives> derivatives;
   std::vector<PointLimits> limits;
-  std::size_t final_point = count - 1;  // index of the first point in the final length
   for (std::size_t i = 0; i < count; ++i) {
     // The knot before the final length is slow too, so that all of the final length is slow.
     const bool final = length - path.step * static_cast<double>(i + 1) <= pace.final_length;
-    if (final) final_point = std::min(final_point, i);
     derivatives.push_back(DerivativesAt(path, i));
     limits.push_back(LimitsAt(derivatives[i], final ? pace.final_speed : pace.speed, rates));
   }
@@ -88,8 +86,7 @@ TimedLine WithTimes(const LinePath& path, const Pace& pace, const JointRates& ra
     if (i > 0) time += 2 * path.step / (speed[i - 1] + speed[i]);
     knots.push_back({time, {path.q[i], speed[i] * derivatives[i].first}});
   }
-  const double final_from = knots[final_point].time;
-  return {JointTrajectory(std::move(knots)), final_from};
+  return JointTrajectory(std::move(knots));
 }
 
 }  // namespace assay::execution

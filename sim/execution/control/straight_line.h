@@ -14,16 +14,11 @@ using motion::LinePath;
 using motion::LineResult;
 using motion::ToolAt;
 
-struct TimedLine {
-  JointTrajectory trajectory;
-  double final_from = 0;  // time at which the pace's final length begins, seconds
-};
-
 // Returns the path with times: from rest to rest, as fast as the pace and the joints' rates allow.
 // Speed limits are found at each point of the path and acceleration limits between the points. One
 // pass forward and one backward then make them compatible (Bobrow, Dubowsky and Gibson 1985, with
 // limits of rates in place of torques). Half of each joint's acceleration is reserved for the
 // curvature of its path.
-TimedLine WithTimes(const LinePath& path, const Pace& pace, const JointRates& rates);
+JointTrajectory WithTimes(const LinePath& path, const Pace& pace, const JointRates& rates);
 
 }  // namespace assay::execution

@@ -22,6 +22,8 @@ constexpr double kPeakFilter = 0.002;  // time constant of the greatest force, s
 // Time constant of the force that ends a guarded move, seconds.
 constexpr double kTouchFilter = 0.001;
 constexpr double kBrakeTime = 0.002;  // seconds from slow motion to rest
+// The longest motion without dynamics, seconds. Then the engine computes the forces anew.
+constexpr double kLongestKinematic = 0.02;
 
 using BodyNames = std::pair<std::string, std::string>;
 
@@ -86,6 +88,7 @@ Execution::Execution(const domain::Problem& problem, const scene::Scene& scene, 
       servo_(scene),
       world_(problem),
       collisions_(scene),
+      kinematic_(scene),
       trace_(EmptyTrace(problem)),
       commanded_{scene.ArmPosition(data), JointVector::Zero()},
       force_limit_(options.force_limit) {}
@@ -149,18 +152,18 @@ Progress Execution::TakeUpHandError(const Pose& error) {
   if (!nearest) return Failure{TrialOutcome::kUnreachable, "the arm cannot take up an error"};
   const JointTrajectory way =
       motion::SynchronizedMove(commanded_.q, *nearest, motion::RatesOf(workcell));
-  return Follow(way, way.duration());
+  return Follow(way);
 }
 
 // The arm has the commanded state at the beginning of each timestep. At the end of the timestep,
 // the arm is therefore where the trajectory is one timestep later.
-Progress Execution::Follow(const JointTrajectory& asked, double fine_from) {
+Progress Execution::Follow(const JointTrajectory& asked) {
   const JointTrajectory trajectory = AsCarried(asked, problem_, world_);
-  if (asked.duration() > 0) fine_from *= trajectory.duration() / asked.duration();
+  const Commands commands = [&](double time) { return RobotCommand{.arm = trajectory.At(time)}; };
+  kinematic_.Forget();
   double time = 0;
   while (time < trajectory.duration()) {
-    SetStepping(time < fine_from ? Stepping::kFree : Stepping::kContact);
-    time += data_.timestep();
+    time = MoveKinematically(commands, time, trajectory.duration()) + data_.timestep();
     if (Progress failure = StepTo(trajectory.At(time))) return failure;
   }
   return std::nullopt;
@@ -170,15 +173,16 @@ Progress Execution::Follow(const JointTrajectory& asked, double fine_from) {
 // newtons in each timestep, so a light filter against ripple suffices. The arm brakes along its
 // line. If each joint stopped in its own time, the joints would drag aside what the hand presses
 // on. At the end the servos are commanded to hold the arm where it is, so that it stops pressing.
-Progress Execution::Follow(const JointTrajectory& trajectory, double fine_from,
-                           const Guarded& guarded) {
+Progress Execution::Follow(const JointTrajectory& trajectory, const Guarded& guarded) {
   const double from = data_.time();
   const double before = scene_.WristWrench(data_).force.dot(guarded.direction);
   double resistance = 0;
+  const Commands commands = [&](double time) { return RobotCommand{.arm = trajectory.At(time)}; };
+  kinematic_.Forget();
   double time = 0;
   double rate = 1;  // rate at which the trajectory's time passes
   while (time < trajectory.duration() && rate > 0) {
-    SetStepping(time < fine_from ? Stepping::kFree : Stepping::kContact);
+    if (rate == 1) time = MoveKinematically(commands, time, trajectory.duration());
     if (rate < 1 || resistance >= guarded.force)
       rate = std::max(0.0, rate - data_.timestep() / kBrakeTime);
     time += rate * data_.timestep();
@@ -194,8 +198,7 @@ Progress Execution::Follow(const JointTrajectory& trajectory, double fine_from,
   return std::nullopt;
 }
 
-Progress Execution::Stay(double seconds, Stepping stepping) {
-  SetStepping(stepping);
+Progress Execution::Stay(double seconds) {
   const JointState rest{commanded_.q, JointVector::Zero()};
   const double end = data_.time() + seconds;
   do {
@@ -204,12 +207,43 @@ Progress Execution::Stay(double seconds, Stepping stepping) {
   return std::nullopt;
 }
 
-// A held part creeps in the pads by an amount that grows with the timestep, whatever the friction.
-// Large timesteps are therefore for the empty hand.
-void Execution::SetStepping(Stepping stepping) {
-  const double fine = scene_.options().timestep;
-  const bool free = stepping == Stepping::kFree && world_.held().IsNone();
-  data_.SetTimestep(free ? std::max(fine, options_.free_timestep) : fine);
+Progress Execution::MoveFingers(double opening, double rate) {
+  const double from = scene_.Opening(data_);
+  const double duration = std::abs(opening - from) / rate;
+  const JointState rest{commanded_.q, JointVector::Zero()};
+  const Commands commands = [&](double time) {
+    const double share = std::min(1.0, time / duration);
+    return RobotCommand{rest, from + share * (opening - from), std::copysign(rate, opening - from)};
+  };
+  kinematic_.Forget();
+  double time = 0;
+  while (time < duration) {
+    time = MoveKinematically(commands, time, duration) + data_.timestep();
+    scene_.CommandGripper(data_, commands(time).opening);
+    if (Progress failure = StepTo(rest)) return failure;
+  }
+  return std::nullopt;
+}
+
+// The motion ends when a sample is due, because the sample's forces come from the timestep after
+// it.
+double Execution::MoveKinematically(const Commands& commands, double time, double end) {
+  const double step = options_.kinematic_step;
+  end = std::min(end, time + kLongestKinematic);
+  if (step <= 0 || time + step > end) return time;
+  if (!kinematic_.Begin(data_, world_.held(), commands(time))) return time;
+  const double start = time;
+  while (time + step <= end && !IsSampleDue()) {
+    const RobotCommand next = commands(time + step);
+    if (!kinematic_.MoveTo(next, step, data_)) break;
+    time += step;
+    commanded_ = next.arm;
+    EndTimestep();
+  }
+  if (time == start) return time;
+  kinematic_.End(data_);
+  SampleIfDue();
+  return time;
 }
 
 bool Execution::IsInHand() const {
@@ -229,6 +263,7 @@ void Execution::Restore(const Checkpoint& checkpoint) {
   world_ = checkpoint.world;
   commanded_ = checkpoint.commanded;
   felt_ = checkpoint.felt;
+  watched_ = data_.time();
   hand_error_ = checkpoint.hand_error;
   // The samples that were due until here have been taken.
   samples_ = 0;
@@ -241,7 +276,6 @@ void Execution::Restore(const Checkpoint& checkpoint) {
 // forces get no feedforward torques. Most of these torques would accelerate the motors. The touched
 // bodies would then exert forces of this size on the arm.
 Progress Execution::StepSoftly(const JointState& next, const JointVector& qdd, double share) {
-  SetStepping(Stepping::kContact);
   const JointVector q = scene_.ArmPosition(data_);
   const JointVector qd = scene_.ArmVelocity(data_);
   const double damping = std::sqrt(share);
@@ -256,15 +290,19 @@ Progress Execution::StepTo(const JointState& next) {
 }
 
 Progress Execution::Advance(const JointState& next) {
-  StopIfRequested();
   StepEngine();
   commanded_ = next;
-  ++steps_;
-  if (options_.on_timestep) options_.on_timestep(data_);
-  if (options_.observer != nullptr) options_.observer->SeeTimestep(data_);
+  EndTimestep();
   SampleIfDue();
   RecordCollisions();
   return Watch();
+}
+
+void Execution::EndTimestep() {
+  StopIfRequested();
+  ++steps_;
+  if (options_.on_timestep) options_.on_timestep(data_);
+  if (options_.observer != nullptr) options_.observer->SeeTimestep(data_);
 }
 
 // Returns the held part's weight as far as the wrist feels it. The table, or the part on which it
@@ -281,15 +319,19 @@ scene::Load Execution::Carried() const {
 // sample that was taken at the start of the timestep then gets these forces.
 void Execution::StepEngine() {
   Sample* const sample = options_.sample_rate > 0 ? LastSample(trace_) : nullptr;
-  if (sample == nullptr || sample->snapshot.time != data_.time()) {
-    data_.Step();
-  } else {
-    data_.Step([&] { sample->contact_points = ContactPoints(data_, sample->snapshot.contacts); });
-  }
+  const bool lacks_forces = sample != nullptr && sample->snapshot.time == data_.time();
+  data_.Step([&] {
+    kinematic_.SeeForces(data_, world_.held());
+    if (lacks_forces) sample->contact_points = ContactPoints(data_, sample->snapshot.contacts);
+  });
+}
+
+bool Execution::IsSampleDue() const {
+  return options_.sample_rate > 0 && data_.time() >= samples_ / options_.sample_rate;
 }
 
 void Execution::SampleIfDue() {
-  if (options_.sample_rate <= 0 || data_.time() < samples_ / options_.sample_rate) return;
+  if (!IsSampleDue()) return;
   trace_.events.push_back(Sample{Now()});
   // Another robot may have acted for long.
   while (data_.time() >= samples_ / options_.sample_rate) ++samples_;
@@ -309,8 +351,10 @@ Progress Execution::Watch() {
                    fmt::format("{} ({} times)", warning.text, warning.count)};
   }
   const Vector3 force = scene_.WristWrench(data_).force;
-  felt_ += std::min(1.0, data_.timestep() / kForceFilter) * (force - felt_);
-  peak_ += std::min(1.0, data_.timestep() / kPeakFilter) * (force - peak_);
+  const double passed = data_.time() - watched_;
+  watched_ = data_.time();
+  felt_ += std::min(1.0, passed / kForceFilter) * (force - felt_);
+  peak_ += std::min(1.0, passed / kPeakFilter) * (force - peak_);
   greatest_force_ = std::max(greatest_force_, peak_.norm());
   if (felt_.norm() <= force_limit_) return std::nullopt;
   const Vector3 p = 1e3 * scene_.ToolPose(data_).translation();

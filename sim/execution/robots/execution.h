@@ -1,17 +1,18 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 
 #include "planner/motion/collision/surroundings.h"
 #include "planner/motion/paths/joint_trajectory.h"
 #include "sim/execution/robots/collision_watch.h"
 #include "sim/execution/robots/executor_options.h"
+#include "sim/execution/robots/kinematic_motion.h"
 #include "sim/execution/world_model/world_model.h"
 #include "sim/scene/servo.h"
 
 namespace assay::execution {
 
-using kinematics::JointState;
 using kinematics::JointVector;
 using motion::JointTrajectory;
 
@@ -21,12 +22,6 @@ struct Failure {
   std::string reason;
 };
 using Progress = std::optional<Failure>;  // none if the execution goes on
-
-// The length of timesteps.
-enum class Stepping {
-  kContact,  // the scene's own timestep
-  kFree,     // ExecutorOptions::free_timestep, if the hand is empty
-};
 
 // A snapshot of an execution, from which another execution of the same plan in the same scene can
 // go on.
@@ -87,18 +82,21 @@ class Execution {
   void SetStep(plan::StepId step) { step_ = step; }
   plan::StepId step() const { return step_; }
 
-  // Follows the trajectory, with small timesteps from `fine_from` (seconds after its start) on.
-  Progress Follow(const JointTrajectory& trajectory, double fine_from);
+  // Follows the trajectory, without dynamics where that is possible (KinematicMotion).
+  Progress Follow(const JointTrajectory& trajectory);
   // Follows the trajectory until the arm feels the force (newtons) against `direction`. The arm
   // then rests where it is.
   struct Guarded {
     double force = 0;
     Vector3 direction = Vector3::Zero();
   };
-  Progress Follow(const JointTrajectory& trajectory, double fine_from, const Guarded& guarded);
+  Progress Follow(const JointTrajectory& trajectory, const Guarded& guarded);
+  // Moves the fingers until they are commanded to this opening, metres between the pads, at this
+  // rate of the opening in m/s. Nothing moves without dynamics that touches.
+  Progress MoveFingers(double opening, double rate);
   // Keeps the robot at its last command, for at least one timestep.
-  Progress Stay(double seconds, Stepping stepping);
-  // Executes one small timestep with soft servos, so that what touches the hand can move it.
+  Progress Stay(double seconds);
+  // Executes one timestep with soft servos, so that what touches the hand can move it.
   // `share` is the fraction of the servos' usual stiffness. `qdd` is the planned acceleration, so
   // that the arm does not lag.
   Progress StepSoftly(const JointState& next, const JointVector& qdd, double share);
@@ -110,7 +108,11 @@ class Execution {
   void Restore(const Checkpoint& checkpoint);
 
  private:
-  void SetStepping(Stepping stepping);
+  // The command at each time of a motion, in seconds after its start.
+  using Commands = std::function<RobotCommand(double)>;
+  // Moves without dynamics from `time` on, to `end` at most, if that is possible. Returns the time
+  // that is reached.
+  double MoveKinematically(const Commands& commands, double time, double end);
   // Executes one timestep that leads the arm to this state. It adds to the trace's series and
   // checks force and engine.
   Progress StepTo(const JointState& next);
@@ -118,6 +120,9 @@ class Execution {
   Progress Advance(const JointState& next);
   scene::Load Carried() const;
   void StepEngine();
+  // Counts the timestep that has ended, and shows it to the observers.
+  void EndTimestep();
+  bool IsSampleDue() const;
   void SampleIfDue();
   void RecordCollisions();
   Progress Watch();
@@ -129,12 +134,14 @@ class Execution {
   scene::JointServo servo_;
   WorldModel world_;
   CollisionWatch collisions_;
+  KinematicMotion kinematic_;
   Trace trace_;
   JointState commanded_;
   Pose hand_error_ = Pose::Identity();
   plan::StepId step_;
   int samples_ = 0;
   std::int64_t steps_ = 0;
+  double watched_ = 0;              // time of the last look at the wrist's force, seconds
   Vector3 felt_ = Vector3::Zero();  // low-pass filtered wrist force
   Vector3 peak_ = Vector3::Zero();  // wrist force with a shorter filter
   double greatest_force_ = 0;

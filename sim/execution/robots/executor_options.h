@@ -23,9 +23,11 @@ class Observer {
 
 struct ExecutorOptions {
   double sample_rate = 50;  // samples per simulated second in the trace's series; 0 for no series
-  double free_timestep = 0.002;  // seconds, while the empty hand touches nothing
-  double force_limit = 300;      // newtons at the wrist; above it the arm stops
-  noise::Noise noise = {};       // errors of the world, the hand and the sensors
+  // The time between two states of motion without dynamics (KinematicMotion), seconds; 0 to
+  // simulate all motion.
+  double kinematic_step = 0.002;
+  double force_limit = 300;  // newtons at the wrist; above it the arm stops
+  noise::Noise noise = {};   // errors of the world, the hand and the sensors
   bool recovers = true;  // whether it recovers from errors that verifications signal, or ends there
   plan::StepId last = plan::StepId::None();
   // Measures the parts' poses; if null, sensors err as the noise says.

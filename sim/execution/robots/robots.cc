@@ -22,9 +22,7 @@ double TimeOf(const TraceEvent& event) {
 
 Robots::Robots(const domain::Problem& problem, const scene::Scene& scene, mujoco::Data& data,
                const ExecutorOptions& options)
-    : options_(options),
-      free_timestep_(options.free_timestep),
-      acting_(problem.workcell->acting()) {
+    : options_(options), acting_(problem.workcell->acting()) {
   for (std::size_t i = 0; i < problem.workcell->robots().size(); ++i) {
     const RobotId robot(i);
     auto member = std::make_unique<Member>(
@@ -32,12 +30,6 @@ Robots::Robots(const domain::Problem& problem, const scene::Scene& scene, mujoco
     member->execution = std::make_unique<Execution>(member->problem, member->scene, data, options_);
     members_.push_back(std::move(member));
   }
-}
-
-bool Robots::HoldsBesides(RobotId robot) const {
-  return std::ranges::any_of(members_, [&](const auto& member) {
-    return member != members_[robot.index()] && !member->execution->world().held().IsNone();
-  });
 }
 
 // A part in the hand of `from` is passed on at the pose in which that hand holds it.
@@ -54,8 +46,6 @@ Progress Robots::TakeOver(RobotId robot) {
   if (Progress failure = GoHome()) return failure;
   Tell(acting(), *members_[robot.index()]->execution);
   acting_ = robot;
-  // Large timesteps let a part creep between the pads of a hand, even of a hand at rest.
-  options_.free_timestep = HoldsBesides(robot) ? 0 : free_timestep_;
   return std::nullopt;
 }
 
@@ -68,7 +58,7 @@ Progress Robots::GoHome() {
   }
   const motion::JointTrajectory way = motion::AlongPath(
       std::get<motion::JointPath>(found), motion::RatesOf(*execution.problem().workcell));
-  return execution.Follow(way, way.duration());
+  return execution.Follow(way);
 }
 
 std::vector<domain::PartId> Robots::Held() const {

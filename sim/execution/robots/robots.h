@@ -40,10 +40,8 @@ class Robots {
   };
 
   void Tell(const Execution& from, Execution& to) const;
-  bool HoldsBesides(RobotId robot) const;
 
   ExecutorOptions options_;
-  const double free_timestep_;
   std::vector<std::unique_ptr<Member>> members_;
   RobotId acting_;
 };

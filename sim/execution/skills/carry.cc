@@ -41,7 +41,7 @@ class Carry : public Skill {
           fmt::format("no way to a free place on {} for {}: {}", table.name, name, *why)};
     }
     const motion::JointRates rates = motion::RatesOf(*problem.workcell);
-    return execution.Follow(motion::AlongPath(std::get<motion::JointPath>(way), rates), 0);
+    return execution.Follow(motion::AlongPath(std::get<motion::JointPath>(way), rates));
   }
 
  private:

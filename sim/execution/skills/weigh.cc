@@ -15,11 +15,11 @@ class Weigh : public Skill {
 
   Progress Do(const Roles& roles, Situation& situation) const override {
     Execution& execution = situation.execution();
-    if (auto failure = execution.Stay(kCalmDown, Stepping::kContact)) return failure;
+    if (auto failure = execution.Stay(kCalmDown)) return failure;
     double impulse = 0;
     const double begin = execution.data().time();
     while (execution.data().time() < begin + kDuration) {
-      if (auto failure = execution.Stay(0, Stepping::kContact)) return failure;
+      if (auto failure = execution.Stay(0)) return failure;
       impulse -=
           execution.scene().WristWrench(execution.data()).force.z() * execution.data().timestep();
     }

@@ -68,7 +68,7 @@ class Trial {
     scene_.CommandGripper(data_, 0);
     scene_.AttachPart(data_, mating_.held);
     execution_.world().Take(mating_.held, setting_.hold);
-    return execution_.Stay(kClosing, Stepping::kContact);
+    return execution_.Stay(kClosing);
   }
 
   Execution& execution() { return execution_; }

@@ -79,12 +79,12 @@ mujoco::Data StartOf(const domain::Problem& problem, const scene::Scene& scene,
 Progress Rest(Execution& execution, RestRecord& rest) {
   const scene::Scene& scene = execution.scene();
   mujoco::Data& data = execution.data();
-  if (Progress failure = execution.Stay(kBeforeRest, Stepping::kContact)) return failure;
+  if (Progress failure = execution.Stay(kBeforeRest)) return failure;
   rest.duration = kRestDuration;
   rest.parts.resize(static_cast<std::size_t>(scene.part_count()));
   const double end = data.time() + kRestDuration;
   while (data.time() < end) {
-    if (Progress failure = execution.Stay(0, Stepping::kContact)) return failure;
+    if (Progress failure = execution.Stay(0)) return failure;
     for (std::size_t i = 0; i < rest.parts.size(); ++i) {
       const scene::Twist twist = scene.TrueTwist(data, PartId(i));
       rest.parts[i].linear = std::max(rest.parts[i].linear, twist.linear.norm());

@@ -143,7 +143,7 @@ Progress StepExecution::TakeUpNoise() {
   SetTables();
   const Pose error = execution_.options().noise.HandError(step_);
   if (Progress failure = execution_.TakeUpHandError(error)) return Named(failure);
-  if (Progress failure = execution_.Stay(kArmRest, Stepping::kContact)) return Named(failure);
+  if (Progress failure = execution_.Stay(kArmRest)) return Named(failure);
   Record(Stage::kPoised);
   return std::nullopt;
 }

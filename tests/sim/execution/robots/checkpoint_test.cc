@@ -108,7 +108,7 @@ TEST_F(Checkpoints, ItMatterNotWhatWasDoneInTheMeantime) {
   mujoco::Data data(scene().model());
   Execution execution(problem(), scene(), data, Options());
   execution.Restore(whole.saved[2]);
-  ASSERT_FALSE(execution.Stay(0.1, Stepping::kContact));
+  ASSERT_FALSE(execution.Stay(0.1));
   execution.Restore(whole.saved[1]);
   execution.trace().events.clear();
   StepExecution assemble(plan(), kAssemble, execution);

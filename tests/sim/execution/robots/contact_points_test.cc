@@ -12,7 +12,7 @@ namespace {
 class AtRest : public testing::Test {
  protected:
   AtRest() : data_(scene_.Start()), execution_(problem_, scene_, data_, options_) {
-    EXPECT_FALSE(execution_.Stay(0.5, Stepping::kContact));
+    EXPECT_FALSE(execution_.Stay(0.5));
   }
 
   const domain::Problem problem_ = Figure15();
@@ -61,7 +61,7 @@ TEST_F(AtRest, SamplesChangeNothing) {
   mujoco::Data data = scene_.Start();
   const ExecutorOptions without{.sample_rate = 0};
   Execution execution(problem_, scene_, data, without);
-  ASSERT_FALSE(execution.Stay(0.5, Stepping::kContact));
+  ASSERT_FALSE(execution.Stay(0.5));
   EXPECT_TRUE(data.Save() == data_.Save());
 }
 

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <vector>
+
+#include "planner/kinematics/arm.h"
+#include "sim/scene/scene.h"
+
+namespace assay::execution {
+
+using domain::PartId;
+using kinematics::JointState;
+
+// What the servos of a robot are commanded to do: the state of the arm, and the opening of the
+// gripper (metres) with its rate (m/s).
+struct RobotCommand {
+  JointState arm;
+  double opening = 0;
+  double opening_rate = 0;
+};
+
+// Motion of a robot without dynamics, for the time in which the engine's forces decide nothing: the
+// robot and the part in its hand touch nothing else, the pads hold this part with much more
+// friction than it needs, and everything else rests. The servos then lead the robot along its
+// commands. The difference between the commands and the true state stays as it is, and so does the
+// pose of the part in the hand.
+class KinematicMotion {
+ public:
+  explicit KinematicMotion(const scene::Scene& scene);
+
+  // Judges by the forces of the contacts whether the pads hold the part firmly. Call it within
+  // mujoco::Data::Step(see_forces).
+  void SeeForces(const mujoco::Data& data, PartId held);
+  // Forgets what SeeForces has seen. No motion begins before it sees forces again.
+  void Forget() { is_firm_ = false; }
+
+  // Begins a motion at the present state, if it allows one. `held` is the part in the hand, or
+  // None, and `last` is the last command.
+  bool Begin(const mujoco::Data& data, PartId held, const RobotCommand& last);
+  // Moves to where the robot is commanded to be after `seconds`. Does nothing and returns false if
+  // the robot, or the part in its hand, would touch something there.
+  bool MoveTo(const RobotCommand& next, double seconds, mujoco::Data& data);
+  // Ends the motion with the velocities of the last command, so that dynamics can go on.
+  void End(mujoco::Data& data) const;
+
+ private:
+  // What a body of the engine does in the motion.
+  enum class Role { kRests, kArm, kHand, kInHand };
+
+  const Role& RoleOf(mujoco::BodyId body) const {
+    return roles_[static_cast<std::size_t>(body.index())];
+  }
+  Role& RoleOf(mujoco::BodyId body) { return roles_[static_cast<std::size_t>(body.index())]; }
+  bool IsQuiet(const mujoco::Data& data) const;
+  bool TouchesAnything(const mujoco::Data& data) const;
+  void Move(const RobotCommand& to, mujoco::Data& data);
+
+  const scene::Scene& scene_;
+  bool is_firm_ = false;
+  // The motion that has begun:
+  std::vector<Role> roles_;  // by body of the engine
+  PartId held_;
+  RobotCommand last_;
+  kinematics::JointVector lag_ = kinematics::JointVector::Zero();  // true posture less command, rad
+  geometry::Pose X_HandPart_ = geometry::Pose::Identity();
+};
+
+}  // namespace assay::execution
