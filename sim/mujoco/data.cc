@@ -7,6 +7,7 @@
 #include "planner/base/check.h"
 #include "sim/mujoco/convex_pieces.h"
 #include "sim/mujoco/engine_messages.h"
+#include "sim/mujoco/group_filter.h"
 
 namespace assay::mujoco {
 namespace {
@@ -127,13 +128,12 @@ void Data::Forward() {
 void Data::MoveBodies() {
   const KeepPosition keep(qpos());
   mj_kinematics(own_model_.get(), data_.get());
+  mj_comPos(own_model_.get(), data_.get());
 }
 
-void Data::FindContacts() {
-  const KeepPosition keep(qpos());
+void Data::FindContacts(std::span<const int> groups) {
   const CollidingPieces colliding(model_.convex_pieces());
-  mj_kinematics(own_model_.get(), data_.get());
-  mj_comPos(own_model_.get(), data_.get());
+  const GroupFilter filter(groups);
   mj_collision(own_model_.get(), data_.get());
   for (int i = 0; i < data_->ncon; ++i) data_->contact[i].efc_address = -1;  // without forces
 }

@@ -55,13 +55,14 @@ class Data {
   void Step(const std::function<void()>& see_forces);
   void Forward();  // computes all that follows from qpos, qvel and controls, at the present time
 
-  // Computes the poses of the bodies from qpos, and nothing else. Call Forward before a step.
+  // Computes the poses of the bodies and of the joints' axes from qpos, and nothing else. Call
+  // Forward before a step.
   void MoveBodies();
 
-  // For motion that the caller computes: FindContacts computes the poses of the bodies and the
-  // contacts from qpos, without forces, PassTime moves the time on, and Resume computes all that
-  // the next step needs from qpos and qvel.
-  void FindContacts();
+  // For motion that the caller computes with MoveBodies. FindContacts finds the contacts between
+  // bodies of different groups (GroupFilter), without forces. PassTime moves the time on. Resume
+  // computes all that the next step needs from qpos and qvel.
+  void FindContacts(std::span<const int> groups);
   void PassTime(double seconds);
   void Resume() { BeginStep(); }
 

@@ -25,6 +25,14 @@ constexpr RestSpeeds kRest = {.linear = 1e-4, .angular = 1e-3};
 // makes up for it a timestep later, so that parts in a fast hand seem to move.
 constexpr RestSpeeds kRestInHand = {.linear = 2e-3, .angular = 2e-2};
 
+// The bodies of each group may touch each other: what rests, the links of the arm, and the hand
+// with the part that it holds.
+constexpr int kRests = 0;
+constexpr int kArm = 1;
+constexpr int kHand = 2;
+
+std::size_t IndexOf(mujoco::BodyId body) { return static_cast<std::size_t>(body.index()); }
+
 }  // namespace
 
 KinematicMotion::KinematicMotion(const scene::Scene& scene) : scene_(scene) {
@@ -32,8 +40,7 @@ KinematicMotion::KinematicMotion(const scene::Scene& scene) : scene_(scene) {
   const int robot = m.body_rootid[scene.hand().index()];
   for (int body = 0; body < m.nbody; ++body) {
     const bool is_hand = scene.KindOf(mujoco::BodyId(body)) == scene::BodyKind::kHand;
-    const Role role = is_hand ? Role::kHand : Role::kArm;
-    roles_.push_back(m.body_rootid[body] == robot ? role : Role::kRests);
+    groups_.push_back(m.body_rootid[body] != robot ? kRests : is_hand ? kHand : kArm);
   }
 }
 
@@ -43,9 +50,9 @@ void KinematicMotion::SeeForces(const mujoco::Data& data, PartId held) {
 
 bool KinematicMotion::Begin(const mujoco::Data& data, PartId held, const RobotCommand& last) {
   if (!is_firm_) return false;
-  if (!held_.IsNone()) RoleOf(scene_.Body(held_)) = Role::kRests;
+  if (!held_.IsNone()) groups_[IndexOf(scene_.Body(held_))] = kRests;
   if (!held.IsNone()) {
-    RoleOf(scene_.Body(held)) = Role::kInHand;
+    groups_[IndexOf(scene_.Body(held))] = kHand;
     X_HandPart_ = data.BodyPose(scene_.hand()).inverse() * scene_.TruePose(data, held);
   }
   held_ = held;
@@ -72,25 +79,26 @@ bool KinematicMotion::IsQuiet(const mujoco::Data& data) const {
   return true;
 }
 
-// Bodies at rest may touch each other, and the hand may touch the part that it holds.
 bool KinematicMotion::TouchesAnything(const mujoco::Data& data) const {
   const mjModel& m = *data.own_model();
   const std::span<const mjContact> contacts(data.get()->contact,
                                             static_cast<std::size_t>(data.get()->ncon));
+  const auto group = [&](int geom) {
+    return groups_[static_cast<std::size_t>(m.geom_bodyid[geom])];
+  };
   return std::ranges::any_of(contacts, [&](const mjContact& contact) {
-    const auto [first, second] = std::minmax(RoleOf(mujoco::BodyId(m.geom_bodyid[contact.geom1])),
-                                             RoleOf(mujoco::BodyId(m.geom_bodyid[contact.geom2])));
-    const bool both_rest = second == Role::kRests;
-    const bool hand_holds = first == Role::kHand && second == Role::kInHand;
-    return !both_rest && !hand_holds;
+    return group(contact.geom1) != group(contact.geom2);
   });
 }
 
 void KinematicMotion::Move(const RobotCommand& to, mujoco::Data& data) {
   scene_.MoveFingers(data, to.opening - last_.opening);
   scene_.MoveArm(data, to.arm.q + lag_);
-  if (!held_.IsNone()) scene_.MovePart(data, held_, data.BodyPose(scene_.hand()) * X_HandPart_);
-  data.FindContacts();
+  if (!held_.IsNone()) {
+    scene_.MovePart(data, held_, data.BodyPose(scene_.hand()) * X_HandPart_);
+    data.MoveBodies();
+  }
+  data.FindContacts(groups_);
   last_ = to;
 }
 

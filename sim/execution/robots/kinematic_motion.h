@@ -43,13 +43,6 @@ class KinematicMotion {
   void End(mujoco::Data& data) const;
 
  private:
-  // What a body of the engine does in the motion.
-  enum class Role { kRests, kArm, kHand, kInHand };
-
-  const Role& RoleOf(mujoco::BodyId body) const {
-    return roles_[static_cast<std::size_t>(body.index())];
-  }
-  Role& RoleOf(mujoco::BodyId body) { return roles_[static_cast<std::size_t>(body.index())]; }
   bool IsQuiet(const mujoco::Data& data) const;
   bool TouchesAnything(const mujoco::Data& data) const;
   void Move(const RobotCommand& to, mujoco::Data& data);
@@ -57,7 +50,7 @@ class KinematicMotion {
   const scene::Scene& scene_;
   bool is_firm_ = false;
   // The motion that has begun:
-  std::vector<Role> roles_;  // by body of the engine
+  std::vector<int> groups_;  // which bodies of the engine move together
   PartId held_;
   RobotCommand last_;
   kinematics::JointVector lag_ = kinematics::JointVector::Zero();  // true posture less command, rad

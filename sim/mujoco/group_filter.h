@@ -1,0 +1,17 @@
+#pragma once
+
+#include <span>
+
+namespace assay::mujoco {
+
+// While an object of this class lives, the engine looks on this thread only for contacts between
+// bodies of different groups. `groups` has the group of each body, in the order of the model.
+class GroupFilter {
+ public:
+  explicit GroupFilter(std::span<const int> groups);
+  ~GroupFilter();
+  GroupFilter(const GroupFilter&) = delete;
+  GroupFilter& operator=(const GroupFilter&) = delete;
+};
+
+}  // namespace assay::mujoco
