@@ -12,6 +12,7 @@
 #include "planner/base/check.h"
 #include "planner/domain/grasps/face_pair.h"
 #include "planner/domain/grasps/hand_clearance.h"
+#include "planner/domain/grasps/pad_region.h"
 #include "planner/domain/grasps/round_side.h"
 #include "planner/domain/parts/exposed_faces.h"
 #include "planner/geometry/planar_region.h"

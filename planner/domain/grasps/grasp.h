@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "planner/base/id.h"
-#include "planner/domain/grasps/pad_region.h"
+#include "planner/domain/grasps/pad_room.h"
 #include "planner/domain/parts/feature.h"
 #include "planner/domain/resting/stable_pose.h"
 #include "planner/geometry/coordinates.h"

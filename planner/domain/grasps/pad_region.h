@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "planner/domain/grasps/pad_room.h"
 #include "planner/geometry/planar_region.h"
 
 namespace assay::domain {
@@ -11,15 +12,6 @@ using geometry::Vector2;
 constexpr double kEqualLength = 1e-7;  // lengths of grasps that differ less are equal, metres
 // Margin around the pads beyond which more is no better, metres.
 constexpr double kDeepEnough = 4e-3;
-
-// The room that the pads need, and the room that is available on the faces that they touch, in the
-// direction in which room is scarcest. Both are in metres, and both are 0 if the pads fit.
-struct PadRoom {
-  double needed = 0;
-  double available = 0;
-
-  bool fits() const { return needed <= available; }
-};
 
 // Returns the extent of a polygon along a unit vector.
 double ExtentOf(const geometry::Polygon& polygon, const Vector2& direction);

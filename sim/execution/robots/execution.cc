@@ -24,6 +24,10 @@ constexpr double kTouchFilter = 0.001;
 constexpr double kBrakeTime = 0.002;  // seconds from slow motion to rest
 // The longest motion without dynamics, seconds. Then the engine computes the forces anew.
 constexpr double kLongestKinematic = 0.02;
+// A state of motion without dynamics follows the last one when a joint may have moved the robot by
+// this length, metres. Contacts are found if they last longer.
+constexpr double kKinematicLength = 5e-4;
+constexpr double kReach = 2;  // metres from a joint to the farthest point that it moves
 
 using BodyNames = std::pair<std::string, std::string>;
 
@@ -61,6 +65,12 @@ Sample* LastSample(Trace& trace) {
     if (auto* const sample = std::get_if<Sample>(&event)) return sample;
   }
   return nullptr;
+}
+
+// Returns how many seconds a command of these rates may last in motion without dynamics.
+double KinematicStep(const RobotCommand& command, double shortest) {
+  const double speed = kReach * command.arm.qd.lpNorm<1>() + std::abs(command.opening_rate);
+  return std::clamp(kKinematicLength / std::max(speed, 1e-9), shortest, kLongestKinematic);
 }
 
 Trace EmptyTrace(const domain::Problem& problem) {
@@ -228,12 +238,13 @@ Progress Execution::MoveFingers(double opening, double rate) {
 // The motion ends when a sample is due, because the sample's forces come from the timestep after
 // it.
 double Execution::MoveKinematically(const Commands& commands, double time, double end) {
-  const double step = options_.kinematic_step;
+  const double shortest = options_.kinematic_step;
   end = std::min(end, time + kLongestKinematic);
-  if (step <= 0 || time + step > end) return time;
+  if (shortest <= 0 || time + shortest > end) return time;
   if (!kinematic_.Begin(data_, world_.held(), commands(time))) return time;
   const double start = time;
-  while (time + step <= end && !IsSampleDue()) {
+  while (time + shortest <= end && !IsSampleDue()) {
+    const double step = std::min(KinematicStep(commands(time), shortest), end - time);
     const RobotCommand next = commands(time + step);
     if (!kinematic_.MoveTo(next, step, data_)) break;
     time += step;

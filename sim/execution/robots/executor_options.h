@@ -23,8 +23,8 @@ class Observer {
 
 struct ExecutorOptions {
   double sample_rate = 50;  // samples per simulated second in the trace's series; 0 for no series
-  // The time between two states of motion without dynamics (KinematicMotion), seconds; 0 to
-  // simulate all motion.
+  // The shortest time between two states of motion without dynamics (KinematicMotion), seconds; 0
+  // to simulate all motion.
   double kinematic_step = 0.002;
   double force_limit = 300;  // newtons at the wrist; above it the arm stops
   noise::Noise noise = {};   // errors of the world, the hand and the sensors
