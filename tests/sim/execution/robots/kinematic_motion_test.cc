@@ -1,0 +1,195 @@
+#include "sim/execution/robots/kinematic_motion.h"
+
+#include <gtest/gtest.h>
+
+#include "planner/geometry/pose.h"
+#include "sim/execution/robots/firm_grip.h"
+#include "sim/execution/walk/executor.h"
+#include "sim/noise/sampling.h"
+#include "tests/sim/execution/figure15.h"
+
+namespace assay::execution::kinematic_motion_test {
+namespace {
+
+using geometry::Vector3;
+
+const PartId kNothing = PartId::None();
+
+// The start of figure 15, with the arm at its home.
+class AtHome : public testing::Test {
+ protected:
+  AtHome() : data_(scene_.Start()) {
+    data_.Step([&] { motion_.SeeForces(data_, kNothing); });
+  }
+
+  RobotCommand Here() const {
+    return {.arm = {scene_.ArmPosition(data_), kinematics::JointVector::Zero()},
+            .opening = scene_.Opening(data_)};
+  }
+
+  const domain::Problem problem_ = Figure15();
+  const scene::Scene scene_{problem_, {}};
+  mujoco::Data data_;
+  KinematicMotion motion_{scene_};
+};
+
+TEST_F(AtHome, MovesTheRobotAndNothingElse) {
+  const Pose before = scene_.TruePose(data_, PartId(0));
+  ASSERT_TRUE(motion_.Begin(data_, kNothing, Here()));
+  RobotCommand next = Here();
+  next.arm.q[0] += 0.01;
+  next.arm.qd[0] = 1;
+  next.opening -= 0.002;
+  const double time = data_.time();
+  ASSERT_TRUE(motion_.MoveTo(next, 0.01, data_));
+  motion_.End(data_);
+  EXPECT_LT((scene_.ArmPosition(data_) - next.arm.q).norm(), 1e-12);
+  EXPECT_EQ(scene_.ArmVelocity(data_)[0], 1);
+  EXPECT_NEAR(scene_.Opening(data_), next.opening, 1e-12);
+  EXPECT_NEAR(data_.time(), time + 0.01, 1e-12);
+  EXPECT_TRUE(scene_.TruePose(data_, PartId(0)).isApprox(before, 0));
+}
+
+// The difference between command and posture is the error of the servos, which the motion keeps.
+TEST_F(AtHome, KeepsTheLagOfTheServos) {
+  RobotCommand commanded = Here();
+  const kinematics::JointVector q = commanded.arm.q;
+  commanded.arm.q[2] -= 1e-4;
+  ASSERT_TRUE(motion_.Begin(data_, kNothing, commanded));
+  commanded.arm.q[0] += 0.01;
+  ASSERT_TRUE(motion_.MoveTo(commanded, 0.01, data_));
+  EXPECT_NEAR(scene_.ArmPosition(data_)[0], q[0] + 0.01, 1e-12);
+  EXPECT_NEAR(scene_.ArmPosition(data_)[2], q[2], 1e-12);
+}
+
+// A part is where the hand would be after a turn of 0.3 rad.
+TEST_F(AtHome, StopsBeforeItTouches) {
+  const kinematics::JointVector home = scene_.ArmPosition(data_);
+  kinematics::JointVector turned = home;
+  turned[0] += 0.3;
+  scene_.MoveArm(data_, turned);
+  const Pose in_the_way = scene_.ToolPose(data_);
+  scene_.MoveArm(data_, home);
+  scene_.SetPart(data_, PartId(0), in_the_way);
+  ASSERT_TRUE(motion_.Begin(data_, kNothing, Here()));
+  RobotCommand next = Here();
+  const double time = data_.time();
+  int moved = 0;
+  for (next.arm.q[0] += 0.002; motion_.MoveTo(next, 0.002, data_); next.arm.q[0] += 0.002) {
+    ++moved;
+  }
+  EXPECT_GT(moved, 0);
+  EXPECT_LT(moved, 150);
+  EXPECT_NEAR(scene_.ArmPosition(data_)[0], home[0] + moved * 0.002, 1e-9);
+  EXPECT_NEAR(data_.time(), time + moved * 0.002, 1e-9);
+  motion_.End(data_);
+  for (const mujoco::Contact& contact : mujoco::Contacts(data_)) {
+    EXPECT_NE(scene_.KindOf(contact.body_a), scene::BodyKind::kHand);
+    EXPECT_NE(scene_.KindOf(contact.body_b), scene::BodyKind::kHand);
+  }
+}
+
+TEST_F(AtHome, DoesNotBeginWhileAPartFalls) {
+  Pose in_the_air = scene_.TruePose(data_, PartId(0));
+  in_the_air.translation().z() += 0.05;
+  scene_.SetPart(data_, PartId(0), in_the_air);
+  for (int i = 0; i < 10; ++i) data_.Step();
+  EXPECT_FALSE(motion_.Begin(data_, kNothing, Here()));
+}
+
+TEST_F(AtHome, DoesNotBeginBeforeItHasSeenForces) {
+  motion_.Forget();
+  EXPECT_FALSE(motion_.Begin(data_, kNothing, Here()));
+}
+
+// The pads hold the peg by friction. Its weight is varied: the load of the friction is the weight,
+// and what it can bear is the friction of the contacts times their pressure.
+class PegInHand : public Figure15Test {
+ protected:
+  // Returns the share of the friction that the peg's weight uses, and whether the grip is firm,
+  // after the pickup of a peg of this mass.
+  struct Grip {
+    double share = 0;
+    bool is_firm = false;
+  };
+  static Grip WithMass(double mass) {
+    scene::SceneOptions options;
+    const PartId peg = problem().mating(domain::MatingId(0)).held;
+    options.part_masses[peg] = mass;
+    const scene::Scene scene(problem(), options);
+    mujoco::Data data = scene.Start();
+    ExecutorOptions until_pickup;
+    until_pickup.last = plan::StepId(1);
+    Execute(problem(), plan(), scene, data, until_pickup);
+    data.Forward();
+    double most = 0;
+    for (const mujoco::BodyId finger : {scene.left_finger(), scene.right_finger()}) {
+      for (const auto& contact : mujoco::ContactsBetween(data, finger, scene.Body(peg))) {
+        most += contact.friction * contact.force_on_b.dot(contact.normal);
+      }
+    }
+    return {mass * scene::kGravity / most, IsFirm(scene, data, peg)};
+  }
+};
+
+TEST_F(PegInHand, IsFirmIfFrictionCouldBearTwiceTheWeight) {
+  const Grip light = WithMass(0.1);
+  ASSERT_LT(light.share, 0.25);
+  EXPECT_TRUE(light.is_firm);
+  const double half = 0.1 / (2 * light.share);  // the mass whose weight uses half of the friction
+  const Grip heavy = WithMass(1.2 * half);
+  ASSERT_GT(heavy.share, 0.55);
+  EXPECT_FALSE(heavy.is_firm);
+}
+
+// Full dynamics are the oracle.
+class AgainstDynamics : public Figure15Test {
+ protected:
+  static Trace Run(double kinematic_step, int trial, const scene::SceneOptions& options = {}) {
+    const noise::Noise drawn = noise::Sample(problem(), noise::ErrorBox(problem(), plan()),
+                                             noise::Mode::kUniform, 7, trial);
+    const scene::Scene scene(problem(), TrueScene(options, drawn));
+    mujoco::Data data = StartOf(problem(), scene, drawn);
+    return Execute(problem(), plan(), scene, data,
+                   {.kinematic_step = kinematic_step, .noise = drawn});
+  }
+};
+
+TEST_F(AgainstDynamics, TrialsEndAlike) {
+  for (int trial = 1; trial <= 3; ++trial) {
+    const Trace quick = Run(0.002, trial);
+    const Trace full = Run(0, trial);
+    EXPECT_LT(3 * quick.end().steps, full.end().steps);
+    ASSERT_EQ(quick.end().outcome, full.end().outcome) << full.end().reason;
+    const auto& facts = quick.All<GraspFact>();
+    ASSERT_EQ(facts.size(), full.All<GraspFact>().size());
+    EXPECT_NEAR(facts[0]->opening, full.All<GraspFact>()[0]->opening, 5e-6);
+    const auto quick_ends = quick.All<StepEnd>();
+    const auto full_ends = full.All<StepEnd>();
+    ASSERT_EQ(quick_ends.size(), full_ends.size());
+    for (std::size_t i = 0; i < quick_ends.size(); ++i) {
+      for (std::size_t p = 0; p < 2; ++p) {
+        const Pose& a = quick_ends[i]->snapshot.parts[p].truth;
+        const Pose& b = full_ends[i]->snapshot.parts[p].truth;
+        EXPECT_LT((a.translation() - b.translation()).norm(), 2e-5)
+            << trial << " " << i << " " << p;
+        EXPECT_LT(geometry::AngleBetween(a.linear(), b.linear()), 5e-4);
+      }
+    }
+  }
+}
+
+// Pads without enough friction lose the peg, with and without dynamics.
+TEST_F(AgainstDynamics, APartThatSlipsOutDoesSo) {
+  scene::SceneOptions slippery;
+  const PartId peg = problem().mating(domain::MatingId(0)).held;
+  slippery.pad_friction_error = -0.45;
+  slippery.part_masses[peg] = 2;
+  const Trace quick = Run(0.002, 1, slippery);
+  const Trace full = Run(0, 1, slippery);
+  EXPECT_NE(full.end().outcome, TrialOutcome::kSucceeded);
+  EXPECT_NE(quick.end().outcome, TrialOutcome::kSucceeded);
+}
+
+}  // namespace
+}  // namespace assay::execution::kinematic_motion_test
