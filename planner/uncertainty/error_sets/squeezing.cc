@@ -65,11 +65,14 @@ class Closing {
     const double theta = Magnitude(world.RangeOf(world.resting(part).theta));
     pushed_turn_ = TurnOfFirstPad(world, part, hold, theta + hand_);
     turn_ = AtMostRight(theta + pushed_turn_ + hand_);
+    const double steepest = std::atan(ContactLength() / hold.width);
+    jams_ = !(turn_ + std::atan(pad_friction_) < steepest);
+    if (jams_ && is_straight()) NoteRoundSide(world, part, hold);
+    // Pads that press beside each other on a part that is turned too far turn it away from its
+    // faces, until it lies on others.
+    if (jams_ && !(turn_ < steepest)) turn_ = kRightAngle;
     lever_ = LeverOfTurn(world, part, hold, turn_);
     way_ = turn_ + pushed_turn_;
-    jams_ = !(turn_ + std::atan(pad_friction_) < std::atan(ContactLength() / hold.width));
-    if (jams_ && is_straight()) NoteRoundSide(world, part, hold);
-    if (jams_ && patch_ && !(turn_ < std::atan(ContactLength() / hold.width))) TurnAway();
   }
 
   bool jams() const { return jams_; }
@@ -131,13 +134,6 @@ class Closing {
     pushed_turn_ =
         AtMostRight(pushed_turn_ + TurnOfPush(world, part, world.X_WorldPart(part), round_push_));
     turn_ = AtMostRight(turn_ + pushed_turn_);
-  }
-
-  // Pads that press beside each other on a part that is turned too far turn it away from its faces,
-  // until it lies on others.
-  void TurnAway() {
-    turn_ = kRightAngle;
-    way_ = turn_ + pushed_turn_;
   }
 
   // Returns the length on which the pads touch the faces, even if the part is displaced along them.
