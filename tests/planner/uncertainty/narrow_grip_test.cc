@@ -135,12 +135,12 @@ double TurnAfterClosing(double breadth, double turn) {
 }
 
 // Pads may turn a part far away that is turned too far, whether or not they are wider than its
-// faces.
+// faces. They turn no part away whose faces are long enough.
 TEST(NarrowGrip, ABarThatIsTurnedTooFarMayTurnAway) {
   RandomStream random(kSeed, "turned away");
-  for (const double breadth : {8.0, 15.9, 16.1}) {
+  for (const double breadth : {8.0, 15.9, 16.1, 30.0}) {
     const double steepest = std::atan(breadth / 1000 / kWidth);
-    for (const double angle : {0.5 * steepest, 1.2 * steepest}) {
+    for (const double angle : {0.5 * steepest, 0.8 * steepest, 1.2 * steepest}) {
       const Errors errors{.length = 0.001, .angle = angle, .hand = 1e-4};
       const double most = Close(Bar(breadth, errors, 0.05)).skew;
       double reached = 0;
@@ -150,6 +150,9 @@ TEST(NarrowGrip, ABarThatIsTurnedTooFarMayTurnAway) {
         reached = std::max(reached, std::abs(turn));
       }
       EXPECT_EQ(reached > 1, angle > steepest) << breadth << " mm";
+      if (breadth > 2000 * kPad) {
+        EXPECT_EQ(most > 1, angle > steepest) << breadth << " mm";
+      }
     }
   }
 }
