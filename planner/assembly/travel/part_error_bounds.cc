@@ -10,36 +10,39 @@ namespace {
 
 using domain::PartId;
 using geometry::Vector3;
+using motion::PlaceError;
 
 double Greatest(const Interval& range) {
   return std::max(std::abs(range.low), std::abs(range.high));
 }
 
-// Returns the bound for points within `radius` of the axis or the point about which the body turns.
+template <class Error>
+double ShiftBy(const Error& error) {
+  return Vector3(Greatest(error.x), Greatest(error.y), Greatest(error.z)).norm();
+}
+
+// Returns a shift that contains the turn by this angle of points within `radius` of the axis or the
+// point about which the body turns.
 template <class Error>
 double Doubt(const Error& error, double turn, double radius) {
-  const Vector3 displacement(Greatest(error.x), Greatest(error.y), Greatest(error.z));
-  const double doubt = displacement.norm() + turn * radius;
+  const double doubt = ShiftBy(error) + turn * radius;
   return std::isfinite(doubt) ? std::min(doubt, PartErrorBounds::kMost) : PartErrorBounds::kMost;
 }
 
-// Returns the bound for a resting part. Errors turn the part about the vertical through its origin.
-double DoubtAtRest(const domain::Part& part, const plan::ErrorSet& set,
-                   const plan::Pose& X_WorldPart) {
-  double radius = 0;
-  for (const Vector3& vertex : part.model->corners()) {
-    radius = std::max(radius, (X_WorldPart.linear() * vertex).head<2>().norm());
-  }
-  return Doubt(set, Greatest(set.theta), radius);
+PlaceError ErrorAtRest(const plan::ErrorSet& set) {
+  const PlaceError error = {ShiftBy(set), Greatest(set.theta)};
+  const bool is_bounded = error.shift < PartErrorBounds::kMost && error.turn < M_PI;
+  return is_bounded ? error : PlaceError{PartErrorBounds::kMost};
 }
 
-// Returns the bound for a held part. Errors turn it about the grasped point.
-double DoubtInHand(const domain::Part& part, const plan::ErrorSet& set, const plan::Hold& hold) {
+// Errors turn a held part about the grasped point, and about any axis.
+PlaceError ErrorInHand(const domain::Part& part, const plan::ErrorSet& set,
+                       const plan::Hold& hold) {
   double radius = 0;
   for (const Vector3& vertex : part.model->corners()) {
     radius = std::max(radius, (vertex - hold.X_PartTool.translation()).norm());
   }
-  return Doubt(set, Greatest(set.theta) + Greatest(set.tip) + Greatest(set.twist), radius);
+  return {Doubt(set, Greatest(set.theta) + Greatest(set.tip) + Greatest(set.twist), radius)};
 }
 
 }  // namespace
@@ -56,15 +59,14 @@ void PartErrorBounds::Take(const std::vector<plan::ErrorSet>& sets) {
   for (const plan::ErrorSet& set : sets) sets_[set.part.index()] = set;
 }
 
-std::vector<double> PartErrorBounds::In(const plan::WorldState& state) const {
-  std::vector<double> doubts;
+std::vector<PlaceError> PartErrorBounds::In(const plan::WorldState& state) const {
+  std::vector<PlaceError> errors;
   for (std::size_t p = 0; p < sets_.size(); ++p) {
-    const domain::Part& part = problem_.parts[p];
-    doubts.push_back(state.in_hand == PartId(p)
-                         ? DoubtInHand(part, sets_[p], state.hold)
-                         : DoubtAtRest(part, sets_[p], state.parts[p].X_WorldPart));
+    errors.push_back(state.in_hand == PartId(p)
+                         ? ErrorInHand(problem_.parts[p], sets_[p], state.hold)
+                         : ErrorAtRest(sets_[p]));
   }
-  return doubts;
+  return errors;
 }
 
 double HandDoubt(const domain::Problem& problem) {

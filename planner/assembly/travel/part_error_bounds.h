@@ -3,23 +3,23 @@
 #include <vector>
 
 #include "planner/domain/problem/problem.h"
+#include "planner/motion/collision/surroundings.h"
 #include "planner/plan/checker/world_state.h"
 #include "planner/plan/data/plan.h"
 
 namespace assay::assembly {
 
-// Bounds on the distance between the points of parts and their believed positions. At first they
-// come from the scenario's error bounds, and later from the certificates of the steps.
+// Bounds on how far parts are from their believed places. At first they come from the scenario's
+// error bounds, and later from the certificates of the steps.
 class PartErrorBounds {
  public:
   explicit PartErrorBounds(const domain::Problem& problem);
 
   void Take(const std::vector<plan::ErrorSet>& sets);
-  // Returns, indexed by PartId, the bound in metres that travels assume for the displacement of any
-  // point of the part.
-  std::vector<double> In(const plan::WorldState& state) const;
+  // Returns, indexed by PartId, the errors that travels assume.
+  std::vector<motion::PlaceError> In(const plan::WorldState& state) const;
 
-  // The greatest bound, in metres. It stands for all errors that are greater or not bounded.
+  // The greatest shift, in metres. It stands for all errors that are greater or not bounded.
   static constexpr double kMost = 0.05;
 
  private:

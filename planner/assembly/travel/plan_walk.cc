@@ -90,7 +90,7 @@ void PlanWalk::TakeRestingDoubts() {
 }
 
 motion::Surroundings PlanWalk::Surroundings() const {
-  motion::Surroundings surroundings{.doubts = doubts_.In(state_),
+  motion::Surroundings surroundings{.errors = doubts_.In(state_),
                                     .opening = workcell().gripper().max_opening()};
   for (std::size_t p = 0; p < state_.parts.size(); ++p) {
     if (PartId(p) == state_.in_hand) continue;

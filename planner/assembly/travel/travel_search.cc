@@ -44,6 +44,11 @@ bool AppendLine(const domain::Workcell& workcell, const Pose& X_WorldTool, Joint
   return line.path.has_value();
 }
 
+// Returns bounds that hold on the lines of both.
+motion::Sway Both(const motion::Sway& a, const motion::Sway& b) {
+  return {a.is_bounded && b.is_bounded, a.turn.cwiseMax(b.turn), std::min(a.room, b.room)};
+}
+
 std::optional<Obstruction> FindObstruction(MotionCheck& check, const JointPath& path) {
   for (std::size_t i = 0; i + 1 < path.size(); ++i) {
     if (auto obstruction = check.FindObstruction(path[i], path[i + 1])) return obstruction;
@@ -110,31 +115,28 @@ std::optional<Way> TravelSearch::WayBy(const plan::Travel& travel) {
   if (comes_down && !AppendLine(workcell_, route_.poised, way.down)) return std::nullopt;
   way.work = {{way.down.back()}};
   if (!Work(way.work)) return std::nullopt;
-  way.sway = SwayAlong(workcell_, way.rise, walk_.doubt_left());
-  Take(way.down, way.sway);
+  way.sway_of_rise = SwayAlong(workcell_, way.rise, walk_.doubt_left());
+  way.sway = SwayAlong(workcell_, way.down, doubt_);
   for (const JointPath& section : way.work) Take(section, way.sway);
   return way;
 }
 
 std::optional<WayCertainty> TravelSearch::CertaintyOf(const Way& way, double clearance) {
-  const WayCertainty certainty = {way.sway, kTravelClearance};
+  const WayCertainty certainty = {Both(way.sway_of_rise, way.sway), kTravelClearance};
   if (!IsFree(way.over, OnTheWay(way, clearance))) return std::nullopt;
   if (certainty.Reaches() && AreLinesFree(way, ErrorsOf(way))) return certainty;
   if (!AreLinesFree(way, {})) return std::nullopt;
-  return WayCertainty{way.sway, 0};
+  return WayCertainty{certainty.sway, 0};
 }
 
 double TravelSearch::ClearShareOfErrors(const Way& way) {
   constexpr int kShares = 100;
-  const ArmErrors all = ErrorsOf(way);
   int clear = 0;
   int refused = kShares;
   while (refused - clear > 1) {
     const int middle = (clear + refused) / 2;
     const double share = static_cast<double>(middle) / kShares;
-    const ArmErrors some = {share * all.joints,
-                            {share * all.tool.shift, share * all.tool.turn, share * all.tool.spin}};
-    (AreLinesFree(way, some) ? clear : refused) = middle;
+    (AreLinesFree(way, ErrorsOf(way, share)) ? clear : refused) = middle;
   }
   return static_cast<double>(clear) / kShares;
 }
@@ -187,13 +189,14 @@ std::vector<Vector3> TravelSearch::Corners() const {
 
 // Extends the sway to another line.
 void TravelSearch::Take(const JointPath& line, motion::Sway& sway) const {
-  if (!sway.is_bounded) return;
-  const motion::Sway other = SwayAlong(workcell_, line, doubt_);
-  sway = {other.is_bounded, sway.turn.cwiseMax(other.turn), std::min(sway.room, other.room)};
+  if (sway.is_bounded) sway = Both(sway, SwayAlong(workcell_, line, doubt_));
 }
 
-TravelSearch::ArmErrors TravelSearch::ErrorsOf(const Way& way) const {
-  return {way.sway.turn, doubt_.Or(walk_.doubt_left())};
+TravelSearch::WayErrors TravelSearch::ErrorsOf(const Way& way, double share) const {
+  const auto shared = [&](const motion::Sway& sway, const plan::ToolErrorBox& tool) -> ArmErrors {
+    return {share * sway.turn, {share * tool.shift, share * tool.turn, share * tool.spin}};
+  };
+  return {shared(way.sway_of_rise, walk_.doubt_left()), shared(way.sway, doubt_)};
 }
 
 // On a travel the arm follows the planned joint values, so no errors are added.
@@ -243,10 +246,10 @@ plan::Reason TravelSearch::Obstructed(std::string text, const Obstruction& obstr
   return {std::move(text), motion::SituationOf(obstruction, scene_, surroundings_)};
 }
 
-bool TravelSearch::AreLinesFree(const Way& way, const ArmErrors& errors) {
-  const MotionRules rules = OnLines(way, errors);
-  return IsFree(way.rise, rules) && IsFree(way.down, rules) &&
-         IsFree(way.AllOfWork(), AtWork(errors));
+bool TravelSearch::AreLinesFree(const Way& way, const WayErrors& errors) {
+  return IsFree(way.rise, OnLines(way, errors.of_rise)) &&
+         IsFree(way.down, OnLines(way, errors.of_rest)) &&
+         IsFree(way.AllOfWork(), AtWork(errors.of_rest));
 }
 
 // Returns the greatest clearance that the path surely keeps, up to `kFurthestClearance`.

@@ -31,7 +31,8 @@ struct Way {
   motion::JointPath down;  // straight down to the approach pose
   // straight lines from the approach pose on; the tool keeps its orientation in each section
   std::vector<motion::JointPath> work = {};
-  motion::Sway sway = {};
+  motion::Sway sway_of_rise = {};
+  motion::Sway sway = {};  // on the way down and on the straight lines of the work
 
   const kinematics::JointVector& after() const { return work.back().back(); }
   motion::JointPath AllOfWork() const {
@@ -84,6 +85,11 @@ class TravelSearch {
     kinematics::JointVector joints = kinematics::JointVector::Zero();
     plan::ToolErrorBox tool = {};
   };
+  // The first line still has the errors of the step before.
+  struct WayErrors {
+    ArmErrors of_rise;
+    ArmErrors of_rest;
+  };
 
   geometry::Pose Above() const;
   bool Rise(motion::JointPath& path) const;
@@ -92,12 +98,12 @@ class TravelSearch {
   std::vector<geometry::Vector3> Corners() const;
 
   void Take(const motion::JointPath& line, motion::Sway& sway) const;
-  ArmErrors ErrorsOf(const Way& way) const;
+  WayErrors ErrorsOf(const Way& way, double share = 1) const;
   motion::MotionRules OnTheWay(const Way& way, double clearance) const;
   motion::MotionRules OnLines(const Way& way, const ArmErrors& errors) const;
   motion::MotionRules AtWork(const ArmErrors& errors) const;
   bool IsFree(const motion::JointPath& path, const motion::MotionRules& rules);
-  bool AreLinesFree(const Way& way, const ArmErrors& errors);
+  bool AreLinesFree(const Way& way, const WayErrors& errors);
   double ClearanceOf(const Way& way);
   plan::Reason NotReached(const char* text) const;
   plan::Reason Obstructed(std::string text, const motion::Obstruction& obstruction) const;

@@ -109,8 +109,8 @@ CollisionScene::CollisionScene(const domain::Problem& problem, const Surrounding
     : workcell_(problem.workcell),
       bodies_(std::move(arm)),
       arm_bodies_(static_cast<int>(bodies_.size())) {
-  const auto doubt = [&](PartId part) {
-    return surroundings.doubts.empty() ? 0 : surroundings.doubts[part.index()];
+  const auto error_of = [&](PartId part) {
+    return surroundings.errors.empty() ? PlaceError{} : surroundings.errors[part.index()];
   };
   for (Body& link : bodies_) link.identity = {.robot = workcell_->acting(), .piece = link.name};
   AddGripper(surroundings.opening);
@@ -120,15 +120,17 @@ CollisionScene::CollisionScene(const domain::Problem& problem, const Surrounding
         workcell_->gripper().X_FlangeTool() * surroundings.held->X_PartTool.inverse();
     Add(part.name, kFlange, HullsOf(part.model->pieces(), X_FlangePart),
         {.part = surroundings.held->part})
-        .doubt = doubt(surroundings.held->part);
+        .error = error_of(surroundings.held->part);
   }
   AddStage();
   AddOtherRobots(surroundings.robots);
   const Pose X_BaseWorld = workcell_->X_WorldBase().inverse();
   for (const auto& [id, X_WorldPart] : surroundings.parts) {
     const domain::Part& part = problem.part(id);
-    Add(part.name, 0, HullsOf(part.model->pieces(), X_BaseWorld * X_WorldPart), {.part = id})
-        .doubt = doubt(id);
+    const Pose X_BasePart = X_BaseWorld * X_WorldPart;
+    Body& body = Add(part.name, 0, HullsOf(part.model->pieces(), X_BasePart), {.part = id});
+    body.error = error_of(id);
+    body.origin = X_BasePart.translation();
   }
   ListPairs();
 }

@@ -32,7 +32,8 @@ struct Body {
   std::array<double, 6> reach = {};
   Vector3 center = Vector3::Zero();  // center of a ball that contains the body, in the link's frame
   double ball_radius = 0;
-  double doubt = 0;  // greatest distance of a point's true place from its place here, metres
+  PlaceError error = {};
+  Vector3 origin = Vector3::Zero();  // of a standing part: the place of its origin, in the base
 };
 
 // Two bodies that must not touch; the second is at least as far along the arm.

@@ -16,9 +16,7 @@ namespace {
 // The share of the distance in a given posture that must be kept in the rest of the motion.
 constexpr double kShareOfGiven = 0.9;
 constexpr double kFar = std::numeric_limits<double>::infinity();
-constexpr int kFirstOfWrist = 4;  // link of the arm: the axes beyond it meet in one point
-constexpr int kLastLink = 6;      // the flange, with which the tool moves
-// The greatest number of boxes in the space of joint angles that are tested around one posture.
+// The greatest number of boxes of errors that are tested around one posture.
 constexpr int kMostBoxes = 1'000;
 
 double AngleBetweenUnits(const Vector3& a, const Vector3& b) {
@@ -54,8 +52,6 @@ MotionCheck::MotionCheck(const CollisionScene& scene, const MotionRules& rules)
 std::vector<MotionCheck::WatchedPair> MotionCheck::WatchedPairs() const {
   std::vector<LinkPoses> given;
   for (const JointVector& q : rules_.given) given.push_back(scene_.arm().LinkPoses(q));
-  const plan::ToolErrorBox& tool = rules_.tool;
-  const bool may_err = tool.turn > 0 || tool.spin > 0 || !tool.shift.isZero(0);
   std::vector<WatchedPair> watched;
   for (const BodyPair& pair : scene_.pairs()) {
     const bool carried = scene_.IsCarried(pair.second);
@@ -63,9 +59,11 @@ std::vector<MotionCheck::WatchedPair> MotionCheck::WatchedPairs() const {
     if (rules_.bodies == MotionRules::Bodies::kRobots && !scene_.IsOfAnotherRobot(pair.first)) {
       continue;
     }
-    WatchedPair& added = watched.emplace_back(Watched(pair));
+    const PairErrors errors(scene_, pair, rules_.sway, rules_.tool);
+    WatchedPair& added =
+        watched.emplace_back(WatchedPair{pair, errors, rules_.clearance + errors.shift(), kFar});
     if (!carried) continue;
-    const double enough = may_err ? kFar : added.clearance;
+    const double enough = (added.clearance + errors.GreatestDisplacement()) / kShareOfGiven;
     for (const LinkPoses& X_BaseLink : given) {
       const double near = kShareOfGiven * scene_.Separation(pair, X_BaseLink, enough);
       if (near > 0) added.most = std::min(added.most, near);
@@ -74,94 +72,44 @@ std::vector<MotionCheck::WatchedPair> MotionCheck::WatchedPairs() const {
   return watched;
 }
 
-MotionCheck::WatchedPair MotionCheck::Watched(const BodyPair& pair) const {
-  const Body& first = scene_.body(pair.first);
-  const Body& second = scene_.body(pair.second);
-  WatchedPair watched{
-      .pair = pair, .clearance = rules_.clearance + first.doubt + second.doubt, .most = kFar};
-  watched.is_seen_from_tool = first.link == 0 && second.link >= kFirstOfWrist;
-  if (!watched.is_seen_from_tool) {
-    for (int k = first.link; k < second.link; ++k) {
-      watched.sway[k] = rules_.sway[k];
-      watched.reach[k] = second.reach[k];
-    }
-    return watched;
-  }
-  const LinkPoses X_BaseLink = scene_.arm().LinkPoses(JointVector::Zero());
-  const Vector3 wrist = X_BaseLink.back() * Vector3(0, 0, -scene_.arm().geometry().d6);
-  const Vector3 center = X_BaseLink[second.link] * second.center;
-  for (int k = second.link; k < kLastLink; ++k) {
-    watched.sway[k] = rules_.sway[k];
-    watched.reach[k] = (center - wrist).norm() + second.ball_radius;
-  }
-  return watched;
-}
-
-double MotionCheck::ErrorOfTool(const Body& body, const LinkPoses& X_BaseLink, double near) const {
-  const plan::ToolErrorBox& tool = rules_.tool;
-  if (tool.turn == 0 && tool.spin == 0) return tool.shift.norm();
-  const domain::Workcell& workcell = scene_.workcell();
-  const Pose X_WorldTool =
-      workcell.X_WorldBase() * X_BaseLink.back() * workcell.gripper().X_FlangeTool();
-  const Pose X_WorldBody = workcell.X_WorldBase() * X_BaseLink[body.link];
-  double from_vertical = 0;  // distance from the vertical through the tool's origin
-  double from_axis = 0;      // distance from the tool's axis
-  for (const RoundedHull& hull : body.hulls) {
-    for (const Vector3& vertex : hull.vertices()) {
-      const Vector3 from_tool = X_WorldBody * vertex - X_WorldTool.translation();
-      const double across = (X_WorldTool.linear().transpose() * from_tool).head<2>().norm();
-      from_vertical = std::max(from_vertical, from_tool.head<2>().norm() + hull.radius());
-      from_axis = std::max(from_axis, across + hull.radius());
-    }
-  }
-  const double spun = tool.spin * (from_axis + near);
-  return tool.shift.norm() + tool.turn * (from_vertical + near + spun) + spun;
-}
-
-LinkPoses MotionCheck::Swayed(const WatchedPair& watched, const JointVector& q,
-                              const LinkPoses& X_BaseLink, const JointVector& offset) const {
-  LinkPoses swayed = scene_.arm().LinkPoses(q + offset);
-  if (!watched.is_seen_from_tool) return swayed;
-  const Pose X_Tool = X_BaseLink.back() * swayed.back().inverse();
-  for (Pose& X : swayed) X = X_Tool * X;
-  return swayed;
-}
-
 MotionCheck::Verdict MotionCheck::LookAt(const JointVector& q, const LinkPoses& X_BaseLink,
                                          double motion, WatchedPair& watched) const {
   struct Box {
-    JointVector offset;  // the box's middle, from q
-    JointVector half;
+    ErrorVector middle;
+    ErrorVector half;
   };
   std::vector<Box> open;
-  Box box = {JointVector::Zero(), watched.sway};
-  const LinkPoses* X_Box = &X_BaseLink;
-  LinkPoses X_Swayed;
+  Box box = {ErrorVector::Zero(), watched.errors.greatest()};
+  LinkPoses X_Box = X_BaseLink;
+  double most = watched.most;
   for (int boxes = 0;; ++boxes) {
-    const double swayed = box.half.dot(watched.reach);
-    double least = watched.clearance;
-    if (watched.is_seen_from_tool) {
-      least += ErrorOfTool(scene_.body(watched.pair.second), *X_Box, motion + swayed);
+    const ErrorVector displacement = watched.errors.DisplacementIn(box.half, X_Box);
+    const double displaced = displacement.sum();
+    const double enough = watched.clearance + displaced + motion;
+    const double needed = std::min(enough, most + motion);
+    const double distance = scene_.Separation(watched.pair, X_Box, needed, watched.slabs);
+    if (distance < std::min(watched.clearance, most) || distance == 0) {
+      return watched.most < most ? Verdict::kOpen : Verdict::kObstructed;
     }
-    least = std::min(least, watched.most);
-    const double needed = least + motion + swayed;
-    const double distance = scene_.Separation(watched.pair, *X_Box, needed, watched.slabs);
-    if (distance == 0 || distance < least) return Verdict::kObstructed;
-    if (distance < needed) {
-      if (swayed < std::max(motion, kUndecided) || boxes > kMostBoxes) return Verdict::kOpen;
+    if (distance < needed && watched.errors.DistanceIn(box.half, X_Box, watched.slabs, enough) <
+                                 watched.clearance + motion) {
+      const bool is_open = distance < std::min(watched.clearance, most) + motion;
+      if (is_open || displaced < std::max(motion, kUndecided) || boxes > kMostBoxes) {
+        return Verdict::kOpen;
+      }
       int widest = 0;
-      box.half.cwiseProduct(watched.reach).maxCoeff(&widest);
+      displacement.maxCoeff(&widest);
       box.half[widest] /= 2;
       for (const double side : {-1, 1}) {
         open.push_back(box);
-        open.back().offset[widest] += side * box.half[widest];
+        open.back().middle[widest] += side * box.half[widest];
       }
     }
     if (open.empty()) return Verdict::kFree;
     box = open.back();
     open.pop_back();
-    X_Swayed = Swayed(watched, q, X_BaseLink, box.offset);
-    X_Box = &X_Swayed;
+    X_Box = watched.errors.PosesWith(box.middle, q, X_BaseLink);
+    most = kFar;
   }
 }
 
@@ -196,7 +144,7 @@ std::optional<Obstruction> MotionCheck::FindObstruction(const JointVector& from,
 std::vector<MotionCheck::OpenPair> MotionCheck::OpenPairs(const JointVector& turn) {
   std::vector<OpenPair> open;
   for (WatchedPair& watched : watched_) {
-    open.push_back({&watched, scene_.GreatestMotion(watched.pair, turn)});
+    open.push_back({&watched, watched.errors.GreatestMotion(turn)});
   }
   return open;
 }
@@ -219,7 +167,8 @@ std::optional<Obstruction> MotionCheck::Narrow(Interval& interval, const JointVe
     const double motion = open.motion * interval.half;
     const Verdict verdict = LookAt(q, X_BaseLink, motion, watched);
     if (verdict == Verdict::kFree) continue;
-    const double undecided = watched.sway.isZero(0) ? kUndecided : kUndecidedOfSway;
+    const bool has_errors = !watched.errors.greatest().isZero(0);
+    const double undecided = has_errors ? kUndecidedOfErrors : kUndecided;
     if (verdict == Verdict::kObstructed || motion < undecided) {
       return Obstruction{Obstruction::Kind::kPair, watched.pair,
                          std::min(watched.clearance, watched.most), q};

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "planner/motion/collision/collision_scene.h"
+#include "planner/motion/collision/pair_errors.h"
 #include "planner/plan/data/tool_error_box.h"
 
 namespace assay::motion {
@@ -18,7 +19,7 @@ struct Upright {
 
 // The rules that a motion must obey everywhere on its way.
 struct MotionRules {
-  // Least distance of every pair of bodies beyond their error bounds (Body::doubt), metres, >= 0.
+  // Least distance of every pair of bodies beyond their errors (Body::error), metres, >= 0.
   double clearance = 0.01;
   std::optional<Upright> upright = {};
   // Errors of the joints, in radians, and of the tool, which may occur at once. Everything keeps
@@ -60,13 +61,11 @@ std::string Describe(const CollisionScene& scene, const MotionRules& rules,
 // can move on either half. All other pairs are tested again on each half (Schwarzer, Saha and
 // Latombe, "Adaptive Dynamic Collision Checking for Single and Multiple Articulated Robots", 2005).
 // A pair that comes so near to the clearance that the halving does not end counts as obstructed. A
-// path may be refused wrongly if it keeps the clearance by less than kUndecided (kUndecidedOfSway
-// if joints may sway). A path is never accepted wrongly.
+// path may be refused wrongly if it keeps the clearance by less than kUndecided (kUndecidedOfErrors
+// if the pair has errors). A path is never accepted wrongly.
 //
-// Where joints may sway, a pair is tested in a box of the joints that move its bodies against each
-// other. The box is halved until the pair is decided. Links from the wrist on are tested against
-// standing bodies as seen from the tool, whose errors are small, and not from the arm's base. The
-// box of such a link contains the joints between the link and the tool.
+// A pair with errors is tested in the box of these errors (PairErrors), which is halved until the
+// pair is decided.
 class MotionCheck {
  public:
   MotionCheck(const CollisionScene& scene, const MotionRules& rules);
@@ -79,19 +78,17 @@ class MotionCheck {
   const MotionRules& rules() const { return rules_; }
   std::int64_t postures() const { return postures_; }  // number of postures tested
 
-  static constexpr double kUndecided = 1e-4;        // metres, or radians of tilt
-  static constexpr double kUndecidedOfSway = 1e-3;  // metres
+  static constexpr double kUndecided = 1e-4;          // metres, or radians of tilt
+  static constexpr double kUndecidedOfErrors = 1e-3;  // metres
 
  private:
   struct WatchedPair {
     BodyPair pair;
-    double clearance = 0;  // metres
-    double most = 0;       // upper limit of the clearance with the tool's errors, metres
-    bool is_seen_from_tool = false;
-    // Errors of the joints that move one body against the other.
-    JointVector sway = JointVector::Zero();
-    JointVector reach = JointVector::Zero();  // distance of the second body from their axes, metres
-    CollisionScene::Slabs slabs = {};         // slabs of the posture that was tested last
+    PairErrors errors;
+    double clearance = 0;  // with the errors that have no direction, metres
+    // Upper limit of the distance that is needed in postures without errors, metres.
+    double most = 0;
+    CollisionScene::Slabs slabs = {};  // slabs of the posture that was tested last
   };
   struct OpenPair {
     WatchedPair* watched;
@@ -108,15 +105,9 @@ class MotionCheck {
   enum class Verdict { kFree, kOpen, kObstructed };
 
   std::vector<WatchedPair> WatchedPairs() const;
-  WatchedPair Watched(const BodyPair& pair) const;
-  // Returns how far the tool's errors move a body that moves with the tool, in metres. The body
-  // must be within `near` of its place at this posture.
-  double ErrorOfTool(const Body& body, const LinkPoses& X_BaseLink, double near) const;
   // Tests a pair whose bodies move by `motion` metres, at the posture q with all errors.
   Verdict LookAt(const JointVector& q, const LinkPoses& X_BaseLink, double motion,
                  WatchedPair& watched) const;
-  LinkPoses Swayed(const WatchedPair& watched, const JointVector& q, const LinkPoses& X_BaseLink,
-                   const JointVector& offset) const;
   double Tilt(const LinkPoses& X_BaseLink) const;  // radians
   std::vector<OpenPair> OpenPairs(const JointVector& turn);
   // Removes from the interval all that the posture in its middle, q, shows to be free all along it.

@@ -27,12 +27,19 @@ struct StandingRobot {
   double opening = 0;  // distance between its pads, metres
 };
 
+// How far a part may be from its place. It may be turned about the vertical through its origin, and
+// then no point of it is farther than `shift` from its place.
+struct PlaceError {
+  double shift = 0;  // metres, >= 0
+  double turn = 0;   // radians, >= 0; a held part has no turn
+};
+
 // Everything around the arm while it moves.
 struct Surroundings {
   std::vector<domain::PlacedPart> parts = {};  // parts that stand still; others are absent
   std::optional<HeldPart> held = {};
-  std::vector<double> doubts = {};  // by PartId, metres (Body::doubt); empty: no errors
-  double opening = 0;               // distance between the pads, metres
+  std::vector<PlaceError> errors = {};  // by PartId; empty: no errors
+  double opening = 0;                   // distance between the pads, metres
   // Robots that are not listed stand at their homes with open grippers.
   std::vector<StandingRobot> robots = {};
 };

@@ -65,11 +65,13 @@ class Closing {
     const double theta = Magnitude(world.RangeOf(world.resting(part).theta));
     pushed_turn_ = TurnOfFirstPad(world, part, hold, theta + hand_);
     turn_ = AtMostRight(theta + pushed_turn_ + hand_);
-    lever_ = LeverOfTurn(world, part, hold, turn_);
-    way_ = turn_ + pushed_turn_;
     jams_ = !(turn_ + std::atan(pad_friction_) < std::atan(ContactLength() / hold.width));
     if (jams_ && is_straight()) NoteRoundSide(world, part, hold);
-    if (jams_ && patch_ && !(turn_ < std::atan(ContactLength() / hold.width))) TurnAway();
+    // Pads that press beside each other on a part that is turned too far turn it away from its
+    // faces, until it lies on others.
+    if (jams_ && !(turn_ < SteepestTurn(world, part, hold))) turn_ = kRightAngle;
+    lever_ = LeverOfTurn(world, part, hold, turn_);
+    way_ = turn_ + pushed_turn_;
   }
 
   bool jams() const { return jams_; }
@@ -133,18 +135,35 @@ class Closing {
     turn_ = AtMostRight(turn_ + pushed_turn_);
   }
 
-  // Pads that press beside each other on a part that is turned too far turn it away from its faces,
-  // until it lies on others.
-  void TurnAway() {
-    turn_ = kRightAngle;
-    way_ = turn_ + pushed_turn_;
-  }
-
   // Returns the length on which the pads touch the faces, even if the part is displaced along them.
   double ContactLength() const {
     if (patch_) return LengthOfPatch();
     const double along_x = 2 * pad_x_ - off_x_;
     return is_straight() ? along_x : std::min(along_x, 2 * pad_z_ - off_z_);
+  }
+
+  // Returns the turn, in radians, up to which the pads surely turn the part back to the faces
+  // between them. Both pads press on opposite ends of these faces, or on opposite edges of their
+  // own. The faces may be longer than the pads that lie wholly on them.
+  double SteepestTurn(const UncertainWorld& world, PartId part, const plan::Hold& hold) const {
+    const domain::PartModel& model = *world.problem().part(part).model;
+    double length = ContactLength();
+    if (LieOnFaces(model, hold, {pad_x_, pad_z_}) && off_x_ < pad_x_ && off_z_ < pad_z_) {
+      length = std::max(length, 2 * ReachOfFaces(model, hold));
+    }
+    return std::atan(length / hold.width);
+  }
+
+  // Returns how far both faces between the pads surely reach to either side of the grasped point,
+  // in metres along the pads, at the height of the pads.
+  double ReachOfFaces(const domain::PartModel& model, const plan::Hold& hold) const {
+    constexpr double kFar = 10;  // metres, beyond every part
+    const auto reach = [&](int axis, const Vector2& within) {
+      const Eigen::AlignedBox2d bounds = BoundsOf(OppositePatch(model, hold, within));
+      return bounds.isEmpty() ? 0 : std::min(-bounds.min()[axis], bounds.max()[axis]);
+    };
+    const double along_x = reach(0, {kFar, pad_z_ - off_z_});
+    return is_straight() ? along_x : std::min(along_x, reach(1, {pad_x_ - off_x_, kFar}));
   }
 
   double LengthOfPatch() const {

@@ -15,9 +15,9 @@ namespace assay::uncertainty {
 //   - The pads turn the part until its faces lie flat on them, unless they jam before. Two pads
 //     that touch a turned part at opposite ends hold it as it is if the line between the contacts
 //     is within both friction cones (Nguyen 1988). A jammed part keeps at most the turn that it
-//     had, and is not proved to be held.
-//   - Pads that are wider than the faces touch what both of them reach opposite each other. If the
-//     part is turned too far for these faces, the pads may turn it away from them.
+//     had, and is not proved to be held. If the part is turned so far that the pads press beside
+//     each other on it, they may turn it away from its faces.
+//   - Pads that are wider than the faces touch what both of them reach opposite each other.
 //   - Pads that close from above on a side that is round about the vertical leave the part's turn,
 //     and its axis comes midway between them. The first pad may push the part along itself by the
 //     pads' friction times its push, or twice as far.

@@ -35,8 +35,7 @@ class FalsificationReport {
   explicit FalsificationReport(const FalsificationRun& run)
       : run_(run),
         plan_(run.planned.result.plan),
-        experiment_{run.planned.problem, plan_, run.planned.simulation.scene,
-                    KeptNoiseFloor(run.planned.problem, plan_, run.planned.simulation.scene)},
+        experiment_{run.planned.problem, plan_, run.planned.simulation.scene},
         tally_(plan_) {}
 
   ExitCode Execute() {
@@ -48,6 +47,7 @@ class FalsificationReport {
       if (made == run_.attempts) progress_->Tell("reducing what was violated to fewer errors");
     };
     options.stop = Interruption::Requested;
+    TakeNoiseFloor(experiment_);
     result_ = check::Falsify(experiment_, options);
     if (run_.conservatism && result_.noiseless.Holds()) {
       progress_->Tell("measuring conservatism");
@@ -234,10 +234,8 @@ class FalsificationReport {
   const FalsificationRun& run_;
   const plan::Plan& plan_;
   const Stopwatch stopwatch_;
-  // The progress is shown before the experiment is made, because measuring its noise floor takes
-  // time.
   std::unique_ptr<Progress> progress_ = std::make_unique<Progress>("attacking");
-  const check::Experiment experiment_;
+  check::Experiment experiment_;
   check::FalsificationResult result_;
   std::vector<check::ConservatismRatio> ratios_;
   VerdictTally tally_;

@@ -61,12 +61,11 @@ class NoisyTrials {
         plan_(run.planned.result.plan),
         is_camera_(run.command.sensing == "camera"),
         box_(noise::ErrorBox(run.planned.problem, plan_)),
-        experiment_{run.planned.problem, plan_, run.planned.simulation.scene,
-                    KeptNoiseFloor(run.planned.problem, plan_, run.planned.simulation.scene)} {}
+        experiment_{run.planned.problem, plan_, run.planned.simulation.scene} {}
 
   ExitCode Execute() {
     const Interruption interruption;
-    if (HoldsWithoutNoise()) {
+    if (TakeNoiseFloor(experiment_) && HoldsWithoutNoise()) {
       execution::Scheduler(run_.jobs, Interruption::Requested)
           .InOrder(
               static_cast<std::size_t>(Wanted()),
@@ -255,7 +254,7 @@ class NoisyTrials {
   const Stopwatch stopwatch_;
   std::unique_ptr<Progress> progress_ = std::make_unique<Progress>("executing under noise");
   const std::vector<noise::Channel> box_;
-  const check::Experiment experiment_;
+  check::Experiment experiment_;
   check::Noiseless noiseless_;  // execution before the trials; not used for a single trial
   std::vector<NoisyRow> rows_;  // in the order of their numbers
 };

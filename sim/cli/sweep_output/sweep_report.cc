@@ -121,12 +121,20 @@ std::string CommandOf(const std::string& replay, const std::string& database) {
   return fmt::format("assay replay {} {}", database, replay.substr(kStored.size()));
 }
 
+// Returns what the certificate says and what was observed: "y of peg: 1.2 mm is not in [-1, 1] mm".
+std::string ViolationText(const sweep::CounterexampleRecord& example) {
+  if (example.IsStatement()) {
+    return fmt::format("the certificate says that the step {}, but it does not", example.name);
+  }
+  const Unit unit = ShownUnitOf(example.dimension);
+  return fmt::format("{}: {} is not in [{:.6g}, {:.6g}] {}", example.name,
+                     InUnit(example.observed, unit), example.low / unit.factor,
+                     example.high / unit.factor, unit.name);
+}
+
 std::string CounterexampleText(const sweep::CounterexampleRecord& example,
                                const std::string& database) {
-  const Unit unit = ShownUnitOf(example.dimension);
-  return fmt::format("  {}: {}: {} is not in [{:.6g}, {:.6g}] {}{}\n    to repeat it: {}\n",
-                     example.action, example.name, InUnit(example.observed, unit),
-                     example.low / unit.factor, example.high / unit.factor, unit.name,
+  return fmt::format("  {}: {}{}\n    to repeat it: {}\n", example.action, ViolationText(example),
                      example.replayed ? "" : " (seen only in an execution from a saved state)",
                      CommandOf(example.replay, database));
 }

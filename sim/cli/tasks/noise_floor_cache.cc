@@ -15,6 +15,7 @@
 #include "planner/base/digest.h"
 #include "planner/base/input_files/input_error.h"
 #include "planner/base/module.h"
+#include "planner/base/stop.h"
 #include "planner/plan/plan_files/json_layout.h"
 #include "planner/plan/plan_files/plan_file.h"
 #include "sim/check/noise_floor/measure_noise_floor.h"
@@ -118,6 +119,15 @@ NoiseFloor KeptNoiseFloor(const domain::Problem& problem, const plan::Plan& plan
   NoiseFloor floor = measured();
   Keep(floor, file);
   return floor;
+}
+
+bool TakeNoiseFloor(check::Experiment& experiment) {
+  try {
+    experiment.gate = KeptNoiseFloor(experiment.problem, experiment.plan, experiment.scene);
+    return true;
+  } catch (const Stopped&) {
+    return false;
+  }
 }
 
 }  // namespace assay::cli

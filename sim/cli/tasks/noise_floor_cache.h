@@ -3,6 +3,7 @@
 #include "planner/domain/problem/problem.h"
 #include "planner/plan/data/plan.h"
 #include "sim/check/noise_floor/noise_floor.h"
+#include "sim/check/trial_verdicts/trial.h"
 #include "sim/scene/mjcf.h"
 
 namespace assay::cli {
@@ -14,5 +15,9 @@ namespace assay::cli {
 // problem has no origin, the floor is measured each time.
 check::NoiseFloor KeptNoiseFloor(const domain::Problem& problem, const plan::Plan& plan,
                                  const scene::SceneOptions& scene);
+
+// Gives the experiment the noise floor of its plan. Returns false, and leaves the noise floor
+// empty, if a stop was requested before it is known (planner/base/stop.h).
+bool TakeNoiseFloor(check::Experiment& experiment);
 
 }  // namespace assay::cli

@@ -128,6 +128,7 @@ Json ToJson(const plan::Plan& plan, const Claim& claim) {
 }
 
 std::string Text(const plan::Plan& plan, const check::NoiseFloor& gate) {
+  if (gate.steps.empty()) return "  not measured\n";
   Table table({{"step", Align::kRight},
                {"id"},
                {"lag mm", Align::kRight},
@@ -144,6 +145,7 @@ std::string Text(const plan::Plan& plan, const check::NoiseFloor& gate) {
 
 Json ToJson(const plan::Plan& plan, const check::NoiseFloor& gate) {
   Json json = Json::array();
+  if (gate.steps.empty()) return json;
   for (const plan::StepId id : plan.ExecutionOrder()) {
     const check::StepNoiseFloor& step = gate.steps[id.index()];
     Json components = Json::array();

@@ -141,9 +141,13 @@ const check::WorstClaim* WorstOf(const check::FalsificationResult& result) {
 }
 
 // Returns a claim in words: "step 2 (action_3): y of peg: observed 0.0012 m, predicted [-0.001,
-// 0.001]".
+// 0.001]". A statement without a number is violated: "step 2 (action_3): comes to its end: it does
+// not".
 std::string ClaimText(const plan::Plan& plan, const check::Claim& claim) {
   const plan::PlannedStep& step = plan.step(claim.step);
+  if (!claim.dimension) {
+    return fmt::format("step {} ({}): {}: it does not", step.executed, step.name, claim.name);
+  }
   return fmt::format("step {} ({}): {}: observed {:.6g} {}, predicted [{:.6g}, {:.6g}]",
                      step.executed, step.name, claim.name, claim.observed, claim.UnitName(),
                      claim.predicted.low, claim.predicted.high);

@@ -128,6 +128,9 @@ struct CounterexampleRecord {
   // cell. Otherwise it is `assay replay DB TRIAL`, which repeats the whole falsification.
   std::string replay;
 
+  // Returns whether the claim is a statement, which is either true (1) or false (0). Certificates
+  // claim only that statements are true.
+  bool IsStatement() const { return low == 1 && high == 1; }
   bool operator==(const CounterexampleRecord&) const = default;
 };
 

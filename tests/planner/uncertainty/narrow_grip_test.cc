@@ -121,10 +121,40 @@ TEST(NarrowGrip, ABarMayJamIfItIsNarrow) {
   EXPECT_GT(jammed.holding, 1000);
 }
 
-// Pads may turn a part far away that is turned too far.
+// Returns the turn of a bar on which pads without friction have closed. The bar turns as long as
+// this brings the pads nearer to each other.
+double TurnAfterClosing(double breadth, double turn) {
+  constexpr double kStep = 1e-3;  // radians
+  const auto apart = [&](double angle) {
+    return kWidth * std::cos(angle) + breadth * std::abs(std::sin(angle));
+  };
+  while (std::abs(turn) > kStep && std::abs(turn) < M_PI / 2 - kStep) {
+    turn += apart(turn + kStep) < apart(turn - kStep) ? kStep : -kStep;
+  }
+  return turn;
+}
+
+// Pads may turn a part far away that is turned too far, whether or not they are wider than its
+// faces. They turn no part away whose faces are long enough.
 TEST(NarrowGrip, ABarThatIsTurnedTooFarMayTurnAway) {
-  const Errors errors{.length = 0.001, .angle = 0.25, .hand = 1e-4};
-  EXPECT_GT(Close(Bar(8, errors, 0.05)).skew, 1);
+  RandomStream random(kSeed, "turned away");
+  for (const double breadth : {8.0, 15.9, 16.1, 30.0}) {
+    const double steepest = std::atan(breadth / 1000 / kWidth);
+    for (const double angle : {0.5 * steepest, 0.8 * steepest, 1.2 * steepest}) {
+      const Errors errors{.length = 0.001, .angle = angle, .hand = 1e-4};
+      const double most = Close(Bar(breadth, errors, 0.05)).skew;
+      double reached = 0;
+      for (int trial = 0; trial < 200; ++trial) {
+        const double turn = TurnAfterClosing(breadth / 1000, random.Uniform(-angle, angle));
+        ASSERT_LE(std::abs(turn), most + 2e-3) << breadth << " mm, seed " << kSeed;
+        reached = std::max(reached, std::abs(turn));
+      }
+      EXPECT_EQ(reached > 1, angle > steepest) << breadth << " mm";
+      if (breadth > 2000 * kPad) {
+        EXPECT_EQ(most > 1, angle > steepest) << breadth << " mm";
+      }
+    }
+  }
 }
 
 // Closes pads without friction on a bar, in small steps. Both pads move equally, so the bar turns

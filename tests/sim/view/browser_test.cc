@@ -14,7 +14,7 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
-// The first step of figure 15 is a look without a movement, so the page begins in the second one.
+// The first step is a look without a movement, so the page begins in the second one.
 constexpr const char* kUse = R"(
   const clock = () => Number(d.querySelector(".clock").textContent.split(" ")[0]);
   const step = () => d.querySelector('[aria-current="step"] .number').textContent;
@@ -53,7 +53,7 @@ constexpr const char* kUse = R"(
 // Two executions beside each other. The first one violates a claim about the step that is executed
 // second.
 Subject TwoExecutions() {
-  Subject subject = Figure15().subject();
+  Subject subject = WithAnUnprovedWay().subject();
   subject.claims.push_back({.step = subject.plan.ExecutionOrder()[1],
                             .name = "x of peg",
                             .dimension = domain::Dimension::kLength,
@@ -61,7 +61,7 @@ Subject TwoExecutions() {
                             .observed = 3e-3,
                             .margin = -2e-3,
                             .verdict = check::ClaimVerdict::kViolated});
-  subject.beside.emplace("the same again", Figure15().scene, Figure15().trace);
+  subject.beside.emplace("the same again", WithAnUnprovedWay().scene, WithAnUnprovedWay().trace);
   return subject;
 }
 

@@ -30,5 +30,8 @@ struct ViewedExecution {
 
 // Returns the execution of figure 15, which is planned and executed only once.
 const ViewedExecution& Figure15();
+// Returns the execution of a scenario like figure 15. The block is so near to the peg that the way
+// to the pickup of the peg, which is the second step, is not proved.
+const ViewedExecution& WithAnUnprovedWay();
 
 }  // namespace assay::view

@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <csignal>
+#include <cstdlib>
 #include <optional>
 #include <thread>
 
@@ -37,6 +38,22 @@ std::optional<Ended> Interrupted(const std::vector<std::string>& arguments, int 
 
 constexpr const char* kForEver = "100000000";
 
+// While an object of this class lives, programs find no noise floor that was measured before.
+class NoCache {
+ public:
+  explicit NoCache(const std::string& empty) {
+    if (const char* cache = std::getenv(kName)) before_ = cache;
+    setenv(kName, empty.c_str(), 1);
+  }
+  ~NoCache() { before_ ? setenv(kName, before_->c_str(), 1) : unsetenv(kName); }
+  NoCache(const NoCache&) = delete;
+  NoCache& operator=(const NoCache&) = delete;
+
+ private:
+  static constexpr const char* kName = "XDG_CACHE_HOME";
+  std::optional<std::string> before_;
+};
+
 TEST(Interruption, OfARunKeepsItsTrials) {
   const Folder folder;
   const std::string out = folder / "out";
@@ -52,6 +69,28 @@ TEST(Interruption, OfARunKeepsItsTrials) {
     EXPECT_EQ(result["interrupted"], true);
     EXPECT_GE(result["trials"], 1);
     EXPECT_EQ(result["succeeded"], result["trials"]);
+  }
+}
+
+// The noise floor of figure 13 takes seconds, so the signal comes while it is measured.
+TEST(Interruption, OfTheNoiseFloorEndsAsInATrial) {
+  for (const std::vector<std::string>& noise :
+       {std::vector<std::string>{"uniform", "--trials"}, {"attack", "--attempts"}}) {
+    const Folder folder;
+    const std::string out = folder / "out";
+    const NoCache no_cache(folder / "cache");
+    const std::optional<Ended> ended =
+        Interrupted({"run", kTree / "scenarios/spar-fig13.yaml", "-o", out, "--json", "--noise",
+                     noise[0], noise[1], "7"},
+                    SIGTERM);
+    if (!ended) continue;
+    EXPECT_EQ(ended->code, 143) << ended->err;
+    EXPECT_THAT(SchemaErrors("sim/cli/verbs/run.schema.json", ended->Json()), IsEmpty());
+    for (const nlohmann::json& result : {ended->Json(), JsonOf(out + "/result.json")}) {
+      EXPECT_EQ(result["interrupted"], true);
+      EXPECT_THAT(result["gate"], IsEmpty());
+      EXPECT_EQ(result[noise[0] == "attack" ? "attempts" : "trials"], 0);
+    }
   }
 }
 

@@ -79,6 +79,31 @@ void ExpectUnitsOfPeople(const std::string& text, const nlohmann::json& verdicts
   }
 }
 
+// Adds to the first cell of a database an attack that found two counterexamples: an observation
+// outside its range, and a statement that is false.
+constexpr const char* kAddCounterexamples = R"py(
+import sqlite3, sys
+database = sqlite3.connect(sys.argv[1])
+database.execute("INSERT INTO attack VALUES(1, 25, 23, 0, 2, 0, 98, 0, 2, 0)")
+for row in ((1, 1, "2/after/y of peg", "action_1", "y of peg", "m", 0.0025, -0.001, 0.001, -0.0015),
+            (1, 2, "2/after/end", "action_2", "comes to its end", "", 0, 1, 1, -1)):
+    database.execute("INSERT INTO counterexample VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?, ?, 0.00002,"
+                     " 'dx_peg=0.001', 2, 1, 1, 'assay replay DB 4')", row)
+database.commit()
+database.close()
+)py";
+
+TEST_F(SweepVerb, TellsWhatWasViolatedInWords) {
+  Sweep("a.sqlite", {});
+  const Ended added = cli::Run("python3", {"-c", kAddCounterexamples, folder_ / "a.sqlite"});
+  ASSERT_EQ(added.code, 0) << added.err;
+  const Ended shown = Assay({"sweep", "show", folder_ / "a.sqlite"});
+  EXPECT_THAT(shown.out, HasSubstr("  action_1: y of peg: 2.5 mm is not in [-1, 1] mm\n"));
+  EXPECT_THAT(shown.out,
+              HasSubstr("  action_2: the certificate says that the step comes to its end, "
+                        "but it does not\n"));
+}
+
 TEST_F(SweepVerb, RunsGoesOnAndReplays) {
   const Ended ended = Sweep("a.sqlite", {"--json"});
   const nlohmann::json result = ended.Json();

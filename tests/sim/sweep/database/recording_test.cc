@@ -80,6 +80,14 @@ TEST_F(FalsificationRecording, IsViolatedWhereACertificateWas) {
   EXPECT_EQ(timed.record.counts, (VerdictCounts{8, 1, 1, 0}));
 }
 
+// A statement is true or false, so its numbers tell a person nothing.
+TEST_F(FalsificationRecording, TellsAViolatedStatementInWords) {
+  check::Claim& worst = result_.worst[2].claim;
+  worst.name = "comes to its end";
+  worst.dimension.reset();
+  EXPECT_EQ(Record().record.reason, "step 2 (action_1): comes to its end: it does not");
+}
+
 TEST_F(FalsificationRecording, SucceededWhereNoneWas) {
   result_.certificates[0].violated = 0;
   result_.worst.erase(result_.worst.begin() + 2);
