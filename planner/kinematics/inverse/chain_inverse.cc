@@ -1,0 +1,207 @@
+#include "planner/kinematics/inverse/chain_inverse.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "planner/base/check.h"
+#include "planner/base/random.h"
+
+namespace assay::kinematics {
+namespace {
+
+constexpr double kWholeTurn = 2 * std::numbers::pi;
+constexpr double kSolved = 1e-9;        // greatest error of a solution, m and entries of rotations
+constexpr double kRefined = 1e-13;      // an error that needs no refinement
+constexpr double kSameSolution = 1e-6;  // rad
+constexpr double kBeyondLimit = 1e-9;   // rad
+
+// The twist that moves the tip from one pose to another, to first order.
+Eigen::Matrix<double, 6, 1> PoseError(const Pose& from, const Pose& to) {
+  Vector3 turn = Vector3::Zero();
+  for (int i = 0; i < 3; ++i) {
+    turn += Vector3(from.linear().col(i)).cross(Vector3(to.linear().col(i))) / 2;
+  }
+  Eigen::Matrix<double, 6, 1> error;
+  error << to.translation() - from.translation(), turn;
+  return error;
+}
+
+double LargestError(const Pose& a, const Pose& b) {
+  return (a.matrix() - b.matrix()).cwiseAbs().maxCoeff();
+}
+
+double InHalfOpenTurn(double angle) {
+  const double wrapped = std::remainder(angle, kWholeTurn);
+  return wrapped <= -std::numbers::pi ? std::numbers::pi : wrapped;
+}
+
+bool AreSame(const SixAngles& a, const SixAngles& b) {
+  for (int i = 0; i < 6; ++i) {
+    if (std::abs(std::remainder(a[i] - b[i], kWholeTurn)) > kSameSolution) return false;
+  }
+  return true;
+}
+
+ChainVector RandomAngles(RandomStream& random, int size) {
+  ChainVector q(size);
+  for (double& angle : q) angle = random.Uniform(-std::numbers::pi, std::numbers::pi);
+  return q;
+}
+
+void AddIfNew(const SixAngles& q, std::vector<SixAngles>& solutions) {
+  if (std::ranges::any_of(solutions, [&](const SixAngles& known) { return AreSame(known, q); }))
+    return;
+  solutions.push_back(q);
+}
+
+// Adds the refined solution, if it is one and is new.
+void AddRefined(const SerialChain& chain, const Pose& X_BaseTip, const SixAngles& q,
+                const NewtonLimits& limits, std::vector<SixAngles>& solutions) {
+  std::optional<SixAngles> refined = RefineByNewton(chain, X_BaseTip, q, limits);
+  if (!refined) return;
+  for (double& angle : *refined) angle = InHalfOpenTurn(angle);
+  AddIfNew(*refined, solutions);
+}
+
+}  // namespace
+
+std::optional<SixAngles> RefineByNewton(const SerialChain& chain, const Pose& X_BaseTip,
+                                        SixAngles q, const NewtonLimits& limits) {
+  double error = LargestError(chain.Forward(q), X_BaseTip);
+  if (!(error < limits.start_error)) return std::nullopt;
+  for (int i = 0; i < limits.steps && error > kRefined; ++i) {
+    Pose X;
+    const Eigen::Matrix<double, 6, 6> J = chain.Jacobian(q, &X);
+    const Eigen::Matrix<double, 6, 1> twist = PoseError(X, X_BaseTip);
+    // The damping keeps steps short where the Jacobian is singular, and vanishes at a solution.
+    Eigen::Matrix<double, 6, 6> normal = J.transpose() * J;
+    normal.diagonal().array() += std::min(twist.squaredNorm(), 1e-3) + 1e-15;
+    SixAngles step = normal.ldlt().solve(J.transpose() * twist);
+    const double most = step.cwiseAbs().maxCoeff();
+    if (!(most < 1e3)) return std::nullopt;
+    if (most > 0.5) step *= 0.5 / most;
+    const SixAngles next = q + step;
+    const double next_error = LargestError(chain.Forward(next), X_BaseTip);
+    if (error < kSolved && next_error > error / 2) break;
+    q = next;
+    error = next_error;
+  }
+  return error < kSolved ? std::optional(q) : std::nullopt;
+}
+
+ChainInverse::ChainInverse(SerialChain chain) : chain_(std::move(chain)) {
+  ASSAY_CHECK(chain_.size() == 6);
+  for (int i = 0; i < 6; ++i) axes_[static_cast<std::size_t>(i)] = chain_.axis(i);
+  X_TipBase_ = chain_.X_BaseTipAtZero().inverse();
+  arm_ = ClassOf(chain_);
+  if (arm_.kind == ArmKind::kGeneral) RankSearches();
+}
+
+// Searches over different joints differ where several solutions have the same value of a joint,
+// which special arms cause. The search that finds most solutions of a few poses is the best.
+void ChainInverse::RankSearches() {
+  RandomStream random(1, "searched joint");
+  std::array<Pose, 6> poses;
+  for (Pose& pose : poses) pose = chain_.Forward(RandomAngles(random, 6));
+  std::vector<std::pair<std::size_t, SearchedJoint>> ranked;
+  for (int start = 0; start < 6; ++start) {
+    for (int searched = 0; searched < 3; ++searched) {
+      const SearchedJoint joint{start, searched};
+      std::size_t found = 0;
+      for (const Pose& pose : poses) found += SolveBySearch(joint, pose).size();
+      ranked.emplace_back(found, joint);
+    }
+  }
+  std::ranges::stable_sort(ranked, [](const auto& a, const auto& b) { return a.first > b.first; });
+  for (const auto& [found, joint] : ranked) {
+    const bool known = std::ranges::any_of(
+        searches_, [&](const SearchedJoint& other) { return other.joint() == joint.joint(); });
+    if (!known) searches_.push_back(joint);
+  }
+}
+
+std::vector<SixAngles> ChainInverse::SolveBySearch(const SearchedJoint& joint,
+                                                   const Pose& X_BaseTip) const {
+  std::vector<SixAngles> solutions;
+  for (const SixAngles& q : SolveByElimination(axes_, joint, X_BaseTip * X_TipBase_)) {
+    AddRefined(chain_, X_BaseTip, q, {.steps = 25, .start_error = 0.5}, solutions);
+  }
+  return solutions;
+}
+
+std::vector<SixAngles> ChainInverse::SolveBySearches(const Pose& X_BaseTip) const {
+  std::vector<SixAngles> known;
+  for (const SearchedJoint& joint : searches_) {
+    const std::vector<SixAngles> found = SolveBySearch(joint, X_BaseTip);
+    const std::size_t before = known.size();
+    for (const SixAngles& q : found) AddIfNew(q, known);
+    const bool agree = before == known.size() && found.size() == before;
+    if (&joint != &searches_.front() && agree && before % 2 == 0) break;
+  }
+  return known;
+}
+
+// A closed form is exact up to rounding, which is worst beside singular poses.
+std::vector<SixAngles> ChainInverse::SolveInClosedForm(const Pose& X_BaseTip,
+                                                       const SixAngles& reference) const {
+  const Pose motion = X_BaseTip * X_TipBase_;
+  std::vector<SixAngles> solutions;
+  for (const SixAngles& q : arm_.kind == ArmKind::kConcurrent
+                                ? SolveConcurrent(axes_, arm_, motion, reference)
+                                : SolveParallel(axes_, arm_, motion, reference)) {
+    AddRefined(chain_, X_BaseTip, q, {.steps = 10, .start_error = 1e-3}, solutions);
+  }
+  return solutions;
+}
+
+std::vector<SixAngles> ChainInverse::Solve(const Pose& X_BaseTip,
+                                           const SixAngles& reference) const {
+  return arm_.kind == ArmKind::kGeneral ? SolveBySearches(X_BaseTip)
+                                        : SolveInClosedForm(X_BaseTip, reference);
+}
+
+std::vector<ChainVector> WithinLimits(const SerialChain& chain, const ChainVector& q) {
+  std::vector<ChainVector> found = {q};
+  for (int i = 0; i < chain.size(); ++i) {
+    const JointLimits& limits = chain.joints()[static_cast<std::size_t>(i)].limits;
+    const double first =
+        q[i] + kWholeTurn * std::ceil((limits.lower - kBeyondLimit - q[i]) / kWholeTurn);
+    std::vector<ChainVector> extended;
+    for (ChainVector base : found) {
+      for (double angle = first; angle <= limits.upper + kBeyondLimit; angle += kWholeTurn) {
+        base[i] = std::clamp(angle, limits.lower, limits.upper);
+        extended.push_back(base);
+      }
+    }
+    found = std::move(extended);
+  }
+  return found;
+}
+
+RedundantInverse::RedundantInverse(SerialChain chain) : chain_(std::move(chain)) {
+  ASSAY_CHECK(chain_.size() == 7);
+  // A joint's class is that at a value without meaning, because axes may meet by chance at others.
+  constexpr double kAnyValue = 0.7;
+  ArmClass best = ClassOf(chain_.Locked(0, kAnyValue));
+  for (int joint = 1; joint < 7; ++joint) {
+    const ArmClass arm = ClassOf(chain_.Locked(joint, kAnyValue));
+    if (IsHarder(arm, best)) continue;
+    best = arm;
+    locked_ = joint;
+  }
+}
+
+std::vector<ChainVector> RedundantInverse::Solve(const Pose& X_BaseTip, double value,
+                                                 const SixAngles& reference) const {
+  std::vector<ChainVector> solutions;
+  for (const SixAngles& six : At(value).Solve(X_BaseTip, reference)) {
+    ChainVector q(7);
+    q << six.head(locked_), value, six.tail(6 - locked_);
+    solutions.push_back(q);
+  }
+  return solutions;
+}
+
+}  // namespace assay::kinematics
