@@ -11,8 +11,8 @@ namespace assay::kinematics {
 // What random postures tell about an arm. Lengths are in metres, angles in radians.
 struct ArmSurvey {
   ArmClass arm;
-  std::string description;   // of the class, in words
-  std::string locked_joint;  // of an arm with seven joints; else empty
+  std::string description = {};   // of the class, in words
+  std::string locked_joint = {};  // of an arm with seven joints; else empty
   int poses = 0;             // of the tip, at random joint values within the limits
   std::size_t fewest = 0;    // solutions of a pose, without regard to limits
   std::size_t most = 0;
@@ -29,7 +29,7 @@ struct ArmSurvey {
   double farthest = 0;
   double lowest = 0;  // heights of the tip in the base's frame
   double highest = 0;
-  std::vector<std::string> singular;  // sentences about the class's singular postures
+  std::vector<std::string> singular = {};  // sentences about the class's singular postures
 };
 
 // Surveys a chain with six or seven joints. The result depends on nothing but the chain and the

@@ -1,6 +1,7 @@
 #include "planner/kinematics/inverse/chain_inverse.h"
 
 #include <Eigen/Cholesky>
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -15,7 +16,10 @@ constexpr double kWholeTurn = 2 * std::numbers::pi;
 constexpr double kSolved = 1e-9;        // greatest error of a solution, m and entries of rotations
 constexpr double kRefined = 1e-13;      // an error that needs no refinement
 constexpr double kSameSolution = 1e-6;  // rad
-constexpr double kBeyondLimit = 1e-9;   // rad
+constexpr double kNearSolution = 1e-5;  // rad
+constexpr std::size_t kMostSolutions = 16;
+constexpr double kBeyondLimit = 1e-9;  // rad
+constexpr double kAnyValue = 0.7;      // rad; a joint value without meaning
 
 // The twist that moves the tip from one pose to another, to first order.
 Eigen::Matrix<double, 6, 1> PoseError(const Pose& from, const Pose& to) {
@@ -28,6 +32,14 @@ Eigen::Matrix<double, 6, 1> PoseError(const Pose& from, const Pose& to) {
   return error;
 }
 
+// The damping keeps steps short where the Jacobian is singular, and vanishes at a solution.
+SixAngles DampedStep(const Eigen::Matrix<double, 6, 6>& J,
+                     const Eigen::Matrix<double, 6, 1>& twist) {
+  Eigen::Matrix<double, 6, 6> normal = J.transpose() * J;
+  normal.diagonal().array() += std::min(twist.squaredNorm(), 1e-3) + 1e-15;
+  return normal.ldlt().solve(J.transpose() * twist);
+}
+
 double LargestError(const Pose& a, const Pose& b) {
   return (a.matrix() - b.matrix()).cwiseAbs().maxCoeff();
 }
@@ -37,11 +49,18 @@ double InHalfOpenTurn(double angle) {
   return wrapped <= -std::numbers::pi ? std::numbers::pi : wrapped;
 }
 
-bool AreSame(const SixAngles& a, const SixAngles& b) {
+bool AreSame(const SixAngles& a, const SixAngles& b, double tolerance) {
   for (int i = 0; i < 6; ++i) {
-    if (std::abs(std::remainder(a[i] - b[i], kWholeTurn)) > kSameSolution) return false;
+    if (std::abs(std::remainder(a[i] - b[i], kWholeTurn)) > tolerance) return false;
   }
   return true;
+}
+
+// Returns the index of a known solution, or the number of them if there is none.
+std::size_t Find(const SixAngles& q, const std::vector<SixAngles>& solutions, double tolerance) {
+  const auto known = std::ranges::find_if(
+      solutions, [&](const SixAngles& other) { return AreSame(other, q, tolerance); });
+  return static_cast<std::size_t>(known - solutions.begin());
 }
 
 ChainVector RandomAngles(RandomStream& random, int size) {
@@ -50,40 +69,46 @@ ChainVector RandomAngles(RandomStream& random, int size) {
   return q;
 }
 
-void AddIfNew(const SixAngles& q, std::vector<SixAngles>& solutions) {
-  if (std::ranges::any_of(solutions, [&](const SixAngles& known) { return AreSame(known, q); }))
-    return;
-  solutions.push_back(q);
+// Returns false if the tip cannot be moved in all directions at any posture. An arm with a
+// spherical shoulder and a spherical wrist is such an arm while its elbow is locked.
+bool MovesInAllDirections(const SerialChain& chain) {
+  RandomStream random(1, "postures");
+  for (int i = 0; i < 10; ++i) {
+    const ChainJacobian J = chain.Jacobian(RandomAngles(random, 6));
+    if (Eigen::FullPivLU<ChainJacobian>(J).setThreshold(1e-6).rank() == 6) return true;
+  }
+  return false;
 }
 
-// Adds the refined solution, if it is one and is new.
-void AddRefined(const SerialChain& chain, const Pose& X_BaseTip, const SixAngles& q,
-                const NewtonLimits& limits, std::vector<SixAngles>& solutions) {
+// Adds the refined solution, if it is one and is new. Returns its index, or nothing if there is no
+// solution.
+std::optional<std::size_t> AddRefined(const SerialChain& chain, const Pose& X_BaseTip,
+                                      const SixAngles& q, const NewtonLimits& limits,
+                                      std::vector<SixAngles>& solutions) {
   std::optional<SixAngles> refined = RefineByNewton(chain, X_BaseTip, q, limits);
-  if (!refined) return;
+  if (!refined) return std::nullopt;
   for (double& angle : *refined) angle = InHalfOpenTurn(angle);
-  AddIfNew(*refined, solutions);
+  const std::size_t index = Find(*refined, solutions, kSameSolution);
+  if (index == solutions.size()) solutions.push_back(*refined);
+  return index;
 }
 
 }  // namespace
 
 std::optional<SixAngles> RefineByNewton(const SerialChain& chain, const Pose& X_BaseTip,
                                         SixAngles q, const NewtonLimits& limits) {
-  double error = LargestError(chain.Forward(q), X_BaseTip);
+  Pose reached;
+  Eigen::Matrix<double, 6, 6> J = chain.Jacobian(q, &reached);
+  double error = LargestError(reached, X_BaseTip);
   if (!(error < limits.start_error)) return std::nullopt;
   for (int i = 0; i < limits.steps && error > kRefined; ++i) {
-    Pose X;
-    const Eigen::Matrix<double, 6, 6> J = chain.Jacobian(q, &X);
-    const Eigen::Matrix<double, 6, 1> twist = PoseError(X, X_BaseTip);
-    // The damping keeps steps short where the Jacobian is singular, and vanishes at a solution.
-    Eigen::Matrix<double, 6, 6> normal = J.transpose() * J;
-    normal.diagonal().array() += std::min(twist.squaredNorm(), 1e-3) + 1e-15;
-    SixAngles step = normal.ldlt().solve(J.transpose() * twist);
+    SixAngles step = DampedStep(J, PoseError(reached, X_BaseTip));
     const double most = step.cwiseAbs().maxCoeff();
     if (!(most < 1e3)) return std::nullopt;
     if (most > 0.5) step *= 0.5 / most;
     const SixAngles next = q + step;
-    const double next_error = LargestError(chain.Forward(next), X_BaseTip);
+    J = chain.Jacobian(next, &reached);
+    const double next_error = LargestError(reached, X_BaseTip);
     if (error < kSolved && next_error > error / 2) break;
     q = next;
     error = next_error;
@@ -110,7 +135,10 @@ void ChainInverse::RankSearches() {
     for (int searched = 0; searched < 3; ++searched) {
       const SearchedJoint joint{start, searched};
       std::size_t found = 0;
-      for (const Pose& pose : poses) found += SolveBySearch(joint, pose).size();
+      for (const Pose& pose : poses) {
+        std::vector<SixAngles> solutions;
+        found += AddSearched(joint, pose, solutions);
+      }
       ranked.emplace_back(found, joint);
     }
   }
@@ -122,22 +150,27 @@ void ChainInverse::RankSearches() {
   }
 }
 
-std::vector<SixAngles> ChainInverse::SolveBySearch(const SearchedJoint& joint,
-                                                   const Pose& X_BaseTip) const {
-  std::vector<SixAngles> solutions;
+// Adds the solutions of one search to the known ones. Returns how many it found.
+std::size_t ChainInverse::AddSearched(const SearchedJoint& joint, const Pose& X_BaseTip,
+                                      std::vector<SixAngles>& known) const {
+  std::array<bool, 2 * kMostSolutions> found = {};
   for (const SixAngles& q : SolveByElimination(axes_, joint, X_BaseTip * X_TipBase_)) {
-    AddRefined(chain_, X_BaseTip, q, {.steps = 25, .start_error = 0.5}, solutions);
+    // The search comes nearer to its solutions than solutions are to each other.
+    std::optional<std::size_t> index = Find(q, known, kNearSolution);
+    if (index == known.size()) {
+      index = AddRefined(chain_, X_BaseTip, q, {.steps = 25, .start_error = 0.5}, known);
+    }
+    if (index && *index < found.size()) found[*index] = true;
   }
-  return solutions;
+  return static_cast<std::size_t>(std::ranges::count(found, true));
 }
 
 std::vector<SixAngles> ChainInverse::SolveBySearches(const Pose& X_BaseTip) const {
   std::vector<SixAngles> known;
   for (const SearchedJoint& joint : searches_) {
-    const std::vector<SixAngles> found = SolveBySearch(joint, X_BaseTip);
     const std::size_t before = known.size();
-    for (const SixAngles& q : found) AddIfNew(q, known);
-    const bool agree = before == known.size() && found.size() == before;
+    const std::size_t found = AddSearched(joint, X_BaseTip, known);
+    const bool agree = before == known.size() && found == before;
     if (&joint != &searches_.front() && agree && before % 2 == 0) break;
   }
   return known;
@@ -180,17 +213,19 @@ std::vector<ChainVector> WithinLimits(const SerialChain& chain, const ChainVecto
   return found;
 }
 
-RedundantInverse::RedundantInverse(SerialChain chain) : chain_(std::move(chain)) {
+// A joint's class is that at a value without meaning, because axes may meet by chance at others.
+RedundantInverse::RedundantInverse(SerialChain chain) : chain_(std::move(chain)), locked_(-1) {
   ASSAY_CHECK(chain_.size() == 7);
-  // A joint's class is that at a value without meaning, because axes may meet by chance at others.
-  constexpr double kAnyValue = 0.7;
-  ArmClass best = ClassOf(chain_.Locked(0, kAnyValue));
-  for (int joint = 1; joint < 7; ++joint) {
-    const ArmClass arm = ClassOf(chain_.Locked(joint, kAnyValue));
-    if (IsHarder(arm, best)) continue;
+  ArmClass best;
+  for (int joint = 0; joint < 7; ++joint) {
+    const SerialChain rest = chain_.Locked(joint, kAnyValue);
+    if (!MovesInAllDirections(rest)) continue;
+    const ArmClass arm = ClassOf(rest);
+    if (locked_ >= 0 && IsHarder(arm, best)) continue;
     best = arm;
     locked_ = joint;
   }
+  locked_ = std::max(locked_, 0);
 }
 
 std::vector<ChainVector> RedundantInverse::Solve(const Pose& X_BaseTip, double value,

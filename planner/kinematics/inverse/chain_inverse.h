@@ -30,7 +30,8 @@ class ChainInverse {
   void RankSearches();
   std::vector<SixAngles> SolveInClosedForm(const Pose& X_BaseTip, const SixAngles& reference) const;
   std::vector<SixAngles> SolveBySearches(const Pose& X_BaseTip) const;
-  std::vector<SixAngles> SolveBySearch(const SearchedJoint& joint, const Pose& X_BaseTip) const;
+  std::size_t AddSearched(const SearchedJoint& joint, const Pose& X_BaseTip,
+                          std::vector<SixAngles>& known) const;
 
   SerialChain chain_;
   SixAxes axes_;
@@ -58,7 +59,8 @@ std::vector<ChainVector> WithinLimits(const SerialChain& chain, const ChainVecto
 class RedundantInverse {
  public:
   // The chain must have seven joints. The joint that is locked is the one whose value leaves the
-  // class that is solved most easily, and the last of them if there are several.
+  // class that is solved most easily, and the last of them if there are several. The other joints
+  // must be able to move the tip in all directions.
   explicit RedundantInverse(SerialChain chain);
 
   const SerialChain& chain() const { return chain_; }

@@ -6,19 +6,19 @@
 #include <numbers>
 
 #include "planner/kinematics/inverse/dual_quaternion.h"
+#include "planner/kinematics/inverse/null_vectors.h"
 
 namespace assay::kinematics {
 namespace {
 
 using Matrix8 = Eigen::Matrix<double, 8, 8>;
-using Matrix9 = Eigen::Matrix<double, 9, 9>;
-using Vector9 = Eigen::Matrix<double, 9, 1>;
 using Matrix84 = Eigen::Matrix<double, 8, 4>;
 using Vector4 = Eigen::Vector4d;
 
 constexpr double kTurns = 2 * std::numbers::pi;
 constexpr int kSamples = 160;
 constexpr double kStep = kTurns / kSamples;
+constexpr int kRounds = 5;
 
 // A table of three pairs of numbers has eight products, one for each choice. The index of a product
 // has one bit for each pair. The products of opposite corners of a face of this cube are equal, and
@@ -68,6 +68,58 @@ double HalfAngle(const Eigen::Vector3d& squares) {
                                                      : std::atan2(squares[2], squares[1]);
 }
 
+struct Sample {
+  double angle = 0;
+  double value = 0;  // of the misfit
+  Vector9 squares;   // a vector that the matrix maps to 0
+
+  bool IsPositive() const { return value > 0; }
+};
+
+// Three samples in the order of their angles. Between the outer two, the misfit changes its sign
+// (`crosses`; the middle sample is the last one), or the middle one has the least absolute value.
+struct Bracket {
+  Sample low;
+  Sample middle;
+  Sample high;
+  bool crosses = false;
+
+  // Returns where the misfit is estimated to be zero or least.
+  double Next() const {
+    if (crosses) {
+      const double rise = high.value - low.value;
+      return rise == 0 ? low.angle : (low.angle * high.value - high.angle * low.value) / rise;
+    }
+    const double a = low.angle - middle.angle;
+    const double b = high.angle - middle.angle;
+    const double da = low.value - middle.value;
+    const double db = high.value - middle.value;
+    const double twice = 2 * (b * da - a * db);
+    return twice == 0 ? middle.angle : middle.angle + (b * b * da - a * a * db) / twice;
+  }
+
+  // Narrows a change of sign by the Illinois method.
+  void Cross(const Sample& sample) {
+    middle = sample;
+    if (sample.IsPositive() == high.IsPositive()) {
+      high = sample;
+      low.value /= 2;
+    } else {
+      low = sample;
+      high.value /= 2;
+    }
+  }
+
+  // Keeps the least absolute value in the middle.
+  void Lower(const Sample& sample) {
+    const bool is_less = std::abs(sample.value) < std::abs(middle.value);
+    const Sample& outer = is_less ? middle : sample;
+    const Sample& inner = is_less ? sample : middle;
+    (outer.angle < inner.angle ? low : high) = outer;
+    middle = Sample(inner);
+  }
+};
+
 class Eliminator {
  public:
   Eliminator(const SixAxes& axes, const SearchedJoint& joint, const Pose& motion) : joint_(joint) {
@@ -93,35 +145,21 @@ class Eliminator {
       sine_.col(without++) = W.col(index | bit);
     }
     for (int row = 0; row < 9; ++row) AddMinor(row);
-    scale_ = cc_.norm() + ss_.norm();
   }
 
   std::vector<SixAngles> Solve() {
-    std::array<Sample, kSamples> samples;
-    for (int i = 0; i < kSamples; ++i) {
-      samples[static_cast<std::size_t>(i)] = SampleAt((i + 0.5) * kStep);
-    }
-    for (std::size_t i = 0; i < kSamples; ++i) {
-      const Sample& before = samples[(i + kSamples - 1) % kSamples];
-      const Sample& here = samples[i];
-      const Sample& after = samples[(i + 1) % kSamples];
-      if ((here.value > 0) != (after.value > 0)) {
-        AddRoot(here, i + 1 < kSamples ? after : SampleAt(here.angle + kStep));
-      } else if ((here.value > 0) == (before.value > 0) &&
-                 std::abs(here.value) <= std::min(std::abs(before.value), std::abs(after.value))) {
-        AddLeast(here);
-      }
-    }
+    static const std::vector<double> kAngles = [] {
+      std::vector<double> angles;
+      for (int i = 0; i < kSamples; ++i) angles.push_back((i + 0.5) * kStep);
+      return angles;
+    }();
+    std::vector<Bracket> brackets = BracketsOf(SamplesAt(kAngles));
+    for (int round = 0; round < kRounds; ++round) Narrow(brackets);
+    for (const Bracket& bracket : brackets) AddSolution(bracket.middle);
     return std::move(found_);
   }
 
  private:
-  struct Sample {
-    double angle = 0;
-    double value = 0;  // of the misfit
-    Vector9 squares;   // a unit vector that the matrix maps to 0
-  };
-
   // The matrix of the nine equations, with entries that are quadratic in the cosine and sine of
   // half the searched angle.
   void AddMinor(int row) {
@@ -131,28 +169,13 @@ class Eliminator {
       const Vector4 fs = sine_.row(f);
       const Vector4 gc = cosine_.row(g);
       const Vector4 gs = sine_.row(g);
-      AddProduct(fc, gc, sign, cc_, row);
-      AddProduct(fc, gs, sign, cs_, row);
-      AddProduct(fs, gc, sign, cs_, row);
-      AddProduct(fs, gs, sign, ss_, row);
+      AddProduct(fc, gc, sign, matrix_.cc, row);
+      AddProduct(fc, gs, sign, matrix_.cs, row);
+      AddProduct(fs, gc, sign, matrix_.cs, row);
+      AddProduct(fs, gs, sign, matrix_.ss, row);
     };
     add(a, b, 1);
     add(c, d, -1);
-  }
-
-  Matrix9 At(double angle) const {
-    const double c = std::cos(angle / 2);
-    const double s = std::sin(angle / 2);
-    return c * c * cc_ + c * s * cs_ + s * s * ss_;
-  }
-
-  // The matrix has the rank 8 at every angle, because both sides of the equation are motions. With
-  // this matrix of rank 1 added, its null vector solves a regular system.
-  Sample SampleAt(double angle) const {
-    static const Vector9 u = Vector9::LinSpaced(0.3, 1.2).cwiseSqrt();
-    static const Vector9 w = Vector9::LinSpaced(1.1, 0.4).cwiseAbs2();
-    const Vector9 z = (At(angle) + scale_ * u * w.transpose()).partialPivLu().solve(u).normalized();
-    return {angle, Misfit(z), z};
   }
 
   // Vanishes if the entries are products of squares and products. The combination is arbitrary.
@@ -162,48 +185,67 @@ class Eliminator {
            0.83 * (z[3] * z[5] - middle);
   }
 
-  // Narrows a change of sign down by the Illinois method, and adds its solution. A few steps
-  // suffice, because the caller refines it.
-  void AddRoot(Sample low, Sample high) {
-    Sample middle = low;
-    for (int i = 0; i < 5 && low.value != high.value; ++i) {
-      middle =
-          SampleAt((low.angle * high.value - high.angle * low.value) / (high.value - low.value));
-      if ((middle.value > 0) == (high.value > 0)) {
-        low.value /= 2;
+  // Returns the changes of sign between neighbours of the circle of samples, and the least absolute
+  // values.
+  static std::vector<Bracket> BracketsOf(const std::vector<Sample>& samples) {
+    std::vector<Bracket> brackets;
+    const std::size_t count = samples.size();
+    for (std::size_t i = 0; i < count; ++i) {
+      Sample before = samples[(i + count - 1) % count];
+      const Sample& here = samples[i];
+      Sample after = samples[(i + 1) % count];
+      if (i == 0) before.angle -= kTurns;
+      if (i + 1 == count) after.angle += kTurns;
+      if (here.IsPositive() != after.IsPositive()) {
+        brackets.push_back({.low = here, .middle = here, .high = after, .crosses = true});
+      } else if (here.IsPositive() == before.IsPositive() &&
+                 std::abs(here.value) <= std::min(std::abs(before.value), std::abs(after.value))) {
+        brackets.push_back({.low = before, .middle = here, .high = after, .crosses = false});
+      }
+    }
+    return brackets;
+  }
+
+  // Narrows each bracket by one sample. A few rounds suffice, because the caller refines solutions.
+  void Narrow(std::vector<Bracket>& brackets) const {
+    std::vector<double> angles;
+    for (const Bracket& bracket : brackets) angles.push_back(bracket.Next());
+    const std::vector<Sample> samples = SamplesAt(angles);
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+      if (brackets[i].crosses) {
+        brackets[i].Cross(samples[i]);
+      } else if (samples[i].IsPositive() == brackets[i].middle.IsPositive()) {
+        brackets[i].Lower(samples[i]);
       } else {
-        low = high;
-      }
-      high = middle;
-    }
-    AddSolution(middle.angle, middle.squares);
-  }
-
-  // Searches for the least absolute value between the neighbours of a sample. There may be two
-  // roots beside it, or a double root.
-  void AddLeast(const Sample& sample) {
-    const double sign = sample.value > 0 ? 1 : -1;
-    Sample least = sample;
-    for (double step = kStep / 2; step > kStep / 100; step /= 2) {
-      for (const double side : {-step, step}) {
-        const Sample next = SampleAt(least.angle + side);
-        if (sign * next.value < 0) {
-          AddRoot(least, next);
-          AddRoot(next, SampleAt(sample.angle + (side < 0 ? -kStep : kStep)));
-          return;
-        }
-        if (sign * next.value < sign * least.value) {
-          least = next;
-          break;
-        }
+        brackets.push_back({samples[i], samples[i], brackets[i].high, true});
+        brackets[i] = {brackets[i].low, samples[i], samples[i], true};
       }
     }
-    AddSolution(least.angle, least.squares);
   }
 
-  // `squares` has nine products of squares and products of the functions of two half angles.
-  void AddSolution(double angle, const Vector9& squares) {
-    const Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>> table(squares.data());
+  // The matrix has the rank 8 at every angle, because both sides of the equation are motions.
+  std::vector<Sample> SamplesAt(const std::vector<double>& angles) const {
+    std::vector<Sample> samples(angles.size());
+    for (std::size_t first = 0; first < angles.size(); first += kAngleBatch) {
+      const std::size_t count = std::min(kAngleBatch, angles.size() - first);
+      AngleRow batch = {};
+      std::copy_n(angles.begin() + static_cast<std::ptrdiff_t>(first), count, batch.begin());
+      const std::array<AngleRow, 9> vectors = NullVectors(matrix_, batch);
+      for (std::size_t k = 0; k < count; ++k) {
+        Sample& sample = samples[first + k];
+        sample.angle = batch[k];
+        for (int i = 0; i < 9; ++i) sample.squares[i] = vectors[static_cast<std::size_t>(i)][k];
+        sample.value = Misfit(sample.squares) / sample.squares.squaredNorm();
+      }
+    }
+    return samples;
+  }
+
+  // The vector has nine products of squares and products of the functions of two half angles.
+  void AddSolution(const Sample& sample) {
+    const double angle = sample.angle;
+    const Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>> table(
+        sample.squares.data());
     Eigen::Index row = 0;
     Eigen::Index column = 0;
     table.colwise().norm().maxCoeff(&column);
@@ -236,10 +278,7 @@ class Eliminator {
   SearchedJoint joint_;
   Matrix84 cosine_;
   Matrix84 sine_;
-  Matrix9 cc_ = Matrix9::Zero();
-  Matrix9 cs_ = Matrix9::Zero();
-  Matrix9 ss_ = Matrix9::Zero();
-  double scale_ = 1;  // size of the matrix
+  HalfAngleMatrix matrix_;
   std::vector<SixAngles> found_;
 };
 
