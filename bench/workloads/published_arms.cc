@@ -88,6 +88,19 @@ std::vector<NamedChain> PublishedRedundantArms() {
   };
 }
 
+NamedChain Disturbed(const NamedChain& arm, double most, RandomStream& random) {
+  const auto disturbance = [&]() -> geometry::Vector3 {
+    return {random.Uniform(-most, most), random.Uniform(-most, most), random.Uniform(-most, most)};
+  };
+  std::vector<ChainJoint> joints = arm.chain.joints();
+  for (ChainJoint& joint : joints) {
+    joint.axis.direction = (joint.axis.direction + disturbance()).normalized();
+    joint.axis.point += disturbance();
+  }
+  return {fmt::format("{} disturbed by {:.0e}", arm.name, most),
+          SerialChain(std::move(joints), arm.chain.X_BaseTipAtZero())};
+}
+
 std::vector<NamedChain> RandomArms(RandomStream& random) {
   std::vector<NamedChain> arms;
   for (std::size_t i = 0; i < 4; ++i) {

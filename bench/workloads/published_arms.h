@@ -29,6 +29,10 @@ std::vector<NamedChain> PublishedArms();
 // Arms with seven joints: KUKA iiwa 7, Franka Panda.
 std::vector<NamedChain> PublishedRedundantArms();
 
+// Returns the arm with axes that are turned and moved by up to `most` (radians, metres) in each
+// coordinate, as a calibration or the rounding of a file does.
+NamedChain Disturbed(const NamedChain& arm, double most, RandomStream& random);
+
 // Random arms: one for each place of three axes that meet, one for each place of three parallel
 // axes, one with pairs of axes that meet and are parallel, one with an offset wrist, one without
 // any structure.

@@ -13,8 +13,8 @@ struct ArmSurvey {
   ArmClass arm;
   std::string description = {};   // of the class, in words
   std::string locked_joint = {};  // of an arm with seven joints; else empty
-  int poses = 0;             // of the tip, at random joint values within the limits
-  std::size_t fewest = 0;    // solutions of a pose, without regard to limits
+  int poses = 0;                  // of the tip, at random joint values within the limits
+  std::size_t fewest = 0;         // solutions of a pose, without regard to limits
   std::size_t most = 0;
   double mean = 0;
   double mean_within_limits = 0;  // solutions that have values within the limits

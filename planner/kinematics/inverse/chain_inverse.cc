@@ -1,6 +1,7 @@
 #include "planner/kinematics/inverse/chain_inverse.h"
 
 #include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
@@ -17,6 +18,10 @@ constexpr double kSolved = 1e-9;        // greatest error of a solution, m and e
 constexpr double kRefined = 1e-13;      // an error that needs no refinement
 constexpr double kSameSolution = 1e-6;  // rad
 constexpr double kNearSolution = 1e-5;  // rad
+constexpr double kNearlySolved = 0.05;  // greatest error of the class's solution for such an arm
+// Two solutions that are near to each other lie about the square root of the deviation from where
+// they would be the same. There, the Jacobian's least singular value is below this multiple of it.
+constexpr double kSingularMotion = 20;
 constexpr std::size_t kMostSolutions = 16;
 constexpr double kBeyondLimit = 1e-9;  // rad
 constexpr double kAnyValue = 0.7;      // rad; a joint value without meaning
@@ -38,6 +43,17 @@ SixAngles DampedStep(const Eigen::Matrix<double, 6, 6>& J,
   Eigen::Matrix<double, 6, 6> normal = J.transpose() * J;
   normal.diagonal().array() += std::min(twist.squaredNorm(), 1e-3) + 1e-15;
   return normal.ldlt().solve(J.transpose() * twist);
+}
+
+// The motion of the joints that moves the tip least.
+struct LeastMotion {
+  double tip = 0;    // singular value of the Jacobian
+  SixAngles joints;  // unit vector
+};
+LeastMotion LeastMotionAt(const SerialChain& chain, const SixAngles& q) {
+  const Eigen::Matrix<double, 6, 6> J = chain.Jacobian(q);
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>> eigen(J.transpose() * J);
+  return {std::sqrt(std::max(0.0, eigen.eigenvalues()[0])), eigen.eigenvectors().col(0)};
 }
 
 double LargestError(const Pose& a, const Pose& b) {
@@ -121,14 +137,16 @@ ChainInverse::ChainInverse(SerialChain chain) : chain_(std::move(chain)) {
   for (int i = 0; i < 6; ++i) axes_[static_cast<std::size_t>(i)] = chain_.axis(i);
   X_TipBase_ = chain_.X_BaseTipAtZero().inverse();
   arm_ = ClassOf(chain_);
-  if (arm_.kind == ArmKind::kGeneral) RankSearches();
+  const SerialChain ideal = Idealized(chain_, arm_);
+  for (int i = 0; i < 6; ++i) ideal_axes_[static_cast<std::size_t>(i)] = ideal.axis(i);
+  if (arm_.kind == ArmKind::kGeneral || !arm_.IsExact()) RankSearches();
 }
 
 // Searches over different joints differ where several solutions have the same value of a joint,
 // which special arms cause. The search that finds most solutions of a few poses is the best.
 void ChainInverse::RankSearches() {
   RandomStream random(1, "searched joint");
-  std::array<Pose, 6> poses;
+  std::array<Pose, 12> poses;
   for (Pose& pose : poses) pose = chain_.Forward(RandomAngles(random, 6));
   std::vector<std::pair<std::size_t, SearchedJoint>> ranked;
   for (int start = 0; start < 6; ++start) {
@@ -165,34 +183,66 @@ std::size_t ChainInverse::AddSearched(const SearchedJoint& joint, const Pose& X_
   return static_cast<std::size_t>(std::ranges::count(found, true));
 }
 
-std::vector<SixAngles> ChainInverse::SolveBySearches(const Pose& X_BaseTip) const {
-  std::vector<SixAngles> known;
+void ChainInverse::AddBySearches(const Pose& X_BaseTip, std::vector<SixAngles>& known) const {
   for (const SearchedJoint& joint : searches_) {
     const std::size_t before = known.size();
     const std::size_t found = AddSearched(joint, X_BaseTip, known);
     const bool agree = before == known.size() && found == before;
     if (&joint != &searches_.front() && agree && before % 2 == 0) break;
   }
-  return known;
+}
+
+ClosedFormSolutions ChainInverse::ClosedForm(const Pose& X_BaseTip,
+                                             const SixAngles& reference) const {
+  const Pose motion = X_BaseTip * X_TipBase_;
+  return arm_.kind == ArmKind::kConcurrent ? SolveConcurrent(ideal_axes_, arm_, motion, reference)
+                                           : SolveParallel(ideal_axes_, arm_, motion, reference);
 }
 
 // A closed form is exact up to rounding, which is worst beside singular poses.
 std::vector<SixAngles> ChainInverse::SolveInClosedForm(const Pose& X_BaseTip,
                                                        const SixAngles& reference) const {
-  const Pose motion = X_BaseTip * X_TipBase_;
   std::vector<SixAngles> solutions;
-  for (const SixAngles& q : arm_.kind == ArmKind::kConcurrent
-                                ? SolveConcurrent(axes_, arm_, motion, reference)
-                                : SolveParallel(axes_, arm_, motion, reference)) {
+  for (const SixAngles& q : ClosedForm(X_BaseTip, reference)) {
     AddRefined(chain_, X_BaseTip, q, {.steps = 10, .start_error = 1e-3}, solutions);
   }
   return solutions;
 }
 
+// The solutions of the class and of the arm as it is correspond, but where two of them are near to
+// each other.
+std::vector<SixAngles> ChainInverse::SolveFromClosedForm(const Pose& X_BaseTip,
+                                                         const SixAngles& reference) const {
+  const NewtonLimits limits = {.start_error = kNearlySolved};
+  const double singular = kSingularMotion * std::sqrt(arm_.deviation);
+  std::vector<SixAngles> solutions;
+  bool is_regular = true;
+  for (const SixAngles& q : ClosedForm(X_BaseTip, reference)) {
+    const auto index = AddRefined(chain_, X_BaseTip, q, limits, solutions);
+    const SixAngles at = index ? solutions[*index] : q;
+    if (LargestError(chain_.Forward(at), X_BaseTip) > kNearlySolved) continue;
+    const LeastMotion least = LeastMotionAt(chain_, at);
+    if (least.tip > singular) continue;
+    is_regular = false;
+    for (const double step : {0.003, 0.01, 0.03, 0.1, 0.3, 1.0, 2.0}) {
+      for (const double side : {-step, step}) {
+        AddRefined(chain_, X_BaseTip, at + side * least.joints, limits, solutions);
+      }
+    }
+  }
+  if (!is_regular) AddBySearches(X_BaseTip, solutions);
+  return solutions;
+}
+
 std::vector<SixAngles> ChainInverse::Solve(const Pose& X_BaseTip,
                                            const SixAngles& reference) const {
-  return arm_.kind == ArmKind::kGeneral ? SolveBySearches(X_BaseTip)
-                                        : SolveInClosedForm(X_BaseTip, reference);
+  if (arm_.kind != ArmKind::kGeneral) {
+    return arm_.IsExact() ? SolveInClosedForm(X_BaseTip, reference)
+                          : SolveFromClosedForm(X_BaseTip, reference);
+  }
+  std::vector<SixAngles> solutions;
+  AddBySearches(X_BaseTip, solutions);
+  return solutions;
 }
 
 std::vector<ChainVector> WithinLimits(const SerialChain& chain, const ChainVector& q) {

@@ -10,7 +10,8 @@ namespace assay::kinematics {
 
 // The inverse kinematics of a chain with six revolute joints. The general class is searched over
 // one joint after another, until two searches give the same solutions and their number is even, as
-// it is for all but singular poses.
+// it is for all but singular poses. An arm that misses a class slightly is solved from the closed
+// form of the class by Newton's method, and near singular poses it is searched, too.
 class ChainInverse {
  public:
   // The chain must have six joints.
@@ -29,7 +30,10 @@ class ChainInverse {
  private:
   void RankSearches();
   std::vector<SixAngles> SolveInClosedForm(const Pose& X_BaseTip, const SixAngles& reference) const;
-  std::vector<SixAngles> SolveBySearches(const Pose& X_BaseTip) const;
+  std::vector<SixAngles> SolveFromClosedForm(const Pose& X_BaseTip,
+                                             const SixAngles& reference) const;
+  ClosedFormSolutions ClosedForm(const Pose& X_BaseTip, const SixAngles& reference) const;
+  void AddBySearches(const Pose& X_BaseTip, std::vector<SixAngles>& known) const;
   std::size_t AddSearched(const SearchedJoint& joint, const Pose& X_BaseTip,
                           std::vector<SixAngles>& known) const;
 
@@ -37,8 +41,10 @@ class ChainInverse {
   SixAxes axes_;
   Pose X_TipBase_;  // at zero
   ArmClass arm_;
-  std::vector<SearchedJoint>
-      searches_;  // for the general class: one for each joint, the best first
+  SixAxes ideal_axes_;  // of the class
+  // For arms that are not exactly of a class with a closed form: one for each joint, the best
+  // first.
+  std::vector<SearchedJoint> searches_;
 };
 
 struct NewtonLimits {

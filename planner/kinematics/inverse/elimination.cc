@@ -16,8 +16,12 @@ using Matrix84 = Eigen::Matrix<double, 8, 4>;
 using Vector4 = Eigen::Vector4d;
 
 constexpr double kTurns = 2 * std::numbers::pi;
-constexpr int kSamples = 160;
+constexpr int kSamples = 96;
 constexpr double kStep = kTurns / kSamples;
+constexpr int kMostHalvings = 8;
+constexpr double kLeastCosine2 = 0.98;
+// More sharp turns than this mean that the matrix has a rank below 8 everywhere.
+constexpr std::size_t kMostSharp = 60;
 constexpr int kRounds = 5;
 
 // A table of three pairs of numbers has eight products, one for each choice. The index of a product
@@ -71,7 +75,7 @@ double HalfAngle(const Eigen::Vector3d& squares) {
 struct Sample {
   double angle = 0;
   double value = 0;  // of the misfit
-  Vector9 squares;   // a vector that the matrix maps to 0
+  Vector9 squares;   // a unit vector that the matrix maps to 0
 
   bool IsPositive() const { return value > 0; }
 };
@@ -153,7 +157,16 @@ class Eliminator {
       for (int i = 0; i < kSamples; ++i) angles.push_back((i + 0.5) * kStep);
       return angles;
     }();
-    std::vector<Bracket> brackets = BracketsOf(SamplesAt(kAngles));
+    std::vector<Sample> samples = SamplesAt(kAngles);
+    for (int round = 0; round < kMostHalvings; ++round) {
+      const std::vector<double> angles = SharpTurns(samples);
+      if (angles.size() > kMostSharp) return {};
+      if (angles.empty()) break;
+      const std::vector<Sample> added = SamplesAt(angles);
+      samples.insert(samples.end(), added.begin(), added.end());
+      std::ranges::sort(samples, {}, &Sample::angle);
+    }
+    std::vector<Bracket> brackets = BracketsOf(samples);
     for (int round = 0; round < kRounds; ++round) Narrow(brackets);
     for (const Bracket& bracket : brackets) AddSolution(bracket.middle);
     return std::move(found_);
@@ -183,6 +196,20 @@ class Eliminator {
     const double middle = z[4] * z[4];
     return (z[0] * z[8] - middle) + 0.62 * (z[2] * z[6] - middle) + 0.31 * (z[1] * z[7] - middle) -
            0.83 * (z[3] * z[5] - middle);
+  }
+
+  // Returns the middle angles between neighbours whose vectors differ much in their directions.
+  // Roots cluster at such places.
+  static std::vector<double> SharpTurns(const std::vector<Sample>& samples) {
+    std::vector<double> angles;
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+      const Sample& here = samples[i];
+      const Sample& next = samples[(i + 1) % samples.size()];
+      const double cosine = here.squares.dot(next.squares);
+      const double turn = i + 1 == samples.size() ? kTurns : 0;
+      if (cosine * cosine < kLeastCosine2) angles.push_back((here.angle + next.angle + turn) / 2);
+    }
+    return angles;
   }
 
   // Returns the changes of sign between neighbours of the circle of samples, and the least absolute
@@ -235,7 +262,8 @@ class Eliminator {
         Sample& sample = samples[first + k];
         sample.angle = batch[k];
         for (int i = 0; i < 9; ++i) sample.squares[i] = vectors[static_cast<std::size_t>(i)][k];
-        sample.value = Misfit(sample.squares) / sample.squares.squaredNorm();
+        sample.squares.normalize();
+        sample.value = Misfit(sample.squares);
       }
     }
     return samples;

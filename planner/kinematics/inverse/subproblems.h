@@ -42,8 +42,8 @@ BoundedList<SubproblemAngles<1>, 2> TurnToHeight(const Vector3& k, const Vector3
                                                  const Vector3& h, double height,
                                                  double reference = 0);
 
-// Subproblem 5: Turn(axes[0], q1) Turn(axes[1], q2) Turn(axes[2], q3) from = to. Only exact
-// solutions are given, and those that miss a double solution by rounding.
+// Subproblem 5: Turn(axes[0], q1) Turn(axes[1], q2) Turn(axes[2], q3) from = to. Angles that are
+// not exact are given only where a double solution is nearly reached.
 BoundedList<SubproblemAngles<3>, 4> TurnToPoint(const std::array<JointAxis, 3>& axes,
                                                 const Vector3& from, const Vector3& to,
                                                 const std::array<double, 3>& reference = {});
@@ -58,8 +58,8 @@ struct TwoAngleEquation {
   double value = 0;
 };
 
-// Subproblem 6: two such equations. Only exact solutions are given, and those that miss a double
-// solution by rounding.
+// Subproblem 6: two such equations. Angles that are not exact are given only where a double
+// solution is nearly reached.
 BoundedList<SubproblemAngles<2>, 4> SolveTwoAngles(const std::array<TwoAngleEquation, 2>& equations,
                                                    const std::array<double, 2>& reference = {});
 

@@ -7,8 +7,9 @@
 namespace assay::kinematics {
 namespace {
 
-// A discriminant that is negative by at most this part of its terms counts as zero.
-constexpr double kDoubleRoot = 1e-8;
+// A discriminant that is negative by at most this part of its terms counts as zero. The root is
+// then a place where the function nearly vanishes, from which iterations may start.
+constexpr double kDoubleRoot = 1e-2;
 
 // Returns the greatest real root of z^3 + a z^2 + b z + c.
 double GreatestCubicRoot(double a, double b, double c) {

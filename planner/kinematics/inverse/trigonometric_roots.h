@@ -18,7 +18,7 @@ struct TrigonometricQuadratic {
 
 // Returns the angles in [-pi, pi] at which the function is zero, by the closed form of the quartic
 // equation for the tangent of half the angle. A double root may be given twice. A least value that
-// misses zero by no more than the rounding of a double root counts as a root.
+// nearly vanishes counts as a root; the caller may test the value.
 BoundedList<double, 4> RootsOf(const TrigonometricQuadratic& f);
 
 }  // namespace assay::kinematics

@@ -98,11 +98,14 @@ std::string JointTable(const SerialChain& chain) {
   return table.Text();
 }
 
+const char* HowSolved(const kinematics::ArmClass& arm) {
+  if (arm.kind == kinematics::ArmKind::kGeneral) return "a search over the values of one joint";
+  return arm.IsExact() ? "a closed form" : "Newton's method from the closed form of the class";
+}
+
 std::string SolutionsText(const ArmSurvey& survey) {
-  const char* const how = survey.arm.kind == kinematics::ArmKind::kGeneral
-                              ? "a search over the values of one joint"
-                              : "a closed form";
-  std::string text = fmt::format("class: {}; solved by {}\n", survey.description, how);
+  std::string text =
+      fmt::format("class: {}; solved by {}\n", survey.description, HowSolved(survey.arm));
   if (!survey.locked_joint.empty()) {
     text += fmt::format("The joint {} is redundant: all solutions are found at a value of it.\n",
                         survey.locked_joint);
@@ -145,7 +148,8 @@ Json JointsJson(const SerialChain& chain) {
 
 Json SurveyJson(const ArmSurvey& survey) {
   Json json = {{"class", survey.description},
-               {"closed_form", survey.arm.kind != kinematics::ArmKind::kGeneral}};
+               {"closed_form", survey.arm.kind != kinematics::ArmKind::kGeneral},
+               {"deviation", survey.arm.deviation}};
   if (!survey.locked_joint.empty()) json["redundant_joint"] = survey.locked_joint;
   json.update(Json{{"poses", survey.poses},
                    {"solutions",

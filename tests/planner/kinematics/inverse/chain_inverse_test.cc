@@ -79,22 +79,57 @@ TEST(ArmClass, FindsThreeAxesAtAnyPlace) {
   EXPECT_EQ(ClassOf(arms[10].chain).pairs, 0);
 }
 
+TEST(ArmClass, IsThatOfTheDrawingForADisturbedArm) {
+  RandomStream random(7, "disturbed");
+  for (const NamedChain& arm : workloads::PublishedArms()) {
+    const ArmClass exact = ClassOf(arm.chain);
+    const NamedChain disturbed = Disturbed(arm, 1e-4, random);
+    const ArmClass near = ClassOf(disturbed.chain);
+    EXPECT_TRUE(exact.IsExact());
+    EXPECT_FALSE(near.IsExact());
+    EXPECT_EQ(near.kind, exact.kind);
+    EXPECT_EQ(near.first, exact.first);
+    EXPECT_LT(near.deviation, 1e-3);
+    EXPECT_TRUE(ClassOf(Idealized(disturbed.chain, near)).IsExact());
+    EXPECT_THAT(Describe(near), testing::HasSubstr(", to within "));
+  }
+}
+
+// Solves the poses of random postures. Returns how many postures are no solution for their own
+// pose.
+int CountMissed(const NamedChain& arm) {
+  const ChainInverse inverse(arm.chain);
+  RandomStream random(2, arm.name);
+  int missed = 0;
+  for (int i = 0; i < Poses(); ++i) {
+    const SixAngles q = RandomTurns(random, 6);
+    const Pose X = arm.chain.Forward(q);
+    const std::vector<SixAngles> solutions = inverse.Solve(X);
+    if (!Contains(solutions, q, 1e-5)) ++missed;
+    EXPECT_LE(solutions.size(), 16u);
+    for (const SixAngles& solution : solutions) {
+      EXPECT_LT(ErrorOf(arm.chain, solution, X), 1e-9) << arm.name << ", pose " << i;
+      EXPECT_GT(solution.minCoeff(), -kPi);
+      EXPECT_LE(solution.maxCoeff(), kPi);
+    }
+  }
+  return missed;
+}
+
+// A search may miss two solutions that are nearly the same. A closed form misses none.
 TEST(ChainInverse, EverySolutionReachesThePoseAndTheKnownOneIsAmongThem) {
   for (const NamedChain& arm : AllArms()) {
-    const ChainInverse inverse(arm.chain);
-    RandomStream random(2, arm.name);
-    for (int i = 0; i < Poses(); ++i) {
-      const SixAngles q = RandomTurns(random, 6);
-      const Pose X = arm.chain.Forward(q);
-      const std::vector<SixAngles> solutions = inverse.Solve(X);
-      EXPECT_TRUE(Contains(solutions, q, 1e-5))
-          << arm.name << ", pose " << i << ": " << q.transpose();
-      EXPECT_LE(solutions.size(), 16u);
-      for (const SixAngles& solution : solutions) {
-        EXPECT_LT(ErrorOf(arm.chain, solution, X), 1e-9) << arm.name << ", pose " << i;
-        EXPECT_GT(solution.minCoeff(), -kPi);
-        EXPECT_LE(solution.maxCoeff(), kPi);
-      }
+    const bool is_general = ClassOf(arm.chain).kind == ArmKind::kGeneral;
+    EXPECT_LE(CountMissed(arm), is_general ? Poses() / 1000 : 0) << arm.name;
+  }
+}
+
+TEST(ChainInverse, SolvesDisturbedArmsAsTheyAre) {
+  RandomStream random(12, "disturbed");
+  for (const NamedChain& arm : workloads::PublishedArms()) {
+    for (const double most : {1e-6, 1e-4}) {
+      const NamedChain disturbed = Disturbed(arm, most, random);
+      EXPECT_LE(CountMissed(disturbed), Poses() / 500) << disturbed.name;
     }
   }
 }
