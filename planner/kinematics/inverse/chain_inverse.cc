@@ -22,6 +22,7 @@ constexpr double kNearlySolved = 0.05;  // greatest error of the class's solutio
 // Two solutions that are near to each other lie about the square root of the deviation from where
 // they would be the same. There, the Jacobian's least singular value is below this multiple of it.
 constexpr double kSingularMotion = 20;
+// Beside a singular pose, more joint values than this can reach the pose to within the error.
 constexpr std::size_t kMostSolutions = 16;
 constexpr double kBeyondLimit = 1e-9;  // rad
 constexpr double kAnyValue = 0.7;      // rad; a joint value without meaning
@@ -105,7 +106,10 @@ std::optional<std::size_t> AddRefined(const SerialChain& chain, const Pose& X_Ba
   if (!refined) return std::nullopt;
   for (double& angle : *refined) angle = InHalfOpenTurn(angle);
   const std::size_t index = Find(*refined, solutions, kSameSolution);
-  if (index == solutions.size()) solutions.push_back(*refined);
+  if (index == solutions.size()) {
+    if (index == kMostSolutions) return std::nullopt;
+    solutions.push_back(*refined);
+  }
   return index;
 }
 
@@ -171,14 +175,14 @@ void ChainInverse::RankSearches() {
 // Adds the solutions of one search to the known ones. Returns how many it found.
 std::size_t ChainInverse::AddSearched(const SearchedJoint& joint, const Pose& X_BaseTip,
                                       std::vector<SixAngles>& known) const {
-  std::array<bool, 2 * kMostSolutions> found = {};
+  std::array<bool, kMostSolutions> found = {};
   for (const SixAngles& q : SolveByElimination(axes_, joint, X_BaseTip * X_TipBase_)) {
     // The search comes nearer to its solutions than solutions are to each other.
     std::optional<std::size_t> index = Find(q, known, kNearSolution);
     if (index == known.size()) {
       index = AddRefined(chain_, X_BaseTip, q, {.steps = 25, .start_error = 0.5}, known);
     }
-    if (index && *index < found.size()) found[*index] = true;
+    if (index) found[*index] = true;
   }
   return static_cast<std::size_t>(std::ranges::count(found, true));
 }

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -105,7 +106,10 @@ int CountMissed(const NamedChain& arm) {
     const SixAngles q = RandomTurns(random, 6);
     const Pose X = arm.chain.Forward(q);
     const std::vector<SixAngles> solutions = inverse.Solve(X);
-    if (!Contains(solutions, q, 1e-5)) ++missed;
+    // At a singular posture, a small error of the pose is a great one of the joint values.
+    const bool is_singular =
+        std::abs(Eigen::Matrix<double, 6, 6>(arm.chain.Jacobian(q)).determinant()) < 1e-8;
+    if (!Contains(solutions, q, is_singular ? 1e-2 : 1e-5)) ++missed;
     EXPECT_LE(solutions.size(), 16u);
     for (const SixAngles& solution : solutions) {
       EXPECT_LT(ErrorOf(arm.chain, solution, X), 1e-9) << arm.name << ", pose " << i;
