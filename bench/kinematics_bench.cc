@@ -6,6 +6,7 @@
 #include "bench/harness/contest.h"
 #include "bench/workloads/reachable_poses.h"
 #include "planner/kinematics/arm.h"
+#include "planner/kinematics/inverse/serial_chain.h"
 #include "planner/kinematics/inverse_batch.h"
 #ifdef ASSAY_PEER_KDL_INVERSE
 #include "bench/peers/kdl_inverse.h"
@@ -97,7 +98,7 @@ void InBatches(benchmark::State& state) {
 
 #ifdef ASSAY_PEER_KDL_INVERSE
 void Kdl(benchmark::State& state) {
-  peers::KdlInverse solver(Puma().model());
+  peers::KdlInverse solver(SerialChain::FromModel(Puma().model()));
   int found = 0;
   for (const Pose& X : ReachablePoses()) {
     const std::optional<JointVector> q = solver.Solve(X);

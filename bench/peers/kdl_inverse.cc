@@ -14,17 +14,18 @@ KDL::Frame FrameOf(const geometry::Pose& X) {
           KDL::Vector(p.x(), p.y(), p.z())};
 }
 
-// Returns KDL's chain. A segment of KDL has its joint at its root. The frame that leads to a joint
-// therefore belongs to the previous segment.
-KDL::Chain ChainOf(const kinematics::RobotModel& model) {
+// Returns KDL's chain. All frames have the base's orientation and origin at joint values 0, but for
+// the last one, which is the tip.
+KDL::Chain ChainOf(const kinematics::SerialChain& arm) {
   KDL::Chain chain;
-  for (const kinematics::Joint& joint : model.joints) {
-    const KDL::Frame X_ParentJoint = FrameOf(joint.X_ParentJoint);
-    const KDL::Vector axis =
-        X_ParentJoint.M * KDL::Vector(joint.axis.x(), joint.axis.y(), joint.axis.z());
+  for (int i = 0; i < arm.size(); ++i) {
+    const kinematics::JointAxis& axis = arm.axis(i);
+    const std::string& name = arm.joints()[static_cast<std::size_t>(i)].name;
+    const KDL::Vector point(axis.point.x(), axis.point.y(), axis.point.z());
+    const KDL::Vector direction(axis.direction.x(), axis.direction.y(), axis.direction.z());
     chain.addSegment(
-        KDL::Segment(joint.name, KDL::Joint(joint.name, X_ParentJoint.p, axis, KDL::Joint::RotAxis),
-                     X_ParentJoint));
+        KDL::Segment(name, KDL::Joint(name, point, direction, KDL::Joint::RotAxis),
+                     i + 1 < arm.size() ? KDL::Frame::Identity() : FrameOf(arm.X_BaseTipAtZero())));
   }
   return chain;
 }
@@ -33,10 +34,10 @@ KDL::Chain ChainOf(const kinematics::RobotModel& model) {
 
 class KdlInverse::Solver {
  public:
-  explicit Solver(const kinematics::RobotModel& model)
-      : chain_(ChainOf(model)), solver_(chain_), start_(6), found_(6) {
+  explicit Solver(const kinematics::SerialChain& arm)
+      : chain_(ChainOf(arm)), solver_(chain_), start_(6), found_(6) {
     for (unsigned int i = 0; i < 6; ++i) {
-      const kinematics::JointLimits& limits = model.joints[i].limits;
+      const kinematics::JointLimits& limits = arm.joints()[i].limits;
       start_(i) = (limits.lower + limits.upper) / 2 + 0.1;
     }
   }
@@ -53,8 +54,8 @@ class KdlInverse::Solver {
   KDL::JntArray found_;
 };
 
-KdlInverse::KdlInverse(const kinematics::RobotModel& model)
-    : solver_(std::make_unique<Solver>(model)) {}
+KdlInverse::KdlInverse(const kinematics::SerialChain& arm)
+    : solver_(std::make_unique<Solver>(arm)) {}
 
 KdlInverse::~KdlInverse() = default;
 

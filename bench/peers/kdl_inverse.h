@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "planner/kinematics/arm.h"
+#include "planner/kinematics/inverse/serial_chain.h"
 
 namespace assay::peers {
 
@@ -12,7 +13,8 @@ namespace assay::peers {
 // defaults).
 class KdlInverse {
  public:
-  explicit KdlInverse(const kinematics::RobotModel& model);
+  // The chain must have six joints.
+  explicit KdlInverse(const kinematics::SerialChain& arm);
   ~KdlInverse();
 
   // Returns a solution, or none if the solver does not converge.

@@ -7,6 +7,7 @@
 #include <Eigen/Eigenvalues>
 #include <mutex>
 #include <numbers>
+#include <tuple>
 
 #include "planner/base/input_files/input_error.h"
 #include "planner/base/input_files/input_file.h"
@@ -67,7 +68,8 @@ Vector3 ToVector(const urdf::Vector3& v) { return {v.x, v.y, v.z}; }
 // or joint.
 class Converter {
  public:
-  Converter(const XmlOutline& outline, const urdf::ModelInterface& parsed) : outline_(outline) {
+  Converter(const XmlOutline& outline, const urdf::ModelInterface& parsed, UrdfContents contents)
+      : outline_(outline), only_axes_(contents == UrdfContents::kAxes) {
     model_.place = outline.root();
     model_.name = parsed.getName();
     if (parsed.links_.size() > kMostLinks) {
@@ -115,16 +117,35 @@ class Converter {
 
   Link ConvertLink(const urdf::Link& parsed, JointId parent_joint) const {
     Link link{.name = parsed.name, .parent_joint = parent_joint, .place = at_};
-    if (parsed.inertial) link.inertial = ConvertInertial(*parsed.inertial, parsed.name);
+    if (parsed.inertial) link.inertial = InertialOf(*parsed.inertial, parsed.name);
     for (const urdf::VisualSharedPtr& visual : parsed.visual_array) {
+      if (NotesMesh(visual->geometry, false, link)) continue;
       link.visuals.push_back({visual->name, ToPose(visual->origin),
                               ConvertShape(visual->geometry, parsed.name), ColorOf(*visual)});
     }
     for (const urdf::CollisionSharedPtr& collision : parsed.collision_array) {
+      if (NotesMesh(collision->geometry, true, link)) continue;
       link.collisions.push_back({collision->name, ToPose(collision->origin),
                                  ConvertShape(collision->geometry, parsed.name)});
     }
     return link;
+  }
+
+  // Returns true if the shape is a mesh that need not be loaded.
+  bool NotesMesh(const urdf::GeometrySharedPtr& parsed, bool for_collision, Link& link) const {
+    const auto* mesh = dynamic_cast<const urdf::Mesh*>(parsed.get());
+    if (!mesh || !only_axes_) return false;
+    link.meshes.push_back({mesh->filename, for_collision});
+    return true;
+  }
+
+  std::optional<Inertial> InertialOf(const urdf::Inertial& parsed, const std::string& link) const {
+    if (!only_axes_) return ConvertInertial(parsed, link);
+    try {
+      return ConvertInertial(parsed, link);
+    } catch (const InputError&) {
+      return std::nullopt;
+    }
   }
 
   static Rgba ColorOf(const urdf::Visual& visual) {
@@ -194,28 +215,31 @@ class Converter {
       Fail(fmt::format("joint '{}' has an axis without direction", joint.name));
     }
     joint.axis.normalize();
+    joint.mimics = parsed.mimic != nullptr;
     joint.limits = LimitsOf(parsed);
     return joint;
   }
 
   JointType TypeOf(const urdf::Joint& parsed) const {
-    if (parsed.mimic) Fail(fmt::format("joint '{}' mimics another", parsed.name));
+    if (parsed.mimic && !only_axes_) Fail(fmt::format("joint '{}' mimics another", parsed.name));
     if (parsed.type == urdf::Joint::FIXED) return JointType::kFixed;
     if (parsed.type == urdf::Joint::REVOLUTE) return JointType::kRevolute;
+    if (parsed.type == urdf::Joint::CONTINUOUS && only_axes_) return JointType::kRevolute;
     if (parsed.type == urdf::Joint::PRISMATIC) return JointType::kPrismatic;
     Fail(fmt::format("joint '{}' has a type that is not supported", parsed.name),
          "fixed, revolute, prismatic");
   }
 
   JointLimits LimitsOf(const urdf::Joint& parsed) const {
-    if (!parsed.limits) Fail(fmt::format("joint '{}' has no limits", parsed.name));
-    const auto& [lower, upper, effort, velocity] = *parsed.limits;
-    const bool is_revolute = parsed.type == urdf::Joint::REVOLUTE;
+    const bool endless = parsed.type == urdf::Joint::CONTINUOUS;
+    if (!parsed.limits && !endless) Fail(fmt::format("joint '{}' has no limits", parsed.name));
+    auto [lower, upper, effort, velocity] = parsed.limits ? *parsed.limits : urdf::JointLimits{};
+    if (endless) std::tie(lower, upper) = std::pair(-kMostAngle, kMostAngle);
+    const bool is_revolute = parsed.type != urdf::Joint::PRISMATIC;
     const char* const unit = is_revolute ? "rad" : "m";
     const double most = is_revolute ? kMostAngle : kMostLength;
     const bool is_range = lower < upper && lower >= -most && upper <= most;
-    const bool is_power =
-        velocity > 0 && velocity <= kMostVelocity && effort > 0 && effort <= kMostEffort;
+    const bool is_power = IsPower(velocity, kMostVelocity) && IsPower(effort, kMostEffort);
     if (!is_range || !is_power) {
       Fail(
           fmt::format("joint '{0}' has lower {2} {1}, upper {3} {1}, velocity {4} {1}/s, "
@@ -228,7 +252,12 @@ class Converter {
     return {lower, upper, velocity, effort};
   }
 
+  bool IsPower(double value, double most) const {
+    return (value > 0 || (only_axes_ && value == 0)) && value <= most;
+  }
+
   const XmlOutline& outline_;
+  bool only_axes_;
   FilePlace at_ = outline_.root();  // the element that is being converted
   RobotModel model_;
 };
@@ -267,11 +296,11 @@ void RobotModel::Fail(const std::string& what, const std::string& allowed) const
   throw InputError(place, what, allowed);
 }
 
-RobotModel ReadUrdf(const std::filesystem::path& file) {
+RobotModel ReadUrdf(const std::filesystem::path& file, UrdfContents contents) {
   const std::string text = ReadInput(file, "a URDF file");
   RequireText(text, file.string());
   const XmlOutline outline(text, file.string());
-  return Converter(outline, *Parse(text, outline)).Take();
+  return Converter(outline, *Parse(text, outline), contents).Take();
 }
 
 }  // namespace assay::kinematics

@@ -59,6 +59,12 @@ struct Collision {
   Shape shape;
 };
 
+// A mesh that a link names. Meshes are not loaded.
+struct MeshReference {
+  std::string file;  // as in the URDF file, for example package://robot/meshes/base.stl
+  bool for_collision = false;
+};
+
 struct Inertial {
   double mass = 0;                        // kg
   Pose X_LinkCenter = Pose::Identity();   // the centre of mass and the axes of `inertia`
@@ -71,6 +77,7 @@ struct Link {
   std::optional<Inertial> inertial = {};   // nothing for a massless frame
   std::vector<Visual> visuals = {};
   std::vector<Collision> collisions = {};
+  std::vector<MeshReference> meshes = {};  // only with UrdfContents::kAxes
   FilePlace place = {};
 };
 
@@ -93,6 +100,7 @@ struct Joint {
   Pose X_ParentJoint = Pose::Identity();  // the child's frame in the parent's at joint value 0
   Vector3 axis = Vector3::UnitZ();        // unit vector in the child's frame; unused if fixed
   JointLimits limits = {};                // zeros if fixed
+  bool mimics = false;                    // moved by another joint; only with UrdfContents::kAxes
   FilePlace place = {};
 
   // Returns the pose of the child's frame in the parent's at a joint value. A fixed joint ignores
@@ -117,10 +125,21 @@ struct RobotModel {
   [[noreturn]] void Fail(const std::string& what, const std::string& allowed = "") const;
 };
 
-// Reads a URDF file without meshes and xacro. Joints are fixed, revolute or prismatic. Throws
-// InputError, with line and column, if the file cannot be read, is not URDF, or contains something
-// unsupported or impossible: missing joint limits, a negative mass, an inertia that no body has, a
-// shape without extent, or lengths over 100 m.
-RobotModel ReadUrdf(const std::filesystem::path& file);
+// What a reader needs of a URDF file.
+enum class UrdfContents {
+  kBodies,  // all of it, for collision and physics
+  kAxes,    // the axes of the joints
+};
+
+// Reads a URDF file without xacro. Joints are fixed, revolute or prismatic. Throws InputError, with
+// line and column, if the file cannot be read, is not URDF, or contains something unsupported or
+// impossible: meshes, missing joint limits, a negative mass, an inertia that no body has, a shape
+// without extent, or lengths over 100 m.
+//
+// With kAxes, more files are accepted. Meshes are noted but not loaded. An inertia that no body has
+// is left out. Joints may mimic others. Continuous joints are revolute, with limits of two turns
+// either way. Velocity and effort may be 0, for unknown.
+RobotModel ReadUrdf(const std::filesystem::path& file,
+                    UrdfContents contents = UrdfContents::kBodies);
 
 }  // namespace assay::kinematics

@@ -22,6 +22,7 @@
 #include "sim/cli/options/file_format.h"
 #include "sim/cli/options/models_folder.h"
 #include "sim/cli/options/quantity_option.h"
+#include "sim/cli/plan_output/arm_report.h"
 #include "sim/cli/plan_output/part_report.h"
 #include "sim/cli/plan_output/plan_report.h"
 #include "sim/cli/plan_output/problem_report.h"
@@ -45,6 +46,7 @@ struct Options {
   fs::path output;
   std::string workcell = "puma762-table";  // the workcell whose gripper takes a part
   double clearance_mm = 0.5;               // clearance of a part's holes
+  ArmRequest arm;                          // of a robot's file; without its name
   bool json = false;
 };
 
@@ -75,7 +77,14 @@ Report CheckScenario(const Document& document, const fs::path& file, const Optio
   return report;
 }
 
+Report CheckArm(const fs::path& file, const Options& options) {
+  ArmRequest request = options.arm;
+  request.file = file;
+  return ReportOnArm(request);
+}
+
 Report CheckFile(const fs::path& file, const Options& options) {
+  if (file.extension() == ".urdf") return CheckArm(file, options);
   const Document document = Document::Load(file);
   switch (FormatOf(document)) {
     case FileFormat::kScenarioFile:
@@ -142,7 +151,9 @@ ExitCode Execute(const Options& options) {
 
 Execution Declare(CLI::App& command) {
   const auto options = std::make_shared<Options>();
-  command.add_option("file", options->files, "scenario, sweep, part, workcell and plan files")
+  command
+      .add_option("file", options->files,
+                  "scenario, sweep, part, workcell and plan files, and URDF files of arms")
       ->required();
   command.add_flag("--json", options->json, "print the reports as JSON");
   command.add_option("-o,--output", options->output, "write the reports, as JSON, to this file");
@@ -155,6 +166,13 @@ Execution Declare(CLI::App& command) {
                   "for a part file: clearance of the part's holes in mm")
       ->check(Within({0, 0.01}, domain::kMillimetres))
       ->capture_default_str();
+  command.add_option("--base", options->arm.base, "for a URDF file: link at which the arm begins");
+  command.add_option("--tip", options->arm.tip, "for a URDF file: link at which the arm ends");
+  command.add_option("--poses", options->arm.poses, "for a URDF file: random postures to solve")
+      ->check(CLI::Range(1, 1000000))
+      ->capture_default_str();
+  command.add_option("--seed", options->arm.seed, "for a URDF file: seed of the postures")
+      ->capture_default_str();
   AddModelsOption(command, options->models);
   return [options] { return Execute(*options); };
 }
@@ -164,8 +182,9 @@ Execution Declare(CLI::App& command) {
 const Verb kCheck = {
     .name = "check",
     .summary =
-        "checks scenario, sweep, part, workcell and plan files, and reports what it computes from "
-        "them",
+        "checks scenario, sweep, part, workcell and plan files, and arms, and reports what it "
+        "computes "
+        "from them",
     .page = "scenarios/scenario-files.md",
     .example = "assay check scenarios/spar-fig13.yaml models/parts/block/part.yaml",
     .declare = check_verb::Declare,

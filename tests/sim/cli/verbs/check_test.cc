@@ -201,5 +201,29 @@ TEST_F(AnswerWithoutPlan, IsRefusedWithOtherReasons) {
   ExpectRefused(answer, "the file gives other reasons than the planner why no plan exists");
 }
 
+TEST(Check, TellsWhatAnArmIs) {
+  const std::string puma = kTree / "models/robots/puma762/puma762.urdf";
+  const Ended text = Assay({"check", puma, "--poses", "50"});
+  ASSERT_EQ(text.code, 0) << text.err;
+  EXPECT_THAT(text.out,
+              AllOf(HasSubstr("spherical wrist: axes 4, 5 and 6 meet in one point"),
+                    HasSubstr("A pose has 8 to 8 solutions"),
+                    HasSubstr("Nothing is missing for physics."), HasSubstr("urdf: puma762.urdf")));
+  const auto arm = Assay({"check", puma, "--poses", "50", "--json"}).Json()["files"][0];
+  EXPECT_EQ(arm["joints"][1]["name"], "shoulder_lift");
+  EXPECT_EQ(arm["solutions"]["most"], 8);
+  EXPECT_LT(arm["pose_error"], 1e-9);
+  EXPECT_LT(arm["return_error"], 1e-6);
+  EXPECT_TRUE(arm["closed_form"]);
+  EXPECT_NEAR(arm["reach"]["farthest"], 0.65 + 0.6 + 0.125 + 0.02, 0.05);
+}
+
+TEST(Check, RefusesAnArmWithoutTheNamedLink) {
+  const Ended ended =
+      Assay({"check", kTree / "models/robots/puma762/puma762.urdf", "--tip", "tool0"});
+  EXPECT_EQ(ended.code, 3);
+  EXPECT_THAT(ended.err, AllOf(HasSubstr("puma762.urdf:"), HasSubstr("has no link 'tool0'")));
+}
+
 }  // namespace
 }  // namespace assay::cli::check_test

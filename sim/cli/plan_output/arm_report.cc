@@ -1,0 +1,194 @@
+#include "sim/cli/plan_output/arm_report.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <nlohmann/json.hpp>
+#include <vector>
+
+#include "planner/base/input_files/input_error.h"
+#include "planner/kinematics/arm.h"
+#include "planner/kinematics/inverse/arm_survey.h"
+#include "sim/cli/options/quantity.h"
+#include "sim/cli/plan_output/table.h"
+
+namespace assay::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using kinematics::ArmSurvey;
+using kinematics::ChainJoint;
+using kinematics::Link;
+using kinematics::RobotModel;
+using kinematics::SerialChain;
+
+// What the simulation needs of an arm and the file lacks: names of links and joints.
+struct MissingForPhysics {
+  std::vector<std::string> inertias;
+  std::vector<std::string> collision_shapes;
+  std::vector<std::string> speeds;
+  std::vector<std::string> efforts;
+
+  MissingForPhysics(const RobotModel& model, const SerialChain& chain) {
+    for (const kinematics::LinkId id : chain.links()) {
+      const Link& link = model.link(id);
+      const bool moves = !link.parent_joint.IsNone() &&
+                         model.joint(link.parent_joint).type == kinematics::JointType::kRevolute;
+      if (moves && !link.inertial) inertias.push_back(link.name);
+      if (moves && link.collisions.empty()) collision_shapes.push_back(link.name);
+    }
+    for (const ChainJoint& joint : chain.joints()) {
+      if (!(joint.limits.velocity > 0)) speeds.push_back(joint.name);
+      if (!(joint.limits.effort > 0)) efforts.push_back(joint.name);
+    }
+  }
+
+  std::string Text() const {
+    std::string text;
+    const auto add = [&](const char* what, const std::vector<std::string>& names) {
+      if (!names.empty()) text += fmt::format("  {}: {}\n", what, fmt::join(names, ", "));
+    };
+    add("links without a possible mass and inertia", inertias);
+    add("links without a collision box, cylinder or sphere (meshes are not read)",
+        collision_shapes);
+    add("joints without a speed", speeds);
+    add("joints without a torque", efforts);
+    return text.empty() ? "Nothing is missing for physics.\n" : "Missing for physics:\n" + text;
+  }
+};
+
+// Returns why a workcell cannot have the arm, or nothing if it can.
+std::string ReasonAgainstWorkcell(const std::filesystem::path& file) {
+  try {
+    kinematics::Arm::FromUrdf(file);
+    return "";
+  } catch (const InputError& error) {
+    return error.what();
+  }
+}
+
+std::string WorkcellText(const std::filesystem::path& file, const std::string& reason) {
+  if (!reason.empty()) {
+    return fmt::format(
+        "Workcells take only arms in the zero posture of the Puma 762 so far. This one is "
+        "refused:\n"
+        "  {}\n",
+        reason);
+  }
+  return fmt::format(
+      "Write into a workcell (the base's axes and origin, in metres from the middle of the table's "
+      "top):\n  robot:\n    urdf: {}\n    base: {{columns: [[1, 0, 0], [0, 1, 0], [0, 0, 1], "
+      "[-0.15, "
+      "0, 0.70]]}}\n",
+      file.filename().string());
+}
+
+std::string JointTable(const SerialChain& chain) {
+  Table table({{"joint"},
+               {"lower deg", Align::kRight},
+               {"upper deg", Align::kRight},
+               {"deg/s", Align::kRight},
+               {"N m", Align::kRight}});
+  for (const ChainJoint& joint : chain.joints()) {
+    table.Add({joint.name, fmt::format("{:.1f}", joint.limits.lower / kDegree),
+               fmt::format("{:.1f}", joint.limits.upper / kDegree),
+               fmt::format("{:.1f}", joint.limits.velocity / kDegree),
+               fmt::format("{:g}", joint.limits.effort)});
+  }
+  return table.Text();
+}
+
+const char* HowSolved(const kinematics::ArmClass& arm) {
+  if (arm.kind == kinematics::ArmKind::kGeneral) return "a search over the values of one joint";
+  return arm.IsExact() ? "a closed form" : "Newton's method from the closed form of the class";
+}
+
+std::string SolutionsText(const ArmSurvey& survey) {
+  std::string text =
+      fmt::format("class: {}; solved by {}\n", survey.description, HowSolved(survey.arm));
+  if (!survey.locked_joint.empty()) {
+    text += fmt::format("The joint {} is redundant: all solutions are found at a value of it.\n",
+                        survey.locked_joint);
+  }
+  text += fmt::format(
+      "A pose has {} to {} solutions, {:.1f} on average, of which {:.1f} are within the limits.\n",
+      survey.fewest, survey.most, survey.mean, survey.mean_within_limits);
+  text += fmt::format(
+      "Over {} random postures within the limits, the solutions reach their poses to {:.1e} m (and "
+      "entries of rotations), and the postures come back to {:.1e} rad.\n",
+      survey.poses, survey.pose_error, survey.return_error);
+  if (survey.not_returned > 0) {
+    text += fmt::format("{} postures do not come back.\n", survey.not_returned);
+  }
+  text += fmt::format(
+      "The tip is {:.3f} to {:.3f} m away from the base's origin, at heights from {:.3f} to {:.3f} "
+      "m "
+      "(20000 random postures).\nSingular postures:\n",
+      survey.nearest, survey.farthest, survey.lowest, survey.highest);
+  for (const std::string& sentence : survey.singular) text += fmt::format("  {}\n", sentence);
+  return text;
+}
+
+Json JointsJson(const SerialChain& chain) {
+  Json joints = Json::array();
+  const auto numbers = [](const geometry::Vector3& v) {
+    return Json::array({v.x(), v.y(), v.z()});
+  };
+  for (const ChainJoint& joint : chain.joints()) {
+    joints.push_back({{"name", joint.name},
+                      {"direction", numbers(joint.axis.direction)},
+                      {"point", numbers(joint.axis.point)},
+                      {"lower", joint.limits.lower},
+                      {"upper", joint.limits.upper},
+                      {"velocity", joint.limits.velocity},
+                      {"effort", joint.limits.effort}});
+  }
+  return joints;
+}
+
+Json SurveyJson(const ArmSurvey& survey) {
+  Json json = {{"class", survey.description},
+               {"closed_form", survey.arm.kind != kinematics::ArmKind::kGeneral},
+               {"deviation", survey.arm.deviation}};
+  if (!survey.locked_joint.empty()) json["redundant_joint"] = survey.locked_joint;
+  json.update(Json{{"poses", survey.poses},
+                   {"solutions",
+                    {{"fewest", survey.fewest},
+                     {"most", survey.most},
+                     {"mean", survey.mean},
+                     {"mean_within_limits", survey.mean_within_limits}}},
+                   {"pose_error", survey.pose_error},
+                   {"return_error", survey.return_error},
+                   {"not_returned", survey.not_returned},
+                   {"reach", {{"nearest", survey.nearest}, {"farthest", survey.farthest}}},
+                   {"height", {{"lowest", survey.lowest}, {"highest", survey.highest}}},
+                   {"singular", survey.singular}});
+  return json;
+}
+
+}  // namespace
+
+Report ReportOnArm(const ArmRequest& request) {
+  const RobotModel model = kinematics::ReadUrdf(request.file, kinematics::UrdfContents::kAxes);
+  const SerialChain chain = SerialChain::FromModel(model, request.base, request.tip);
+  const ArmSurvey survey = Survey(chain, request.poses, request.seed);
+  const MissingForPhysics missing(model, chain);
+  const std::string reason = ReasonAgainstWorkcell(request.file);
+  Json json = {{"robot", model.name},
+               {"base", chain.base()},
+               {"tip", chain.tip()},
+               {"joints", JointsJson(chain)}};
+  json.update(SurveyJson(survey));
+  json["missing"] = {{"inertias", missing.inertias},
+                     {"collision_shapes", missing.collision_shapes},
+                     {"speeds", missing.speeds},
+                     {"efforts", missing.efforts}};
+  json["workcell_refuses"] = reason;
+  return {.text = fmt::format("robot {} from link {} to link {}\n\n{}\n{}{}{}", model.name,
+                              chain.base(), chain.tip(), JointTable(chain), SolutionsText(survey),
+                              missing.Text(), WorkcellText(request.file, reason)),
+          .json = std::make_shared<const Json>(std::move(json)),
+          .holds = survey.pose_error < 1e-9 && survey.not_returned == 0};
+}
+
+}  // namespace assay::cli
