@@ -50,7 +50,7 @@ struct Run {
   }
 
   void Record() {
-    Execute({.on_timestep = [this](const mujoco::Data& data) { Note(data); }});
+    Execute({.kinematic_step = 0, .on_timestep = [this](const mujoco::Data& data) { Note(data); }});
     // The end of the execution cut it short.
     if (windows.back().steps.size() < kWindow) windows.pop_back();
   }
@@ -132,7 +132,9 @@ const bool kAdded = [] {
                    "the engine's mj_step with the same controls, which continues from a saved "
                    "state of the execution every 100 steps",
        .unfair =
-           "assay also controls the arm, watches forces and records the trace. The bare loop "
+           "assay moves robots without dynamics while no force decides anything, and the bare "
+           "loop steps through all motion. assay also controls the arm, watches forces and records "
+           "the trace. The bare loop "
            "copies a saved state every 100 steps and the controls at each step. Both use the check "
            "of box collisions of assay, which removes duplicate contacts before the solver runs",
        .never_below = 0.95});
