@@ -14,8 +14,8 @@
 #include "planner/geometry/solids/separation.h"
 #include "tests/oracle/random_pose.h"
 #include "tests/planner/domain/parts.h"
-#include "tests/planner/domain/turned_part.h"
 #include "tests/planner/domain/scenario.h"
+#include "tests/planner/domain/turned_part.h"
 
 namespace assay::domain::grasp_test {
 namespace {
