@@ -8,6 +8,7 @@
 
 #include "planner/assembly/strategy_reach.h"
 #include "planner/constraint_posting/resolvers/sensing_resolver.h"
+#include "planner/domain/matings/mating_classes.h"
 #include "planner/finemotion/strategy_search/likely_errors.h"
 #include "planner/plan/certificates/condition_table.h"
 #include "planner/plan/checker/world_state.h"
@@ -156,8 +157,7 @@ std::optional<plan::Strategy> FineMotionResolver::StrategyFor(const UnmetGoals& 
   const plan::Action& assemble = unmet.actions[static_cast<std::size_t>(unmet.step)];
   const domain::Mating& mating = unmet.problem.mating(assemble.mating);
   const MatingGeometry geometry = finemotion::GeometryOf(unmet.problem, mating);
-  const double friction =
-      unmet.problem.workcell->rules().friction + unmet.problem.tolerances.friction;
+  const double friction = domain::GreatestMatingFriction(unmet.problem, mating);
   TipBox box = WithSpare(TipBoxAt(
       unmet, propagation_,
       {geometry.X_HeldTip, geometry.passage.X_StationaryEntry, geometry.X_FixedSeat.linear()}));
@@ -191,8 +191,8 @@ const FineMotionPlan& FineMotionResolver::PlanFor(domain::MatingId mating,
       fmt::format("{} {:.17g} {:.17g}", mating.index(), fmt::join(errors.pose, " "), friction);
   const auto [plan, is_new] = plans_.try_emplace(key);
   if (is_new) {
-    plan->second =
-        SearchStrategy(geometry.passage, errors, {.friction = friction, .thorough_nodes = 0});
+    plan->second = SearchStrategy(geometry.passage, errors,
+                                  {.friction = friction, .diverse_rounds = 0, .thorough_nodes = 0});
   }
   return plan->second;
 }

@@ -9,10 +9,13 @@
 #include <variant>
 
 #include "planner/assembly/travel/travel_check.h"
+#include "planner/domain/matings/mating_classes.h"
 #include "planner/finemotion/strategy_checks/strategy_check.h"
 
 namespace assay::assembly {
 namespace {
+
+constexpr double kRoundedFriction = 1e-6;  // share by which a file may round friction
 
 std::vector<std::string> FlawsOfStrategy(const domain::Problem& problem,
                                          const domain::Mating& mating,
@@ -28,6 +31,11 @@ std::vector<std::string> FlawsOfStrategy(const domain::Problem& problem,
     flaws.push_back(
         fmt::format("it is certain for directions that err by {:.4g}, and they may by {:.4g}",
                     strategy.certificate.velocity, velocity));
+  }
+  const double friction = domain::GreatestMatingFriction(problem, mating);
+  if (strategy.friction < (1 - kRoundedFriction) * friction) {
+    flaws.push_back(fmt::format("it counts on friction of at most {:.4g}, and there may be {:.4g}",
+                                strategy.friction, friction));
   }
   return flaws;
 }

@@ -7,7 +7,8 @@
 #include <limits>
 #include <numbers>
 #include <optional>
-#include <span>
+#include <utility>
+#include <vector>
 
 #include "planner/base/check.h"
 #include "planner/domain/grasps/face_pair.h"
@@ -47,18 +48,19 @@ Polygon PadAt(const Vector2& center, const Approach& approach, const Vector2& ha
   return {center - x - z, center - x + z, center + x + z, center + x - z};
 }
 
-// Returns whether no pad has room on the faces in any of the directions.
-bool IsNarrow(const PartModel& part, const FacePair& pair, const Vector2& pads,
-              std::span<const double> angles) {
+// Returns the directions in which no pad has room on the faces.
+std::vector<double> CrampedAngles(const PartModel& part, const FacePair& pair, const Vector2& pads,
+                                  std::vector<double> angles) {
   const PadRegion region(pair.region);
   const Vector2 mass_center = (pair.X_PartMiddle.inverse() * part.mass().center).head<2>();
-  for (const Spot& spot : SpotsOf(pair.region, region, mass_center, mass_center)) {
-    for (const double angle : angles) {
-      const Polygon pad = PadAt(spot.center, Approach::At(angle, 0), pads);
-      if (region.MarginOf(pad) > -2 * kEqual) return false;
-    }
-  }
-  return true;
+  const std::vector<Spot> spots = SpotsOf(pair.region, region, mass_center, mass_center);
+  std::erase_if(angles, [&](double angle) {
+    const Approach approach = Approach::At(angle, 0);
+    return std::ranges::any_of(spots, [&](const Spot& spot) {
+      return region.MarginOf(PadAt(spot.center, approach, pads)) > -2 * kEqual;
+    });
+  });
+  return angles;
 }
 
 // The search for all grasps of one pair of faces.
@@ -299,21 +301,24 @@ std::vector<Grasp> ComputeGrasps(const PartModel& part, const kinematics::Grippe
     grasp->label = fmt::format("{}G{}", part.initial(), grasps.size() + 1);
     grasps.push_back(*std::move(grasp));
   };
-  std::vector<FacePair> narrow;
-  for (FacePair& pair : PairsOf(part, search.widest)) {
-    if (IsNarrow(part, pair, gripper.pad_half_extents(), angles)) {
-      narrow.push_back(std::move(pair));
-      continue;
+  std::vector<std::pair<FacePair, std::vector<double>>> narrow;
+  for (const FacePair& pair : PairsOf(part, search.widest)) {
+    std::vector<double> cramped = CrampedAngles(part, pair, gripper.pad_half_extents(), angles);
+    if (!cramped.empty()) narrow.emplace_back(pair, cramped);
+    if (cramped.size() == angles.size()) continue;
+    const PairSearch on_faces(part, gripper, pair, std::nullopt, kAllowance);
+    for (const double angle : angles) {
+      if (!std::ranges::binary_search(cramped, angle))
+        add(on_faces.OnFaces(angle, search.with_misfits));
     }
-    const PairSearch on_faces(part, gripper, std::move(pair), std::nullopt, kAllowance);
-    for (const double angle : angles) add(on_faces.OnFaces(angle, search.with_misfits));
   }
   RoundGrasps round_grasps(search.approach_step);
-  for (FacePair& pair : narrow) {
-    const std::optional<RoundSide> round = RoundSideOf(part, pair);
+  for (const auto& [pair, cramped] : narrow) {
+    const std::optional<RoundSide> round =
+        cramped.size() == angles.size() ? RoundSideOf(part, pair) : std::nullopt;
     if (round && !round_grasps.Add(*round, pair.X_PartMiddle.linear().col(2))) continue;
-    const PairSearch on_faces(part, gripper, std::move(pair), round, kNarrowAllowance);
-    for (const double angle : on_faces.Angles(angles)) {
+    const PairSearch on_faces(part, gripper, pair, round, kNarrowAllowance);
+    for (const double angle : on_faces.Angles(cramped)) {
       std::optional<Grasp> grasp = on_faces.OnNarrowFaces(angle);
       if (!grasp && search.with_misfits) grasp = on_faces.OnFaces(angle, true);
       add(std::move(grasp));

@@ -43,7 +43,7 @@ class PartModel;
 // (up to 4 mm), and among equals the nearest to the centre of mass. These grasps are ordered by
 // face pairs, then by directions.
 //
-// Faces that have no room for the pads in any direction come after them. There the pads stick out,
+// Directions in which faces have no room for the pads come after them. There the pads stick out,
 // and each class gives the grasp that touches most. Of the faces of a round side, pairs that are
 // turned by less than `approach_step` against each other count as one, and the directions are along
 // the axis and across it.

@@ -20,6 +20,12 @@ double LeastMatingFriction(const Problem& problem) {
   return problem.workcell->rules().friction - problem.tolerances.friction;
 }
 
+double GreatestMatingFriction(const Problem& problem, const Mating& mating) {
+  return std::max({problem.workcell->rules().friction, problem.part(mating.held).model->friction(),
+                   problem.part(mating.fixed).model->friction()}) +
+         problem.tolerances.friction;
+}
+
 Limited MatingLean(const Problem& problem, const Mating& mating, const Pose& X_WorldFixed) {
   return {.value = LeanOf(X_WorldFixed.linear() * mating.mating_vector),
           .limit = mating.ends_on_table ? kStraightDown : std::atan(LeastMatingFriction(problem))};

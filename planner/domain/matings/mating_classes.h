@@ -15,6 +15,10 @@ inline constexpr double kSeatGap = 1e-4;
 // can rely. 0 allows only straight down.
 double LeastMatingFriction(const Problem& problem);
 
+// Returns the greatest friction between the parts of a mating. It is that of the workcell's rules,
+// or that of a part if a part has more, at the end of its tolerance.
+double GreatestMatingFriction(const Problem& problem, const Mating& mating);
+
 // Returns the angle of the mating vector from straight down. Its limit is the friction cone's half
 // angle, and zero, but for rounding, for a motion that ends on the table.
 Limited MatingLean(const Problem& problem, const Mating& mating, const Pose& X_WorldFixed);

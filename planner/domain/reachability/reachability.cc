@@ -21,6 +21,10 @@ namespace {
 using geometry::CollisionShape;
 using geometry::Matrix3;
 
+// Faces lie on the table if they differ from it by less: radians of direction, and metres of
+// height.
+constexpr double kParallel = std::numbers::pi / 180;
+constexpr double kOnTable = 1e-3;
 constexpr double kClearanceStep = 0.01;  // metres between the tested positions of a hand on its way
 
 // The question that a caller asks about a set of conditions.
@@ -86,17 +90,12 @@ double ClosedOpening(const Workcell& workcell, const Grasp& grasp) {
   return std::min(grasp.width, workcell.gripper().max_opening());
 }
 
-bool AreDisjoint(const std::vector<FeatureNumber>& a, const std::vector<FeatureNumber>& b) {
-  return std::ranges::none_of(
-      a, [&](FeatureNumber number) { return std::ranges::binary_search(b, number); });
-}
-
-// Returns the features that the table hides. According to Spar, these are the features that are
-// hidden in the stable pose that X_WorldPart corresponds to. Parts are put down in stable poses
-// only, so a part in any other pose is where it was at the start.
-const std::vector<FeatureNumber>& HiddenAt(const Part& part, const Pose& X_WorldPart) {
-  const StablePoseId resting = StablePoseAt(part, X_WorldPart);
-  return resting.IsNone() ? part.hidden : part.model->stable_poses()[resting.index()].hidden;
+// Returns whether a pad presses a face that lies on the table. The sides of a part that stands on
+// its tip are free, though tip and sides belong to one feature.
+bool PressesTable(const Grasp& grasp, const Pose& X_WorldTool) {
+  const double vertical = std::abs(X_WorldTool.linear().col(1).z());
+  const double lowest = X_WorldTool.translation().z() - vertical * grasp.width / 2;
+  return vertical >= std::cos(kParallel) && lowest <= kOnTable;
 }
 
 bool LeansLittle(const Workcell& workcell, const Pose& X_WorldTool) {
@@ -169,15 +168,14 @@ bool ClearsFixed(const Problem& problem, const Mating& mating, const Grasp& gras
          open.IsFreeAt(Moved(X_FixedTool, -mating.mating_vector));
 }
 
-GraspConditions Broken(const Problem& problem, GraspId id, const Location& location,
-                       const std::vector<FeatureNumber>& hidden, Ask ask) {
+GraspConditions Broken(const Problem& problem, GraspId id, const Location& location, Ask ask) {
   const Workcell& workcell = *problem.workcell;
   const Grasp& grasp = GraspOf(problem, location.part, id);
   const Pose X_WorldTool = location.X_WorldPart * grasp.X_PartTool;
   Findings findings(ask);
   findings.Require(GraspCondition::kOpening, [&] { return OpensFor(workcell, grasp); });
   findings.Require(GraspCondition::kPadsFit, [&] { return grasp.room.fits(); });
-  findings.Require(GraspCondition::kFacesFree, [&] { return AreDisjoint(grasp.hidden, hidden); });
+  findings.Require(GraspCondition::kFacesFree, [&] { return !PressesTable(grasp, X_WorldTool); });
   findings.Require(GraspCondition::kToolLean, [&] { return LeansLittle(workcell, X_WorldTool); });
   findings.Require(GraspCondition::kTableClear,
                    [&] { return ClearsTable(workcell, grasp, X_WorldTool); });
@@ -216,14 +214,12 @@ GraspConditions BrokenMating(const Problem& problem, const Mating& mating, Grasp
 
 GraspConditions FindAt(const Problem& problem, PartId part, GraspId grasp, const Pose& X_WorldPart,
                        Ask ask) {
-  return Broken(problem, grasp, {.part = part, .X_WorldPart = X_WorldPart},
-                HiddenAt(problem.part(part), X_WorldPart), ask);
+  return Broken(problem, grasp, {.part = part, .X_WorldPart = X_WorldPart}, ask);
 }
 
 GraspConditions FindIn(const Problem& problem, PartId part, GraspId grasp, StablePoseId pose,
                        Ask ask) {
-  return Broken(problem, grasp, InPose(problem, part, pose),
-                problem.part(part).model->stable_poses()[pose.index()].hidden, ask);
+  return Broken(problem, grasp, InPose(problem, part, pose), ask);
 }
 
 GraspConditions FindMatingAt(const Problem& problem, MatingId id, GraspId grasp,

@@ -37,10 +37,14 @@ struct StrategyOptions {
   double twist = 0.08;    // radians by which starts may be turned about the way in
   double offset = 0.006;  // metres by which starts may be beside the entry
   int rounds = 4;         // number of searches from other starts, until all errors are absorbed
-  int starts = 100;       // number of starts that are drawn for one search
-  int tries = 400;        // number of attempts at moving a start
-  double greatest = 1.5;  // starts are moved until this multiple of the errors is absorbed
-  int nodes = 200;        // number of nodes that one search may expand for each critical point
+  // Number of further, more diverse searches, if those do not absorb all errors. The distances of
+  // their starts are in proportion to the size of the tip.
+  int diverse_rounds = 8;
+  int diverse_nodes = 400;  // number of nodes that one of them may expand for each critical point
+  int starts = 100;         // number of starts that are drawn for one search
+  int tries = 400;          // number of attempts at moving a start
+  double greatest = 1.5;    // starts are moved until this multiple of the errors is absorbed
+  int nodes = 200;          // number of nodes that one search may expand for each critical point
   // Nodes that a thorough search may expand for each critical point. The thorough search is made
   // when no other search finds a strategy, to learn whether there is one. With 0, neither the
   // thorough search nor the search for an obstacle is made.

@@ -5,7 +5,6 @@
 #include <limits>
 
 #include "planner/finemotion/motions/row_range.h"
-#include "planner/geometry/pose.h"
 #include "planner/numeric/orthogonal_decomposition.h"
 
 namespace assay::finemotion {
@@ -133,25 +132,8 @@ struct Maneuvering::Direction {
   std::vector<ContactKey> kept;
 };
 
-Pose Passage::X_StationaryEntryAt(int i) const {
-  if (i == 0) return X_StationaryEntry;
-  return geometry::Translation(further[static_cast<std::size_t>(i) - 1] * mating) *
-         X_StationaryEntry;
-}
-
 int PointAfter(const Maneuver& maneuver, int critical_point) {
   return maneuver.kind == Maneuver::Kind::kAdvance ? critical_point + 1 : critical_point;
-}
-
-std::vector<PrimitiveContact> WallsAt(const Passage& passage, int critical_point,
-                                      const ContactFinder& finder) {
-  std::vector<PrimitiveContact> walls =
-      finder.Near(passage.X_StationaryEntryAt(critical_point), {.reach = passage.depth, .turn = 0});
-  std::erase_if(walls, [&](const PrimitiveContact& contact) {
-    return contact.kind == ContactKind::kEdgeEdge ||
-           std::abs(contact.normal.dot(passage.mating)) > kAcross;
-  });
-  return walls;
 }
 
 Maneuvering::Maneuvering(const Passage& passage, int critical_point, const MotionChecker& checker,
@@ -384,6 +366,25 @@ int Maneuvering::WideDirections(const BelievedPose& believed) const {
     if (row.norm() > 1e-6) basis.col(count++) = row.normalized();
   }
   return static_cast<int>(count);
+}
+
+double Maneuvering::Halvings(const BelievedPose& believed) const {
+  std::vector<ErrorParts> wide;
+  for (const PrimitiveContact& wall : walls_) {
+    wide.push_back(PartsOf(wall.row, believed.errors, believed.tolerances) /
+                   (kRoom * std::max(wall.offset, kLeastMotion)));
+  }
+  double halvings = 0;
+  const auto norm = [](const ErrorParts& parts) { return parts.norm(); };
+  for (int i = 0; i < kPoseDimensions && !wide.empty(); ++i) {
+    const auto widest = std::ranges::max_element(wide, {}, norm);
+    const double width = norm(*widest);
+    if (width <= 1) break;
+    halvings += std::log2(width);
+    const ErrorParts along = *widest / width;
+    for (ErrorParts& parts : wide) parts -= along.dot(parts) * along;
+  }
+  return halvings;
 }
 
 std::vector<Maneuvering> ManeuveringThrough(const Passage& passage, const MotionChecker& checker,

@@ -4,36 +4,11 @@
 #include <vector>
 
 #include "planner/finemotion/motions/motion_checker.h"
+#include "planner/finemotion/strategy_search/passage.h"
 
 namespace assay::finemotion {
 
-// The parts of a mating, and the way along which the moving part enters a hole, a slot, or a deeper
-// step of a hole.
-struct Passage {
-  Polyhedron moving;  // the tip is its origin, and its axes are the stationary part's
-  Polyhedron stationary;
-  // The tip's pose at the first critical point, without errors.
-  Pose X_StationaryEntry = Pose::Identity();
-  Vector3 mating = -Vector3::UnitZ();  // unit vector along the way in
-  // Metres from the first to each further critical point, ascending.
-  std::vector<double> further = {};
-  double depth = 0.003;  // metres from a critical point within which walls are searched for
-  double seat = 0.003;   // metres from the last critical point to the end of the way in
-  std::vector<ModelTolerance> tolerances = {};
-
-  int critical_points() const { return 1 + static_cast<int>(further.size()); }
-  // Returns the tip's pose at critical point i, without errors.
-  Pose X_StationaryEntryAt(int i) const;
-};
-
 inline constexpr double kLinearTurn = 0.045;  // radians within which one linearization is accurate
-// Greatest cosine between the way in and a direction across it.
-inline constexpr double kAcross = 0.1;
-
-// Returns the contacts between a corner and a face that the tip can make at a critical point when
-// it moves across the way in.
-std::vector<PrimitiveContact> WallsAt(const Passage& passage, int critical_point,
-                                      const ContactFinder& finder);
 
 // A kind of motion that has a meaning wherever the part is. Strategies are made of maneuvers.
 struct Maneuver {
@@ -104,6 +79,9 @@ class Maneuvering {
   // Returns the number of independent directions in which the errors are greater than the play
   // between walls.
   int WideDirections(const BelievedPose& believed) const;
+  // Returns how many times the errors must be halved until they are within the play between walls,
+  // summed over independent directions.
+  double Halvings(const BelievedPose& believed) const;
 
  private:
   struct Direction;

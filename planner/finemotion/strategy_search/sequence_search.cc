@@ -19,6 +19,9 @@ constexpr std::size_t kMostMotions = 24;
 constexpr double kPerCriticalPoint = 10;
 constexpr double kPerWideDirection = 4;
 constexpr double kPerError = 3;
+// The same for diverse searches.
+constexpr double kPerHalving = 2;
+constexpr double kPerErrorBeside = 1.5;
 constexpr double kPerRadian = 20;
 constexpr double kPerMetre = 1000;
 
@@ -78,7 +81,7 @@ bool SequenceSearch::IsGoal(const Node& node) const {
 
 int SequenceSearch::Budget() const {
   const StrategyOptions& options = problem_.options;
-  const int nodes = effort_ == Effort::kGuided ? options.nodes : options.thorough_nodes;
+  const int nodes = effort_ == Effort::kThorough ? options.thorough_nodes : options.nodes;
   return nodes * problem_.passage.critical_points();
 }
 
@@ -136,7 +139,7 @@ Maneuvered SequenceSearch::Apply(int point, const Situation& situation, const Ma
 }
 
 void SequenceSearch::Push(Node node) {
-  if (effort_ == Effort::kThorough && !known_.Add(node.point, node.believed)) return;
+  if (effort_ != Effort::kGuided && !known_.Add(node.point, node.believed)) return;
   node.number = made_++;
   node.guidance = GuidanceOf(node);
   open_.push(std::make_shared<const Node>(std::move(node)));
@@ -150,7 +153,11 @@ std::vector<Maneuver> SequenceSearch::ManeuversFrom(const Node& node) const {
     maneuvers.push_back({Kind::kAdvance});
   for (const double length : {1e-3, 3e-3}) maneuvers.push_back({Kind::kMove, -in, length});
   maneuvers.push_back({Kind::kMove, in, kFarthest, true});
+  const bool is_diverse = effort_ == Effort::kDiverse;
+  if (is_diverse) maneuvers.push_back({Kind::kMove, in, 1e-3});
   for (const Vector3& lateral : ManeuveringAt(node.point).laterals()) {
+    if (is_diverse)
+      maneuvers.push_back({Kind::kMove, (lateral + in).normalized(), kFarthest, true});
     maneuvers.push_back({Kind::kMove, lateral, kFarthest, true});
     maneuvers.push_back({Kind::kTurn, lateral, kWidestTurn, true});
   }
@@ -192,18 +199,24 @@ double SequenceSearch::Beside(const Node& node) const {
   return (to - to.dot(passage.mating) * passage.mating).norm();
 }
 
-double SequenceSearch::GuidanceOf(const Node& node) const {
-  PoseChanges errors = node.believed.errors;
+// Returns the part of the guidance that is due to the errors.
+double SequenceSearch::ErrorsToReduce(const BelievedPose& believed, const Maneuvering& here) const {
+  PoseChanges errors = believed.errors;
   errors.bottomRows<3>() *= problem_.options.radius;
   using Spread = Eigen::Matrix<double, kPoseDimensions, kPoseDimensions>;
   const Spread spread = errors * errors.transpose();
   const auto thick = std::ranges::count_if(numeric::EigenvaluesOfSymmetric(spread),
                                            [](double e) { return e > kThin * kThin; });
+  if (effort_ == Effort::kDiverse)
+    return kPerHalving * here.Halvings(believed) + kPerErrorBeside * static_cast<double>(thick);
+  return kPerWideDirection * here.WideDirections(believed) + kPerError * static_cast<double>(thick);
+}
+
+double SequenceSearch::GuidanceOf(const Node& node) const {
   const Maneuvering& here = ManeuveringAt(node.point);
   const double turn = here.ToUpright(node.believed.X_StationaryMoving).norm();
   return kPerCriticalPoint * (problem_.passage.critical_points() - node.point) +
-         kPerWideDirection * here.WideDirections(node.believed) +
-         kPerError * static_cast<double>(thick) + std::min(2.0, kPerRadian * turn) +
+         ErrorsToReduce(node.believed, here) + std::min(2.0, kPerRadian * turn) +
          std::min(1.0, kPerMetre * Beside(node));
 }
 

@@ -29,7 +29,10 @@ struct SequenceProblem {
 class SequenceSearch {
  public:
   enum class Effort {
-    kGuided,    // cheap sequences first, within a budget of nodes
+    kGuided,  // cheap sequences first, within a budget of nodes
+    // As kGuided, with more kinds of maneuvers, without believed poses like known ones, and with
+    // sequences first that make the errors small.
+    kDiverse,
     kThorough,  // all sequences, whatever their costs, without believed poses like known ones
   };
   SequenceSearch(const SequenceProblem& problem, Starts& starts, Effort effort);
@@ -66,6 +69,7 @@ class SequenceSearch {
   std::vector<Maneuver> ManeuversFrom(const Node& node) const;
   double ConfusionOf(const Maneuvered& done) const;
   double Beside(const Node& node) const;
+  double ErrorsToReduce(const BelievedPose& believed, const Maneuvering& here) const;
   double GuidanceOf(const Node& node) const;
   static Sequence SequenceTo(const NodePointer& goal);
 

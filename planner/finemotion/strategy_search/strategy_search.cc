@@ -20,6 +20,11 @@ namespace {
 constexpr double kEnlargements[] = {1, 2};
 // The fractions of the errors for which sequences are searched for, round by round.
 constexpr double kMultiples[] = {0.8, 0.7, 1, 0.5, 0.3, 0.15};
+constexpr double kDiverseMultiples[] = {0.8, 0.7, 1, 0.5};
+// The farthest start beside the entry, and the radius that makes turns lengths, for diverse
+// searches, as multiples of the tip's size.
+constexpr double kOffsetOfTip = 0.55;
+constexpr double kRadiusOfTip = 0.8;
 // Where too little is absorbed, sequences for smaller errors are searched for. Each search uses
 // kFewer times the errors of the previous search, down to the fraction kFewest of all errors.
 constexpr double kFewer = 0.7;
@@ -30,6 +35,7 @@ constexpr double kLeastAbsorbed = 0.1;
 
 // The parameters of one search.
 struct Attempt {
+  SequenceSearch::Effort effort = SequenceSearch::Effort::kGuided;
   int round = 0;        // the round that draws the starts
   double multiple = 1;  // factor of the attempt's errors for which a sequence is searched for
   double enlarged = 1;  // factor from the wanted errors to the attempt's errors
@@ -44,10 +50,12 @@ class StrategySearch {
         errors_(errors),
         options_(options),
         maneuvering_(
-            ManeuveringThrough(passage, CheckerFor(passage, errors, options), options.reach)) {}
+            ManeuveringThrough(passage, CheckerFor(passage, errors, options), options.reach)),
+        tip_(TipSize(passage)) {}
 
   FineMotionPlan Run() {
     SearchGuided();
+    SearchDiversely();
     Outcome otherwise = Outcome::kBudget;
     if (!IsFound() && options_.thorough_nodes > 0) {
       otherwise = LookThroughAll();
@@ -63,17 +71,19 @@ class StrategySearch {
  private:
   // The state of one attempt. Multiples are multiples of the attempt's errors.
   struct Trying {
-    Trying(const StrategySearch& search, const Attempt& with, SequenceSearch::Effort effort)
+    Trying(const StrategySearch& search, const Attempt& with)
         : attempt(with),
+          options(search.OptionsOf(with.effort)),
           errors(Enlarged(search.errors_, with.enlarged)),
-          random(search.options_.seed, fmt::format("starts of strategies {}", with.round)),
-          starts(search.passage_, errors, search.options_, random),
-          problem{search.passage_, search.maneuvering_, search.options_, with.multiple},
-          sequences(problem, starts, effort),
+          random(options.seed, fmt::format("starts of strategies {}", with.round)),
+          starts(search.passage_, errors, options, random),
+          problem{search.passage_, search.maneuvering_, options, with.multiple},
+          sequences(problem, starts, with.effort),
           replay(problem, starts) {}
     Trying(const Trying&) = delete;
 
     Attempt attempt;
+    StrategyOptions options;
     FineMotionErrors errors;
     RandomStream random;
     Starts starts;
@@ -88,9 +98,28 @@ class StrategySearch {
     for (int round = 0; round < options_.rounds; ++round) {
       const double multiple = kMultiples[static_cast<std::size_t>(round) % std::size(kMultiples)];
       for (const double enlarged : kEnlargements) {
-        if (!IsFound()) SearchOnce({round, multiple, enlarged});
+        if (!IsFound()) SearchOnce({.round = round, .multiple = multiple, .enlarged = enlarged});
       }
     }
+  }
+
+  void SearchDiversely() {
+    for (int round = 0; round < options_.diverse_rounds && !IsFound(); ++round) {
+      SearchOnce(
+          {.effort = SequenceSearch::Effort::kDiverse,
+           .round = options_.rounds + 1 + round,
+           .multiple =
+               kDiverseMultiples[static_cast<std::size_t>(round) % std::size(kDiverseMultiples)]});
+    }
+  }
+
+  StrategyOptions OptionsOf(SequenceSearch::Effort effort) const {
+    StrategyOptions options = options_;
+    if (effort != SequenceSearch::Effort::kDiverse) return options;
+    options.nodes = options.diverse_nodes;
+    options.offset = std::min(options.offset, kOffsetOfTip * tip_);
+    options.radius = std::min(options.radius, kRadiusOfTip * tip_);
+    return options;
   }
 
   // Searches like the first round, for smaller errors. The errors decide how far up the starts are,
@@ -102,7 +131,7 @@ class StrategySearch {
   }
 
   void SearchOnce(const Attempt& attempt) {
-    Trying trying(*this, attempt, SequenceSearch::Effort::kGuided);
+    Trying trying(*this, attempt);
     if (auto sequence = trying.sequences.Next()) {
       const double absorbed = trying.replay.Widen(*sequence, attempt.multiple);
       Keep(PlanOf(*sequence, absorbed, trying));
@@ -115,7 +144,7 @@ class StrategySearch {
   // Examines all sequences with all of the errors. A sequence that exact geometry contradicts does
   // not count.
   Outcome LookThroughAll() {
-    Trying trying(*this, {.round = options_.rounds}, SequenceSearch::Effort::kThorough);
+    Trying trying(*this, {.effort = SequenceSearch::Effort::kThorough, .round = options_.rounds});
     while (!IsFound()) {
       auto sequence = trying.sequences.Next();
       if (!sequence) break;
@@ -246,6 +275,7 @@ class StrategySearch {
   const FineMotionErrors& errors_;
   const StrategyOptions& options_;
   std::vector<Maneuvering> maneuvering_;  // one for each critical point
+  double tip_;                            // TipSize
   FineMotionPlan best_;
   int expanded_ = 0;
   int replayed_ = 0;

@@ -19,7 +19,10 @@ constexpr double kWidestPlay = 0.35;      // share of the width of the hole
 constexpr double kBeforeMouth = 0.02;     // metres that the mating motion begins before the mouth
 constexpr double kLeastClearance = 1e-6;  // metres, as a scenario file permits
 constexpr double kClampForce = 300;       // newtons
-const Vector2 kFixedPlace(0.6, 0.05);     // on the table, metres
+// The gripper for small parts takes parts of this width, if they are no longer, in metres.
+constexpr double kSmallWidth = 0.03;
+constexpr double kSmallLength = 0.1;
+const Vector2 kFixedPlace(0.6, 0.05);  // on the table, metres
 const Vector2 kHeldPlace(0.5, -0.2);
 
 // A feature with its post, in the frame of the files.
@@ -134,6 +137,13 @@ std::string PartLine(const ImportedPart& part, const Vector3& down, const Vector
                      PoseText(X_WorldPart.linear(), X_WorldPart.translation()), more);
 }
 
+// Returns the workcell whose gripper suits a part.
+std::string WorkcellFor(const ImportedPart& held) {
+  const Vector3 extents = ExtentsOf(held);
+  const bool is_small = extents.minCoeff() <= kSmallWidth && extents.maxCoeff() <= kSmallLength;
+  return is_small ? "puma762-small-jaw" : "puma762-table";
+}
+
 // Returns the direction of a part that points down on the table.
 Vector3 DownOf(const ImportedPart& part, const std::optional<Vector3>& wanted) {
   const std::vector<RestingPose> poses = RestingPosesOf(part);
@@ -184,8 +194,8 @@ std::string ScenarioText(const MatedPair& pair) {
   const Matrix3 R_FixedHeld = fixed.sketch.R_FilePart.transpose() * held.sketch.R_FilePart;
   std::string text = fmt::format(
       "format: assay-scenario/1\ntitle: {0} into {1}\nunits: {{length: mm, angle: degree}}\n"
-      "workcell: puma762-table\nclearance: {2}  # as in the files: no hole is widened\nparts:\n",
-      held.sketch.name, fixed.sketch.name,
+      "workcell: {2}\nclearance: {3}  # as in the files: no hole is widened\nparts:\n",
+      held.sketch.name, fixed.sketch.name, WorkcellFor(held),
       Millimetres(std::max(mated.LeastGap(), kLeastClearance)));
   text += PartLine(fixed, DownOf(fixed, Vector3(-hole_axis)), kFixedPlace,
                    fmt::format("    clamp: {:.0f}  # newtons of a fixture\n", kClampForce));

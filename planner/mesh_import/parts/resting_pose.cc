@@ -1,5 +1,6 @@
 #include "planner/mesh_import/parts/resting_pose.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -68,6 +69,12 @@ std::vector<RestingPose> RestingPosesOf(const ImportedPart& part) {
   std::ranges::stable_sort(poses, std::ranges::greater(),
                            [](const RestingPose& pose) { return std::round(pose.tilt * 1e6); });
   return poses;
+}
+
+Vector3 ExtentsOf(const ImportedPart& part) {
+  Eigen::AlignedBox3d bounds;
+  for (const Vector3& p : OutermostPoints(part)) bounds.extend(p);
+  return bounds.sizes();
 }
 
 geometry::Pose OnTable(const ImportedPart& part, const Vector3& down, const Vector2& at) {

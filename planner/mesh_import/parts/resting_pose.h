@@ -16,6 +16,9 @@ struct RestingPose {
 // density is the same everywhere.
 std::vector<RestingPose> RestingPosesOf(const ImportedPart& part);
 
+// Returns the extents of a part along the axes of its frame, in metres.
+Vector3 ExtentsOf(const ImportedPart& part);
+
 // Returns the pose of a part on the table z = 0, at x and y, with a direction down.
 geometry::Pose OnTable(const ImportedPart& part, const Vector3& down, const Vector2& at);
 

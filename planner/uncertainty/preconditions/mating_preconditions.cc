@@ -6,6 +6,7 @@
 
 #include "planner/algebra/expression/simplify.h"
 #include "planner/base/check.h"
+#include "planner/domain/matings/mating_classes.h"
 #include "planner/domain/matings/shaft_fit.h"
 #include "planner/geometry/pose.h"
 #include "planner/numeric/interval_arithmetic.h"
@@ -30,11 +31,12 @@ struct Worst {
   double friction = 0;   // friction of the mating surfaces
 };
 
-Worst WorstOf(const UncertainWorld& world) {
-  const double friction = world.problem().workcell->rules().friction;
-  if (world.propagation() == Propagation::kPaper) return {.friction = friction};
-  const domain::Tolerances& tolerances = world.problem().tolerances;
-  return {.narrowing = tolerances.clearance, .friction = friction + tolerances.friction};
+Worst WorstOf(const UncertainWorld& world, const domain::Mating& mating) {
+  const domain::Problem& problem = world.problem();
+  if (world.propagation() == Propagation::kPaper)
+    return {.friction = problem.workcell->rules().friction};
+  return {.narrowing = problem.tolerances.clearance,
+          .friction = domain::GreatestMatingFriction(problem, mating)};
 }
 
 // The pose of the shaft's part as seen from the hole's part: its nominal pose and its possible
@@ -46,10 +48,11 @@ struct Relative {
 
 class FitConditions {
  public:
-  FitConditions(const ShaftFit& fit, const UncertainWorld& world, Preconditions& conditions)
+  FitConditions(const ShaftFit& fit, const UncertainWorld& world, const domain::Mating& mating,
+                Preconditions& conditions)
       : fit_(fit),
         compliance_(world.problem().workcell->rules().lateral_compliance),
-        worst_(WorstOf(world)),
+        worst_(WorstOf(world, mating)),
         conditions_(conditions),
         walls_(domain::SideWalls(fit, worst_.narrowing)),
         section_(domain::CrossSection(fit)) {
@@ -200,9 +203,9 @@ class MatingConditions {
   void RequireFit(const ShaftFit& fit) {
     const Relative entering = Before(fit.depth);
     if (fit.shaft_is_held) {
-      FitConditions(fit, world_, conditions_).Require(entering, seated_, fit.depth);
+      FitConditions(fit, world_, mating_, conditions_).Require(entering, seated_, fit.depth);
     } else {
-      FitConditions(fit, world_, conditions_)
+      FitConditions(fit, world_, mating_, conditions_)
           .Require(Inverted(entering), Inverted(seated_), fit.depth);
     }
   }

@@ -1,7 +1,9 @@
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
+#include "planner/domain/matings/shaft_fit.h"
 #include "planner/domain/parts/part_model.h"
 #include "planner/geometry/box.h"
 #include "planner/geometry/collision.h"
@@ -169,17 +171,33 @@ class StandingConditions {
   double off_;  // metres by which other parts under this one may be elsewhere
 };
 
+// Returns the corners of the mouths of the mated holes, in the world.
+std::vector<Vector3> MouthsOf(const UncertainWorld& world, const domain::Mating& mating) {
+  const Pose& X_WorldFixed = world.X_WorldPart(mating.fixed);
+  std::vector<Vector3> corners;
+  for (const domain::ShaftFit& fit : domain::FitsOf(world.problem(), mating)) {
+    const Pose X_WorldHole = fit.shaft_is_held ? X_WorldFixed : X_WorldFixed * mating.X_FixedHeld;
+    for (const domain::Mouth& mouth : fit.hole.mouths) {
+      const domain::Face& face = fit.hole_model.faces()[mouth.face.index()];
+      for (const Vector2& p : mouth.outline)
+        corners.push_back(X_WorldHole * face.X_PartFace * Vector3(p.x(), p.y(), 0));
+    }
+  }
+  return corners;
+}
+
 // Returns the push of the mating on the fixed part. A straight mating pushes along its vector where
-// the parts touch at the end. A strategy pushes in any direction, wherever the parts may touch on
-// the way.
+// the parts touch at the end. If it ends on the table, the parts touch at the hole's walls alone. A
+// strategy pushes in any direction, wherever the parts may touch on the way.
 Push PushOf(const UncertainWorld& world, const domain::Mating& mating,
             const plan::Strategy* strategy) {
   const Pose& X_WorldFixed = world.X_WorldPart(mating.fixed);
   const double weight = GreatestWeight(world.problem(), mating.held);
   Push push;
+  if (mating.ends_on_table) push.at = MouthsOf(world, mating);
   for (const Standing& standing :
        StandingsOf(world, mating.held, X_WorldFixed * mating.X_FixedHeld)) {
-    if (standing.on == mating.fixed) push.at = standing.at;
+    if (standing.on == mating.fixed) std::ranges::copy(standing.at, std::back_inserter(push.at));
   }
   if (strategy != nullptr) {
     push.at.push_back(X_WorldFixed * strategy->X_FixedStart.translation());

@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "planner/assembly/strategy_reach.h"
+#include "planner/domain/matings/mating_classes.h"
 #include "planner/domain/matings/mating_errors_file.h"
 #include "planner/finemotion/strategy_search/likely_errors.h"
 #include "planner/plan/plan_files/json_layout.h"
@@ -98,9 +99,8 @@ finemotion::FineMotionErrors ErrorsOf(const domain::MatingErrors& half_widths,
   return errors;
 }
 
-finemotion::StrategyOptions SearchOptions(const Options& options, const domain::Problem& problem) {
-  const double usual = problem.workcell->rules().friction + problem.tolerances.friction;
-  return {.friction = options.friction.value_or(usual),
+finemotion::StrategyOptions SearchOptions(const Options& options, double usual_friction) {
+  return {.friction = options.friction.value_or(usual_friction),
           .thorough_nodes = options.nodes,
           .test = options.intersection,
           .seed = options.search_seed};
@@ -153,9 +153,10 @@ struct Planning {
 Planning Prepared(const Options& options) {
   MatingTask task = LastMatingOf(Planned(options));
   const domain::Problem& problem = task.planned.problem;
-  MatingGeometry geometry = finemotion::GeometryOf(problem, problem.mating(task.assemble.mating));
+  const domain::Mating& mating = problem.mating(task.assemble.mating);
+  MatingGeometry geometry = finemotion::GeometryOf(problem, mating);
   const finemotion::FineMotionErrors errors = ErrorsOf(HalfWidths(options, problem), geometry);
-  const finemotion::StrategyOptions search = SearchOptions(options, problem);
+  const auto search = SearchOptions(options, domain::GreatestMatingFriction(problem, mating));
   return {std::move(task), std::move(geometry), errors, search};
 }
 
@@ -243,7 +244,6 @@ void Try(const kinematics::JointVector& near, const Options& options, Planning& 
   of.text += FreeText(of);
 }
 
-// Writes the page of one trial.
 void View(const kinematics::JointVector& near, const Options& options, Planning& of) {
   if (options.page.empty() || Interruption::Requested()) return;
   const double rate = execution::ExecutorOptions().sample_rate;

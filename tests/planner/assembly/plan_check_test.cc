@@ -56,6 +56,14 @@ TEST(PlanCheck, StrategiesAreCertainForTheArmsVelocity) {
               Contains(Field(&plan::Flaw::what, HasSubstr("err by 0.002, and they may by 0.003"))));
 }
 
+TEST(PlanCheck, StrategiesCountOnTheGreatestFriction) {
+  domain::Problem problem = constraint_posting::LoadScenario("uncertain-fine-motion");
+  const plan::Plan plan = MakeCertifiedPlan(problem, {}, {}).plan;
+  problem.tolerances.friction = 0.1;
+  EXPECT_THAT(FlawsOfStrategies(problem, plan),
+              Contains(Field(&plan::Flaw::what, HasSubstr("at most 0.25, and there may be 0.35"))));
+}
+
 // The strategy was found for holes that may be narrower than nominal.
 TEST(PlanCheck, TakesTheNarrowestHoles) {
   domain::Problem problem = constraint_posting::LoadScenario("uncertain-fine-motion");

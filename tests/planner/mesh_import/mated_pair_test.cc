@@ -87,6 +87,20 @@ TEST(MatedPair, ScenarioHasBothPartsOnTheTable) {
   EXPECT_NEAR(scenario.root().At("clearance").Number(), 0.1, 1e-3);
 }
 
+// The gripper for small parts takes pegs up to 30 mm wide.
+TEST(MatedPair, WorkcellHasAGripperForTheHeldPart) {
+  const auto workcell = [](double width) {
+    const TriangleMesh drilled = Extruded(RectangleOf(100, 100), 12, {CircleOf(width + 0.2, 48)});
+    const ImportedPart plate = NamedPart("plate", drilled, {0, 0, 0});
+    const ImportedPart peg = NamedPart("peg", ChamferedPeg(width, 50, 0.5, 48), {0, 0, 0});
+    const std::optional<MatedPair> pair = FindMating(plate, peg);
+    if (!pair) return std::string();
+    return Document::Parse(ScenarioText(*pair), "scenario.yaml").root().At("workcell").Text();
+  };
+  EXPECT_EQ(workcell(8), "puma762-small-jaw");
+  EXPECT_EQ(workcell(40), "puma762-table");
+}
+
 // A cube is equally stable on each of its faces. A long bar is most stable on its widest side.
 TEST(RestingPose, TiltsAreThoseOfTheGeometry) {
   const std::vector<RestingPose> cube =

@@ -13,6 +13,7 @@
 #include "planner/uncertainty/error_sets/squeezing.h"
 #include "planner/uncertainty/preconditions/precondition.h"
 #include "planner/uncertainty/preconditions/support.h"
+#include "tests/planner/domain/scenario.h"
 #include "tests/planner/uncertainty/part_on_table.h"
 #include "tests/scratch_file.h"
 
@@ -228,6 +229,17 @@ TEST(Standing, WhatLeansFallsBackUnlessItIsTooTall) {
                                                   {{0, 0, 0}, 0}, std::atan(share * steep));
     EXPECT_NEAR(RatioOf(world, conditions, plan::condition::kStanding), share, 1e-9);
   }
+}
+
+// A shaft that goes through a hole ends on the table. The frame is pressed down at most around its
+// hole, inside of what it stands on.
+TEST(FixedPart, IsNotTippedByAShaftThatEndsOnTheTable) {
+  const domain::Problem problem = domain::LoadScenario("key-bar");
+  UncertainWorld world(problem, Propagation::kSound);
+  const std::vector<Precondition> conditions =
+      FixedPreconditions(world, domain::MatingId(0), {}, nullptr);
+  EXPECT_LT(RatioOf(world, conditions, plan::condition::kFixedStands), 1e-6);
+  EXPECT_LT(RatioOf(world, conditions, plan::condition::kFixedStays), 1e-6);
 }
 
 }  // namespace

@@ -473,16 +473,14 @@ TEST(Impossibility, ShowsThePoseThatIsNotReached) {
 }
 
 // A plate of 120 mm by 20 mm can be held only by two sides that are too far apart, or by faces 20
-// mm high. These faces are high enough for pads of 16 mm that are not turned. Pads that are turned
-// by 45 degrees need 16 sqrt(2) mm.
-TEST(Impossibility, TellsOfFacesThatAreTooNarrowForThePads) {
+// mm high. Pads of 16 mm that are turned by 45 degrees need 16 sqrt(2) mm. They stick out of the
+// faces, and hold the plate.
+TEST(Impossibility, IsNotSaidWhereTurnedPadsStickOut) {
   const plan::PlanResult result =
       MakePlan(Read(BoxesOnTable(Box("plate", 120, 90, 20, "upright, at: [600, 0]"),
                                  "  - located: {part: plate, stable: [XP1]}\n", "one-arm", 60)),
                {});
-  EXPECT_EQ(result.outcome, Outcome::kNone);
-  EXPECT_THAT(TextsOf(result.near_misses),
-              Contains(HasSubstr("the faces have 20 mm, and the pads need 22.63 mm")));
+  EXPECT_NE(result.outcome, Outcome::kNone);
 }
 
 }  // namespace

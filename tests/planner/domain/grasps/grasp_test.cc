@@ -14,6 +14,7 @@
 #include "planner/geometry/solids/separation.h"
 #include "tests/oracle/random_pose.h"
 #include "tests/planner/domain/parts.h"
+#include "tests/planner/domain/scenario.h"
 #include "tests/planner/domain/turned_part.h"
 
 namespace assay::domain::grasp_test {
@@ -109,6 +110,22 @@ TEST(GraspTest, ThePegIsTakenAcrossItsPlateForInsertion) {
       EXPECT_EQ(std::ranges::count_if(grasps, fits), 1) << across << " at " << step * 15;
     }
   }
+}
+
+// Faces 9 mm wide have room for pads of 8 mm that are straight. Turned by 30 degrees, the pads need
+// 8 (cos 30 + sin 30) = 10.9 mm, and stick out.
+TEST(GraspTest, TurnedPadsStickOutOfFacesThatHaveRoomForStraightOnes) {
+  const Problem problem = LoadScenario("key-bar");
+  const auto approaches = [&](double degrees) {
+    return std::ranges::any_of(
+        *problem.part(PartNamed(problem, "bar")).grasps, [&](const Grasp& grasp) {
+          const double lean = -ApproachOf(grasp).z();
+          return IsAcross(grasp, 0) && std::abs(lean - std::cos(degrees * kDegree)) < 1e-6;
+        });
+  };
+  EXPECT_TRUE(approaches(0));
+  EXPECT_TRUE(approaches(30));
+  EXPECT_TRUE(approaches(60));
 }
 
 TEST(GraspTest, HandsOnTheShaftHideIt) {

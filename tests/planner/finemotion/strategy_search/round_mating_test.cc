@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <numbers>
 
 #include "planner/domain/problem/problem_file.h"
@@ -76,6 +77,20 @@ TEST_F(RoundMating, TheTurnOfTheShaftDoesNotMatter) {
     RandomStream random(1, "turned shafts");
     EXPECT_FALSE(DeviationOf(replay, error, random)) << turn;
   }
+}
+
+// The usual searches find nothing for a bar of 12 by 9 mm, and the diverse ones do.
+TEST(SmallMating, HasAStrategyThatDiverseSearchesFind) {
+  const domain::Problem problem = domain::LoadScenario("key-bar");
+  const MatingGeometry geometry = GeometryOf(problem, problem.matings.front());
+  EXPECT_NEAR(TipSize(geometry.passage), std::hypot(6, 4.5) * 1e-3, 3e-4);
+  FineMotionErrors errors;
+  errors.pose << Vector3::Constant(problem.mating_errors.displacement),
+      Vector3::Constant(problem.mating_errors.rotation);
+  StrategyOptions options = {.friction = 0.25, .thorough_nodes = 0};
+  EXPECT_TRUE(SearchStrategy(geometry.passage, errors, options).found());
+  options.diverse_rounds = 0;
+  EXPECT_FALSE(SearchStrategy(geometry.passage, errors, options).found());
 }
 
 }  // namespace

@@ -41,7 +41,7 @@ FineMotionErrors ErrorsOf(double length, double angle) {
   return errors;
 }
 
-StrategyOptions OptionsOf(std::uint64_t seed) { return {.seed = seed}; }
+StrategyOptions OptionsOf(std::uint64_t seed) { return {.diverse_rounds = 0, .seed = seed}; }
 
 // A plan for errors in all six dimensions.
 const FineMotionPlan& WidePlan() {
