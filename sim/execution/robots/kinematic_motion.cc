@@ -57,7 +57,8 @@ bool KinematicMotion::Begin(const mujoco::Data& data, PartId held, const RobotCo
   }
   held_ = held;
   last_ = last;
-  lag_ = scene_.ArmPosition(data) - last.arm.q;
+  lag_.setZero();
+  if (!held.IsNone()) lag_ = scene_.ArmPosition(data) - last.arm.q;
   return !TouchesAnything(data) && IsQuiet(data);
 }
 

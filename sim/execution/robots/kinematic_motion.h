@@ -21,8 +21,9 @@ struct RobotCommand {
 // Motion of a robot without dynamics, for the time in which the engine's forces decide nothing: the
 // robot and the part in its hand touch nothing else, the pads hold this part with much more
 // friction than it needs, and everything else rests. The servos then lead the robot along its
-// commands. The difference between the commands and the true state stays as it is, and so does the
-// pose of the part in the hand.
+// commands. With an empty hand they have no lag, because they know the arm's dynamics. A part in
+// the hand may weigh more than they know, so their lag stays as it is, and so does the pose of the
+// part in the hand.
 class KinematicMotion {
  public:
   explicit KinematicMotion(const scene::Scene& scene);

@@ -50,8 +50,8 @@ TEST_F(AtHome, MovesTheRobotAndNothingElse) {
   EXPECT_TRUE(scene_.TruePose(data_, PartId(0)).isApprox(before, 0));
 }
 
-// The difference between command and posture is the error of the servos, which the motion keeps.
-TEST_F(AtHome, KeepsTheLagOfTheServos) {
+// Servos that know the whole load lead the arm to where it is commanded.
+TEST_F(AtHome, HasNoLagWithAnEmptyHand) {
   RobotCommand commanded = Here();
   const kinematics::JointVector q = commanded.arm.q;
   commanded.arm.q[2] -= 1e-4;
@@ -59,7 +59,7 @@ TEST_F(AtHome, KeepsTheLagOfTheServos) {
   commanded.arm.q[0] += 0.01;
   ASSERT_TRUE(motion_.MoveTo(commanded, 0.01, data_));
   EXPECT_NEAR(scene_.ArmPosition(data_)[0], q[0] + 0.01, 1e-12);
-  EXPECT_NEAR(scene_.ArmPosition(data_)[2], q[2], 1e-12);
+  EXPECT_NEAR(scene_.ArmPosition(data_)[2], q[2] - 1e-4, 1e-12);
 }
 
 // A part is where the hand would be after a turn of 0.3 rad.
