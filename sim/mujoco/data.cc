@@ -138,7 +138,7 @@ void Data::FindContacts(std::span<const int> groups) {
   for (int i = 0; i < data_->ncon; ++i) data_->contact[i].efc_address = -1;  // without forces
 }
 
-void Data::PassTime(double seconds) { data_->time += seconds; }
+void Data::SetTime(double seconds) { data_->time = seconds; }
 
 void Data::AddForce(BodyId body, const Vector3& p_World, const Vector3& force_World) {
   const Vector3 no_torque = Vector3::Zero();

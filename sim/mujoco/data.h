@@ -60,10 +60,10 @@ class Data {
   void MoveBodies();
 
   // For motion that the caller computes with MoveBodies. FindContacts finds the contacts between
-  // bodies of different groups (GroupFilter), without forces. PassTime moves the time on. Resume
+  // bodies of different groups (GroupFilter), without forces. SetTime moves the time on. Resume
   // computes all that the next step needs from qpos and qvel.
   void FindContacts(std::span<const int> groups);
-  void PassTime(double seconds);
+  void SetTime(double seconds);
   void Resume() { BeginStep(); }
 
   // Adds to qfrc_applied the force on a body at a point, in newtons and metres in the world's axes.

@@ -22,8 +22,10 @@ constexpr double kPeakFilter = 0.002;  // time constant of the greatest force, s
 // Time constant of the force that ends a guarded move, seconds.
 constexpr double kTouchFilter = 0.001;
 constexpr double kBrakeTime = 0.002;  // seconds from slow motion to rest
-// The longest motion without dynamics, seconds. Then the engine computes the forces anew.
-constexpr double kLongestKinematic = 0.02;
+// How often each second the engine computes the forces, while robots move without dynamics. The
+// forces in the trace's samples are those of the timesteps after the samples, so that the usual
+// rate of samples is best.
+constexpr double kForceRate = 50;
 // A state of motion without dynamics follows the last one when a joint may have moved the robot by
 // this length, metres. Contacts are found if they last longer.
 constexpr double kKinematicLength = 5e-4;
@@ -70,7 +72,14 @@ Sample* LastSample(Trace& trace) {
 // Returns how many seconds a command of these rates may last in motion without dynamics.
 double KinematicStep(const RobotCommand& command, double shortest) {
   const double speed = kReach * command.arm.qd.lpNorm<1>() + std::abs(command.opening_rate);
-  return std::clamp(kKinematicLength / std::max(speed, 1e-9), shortest, kLongestKinematic);
+  return std::clamp(kKinematicLength / std::max(speed, 1e-9), shortest, 1 / kForceRate);
+}
+
+// Returns the time at which the engine must compute the forces again.
+double NextForces(double now) {
+  double count = std::floor(now * kForceRate);
+  while (count / kForceRate < now + 1e-9) ++count;
+  return count / kForceRate;
 }
 
 Trace EmptyTrace(const domain::Problem& problem) {
@@ -235,26 +244,26 @@ Progress Execution::MoveFingers(double opening, double rate) {
   return std::nullopt;
 }
 
-// The motion ends when a sample is due, because the sample's forces come from the timestep after
-// it.
 double Execution::MoveKinematically(const Commands& commands, double time, double end) {
   const double shortest = options_.kinematic_step;
-  end = std::min(end, time + kLongestKinematic);
-  if (shortest <= 0 || time + shortest > end) return time;
+  const double ahead = data_.time() - time;
+  const double stop = std::min(NextForces(data_.time()), end + ahead);
+  if (shortest <= 0 || data_.time() + shortest > stop) return time;
   if (!kinematic_.Begin(data_, world_.held(), commands(time))) return time;
-  const double start = time;
-  while (time + shortest <= end && !IsSampleDue()) {
-    const double step = std::min(KinematicStep(commands(time), shortest), end - time);
-    const RobotCommand next = commands(time + step);
-    if (!kinematic_.MoveTo(next, step, data_)) break;
-    time += step;
-    commanded_ = next.arm;
+  const double start = data_.time();
+  while (data_.time() < stop) {
+    const double step = KinematicStep(commands(data_.time() - ahead), shortest);
+    const double next = std::min(data_.time() + step, stop);
+    const RobotCommand command = commands(next - ahead);
+    if (!kinematic_.MoveTo(command, next, data_)) break;
+    commanded_ = command.arm;
     EndTimestep();
   }
-  if (time == start) return time;
+  if (data_.time() == start) return time;
   kinematic_.End(data_);
+  Feel(data_.time() - start);
   SampleIfDue();
-  return time;
+  return data_.time() - ahead;
 }
 
 bool Execution::IsInHand() const {
@@ -274,7 +283,6 @@ void Execution::Restore(const Checkpoint& checkpoint) {
   world_ = checkpoint.world;
   commanded_ = checkpoint.commanded;
   felt_ = checkpoint.felt;
-  watched_ = data_.time();
   hand_error_ = checkpoint.hand_error;
   // The samples that were due until here have been taken.
   samples_ = 0;
@@ -361,18 +369,20 @@ Progress Execution::Watch() {
     return Failure{TrialOutcome::kEngineWarning,
                    fmt::format("{} ({} times)", warning.text, warning.count)};
   }
-  const Vector3 force = scene_.WristWrench(data_).force;
-  const double passed = data_.time() - watched_;
-  watched_ = data_.time();
-  felt_ += std::min(1.0, passed / kForceFilter) * (force - felt_);
-  peak_ += std::min(1.0, passed / kPeakFilter) * (force - peak_);
-  greatest_force_ = std::max(greatest_force_, peak_.norm());
+  Feel(data_.timestep());
   if (felt_.norm() <= force_limit_) return std::nullopt;
   const Vector3 p = 1e3 * scene_.ToolPose(data_).translation();
   return Failure{TrialOutcome::kOverload,
                  fmt::format("the wrist felt {:.0f} N, more than {:.0f} N, with the tool at "
                              "({:.1f}, {:.1f}, {:.1f}) mm",
                              felt_.norm(), force_limit_, p.x(), p.y(), p.z())};
+}
+
+void Execution::Feel(double seconds) {
+  const Vector3 force = scene_.WristWrench(data_).force;
+  felt_ += std::min(1.0, seconds / kForceFilter) * (force - felt_);
+  peak_ += std::min(1.0, seconds / kPeakFilter) * (force - peak_);
+  greatest_force_ = std::max(greatest_force_, peak_.norm());
 }
 
 }  // namespace assay::execution

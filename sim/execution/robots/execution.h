@@ -126,6 +126,8 @@ class Execution {
   void SampleIfDue();
   void RecordCollisions();
   Progress Watch();
+  // Takes into account that the wrist has felt the present reading for some time, seconds.
+  void Feel(double seconds);
 
   const domain::Problem& problem_;
   const scene::Scene& scene_;
@@ -141,7 +143,6 @@ class Execution {
   plan::StepId step_;
   int samples_ = 0;
   std::int64_t steps_ = 0;
-  double watched_ = 0;              // time of the last look at the wrist's force, seconds
   Vector3 felt_ = Vector3::Zero();  // low-pass filtered wrist force
   Vector3 peak_ = Vector3::Zero();  // wrist force with a shorter filter
   double greatest_force_ = 0;

@@ -103,12 +103,12 @@ void KinematicMotion::Move(const RobotCommand& to, mujoco::Data& data) {
   last_ = to;
 }
 
-bool KinematicMotion::MoveTo(const RobotCommand& next, double seconds, mujoco::Data& data) {
+bool KinematicMotion::MoveTo(const RobotCommand& next, double time, mujoco::Data& data) {
   const RobotCommand before = last_;
   Move(next, data);
   const bool is_clear = !TouchesAnything(data);
   if (is_clear) {
-    data.PassTime(seconds);
+    data.SetTime(time);
   } else {
     Move(before, data);
   }

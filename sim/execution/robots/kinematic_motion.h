@@ -37,9 +37,9 @@ class KinematicMotion {
   // Begins a motion at the present state, if it allows one. `held` is the part in the hand, or
   // None, and `last` is the last command.
   bool Begin(const mujoco::Data& data, PartId held, const RobotCommand& last);
-  // Moves to where the robot is commanded to be after `seconds`. Does nothing and returns false if
-  // the robot, or the part in its hand, would touch something there.
-  bool MoveTo(const RobotCommand& next, double seconds, mujoco::Data& data);
+  // Moves to where the robot is commanded to be at a time of the simulation, seconds. Does nothing
+  // and returns false if the robot, or the part in its hand, would touch something there.
+  bool MoveTo(const RobotCommand& next, double time, mujoco::Data& data);
   // Ends the motion with the velocities of the last command, so that dynamics can go on.
   void End(mujoco::Data& data) const;
 
