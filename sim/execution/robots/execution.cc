@@ -179,7 +179,7 @@ Progress Execution::TakeUpHandError(const Pose& error) {
 Progress Execution::Follow(const JointTrajectory& asked) {
   const JointTrajectory trajectory = AsCarried(asked, problem_, world_);
   const Commands commands = [&](double time) { return RobotCommand{.arm = trajectory.At(time)}; };
-  kinematic_.Forget();
+  ForgetKinematics();
   double time = 0;
   while (time < trajectory.duration()) {
     time = MoveKinematically(commands, time, trajectory.duration()) + data_.timestep();
@@ -197,7 +197,7 @@ Progress Execution::Follow(const JointTrajectory& trajectory, const Guarded& gua
   const double before = scene_.WristWrench(data_).force.dot(guarded.direction);
   double resistance = 0;
   const Commands commands = [&](double time) { return RobotCommand{.arm = trajectory.At(time)}; };
-  kinematic_.Forget();
+  ForgetKinematics();
   double time = 0;
   double rate = 1;  // rate at which the trajectory's time passes
   while (time < trajectory.duration() && rate > 0) {
@@ -234,7 +234,7 @@ Progress Execution::MoveFingers(double opening, double rate) {
     const double share = std::min(1.0, time / duration);
     return RobotCommand{rest, from + share * (opening - from), std::copysign(rate, opening - from)};
   };
-  kinematic_.Forget();
+  ForgetKinematics();
   double time = 0;
   while (time < duration) {
     time = MoveKinematically(commands, time, duration) + data_.timestep();
@@ -244,26 +244,40 @@ Progress Execution::MoveFingers(double opening, double rate) {
   return std::nullopt;
 }
 
+// A timestep that ends after the engine's forces were due is followed by another timestep, which
+// has these forces. Near bodies that it would touch, the robot moves by timesteps for a while.
 double Execution::MoveKinematically(const Commands& commands, double time, double end) {
   const double shortest = options_.kinematic_step;
-  const double ahead = data_.time() - time;
-  const double stop = std::min(NextForces(data_.time()), end + ahead);
-  if (shortest <= 0 || data_.time() + shortest > stop) return time;
-  if (!kinematic_.Begin(data_, world_.held(), commands(time))) return time;
   const double start = data_.time();
+  const double stop = std::min(NextForces(start), end + start - time);
+  const bool forces_are_due = NextForces(start - data_.timestep()) <= start;
+  if (shortest <= 0 || forces_are_due || start < near_until_ || start + shortest > stop)
+    return time;
+  if (!kinematic_.Begin(data_, world_.held(), commands(time))) return time;
   while (data_.time() < stop) {
-    const double step = KinematicStep(commands(data_.time() - ahead), shortest);
-    const double next = std::min(data_.time() + step, stop);
-    const RobotCommand command = commands(next - ahead);
-    if (!kinematic_.MoveTo(command, next, data_)) break;
+    const double now = time + data_.time() - start;
+    const double next = std::min(data_.time() + KinematicStep(commands(now), shortest), stop);
+    const RobotCommand command = commands(time + next - start);
+    if (!kinematic_.MoveTo(command, next, data_)) {
+      near_until_ = NextForces(start);
+      break;
+    }
     commanded_ = command.arm;
     EndTimestep();
   }
-  if (data_.time() == start) return time;
+  if (data_.time() == start) {
+    data_.Resume();
+    return time;
+  }
   kinematic_.End(data_);
   Feel(data_.time() - start);
   SampleIfDue();
-  return data_.time() - ahead;
+  return time + data_.time() - start;
+}
+
+void Execution::ForgetKinematics() {
+  kinematic_.Forget();
+  near_until_ = 0;
 }
 
 bool Execution::IsInHand() const {
@@ -345,12 +359,8 @@ void Execution::StepEngine() {
   });
 }
 
-bool Execution::IsSampleDue() const {
-  return options_.sample_rate > 0 && data_.time() >= samples_ / options_.sample_rate;
-}
-
 void Execution::SampleIfDue() {
-  if (!IsSampleDue()) return;
+  if (options_.sample_rate <= 0 || data_.time() < samples_ / options_.sample_rate) return;
   trace_.events.push_back(Sample{Now()});
   // Another robot may have acted for long.
   while (data_.time() >= samples_ / options_.sample_rate) ++samples_;

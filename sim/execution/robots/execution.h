@@ -113,6 +113,8 @@ class Execution {
   // Moves without dynamics from `time` on, to `end` at most, if that is possible. Returns the time
   // that is reached.
   double MoveKinematically(const Commands& commands, double time, double end);
+  // Makes a motion independent of the motions before it.
+  void ForgetKinematics();
   // Executes one timestep that leads the arm to this state. It adds to the trace's series and
   // checks force and engine.
   Progress StepTo(const JointState& next);
@@ -122,7 +124,6 @@ class Execution {
   void StepEngine();
   // Counts the timestep that has ended, and shows it to the observers.
   void EndTimestep();
-  bool IsSampleDue() const;
   void SampleIfDue();
   void RecordCollisions();
   Progress Watch();
@@ -137,6 +138,7 @@ class Execution {
   WorldModel world_;
   CollisionWatch collisions_;
   KinematicMotion kinematic_;
+  double near_until_ = 0;  // no motion without dynamics before this time, seconds
   Trace trace_;
   JointState commanded_;
   Pose hand_error_ = Pose::Identity();

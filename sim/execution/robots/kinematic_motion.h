@@ -37,8 +37,9 @@ class KinematicMotion {
   // Begins a motion at the present state, if it allows one. `held` is the part in the hand, or
   // None, and `last` is the last command.
   bool Begin(const mujoco::Data& data, PartId held, const RobotCommand& last);
-  // Moves to where the robot is commanded to be at a time of the simulation, seconds. Does nothing
-  // and returns false if the robot, or the part in its hand, would touch something there.
+  // Moves to where the robot is commanded to be at a time of the simulation, seconds. If the
+  // robot, or the part in its hand, would touch something there, it stays where it was, and the
+  // answer is false. Call End or mujoco::Data::Resume before dynamics go on.
   bool MoveTo(const RobotCommand& next, double time, mujoco::Data& data);
   // Ends the motion with the velocities of the last command, so that dynamics can go on.
   void End(mujoco::Data& data) const;
