@@ -57,8 +57,6 @@ bool KinematicMotion::Begin(const mujoco::Data& data, PartId held, const RobotCo
   }
   held_ = held;
   last_ = last;
-  lag_.setZero();
-  if (!held.IsNone()) lag_ = scene_.ArmPosition(data) - last.arm.q;
   return !TouchesAnything(data) && IsQuiet(data);
 }
 
@@ -94,7 +92,7 @@ bool KinematicMotion::TouchesAnything(const mujoco::Data& data) const {
 
 void KinematicMotion::Move(const RobotCommand& to, mujoco::Data& data) {
   scene_.MoveFingers(data, to.opening - last_.opening);
-  scene_.MoveArm(data, to.arm.q + lag_);
+  scene_.MoveArm(data, to.arm.q);
   if (!held_.IsNone()) {
     scene_.MovePart(data, held_, data.BodyPose(scene_.hand()) * X_HandPart_);
     data.MoveBodies();

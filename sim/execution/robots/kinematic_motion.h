@@ -21,9 +21,8 @@ struct RobotCommand {
 // Motion of a robot without dynamics, for the time in which the engine's forces decide nothing: the
 // robot and the part in its hand touch nothing else, the pads hold this part with much more
 // friction than it needs, and everything else rests. The servos then lead the robot along its
-// commands. With an empty hand they have no lag, because they know the arm's dynamics. A part in
-// the hand may weigh more than they know, so their lag stays as it is, and so does the pose of the
-// part in the hand.
+// commands without a lag, since they know the dynamics of the arm and feel the load in the hand.
+// The part in the hand keeps its pose there.
 class KinematicMotion {
  public:
   explicit KinematicMotion(const scene::Scene& scene);
@@ -55,7 +54,6 @@ class KinematicMotion {
   std::vector<int> groups_;  // which bodies of the engine move together
   PartId held_;
   RobotCommand last_;
-  kinematics::JointVector lag_ = kinematics::JointVector::Zero();  // true posture less command, rad
   geometry::Pose X_HandPart_ = geometry::Pose::Identity();
 };
 
