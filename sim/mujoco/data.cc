@@ -68,12 +68,6 @@ Data::Data(const Model& model)
 
 double Data::time() const { return data_->time; }
 double Data::timestep() const { return own_model_->opt.timestep; }
-void Data::SetTimestep(double seconds) {
-  if (seconds == timestep()) return;
-  own_model_->opt.timestep = seconds;
-  BeginStep();  // the stiffness of contacts depends on it
-}
-
 std::span<double> Data::qpos() { return SpanOf(data_->qpos, own_model_->nq); }
 std::span<const double> Data::qpos() const { return SpanOf(data_->qpos, own_model_->nq); }
 std::span<double> Data::qvel() { return SpanOf(data_->qvel, own_model_->nv); }
@@ -196,7 +190,6 @@ State Data::Save() const {
   const mjModel& m = *own_model_;
   const mjData& d = *data_;
   return {.time = d.time,
-          .timestep = m.opt.timestep,
           .qpos = Copied<double>(d.qpos, m.nq),
           .qvel = Copied<double>(d.qvel, m.nv),
           .act = Copied<double>(d.act, m.na),
@@ -215,7 +208,6 @@ void Data::Restore(const State& state) {
   mjModel& m = *own_model_;
   mjData& d = *data_;
   d.time = state.time;
-  m.opt.timestep = state.timestep;
   CopyBack(state.qpos, m.nq, d.qpos);
   CopyBack(state.qvel, m.nv, d.qvel);
   CopyBack(state.act, m.na, d.act);

@@ -30,15 +30,14 @@ class Data {
   explicit Data(const Model& model);
 
   const Model& model() const { return model_; }
-  // The engine's structures. `own_model` differs from model() only in the equality constraints, the
-  // heights of geoms and the timestep.
+  // The engine's structures. `own_model` differs from model() only in the equality constraints and
+  // the heights of geoms.
   mjData_* get() { return data_.get(); }
   const mjData_* get() const { return data_.get(); }
   const mjModel_* own_model() const { return own_model_.get(); }
 
   double time() const;      // seconds
-  double timestep() const;  // seconds; at the start, the model's
-  void SetTimestep(double seconds);
+  double timestep() const;  // seconds; the model's
   std::span<double> qpos();
   std::span<const double> qpos() const;
   std::span<double> qvel();

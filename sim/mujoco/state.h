@@ -9,7 +9,6 @@ namespace assay::mujoco {
 // bit. The data are in the engine's layout.
 struct State {
   double time = 0;
-  double timestep = 0;
   std::vector<double> qpos;
   std::vector<double> qvel;
   std::vector<double> act;

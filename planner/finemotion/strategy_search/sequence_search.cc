@@ -19,7 +19,7 @@ constexpr std::size_t kMostMotions = 24;
 constexpr double kPerCriticalPoint = 10;
 constexpr double kPerWideDirection = 4;
 constexpr double kPerError = 3;
-// The same for diverse searches.
+// Diverse searches weigh the errors with these two numbers in place of the two above.
 constexpr double kPerHalving = 2;
 constexpr double kPerErrorBeside = 1.5;
 constexpr double kPerRadian = 20;

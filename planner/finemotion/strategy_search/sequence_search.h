@@ -30,8 +30,8 @@ class SequenceSearch {
  public:
   enum class Effort {
     kGuided,  // cheap sequences first, within a budget of nodes
-    // As kGuided, with more kinds of maneuvers, without believed poses like known ones, and with
-    // sequences first that make the errors small.
+    // Sequences that make the errors small first, within a budget of nodes, with more kinds of
+    // maneuvers, and without believed poses like known ones.
     kDiverse,
     kThorough,  // all sequences, whatever their costs, without believed poses like known ones
   };

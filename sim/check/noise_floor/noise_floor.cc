@@ -54,7 +54,6 @@ bool NoiseFloor::Hides(const Claim& passed, double clearance) const {
   const double either_way = EitherWay(passed, gate);
   const double width = passed.predicted.high - passed.predicted.low - 2 * either_way -
                        std::abs(StepSize(passed, gate));
-  // A set whose width is within what the engine adds at both ends counts as a set without a width.
   const bool has_width = std::isfinite(width) && width > 2 * either_way;
   if (has_width) return Floor(passed) > width;
   return Floor(passed) > (is_length ? clearance : clearance / gate.arm);

@@ -35,8 +35,6 @@ Progress Run(const OpenGripper& open, std::span<const Command>, Execution& execu
     if (Progress failure = execution.Stay(kOpeningSettle)) return failure;
     scene.DetachPart(data, open.release->part);
     execution.world().LetGo(open.release->part, open.release->X_WorldPart);
-  }
-  if (open.release) {
     const double slow_until = std::min(wide, scene.Opening(data) + kSlowLength);
     if (Progress failure = execution.MoveFingers(slow_until, 2 * kSlowSpeed)) return failure;
   }

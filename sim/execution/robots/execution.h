@@ -92,7 +92,7 @@ class Execution {
   };
   Progress Follow(const JointTrajectory& trajectory, const Guarded& guarded);
   // Moves the fingers until they are commanded to this opening, metres between the pads, at this
-  // rate of the opening in m/s. Nothing moves without dynamics that touches.
+  // rate of the opening in m/s. Fingers that touch nothing move without dynamics.
   Progress MoveFingers(double opening, double rate);
   // Keeps the robot at its last command, for at least one timestep.
   Progress Stay(double seconds);

@@ -1,8 +1,8 @@
 #include "sim/execution/robots/firm_grip.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <vector>
 
 namespace assay::execution {
 namespace {
@@ -26,9 +26,9 @@ struct FrictionLoad {
   double most_torque = 0;           // the torque that friction can bear, N m
 
   // Forces and torques that friction bears together are a convex set, so it holds the line between
-  // the greatest force and the greatest torque.
+  // the greatest force and the greatest torque. A single point bears no torque and is never light.
   bool IsLight() const {
-    return force.norm() * most_torque + std::abs(torque) * most_force <=
+    return force.norm() * most_torque + std::abs(torque) * most_force <
            kShare * most_force * most_torque;
   }
 };
@@ -78,13 +78,24 @@ Extent ExtentAlong(const Vector3& axis, const Contacts& contacts) {
   return extent;
 }
 
+// Returns the direction from the pressure's centre to the farthest contact.
+Vector3 LongAxisOf(const Contacts& contacts) {
+  const Vector3 center = CenterOf(contacts);
+  Vector3 farthest = Vector3::Zero();
+  for (const Contact& contact : contacts) {
+    const Vector3 lever = contact.position - center;
+    if (lever.norm() > farthest.norm()) farthest = lever;
+  }
+  return farthest.normalized();
+}
+
 // A part that touches a pad along a line rolls on the pad, unless friction keeps it from that.
 bool IsFirmOn(const Contacts& pad, const Vector3& normal) {
-  const Vector3 axis = normal.unitOrthogonal();
-  const Extent first = ExtentAlong(axis, pad);
-  const Extent second = ExtentAlong(normal.cross(axis), pad);
-  const bool is_line = std::min(first.length(), second.length()) < kLine;
-  return first.HasCenterInMiddle() && second.HasCenterInMiddle() &&
+  const Vector3 axis = LongAxisOf(pad);
+  const Extent along = ExtentAlong(axis, pad);
+  const Extent across = ExtentAlong(normal.cross(axis), pad);
+  const bool is_line = across.length() < kLine;
+  return along.HasCenterInMiddle() && across.HasCenterInMiddle() &&
          (!is_line || LoadOf(pad, normal).IsLight());
 }
 

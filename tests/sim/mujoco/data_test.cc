@@ -127,19 +127,6 @@ TEST(DataDeathTest, AStateOfAnotherModelIsOurMistake) {
   EXPECT_DEATH(other.Restore(data.Save()), "another model");
 }
 
-TEST(Data, RestoresTheTimestep) {
-  const Model model = Model::FromMjcf(kPile);
-  Data data(model);
-  EXPECT_EQ(data.timestep(), 0.001);
-  const State saved = data.Save();
-  data.SetTimestep(0.0005);
-  data.Step();
-  EXPECT_EQ(data.time(), 0.0005);
-  data.Restore(saved);
-  EXPECT_EQ(data.timestep(), 0.001);
-  EXPECT_EQ(model.timestep(), 0.001);
-}
-
 // A box on a table. The height of the table is that of a geom.
 constexpr char kTable[] = R"(<mujoco>
   <default><geom solref="0.002 1" solimp="0.99 0.9999 0.00001"/></default>

@@ -163,6 +163,18 @@ TEST(TurnTogether, GivesATangencyOnce) {
   }
 }
 
+// Expects the angles of all roots of an error, or if it has none, an angle at which it is least.
+template <class Found, class Function>
+void ExpectAllRootsOrTheLeast(const Found& found, const Function& error) {
+  const std::size_t roots = CountRoots(error);
+  EXPECT_EQ(found.size(), std::max<std::size_t>(roots, 1));
+  const double least = LeastOnGrid([&](double q) { return std::abs(error(q)); });
+  for (const SubproblemAngles<1>& solution : found) {
+    EXPECT_EQ(solution.exact, roots > 0);
+    EXPECT_LT(std::abs(error(solution.q[0])), least + 1e-9);
+  }
+}
+
 TEST(TurnToHeight, FindsAllOrTheLeastError) {
   RandomStream random(4, "subproblem 4");
   for (int i = 0; i < kCases; ++i) {
@@ -172,13 +184,7 @@ TEST(TurnToHeight, FindsAllOrTheLeastError) {
     const double height = random.Uniform(-1.2, 1.2);
     const auto found = TurnToHeight(k, p, h, height);
     const auto error = [&](double q) { return h.dot(Turned(k, q, p)) - height; };
-    const std::size_t roots = CountRoots(error);
-    EXPECT_EQ(found.size(), std::max<std::size_t>(roots, 1));
-    const double least = LeastOnGrid([&](double q) { return std::abs(error(q)); });
-    for (const SubproblemAngles<1>& solution : found) {
-      EXPECT_EQ(solution.exact, roots > 0);
-      EXPECT_LT(std::abs(error(solution.q[0])), least + 1e-9);
-    }
+    ExpectAllRootsOrTheLeast(found, error);
   }
 }
 
@@ -191,13 +197,7 @@ TEST(TurnToDistance, FindsAllOrTheLeastError) {
     const double distance = random.Uniform(0, 2);
     const auto found = TurnToDistance(k, p1, p2, distance);
     const auto error = [&](double q) { return (Turned(k, q, p1) - p2).norm() - distance; };
-    const std::size_t roots = CountRoots(error);
-    EXPECT_EQ(found.size(), std::max<std::size_t>(roots, 1));
-    const double least = LeastOnGrid([&](double q) { return std::abs(error(q)); });
-    for (const SubproblemAngles<1>& solution : found) {
-      EXPECT_EQ(solution.exact, roots > 0);
-      EXPECT_LT(std::abs(error(solution.q[0])), least + 1e-9);
-    }
+    ExpectAllRootsOrTheLeast(found, error);
   }
 }
 

@@ -89,6 +89,11 @@ TEST(NoiseFloor, HidesWhatIsNarrowerThanItsFloor) {
   EXPECT_NEAR(gate.Floor(Of("x of peg", Dimension::kLength, {})), 43e-6, 2 * kRounding);
   EXPECT_FALSE(hides(Of("x of peg", Dimension::kLength, {-22e-6, 22e-6}), 1e-6));
   EXPECT_TRUE(hides(Of("x of peg", Dimension::kLength, {-21e-6, 21e-6}), 1));
+  // Penetration and lag add 3 micrometres at each end. A set that is narrower than 6 micrometres is
+  // compared with the clearance, and a wider one with the floor.
+  EXPECT_FALSE(hides(Of("x of peg", Dimension::kLength, {-2.9e-6, 2.9e-6}), 44e-6));
+  EXPECT_TRUE(hides(Of("x of peg", Dimension::kLength, {-2.9e-6, 2.9e-6}), 42e-6));
+  EXPECT_TRUE(hides(Of("x of peg", Dimension::kLength, {-3.1e-6, 3.1e-6}), 1));
   // A claim without a width is compared with the clearance. An angle is compared with the clearance
   // over the arm.
   EXPECT_FALSE(hides(Of("x of peg", Dimension::kLength, {0, 0}), 44e-6));

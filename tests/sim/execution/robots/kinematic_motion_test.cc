@@ -52,7 +52,7 @@ TEST_F(AtHome, MovesTheRobotAndNothingElse) {
 }
 
 // Servos that know the whole load lead the arm to where it is commanded.
-TEST_F(AtHome, HasNoLagWithAnEmptyHand) {
+TEST_F(AtHome, HasNoLag) {
   RobotCommand commanded = Here();
   const kinematics::JointVector q = commanded.arm.q;
   commanded.arm.q[2] -= 1e-4;
