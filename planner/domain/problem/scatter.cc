@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <numbers>
 
+#include "planner/domain/reachability/reachability.h"
 #include "planner/domain/resting/resting.h"
 
 namespace assay::domain {

@@ -7,7 +7,6 @@
 #include <numbers>
 #include <utility>
 
-#include "planner/base/check.h"
 #include "planner/base/random.h"
 #include "planner/motion/collision/collision_scene.h"
 #include "planner/motion/paths/tree_search.h"
@@ -163,11 +162,11 @@ PathFailure Failure(PathFailure::Reason reason, const MotionCheck& check,
                           "path was found after {} postures; the most frequent obstacle: {}",
                           check.postures(), what)};
     case PathFailure::Reason::kBudget:
-      return {reason, obstruction,
-              fmt::format("no path was found after {} postures; the most frequent obstacle: {}",
-                          check.postures(), what)};
+      break;
   }
-  ASSAY_CHECK(false, "no such reason");
+  return {reason, obstruction,
+          fmt::format("no path was found after {} postures; the most frequent obstacle: {}",
+                      check.postures(), what)};
 }
 
 // Upright postures of two configurations meet only where the arm is singular: stretched, or with

@@ -18,6 +18,7 @@ namespace {
 
 using geometry::Box;
 using geometry::CollisionShape;
+using geometry::Pose;
 using geometry::Vector3;
 
 constexpr double kFlush = 1e-6;  // metres by which a face may stand out of its plane
