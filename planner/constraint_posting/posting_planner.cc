@@ -280,7 +280,8 @@ class PostingPlanner {
   const GeometricRelations& relations_;
   Budget partial_plans_;
   Budget instance_choices_;
-  Judge judge_ = {};            // the judge of the options, with its snapshots counted
+  // Calls options_.judge and adds its snapshots to snapshots_; empty if the options have no judge.
+  Judge judge_ = {};
   Budget turn_{0};              // the judge's budget in snapshots until a longer plan's turn
   std::int64_t snapshots_ = 0;  // the number of snapshots that the judge has computed
   std::int64_t complete_plans_ = 0;

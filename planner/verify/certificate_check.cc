@@ -108,8 +108,8 @@ class ClaimCheck {
     return point;
   }
 
-  // A glance proves some claims that the bounding methods, which work on normal forms, do not
-  // prove.
+  // The bounding methods work on normal forms. GlanceAbove and GlanceBelow work on the expression
+  // as it is stored, and prove some claims that the bounding methods do not prove.
   void CheckProof() {
     const std::vector<Interval>& box = algebra_.box().box;
     const algebra::Bound bound = BoundAnew();

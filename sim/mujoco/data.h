@@ -22,9 +22,10 @@ struct EngineWarning {
 
 // One simulation. Between calls of its methods, poses, contacts, inertia, velocities and qfrc_bias
 // belong to the present qpos and qvel. Readings of force and torque sensors need accelerations, and
-// belong to the start of the last step. After Forward and Restore they belong to the present, and
-// only then are the contacts' forces valid; Step(see_forces) shows them within a step. Code that
-// writes into qpos or qvel must call Forward before the next step.
+// belong to the start of the last step. After Forward and Restore, these readings belong to the
+// present. Only then are the forces of the contacts valid. Step(see_forces) shows the forces of the
+// contacts within a step. Code that writes into qpos or qvel must call Forward before the next
+// step.
 class Data {
  public:
   explicit Data(const Model& model);

@@ -17,7 +17,8 @@ using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
 
 // The greatest distance, in metres, between a contact and a facet that the contact concerns.
 constexpr double kNearFacet = 1e-4;
-// A facet is inside the body if other pieces cover it this far around a point, in metres.
+// A facet is inside the body at a point if other pieces cover the facet around the point, up to
+// this distance from it. In metres.
 constexpr double kAroundPoint = 2e-5;
 // The least cosine of the angle between the normal of a contact and the normal of a facet that the
 // contact concerns.

@@ -423,8 +423,8 @@ class ExecutedWorld {
                  "the open hand goes through the part that it handles");
   }
   double MostOpen() const { return problem_.workcell->gripper().max_opening(); }
-  // Requires a separation. The separation counts as promised unless a claim of this condition is
-  // unproved.
+  // Returns whether the bodies do not overlap. A negative separation contradicts the certificate,
+  // unless the certificate has an unproved precondition of the kind `condition`.
   bool Keeps(const std::string& condition, double separation, const std::string& what) {
     if (separation > -kRounding) return true;
     const auto denied = [&](const plan::CertifiedPrecondition& claim) {
@@ -561,8 +561,8 @@ class ExecutedWorld {
     Vector3 point;      // of the held part, in its frame
     double height = 0;  // of the face that it meets, along the axis, in the frame of the fixed part
   };
-  // Returns the corners of the held part that touch a face of the fixed part across the axis when
-  // mated.
+  // Returns the corners of the held part that touch the fixed part in the mated pose, at faces that
+  // stop the motion along the mating vector.
   std::vector<Seat> SeatsOf(const domain::Mating& mating) const {
     const Vector3 axis = mating.mating_vector.normalized();
     std::vector<Seat> seats;

@@ -145,8 +145,10 @@ class Reader {
   std::vector<VariableId> seen_;  // scratch: the variables of the term that is being read
   std::vector<NestedForm::Term> terms_;
   std::map<VariableId, Use> uses_;
-  std::map<VariableId, int> places_;         // places in the form's variables
-  std::map<AtomSet, Magnitude> magnitudes_;  // indexed by the displacements of the terms
+  std::map<VariableId, int> places_;  // places in the form's variables
+  // The magnitudes of the terms, summed over the terms that have the same displacements as factors.
+  // The key is the set of these displacements.
+  std::map<AtomSet, Magnitude> magnitudes_;
 };
 
 }  // namespace

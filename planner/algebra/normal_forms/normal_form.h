@@ -31,8 +31,8 @@ struct NormalForm {
   bool operator==(const NormalForm&) const = default;
 };
 
-// The ways in which the arguments of atoms are simplified. Arguments are expressions, whose numbers
-// cannot be intervals.
+// The ways in which the arguments of atoms are simplified. The arguments are expressions, and the
+// numbers in an expression cannot be intervals.
 enum class AtomArguments {
   kExact,    // simplified only where that rounds nothing
   kRounded,  // always simplified, so that the normal form is not rigorous

@@ -109,7 +109,7 @@ struct OperatorRule {
 
   // The value in doubles: NaN where there is none.
   double (*value)(std::span<const double> operands, int exponent) = nullptr;
-  // An interval that holds the values for all operands in the intervals.
+  // An interval that contains the values for all operands that lie in the given intervals.
   Interval (*range)(std::span<const Interval> operands, int exponent) = nullptr;
   // Null: defined everywhere.
   Definedness (*definedness)(std::span<const Interval> operands, int exponent) = nullptr;

@@ -35,7 +35,8 @@ PlaceError ErrorAtRest(const plan::ErrorSet& set) {
   return is_bounded ? error : PlaceError{PartErrorBounds::kMost};
 }
 
-// Errors turn a held part about the grasped point, and about any axis.
+// Errors turn a held part about an axis through the grasped point. This axis may have any
+// direction.
 PlaceError ErrorInHand(const domain::Part& part, const plan::ErrorSet& set,
                        const plan::Hold& hold) {
   double radius = 0;

@@ -140,7 +140,8 @@ class MissSearch {
  private:
   using Miss = std::pair<double, HoldOption>;
 
-  // The greatest number of holds that are waived by themselves to find the one that is needed.
+  // NearestUnmeasured tests at most this many holds. For each of them it tests whether a plan
+  // becomes possible if the condition is waived for this hold alone.
   static constexpr int kMostWaived = 100;
 
   std::optional<plan::Reason> Measured() const {

@@ -211,7 +211,8 @@ class PddlWriter {
   }
 
   // In PDDL the open values of one function are separate atoms. The initial state must have a
-  // `oneof` of exactly these atoms, because only that states that the values exclude each other.
+  // `oneof` of exactly these atoms, because only such a `oneof` says that the values exclude each
+  // other.
   void RequireExclusive(const std::vector<bool>& is_stated) const {
     for (const GroundFunction& function : task_.functions) {
       std::vector<GroundLiteral> open;

@@ -92,8 +92,8 @@ class PairSearch {
     });
   }
 
-  // Returns the directions of the approach: along the axis of a round side and across it, or all of
-  // these.
+  // Returns the directions of the approach. For a round side, they are the two directions along its
+  // axis and the two directions across its axis. For flat faces, they are all directions in `all`.
   std::vector<double> Angles(std::vector<double> all) const {
     if (!is_round_) return all;
     const double along = std::atan2(axis_.y(), axis_.x());

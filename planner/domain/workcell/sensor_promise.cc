@@ -32,8 +32,9 @@ std::string_view Trimmed(std::string_view text) {
   return text.substr(std::min(text.find_first_not_of(" \t\r"), text.size()));
 }
 
-// Returns the text that follows the map on its line, with this note in place of an earlier one. If
-// the value does not end with the map, there is no room for a comment.
+// `rest` is the text between the YAML map of a promise and the end of its line. Returns this text
+// with the note as a comment, which replaces an earlier note and keeps other comments. If `rest`
+// has anything but a comment, it is returned as it is, because a comment before it would hide it.
 std::string Noted(std::string_view rest, const std::string& note) {
   std::string_view other = Trimmed(rest);
   if (!other.empty() && other.front() != '#') return std::string(rest);

@@ -41,11 +41,12 @@ struct ContactChain {
   std::vector<std::vector<SharedState>> shared;
 };
 
-// Returns the contact chain of a mating. Unlike in the paper, contacts are linearized 1 mm past
-// each critical point, where the crevice already has a length. For the last critical point,
-// contacts are linearized at the point itself. At the critical point, walls and rim are touched at
-// the same height and give the same row for a tilt, so a one-dimensional state of the crevice would
-// have three dimensions.
+// Returns the contact chain of a mating. In the paper, contacts are linearized at each critical
+// point. At such a point, contacts with the walls and contacts with the rim are at the same height.
+// They restrict a tilt in the same way, so their linearized constraints have equal rows. A state
+// that is one-dimensional in the crevice would therefore have three dimensions. Here, contacts are
+// linearized 1 mm past each critical point, where the crevice already has a length. Only for the
+// last critical point, they are linearized at the point itself.
 ContactChain ContactChainOf(const MatingGeometry& geometry);
 
 }  // namespace assay::finemotion

@@ -297,9 +297,11 @@ class Linearizer {
     });
   }
 
-  // Adds the nearest ends as limits. Where rows are accurate, the contact cannot come to ends
-  // beyond the reach, so these are left out once there are enough limits. Ends within reach are all
-  // kept, which makes more limits where a face or an edge is narrower than the reach.
+  // Adds the nearest ends as limits. The contact can slide to the end of a face or an edge, where
+  // it is lost. Each end within reach becomes a limit of the contact. A face or an edge that is
+  // narrower than the reach therefore has more limits than usual. Within the range in which the
+  // linearization is accurate, the contact cannot come to an end beyond the reach. Such ends are
+  // left out once there are kUsualLimits limits.
   template <class RowOf>
   void AddNearest(PrimitiveContact& contact, const RowOf& row_of) {
     std::ranges::sort(ends_);

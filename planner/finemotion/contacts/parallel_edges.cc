@@ -135,7 +135,9 @@ bool IsApart(const SweptEdge& edge, const EdgePart& part, const SweptValues<1>* 
 }
 
 // Returns whether the edges may touch in the stretch, decided for the whole stretch or for each of
-// its halves. All stretches come from one fixed bisection, so a longer motion only adds stretches.
+// its halves. The bisection is the same for every length of the motion. A longer motion therefore
+// has the same stretches, or longer ones, and more of them. So if the edges may touch in a motion,
+// they may also touch in every longer motion.
 bool MayTouchIn(const SweptEdge& edge, const SweptValues<1>* until, const MotionStretch& stretch,
                 double time) {
   const double middle = (stretch.begin + stretch.end) / 2;

@@ -22,8 +22,8 @@ struct Unwanted {
   double scale = 1;
 };
 
-// Counts of exact tests whether a contact can be made, and of the differences from the paper's edge
-// test (meeting.h) where that is applicable.
+// Counts the exact tests that decide whether a contact can be made. Where the paper's edge test
+// (meeting.h) can be applied too, it also counts the contacts that the edge test misses.
 struct TestComparison {
   int tests = 0;
   int compared = 0;

@@ -20,8 +20,8 @@ std::optional<ConvexHull> Intersection(const ConvexHull& a, const ConvexHull& b)
 
 // Returns a solid without a pocket, as convex pieces that do not overlap. The pocket may extend
 // beyond the solid. The pocket is cut along pairs of its opposite sides. Pairs between which the
-// pocket is open at one end come before pairs with material at both ends, so that the floor of a
-// blind hole is one piece and comes first, followed by the walls.
+// pocket is open at one end come before pairs with material at both ends. The floor of a blind hole
+// is therefore a single piece and comes first, and the walls follow.
 std::vector<ConvexHull> Without(const ConvexHull& solid, const ConvexHull& pocket);
 
 // Returns a union of solids as solids that do not overlap.

@@ -7,7 +7,8 @@
 namespace assay::mesh_import {
 
 // Returns planes by which a closed mesh may be cut to make it convex: those of the triangles beside
-// its longest concave edges, and three through its middle. At most 11, with no tolerance.
+// its longest concave edges, and three through its middle. There are at most 11 planes. Their field
+// `tolerance` is 0.
 std::vector<CutPlane> ConcavePlanesOf(const TriangleMesh& mesh);
 
 }  // namespace assay::mesh_import

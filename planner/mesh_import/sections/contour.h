@@ -5,7 +5,6 @@
 
 #include "planner/geometry/coordinates.h"
 
-
 namespace assay::mesh_import {
 
 using geometry::Vector2;
@@ -20,7 +19,8 @@ struct Contour {
   Vector2 center = Vector2::Zero();  // of a circle or a rectangle; else the centroid
   double radius = 0;                 // of a circle
   bool is_circle_of_sides = false;   // whether the sides touch the circle, and not the corners
-  // Greatest distance by which rounded or bevelled corners of a rectangle were left out.
+  // A rectangle has sharp corners, even if the corners of the curve are rounded or bevelled. This
+  // is the greatest distance of a sharp corner from the curve, in the unit of the curve.
   double left_out = 0;
 
   bool IsCircle() const { return kind == Kind::kCircle; }
@@ -38,7 +38,7 @@ struct Contour {
 
 struct ContourFit {
   double tolerance = 0;      // points of the curve may be off the contour by so much
-  double most_left_out = 0;  // greatest distance that may be left out at rounded corners; 0: none
+  double most_left_out = 0;  // greatest permitted Contour::left_out; 0: no corner may be rounded
 };
 
 // Recognizes a closed curve, given by its points in either order.
@@ -46,8 +46,8 @@ struct ContourFit {
 //   the distance between opposite sides has at most one decimal in millimetres, and the distance
 //   between opposite corners has three or more. In this case the polygon probably surrounds the
 //   circle, and the circle touches the sides.
-// - Four sides along x and y are a rectangle, if the distance that is left out at rounded corners
-//   is permitted.
+// - Four sides along x and y are a rectangle, if no sharp corner is farther from the curve than
+//   ContourFit::most_left_out.
 Contour FitContour(std::span<const Vector2> curve, const ContourFit& fit);
 
 // Returns the polygon without corners that are within `tolerance` of the line between their

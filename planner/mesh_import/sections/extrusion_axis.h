@@ -6,9 +6,9 @@
 
 namespace assay::mesh_import {
 
-// Returns directions along which a mesh may be extruded, the most likely first: most of its surface
-// lies along them or across them. A direction that is within 0.001 rad of an axis of the frame is
-// that axis.
+// Returns directions along which the shape of a mesh may have been extruded, the most likely first.
+// Most of the surface of such a mesh is parallel to its direction of extrusion or at right angles
+// to it. A direction that is within 0.001 rad of an axis of the frame is that axis.
 std::vector<Vector3> ExtrusionAxes(const TriangleMesh& mesh);
 
 // Returns the frame in which z is the axis of extrusion, as columns, and x and y are along most of

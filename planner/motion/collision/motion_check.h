@@ -86,7 +86,9 @@ class MotionCheck {
     BodyPair pair;
     PairErrors errors;
     double clearance = 0;  // with the errors that have no direction, metres
-    // Upper limit of the distance that is needed in postures without errors, metres.
+    // In postures without errors, the bodies never need a greater distance than this, metres. It is
+    // infinite unless the second body is a load that is near the first body in a given posture
+    // (MotionRules::given).
     double most = 0;
     CollisionScene::Slabs slabs = {};  // slabs of the posture that was tested last
   };

@@ -11,8 +11,8 @@ using domain::Grasp;
 using domain::GraspId;
 using geometry::Pose;
 
-// Returns the vertical component of the tool's z axis. It is -1 for a grasp from straight above,
-// where the part stays as upright as the tool.
+// Returns the vertical component of the tool's z axis. It is -1 if the tool grasps the part from
+// straight above. The part then stays as upright as the tool.
 double LeanOf(const Grasp& grasp, const Pose& X_WorldPart) {
   return (X_WorldPart * grasp.X_PartTool).linear()(2, 2);
 }

@@ -24,8 +24,8 @@ struct PathFailure {
     kStart,   // the rules are broken at the start; nothing was searched
     kGoal,    // the rules are broken at the goal; nothing was searched
     kBudget,  // none found within the budget; `obstruction` ended the most motions tried
-    // No path was found within a part of the budget: an upright object would have to go into
-    // another configuration of the arm, which is almost never possible.
+    // No path was found within a part of the budget. The arm would have to change its configuration
+    // while it keeps an object upright, which is almost never possible.
     kConfiguration,
   };
   Reason reason = Reason::kBudget;

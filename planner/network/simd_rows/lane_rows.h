@@ -11,8 +11,8 @@ namespace assay::network {
 
 inline constexpr int kNoLane = -1;
 
-// Returns, for each node of the network, its place in the scope, or kNoLane. This place is its
-// element (Lane) in every SIMD row.
+// Returns, for each node of the network, its place in the scope, or kNoLane. This place is also the
+// index of the node's element (a Lane) in every SIMD row.
 std::vector<int> LanesOf(std::span<const int> scope, int node_count);
 
 // The SIMD rows of all labels of the nodes of a scope. A row has one element for each node of the

@@ -83,10 +83,11 @@ inline constexpr ConditionKind kNeighbourClear = {
 // ---- Mating ----------------------------------------------------------------------------------
 
 // The shaft is inside the walls of its hole when its tip is in the mouth: the tip's vertices lie
-// inside the planes of the walls, with the bevelled edges. The wrist yields by the workcell's
-// lateral compliance across each pair of walls that face each other. The shaft may stand out beyond
-// one wall of a pair by this distance. It must still be no wider than the distance between the two
-// walls. Both rules also hold for kSlideIn.
+// inside the planes of the walls. Bevelled edges of the tip and of the mouth give more room. The
+// planes are therefore moved outward by the widths of both bevels. The wrist yields by the
+// workcell's lateral compliance across each pair of walls that face each other. The shaft may stand
+// out beyond one wall of a pair by this distance. It must still be no wider than the distance
+// between the two walls. Both rules also hold for kSlideIn.
 inline constexpr ConditionKind kEntry = {
     "entry",
     "the shaft's tip comes into the mouth of its hole, with the bevelled edges",

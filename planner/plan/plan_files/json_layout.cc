@@ -84,7 +84,8 @@ class Writer {
     return false;
   }
 
-  // Returns false, with a part of it written, if a structure does not fit.
+  // Puts a value on this line. Returns false if the value is a structure that does not fit. A part
+  // of the structure has then been written.
   bool PutOnThisLine(const Json& json) {
     if (!json.is_structured()) {
       PutScalar(json);

@@ -88,9 +88,10 @@ double LoadRatio(const Grip& grip, double force, const Carried& carried, const V
 }
 
 // Returns whether pads may have jammed before the part's faces lay flat on them. They may then
-// touch the part at two corners. The part rolls from corner to corner without any friction, so
-// nothing keeps it from turning in the hand. A round part touches alike at every turn about its
-// axis.
+// touch the part at two corners. Friction does not keep the part from rolling from one of these
+// corners to the other, so nothing keeps it from turning in the hand. A round part touches the pads
+// in the same way at every turn about its axis, so its skew does not show that the pads have
+// jammed.
 bool MayHaveJammed(const UncertainWorld& world, const HeldError& held) {
   return (Magnitude(world.RangeOf(held.skew)) > 0 && !held.is_round) ||
          Magnitude(world.RangeOf(held.tip)) > 0;

@@ -51,8 +51,8 @@ struct ObservedContacts {
 // execution::MotionObserver). Stiff parts that slide on each other do not press all the time: the
 // engine lets them rebound by less than a micrometre, so most samples find no force. A contact
 // therefore begins when a force presses on it, and lasts as long as its gap stays below kApart. The
-// further motion in the crevice is not observed. All arguments of the constructor must outlive the
-// observer.
+// last slide in the hole, which follows the motions of the fine-motion plan, is not observed. All
+// arguments of the constructor must outlive the observer.
 class ContactObserver {
  public:
   static constexpr double kInterval = 0.002;   // seconds between samples

@@ -253,7 +253,8 @@ class Falsifier {
     }
     if (aims.empty() || step.dimensions() == 0) return;
     const std::vector<std::int64_t> counts = Allotted(budget, aims);
-    // The searches still read the step's samples after the first of them have ended.
+    // The new samples are kept apart until all searches have ended, because each search reads the
+    // step's samples while it runs.
     std::vector<Sample> found;
     scheduler_.InOrder(
         aims.size(), [&](std::size_t i) { return Search(step, aims[i], *starts[i], counts[i]); },

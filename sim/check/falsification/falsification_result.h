@@ -28,8 +28,8 @@ struct Counterexample {
   noise::Noise noise;
   int steps = 0;          // number of steps for which the plan must be executed
   bool replayed = false;  // it shows from the start too, not only from a state saved on the way
-  // Whether the search for a simpler violation came to its end. If so, the claim is no longer
-  // violated if one more error is left out, or if all that are left are made smaller.
+  // True if the search for a simpler violation came to its end. The claim is then no longer
+  // violated if one more error is left out, or if all remaining errors are made smaller.
   bool is_simplest = false;
   double multiple = 1;  // the least multiple of its errors, as far as tried, that still violates
 };

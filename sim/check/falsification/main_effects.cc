@@ -64,7 +64,9 @@ LikelyExtremes ByMainEffects(std::span<const CornerResponse> responses) {
   for (std::size_t i = 0; i < responses.front().corner->size(); ++i) {
     effects.push_back(EffectOf(i, responses));
   }
-  std::map<std::size_t, Mean> left;  // means after the effects are subtracted, by start
+  // For each start, the mean of what is left of the observed values after all effects of errors are
+  // subtracted.
+  std::map<std::size_t, Mean> left;
   for (const CornerResponse& response : responses) {
     left[response.start].Add(response.observed - SumAt(*response.corner, effects));
   }

@@ -64,7 +64,8 @@ std::vector<MeasuredMargin> FingerClear(const MeasuredStep& step) {
   return measured;
 }
 
-// The fingers end above the table as the pads close. Nothing measures the fingers as the pads open.
+// Measures how far the lowest points of the fingers are above the table when the pads close.
+// Nothing measures the fingers when the pads open.
 std::vector<MeasuredMargin> Fingertip(const MeasuredStep& step) {
   const execution::Snapshot* reached = step.events().reached;
   if (!step.step().action.kind->ClosesPads() || reached == nullptr) return {};

@@ -46,8 +46,9 @@ void Deliver(const std::string& text, const Options& options) {
   }
 }
 
-// Exports the first world of a scenario. Readers of the file step the model with the unmodified
-// engine.
+// Exports the first world of a scenario. Programs that read the file simulate the model with the
+// unmodified engine. This engine throws parts off a table that is a box, so the exported tables are
+// endless planes.
 ExitCode ExportMjcf(const Options& options) {
   const Document document = Document::Load(options.input);
   const domain::Problem first = scenario::ReadWorlds(document, options.models).front();

@@ -24,9 +24,10 @@ inline constexpr double kContactSpeed = 0.002;
 inline constexpr Pace LandingPace(double length) {
   return {.speed = 0.5, .final_speed = kContactSpeed, .final_length = length};
 }
-// Returns the pace of a part on its way into another, which it may meet in the last `length`
-// metres. The way before is slow as well. The rim of a hole catches a part that overlaps it by more
-// than speed times timestep, which is 10 micrometres here, well below the clearance.
+// Returns the pace of a part on its way into another part, which it may meet in the last `length`
+// metres. The way before these metres is slow as well. At the rim of a hole, the engine stops a
+// part only if the part overlaps the rim by more than the part moves in one timestep. At this pace,
+// the part moves by 10 micrometres in a timestep, which is well below the clearance.
 inline constexpr Pace MatingPace(double length) {
   return {.speed = 0.02, .final_speed = kContactSpeed, .final_length = length};
 }

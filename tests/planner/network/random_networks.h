@@ -69,7 +69,7 @@ inline NetworkWorkload RandomSmallNetwork(RandomStream& random) {
   }
 }
 
-// Returns a network whose label sets have several words and few labels.
+// Returns a network whose label sets may take several machine words, but have few labels.
 inline NetworkWorkload RandomWideNetwork(RandomStream& random) {
   NetworkWorkload workload;
   const int nodes = 3;

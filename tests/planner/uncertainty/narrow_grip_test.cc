@@ -214,8 +214,8 @@ TEST(RoundGrip, KeepsItsTurnAndIsHeld) {
   EXPECT_LT(closed.holding, 1);
 }
 
-// Smooth pads press the next of a polygon's faces flat. How the part slips meanwhile is not
-// bounded.
+// When smooth pads close on a polygon with few sides, they turn it until the nearest of its faces
+// lies flat on them. How the part slips meanwhile is not bounded.
 TEST(RoundGrip, ACoarsePolygonIsNotHeldLikeACircle) {
   const Errors errors{.length = 0.001, .angle = 0.05, .hand = 1e-4};
   EXPECT_FALSE(Close(Cylinder(64, errors, 0.04)).is_round);  // tan(180 / 64) = 0.049

@@ -130,8 +130,8 @@ TEST_P(InsertionTest, IsAsDeepAsThePartsReachIntoEachOther) {
   }
 }
 
-// The oracle is exact rays against the parts' boxes. Before the insertion, nothing hides the mouth.
-// Both parts are wholly in the picture, before the insertion and at the seat.
+// The oracle intersects exact rays with the parts' boxes. Before the insertion, nothing hides the
+// mouth. Both parts are wholly in the picture, before the insertion and at the seat.
 TEST_P(InsertionTest, TheMouthIsSeenAndThePartsAreInThePicture) {
   for (const double yaw : {0.0, 0.7, 2.0, -1.3}) {
     Stage stage(GetParam(), yaw);

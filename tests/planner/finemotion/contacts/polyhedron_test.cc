@@ -220,7 +220,8 @@ TEST(PolyhedronTest, OctagonalPrismOfCrossingBoxes) {
   ExpectOctagonalPrism(OutsideOf(PiecesOf(boxes)), 2);
 }
 
-// Two tips that touch can touch a common plane only if they point the same way.
+// Two pieces touch each other at their tips. A plane can touch both tips from outside only if both
+// pieces are on the same side of it.
 TEST(PolyhedronTest, TwoTips) {
   const ConvexPiece right{{{0, 0, 0}, {1, -0.3, 1}, {1, 0.3, 1}, {1.5, 0, 1}}};
   ConvexPiece left = right;

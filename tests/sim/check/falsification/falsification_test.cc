@@ -150,7 +150,8 @@ TEST(PaperPropagation, TheMissingLeverArmIsFoundAndShrunk) {
   EXPECT_EQ(again->observed, example.claim.observed);
   EXPECT_TRUE(example.is_simplest);
 
-  // A stop while a violation is shrunk keeps what was found so far.
+  // If the search for a simpler violation is stopped, the simplest violation that was found so far
+  // is kept.
   const auto violated = [](const WorstClaim& worst) { return worst.claim.IsViolated(); };
   const WorstClaim& found = *std::ranges::find_if(result.worst, violated);
   Counterexample cut_short = {.claim = found.claim, .noise = found.noise};

@@ -47,7 +47,8 @@ TEST(NoiseFloor, WhatTheTimestepDoesIsKnownOnItsSideOnly) {
   EXPECT_DOUBLE_EQ(theta.gate, 3e-3);
 }
 
-// A length without a gate of its own gets none from angles or from other lengths, however great.
+// If a length has no gate of its own, it gets no gate from angles or from other lengths, however
+// great their gates are.
 TEST(NoiseFloor, GatesOfOtherClaimsAndUnitsAreNotTaken) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   const Claim landing = Gate().Passed(

@@ -60,7 +60,7 @@ struct Case {
 // where the height is known better already. In that case the sensor is one that measures no
 // heights.
 domain::Problem WithSensorsThatAreBelieved(domain::Problem problem) {
-  // Metres. The camera's error bound for heights is no greater.
+  // Metres. The error bound that the camera promises for heights is not greater than this.
   constexpr double kPromised = 1e-4;
   const auto is_known_better = [](const domain::Part& part) {
     return part.error.z.high < kPromised;

@@ -67,7 +67,9 @@ TEST_F(Explained, UnprovedWithItsWorstCornerSharesAndRemedy) {
                                                0.005, sup,
                                                {{"dx_peg", 0.003}, {"theta_peg", 0.1}}));
   const Ended ended = Explain();
-  EXPECT_EQ(ended.code, 12) << ended.err;  // only the explanation is as it should be
+  // The checker refuses the plan because of the precondition that was added by hand. The program
+  // explains the step in spite of this.
+  EXPECT_EQ(ended.code, 12) << ended.err;
   EXPECT_THAT(ended.out, HasSubstr("between fingers: what between fingers means: NOT PROVED\n"));
   EXPECT_THAT(ended.out, HasSubstr("SUP 6.998 mm, must be < 5 mm: 1.998 mm short of a proof; at "
                                    "the worst corner it is false\n"));
@@ -121,7 +123,9 @@ TEST_F(Explained, InfiniteBounds) {
   precondition["margin"] = "-inf";
   certificate_["preconditions"].push_back(precondition);
   const Ended ended = Explain();
-  EXPECT_EQ(ended.code, 12) << ended.err;  // only the explanation is as it should be
+  // The checker refuses the plan because of the precondition that was added by hand. The program
+  // explains the step in spite of this.
+  EXPECT_EQ(ended.code, 12) << ended.err;
   EXPECT_THAT(ended.out, HasSubstr("SUP infinite, must be < 5 mm: no finite bound is known\n"));
   EXPECT_THAT(ended.out, Not(ContainsRegex("\\binf\\b")));
   EXPECT_THAT(ended.out, HasSubstr("gap unknown"));
