@@ -7,7 +7,10 @@
 
 namespace assay::render {
 
-// Returns the contents of a PNG file with the image.
+// Operations on finished pictures. The module sim/opencv does the work on the pixels
+// (picture_library.h).
+
+// Returns the contents of a PNG file with the rendered image.
 std::string EncodedPng(const Image& image);
 
 // Returns the image with the labels. Each label is joined to its point, and no two overlap.

@@ -35,7 +35,7 @@ class PictureLibrary {
   virtual std::vector<std::uint8_t> EncodePng(const Image& image) const = 0;
   // Returns the picture in the bytes of a PNG or JPEG file; none if they are neither.
   virtual std::optional<Image> Decode(std::span<const std::uint8_t> bytes) const = 0;
-  // These implement the functions of the same names in image.h.
+  // These implement the functions of the same names in picture.h.
   virtual Image ContactSheet(const std::vector<CaptionedImage>& images, int columns,
                              const std::vector<LegendEntry>& legend) const = 0;
   virtual Image WithLabels(const Image& image, std::span<const Label> labels) const = 0;

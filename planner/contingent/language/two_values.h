@@ -13,7 +13,8 @@ namespace assay::contingent {
 
 // Returns the function to which the change gives a value, or none if it gives none.
 FunctionId FunctionGiven(const GroundTask& task, const GroundChange& change);
-// Returns true if the two changes give one function two different values.
+// Returns true if the two changes give one function two different values, which the planning
+// language does not allow.
 bool GiveTwoValues(const GroundTask& task, const GroundChange& a, const GroundChange& b);
 // A change, and the worlds in which it happens.
 using ChangeSomewhere = std::pair<const GroundChange*, Diagram>;

@@ -16,8 +16,9 @@ sweep::Sweep SweepOf(const sweep::Store& store);
 // if there is no trial with this number, or if the trial was not executed.
 sweep::TrialRecord StoredTrial(const sweep::Store& store, int number, std::string_view verb);
 
-// Returns the cell of a trial, with the stored plan. `models` are the given folders; if it is
-// empty, the folder is searched for.
+// Returns the cell of the sweep to which a stored trial belongs, with the stored plan. All verbs
+// that repeat or show a stored trial use this function. `models` are the folders that the user
+// gave; if it is empty, the folder of models is searched for.
 sweep::PlannedCell RestoredCell(const sweep::Store& store, const sweep::TrialRecord& trial,
                                 const domain::ModelPath& models);
 

@@ -10,6 +10,9 @@
 
 namespace assay::cli {
 
+// The graphs that the program exports, as texts for Graphviz: plans, networks, contact states and
+// plan trees.
+
 // Returns the ordering graph of a plan in the language of Graphviz. It has a node for each step,
 // with the step's place in the order of execution, and an arrow to each step that comes after it.
 std::string OrderingGraphToDot(const domain::Problem& problem, const plan::Plan& plan);

@@ -33,9 +33,9 @@ struct MatingResult {
   Trace trace = {};           // with samples: what happened
 };
 
-// Returns whether a trial of the strategy can begin: the arm reaches the true start of the
-// strategy, and the held part is clear of the fixed part there. If not, no trial can have these
-// errors.
+// Returns whether a trial of the strategy (RunMatingTrial) can begin: the arm reaches the true
+// start of the strategy, and the held part is clear of the fixed part there. If not, no trial can
+// have these errors.
 bool CanStart(const domain::Problem& problem, const MatingSetting& setting,
               const plan::Strategy& strategy);
 
