@@ -6,8 +6,9 @@
 
 namespace assay::kinematics {
 
-// Axes that miss a common point or a common direction by at most this (metres, radians) make a
-// class. Files round pi / 2 to 1.5708, and calibrated arms differ from their drawings.
+// An arm belongs to a class even if its axes miss the common point or the common direction by up to
+// this amount (metres, radians). Files round pi / 2 to 1.5708, and calibrated arms differ from
+// their drawings.
 inline constexpr double kClassTolerance = 1e-3;
 
 // What the geometry of six axes says about the solutions of the inverse kinematics, the easiest

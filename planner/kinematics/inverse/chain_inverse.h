@@ -8,10 +8,11 @@
 
 namespace assay::kinematics {
 
-// The inverse kinematics of a chain with six revolute joints. The general class is searched over
-// one joint after another, until two searches give the same solutions and their number is even, as
-// it is for all but singular poses. An arm that misses a class slightly is solved from the closed
-// form of the class by Newton's method, and near singular poses it is searched, too.
+// The inverse kinematics of a chain with six revolute joints. For an arm of the general class, the
+// values of one joint after another are searched, until two searches give the same solutions and
+// their number is even, as it is for all but singular poses. If the axes of an arm miss the common
+// point or direction of their class slightly, Newton's method starts at the solutions of the closed
+// form of the class. Near singular poses, the values of the joints are searched as well.
 class ChainInverse {
  public:
   // The chain must have six joints.
@@ -64,9 +65,9 @@ std::vector<ChainVector> WithinLimits(const SerialChain& chain, const ChainVecto
 // The inverse kinematics of a chain with seven joints: all solutions for a value of one joint.
 class RedundantInverse {
  public:
-  // The chain must have seven joints. The joint that is locked is the one whose value leaves the
-  // class that is solved most easily, and the last of them if there are several. The other joints
-  // must be able to move the tip in all directions.
+  // The chain must have seven joints. One joint is locked. It is chosen so that the other six
+  // joints form an arm of the class that is solved most easily. If several joints can be chosen,
+  // the last of them is taken. The other six joints must be able to move the tip in all directions.
   explicit RedundantInverse(SerialChain chain);
 
   const SerialChain& chain() const { return chain_; }

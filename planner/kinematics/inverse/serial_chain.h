@@ -26,11 +26,12 @@ struct ChainJoint {
 class SerialChain {
  public:
   // Reads the chain between two links of a model. With an empty `base`, the chain starts at the
-  // root. With an empty `tip`, the chain follows moving joints as long as the robot does not branch
-  // into two moving parts (a gripper's fingers) and has no prismatic joint, and then fixed joints
-  // to the last link. Throws InputError if there is no such link, if several links can be the tip,
-  // if a joint between base and tip is prismatic or mimics another, or if there are not six or
-  // seven revolute joints.
+  // root. With an empty `tip`, the chain follows the moving joints. It ends at the link where the
+  // robot branches into two moving parts (the fingers of a gripper), or where a prismatic joint
+  // follows. Otherwise it ends at the last link, behind the fixed joints that follow the last
+  // moving joint. Throws InputError if the model has no link with these names, if several links can
+  // be the tip, if a joint between base and tip is prismatic or mimics another, or if there are not
+  // six or seven revolute joints.
   static SerialChain FromModel(const RobotModel& model, const std::string& base = "",
                                const std::string& tip = "");
 

@@ -70,8 +70,8 @@ std::string ReasonAgainstWorkcell(const std::filesystem::path& file) {
 std::string WorkcellText(const std::filesystem::path& file, const std::string& reason) {
   if (!reason.empty()) {
     return fmt::format(
-        "Workcells take only arms in the zero posture of the Puma 762 so far. This one is "
-        "refused:\n"
+        "So far, a workcell takes only arms whose axes are arranged like those of the Puma 762. "
+        "This arm is refused:\n"
         "  {}\n",
         reason);
   }
@@ -107,18 +107,20 @@ std::string SolutionsText(const ArmSurvey& survey) {
   std::string text =
       fmt::format("class: {}; solved by {}\n", survey.description, HowSolved(survey.arm));
   if (!survey.locked_joint.empty()) {
-    text += fmt::format("The joint {} is redundant: all solutions are found at a value of it.\n",
-                        survey.locked_joint);
+    text +=
+        fmt::format("The joint {} is redundant: for each of its values, all solutions are found.\n",
+                    survey.locked_joint);
   }
   text += fmt::format(
       "A pose has {} to {} solutions, {:.1f} on average, of which {:.1f} are within the limits.\n",
       survey.fewest, survey.most, survey.mean, survey.mean_within_limits);
   text += fmt::format(
-      "Over {} random postures within the limits, the solutions reach their poses to {:.1e} m (and "
-      "entries of rotations), and the postures come back to {:.1e} rad.\n",
+      "In {} random postures within the limits, the solutions reach the pose of the tip to "
+      "{:.1e} m (and entries of rotations). The posture itself is a solution to {:.1e} rad.\n",
       survey.poses, survey.pose_error, survey.return_error);
   if (survey.not_returned > 0) {
-    text += fmt::format("{} postures do not come back.\n", survey.not_returned);
+    text += fmt::format("{} postures are not among the solutions of their poses.\n",
+                        survey.not_returned);
   }
   text += fmt::format(
       "The tip is {:.3f} to {:.3f} m away from the base's origin, at heights from {:.3f} to {:.3f} "
