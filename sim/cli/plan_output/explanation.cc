@@ -373,8 +373,9 @@ std::string UnprovedWaysText(const domain::Problem& problem, const plan::Plan& p
     text += fmt::format("  With errors{}, {}.\n", way.step.IsNone() ? " on the way home" : "",
                         way.why.text);
     if (way.condition == plan::Condition(plan::condition::kWayClear)) {
-      text += fmt::format("  With {:.0f} % of the errors of the tool's pose, it is proved.\n",
-                          100 * way.share);
+      text +=
+          fmt::format("  It would be proved if the tool's pose had only {:.0f} % of its errors.\n",
+                      100 * way.share);
     }
   }
   return text;

@@ -25,7 +25,8 @@ function unprovedWaysOf({unprovedWays}, {colors}, showWhere) {
         [] :
         [element(
             'p', {},
-            `With ${Math.round(100 * share)} % of the errors of the tool's pose, it is proved.`)];
+            `It would be proved if the tool's pose had only ${Math.round(100 * share)} % of ` +
+                'its errors.')];
     const button = marked ? [whereButton(() => showWhere(text, {marked, ghosts}))] : [];
     return element(
         'details',
