@@ -28,12 +28,14 @@ struct RoundContact {
 // The contacts between the round shafts of the moving part (Polyhedron::shafts) and the stationary
 // part, whose holes may be round. They do not depend on how a shaft is turned about its axis. The
 // places where they touch move along the rims when the shaft tilts, but their gaps are smooth
-// functions of the pose. A polygon's contacts are not: other corners touch after a small turn.
+// functions of the pose. The gaps of a polygon's contacts are not smooth, because other corners
+// touch after a small turn.
 //
-// Contacts with the side of a hole, or of a shaft, are seen from kRoundDirections directions u
-// across the hole. Along u, the shaft must stay before the plane that touches the hole there. These
-// planes surround the circle in which the shaft's axis can move, so they leave a little more room
-// than the hole does: 1 / cos(180 degrees / kRoundDirections) - 1 of the clearance.
+// Contacts with the side of a hole, or of a shaft, are modelled in kRoundDirections directions u
+// across the hole. In each direction u, the shaft must stay before the plane that touches the hole
+// there. These planes surround the circle in which the shaft's axis can move, so they leave a
+// little more room than the hole does: 1 / cos(180 degrees / kRoundDirections) - 1 of the
+// clearance.
 class RoundContacts {
  public:
   RoundContacts(const Polyhedron& moving, const Polyhedron& stationary);

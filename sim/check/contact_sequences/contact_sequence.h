@@ -56,8 +56,8 @@ struct PlannedContacts {
   std::vector<ContactSet> states = {};  // from free space on; no two in a row are equal
 };
 
-// Returns the contacts that a plan expects in each of its motions. The way on in the crevice, in
-// which walls may be touched, is not one of these motions (finemotion::StrategyOf adds it).
+// Returns the contacts that a plan expects in each of its motions. The last slide in the hole, in
+// which the part may touch walls, is not one of these motions (finemotion::StrategyOf adds it).
 PlannedContacts PlannedContactsOf(const finemotion::FineMotionPlan& plan);
 
 }  // namespace assay::check
