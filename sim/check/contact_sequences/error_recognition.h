@@ -32,9 +32,9 @@ struct RecognitionTally {
 // contact that has just rebounded counts as present.
 bool IsRight(const execution::RecognizedContact& named, const std::vector<ContactSpan>& bridged);
 
-// Adds the error states of one trial to `tally`. Error states of the last slide in the hole are
-// left out, because no contacts are planned or observed there. `diverged` says that another contact
-// was made than planned (SequenceComparison::events).
+// Adds the error states of one trial to `tally`. Error states in motions whose contacts were not
+// observed are left out. An example is the last slide in the hole, for which no contacts are
+// planned. `diverged` says that another contact was made than planned (SequenceComparison::events).
 void Count(const execution::StrategyEnd& end, const std::vector<ContactSpan>& bridged,
            bool diverged, RecognitionTally& tally);
 
