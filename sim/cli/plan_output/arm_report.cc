@@ -115,8 +115,9 @@ std::string SolutionsText(const ArmSurvey& survey) {
       "A pose has {} to {} solutions, {:.1f} on average, of which {:.1f} are within the limits.\n",
       survey.fewest, survey.most, survey.mean, survey.mean_within_limits);
   text += fmt::format(
-      "In {} random postures within the limits, the solutions reach the pose of the tip to "
-      "{:.1e} m (and entries of rotations). The posture itself is a solution to {:.1e} rad.\n",
+      "In {} random postures within the limits, the solutions reach the pose of the tip to within "
+      "{:.1e} (metres, or entries of the rotation matrix). The posture itself is among the "
+      "solutions to within {:.1e} rad.\n",
       survey.poses, survey.pose_error, survey.return_error);
   if (survey.not_returned > 0) {
     text += fmt::format("{} postures are not among the solutions of their poses.\n",
