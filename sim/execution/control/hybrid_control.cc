@@ -175,9 +175,10 @@ HybridControl::Speed HybridControl::SpeedOf(const plan::StrategyMotion& motion) 
 }
 
 double HybridControl::NextRate(const Way& way, double rate, double left) const {
-  const double dt = arm_.timestep();
-  const double braking = std::sqrt(2 * way.acceleration * left);
-  return std::min({way.rate, rate + way.acceleration * dt, braking});
+  const double change = way.acceleration * arm_.NextPeriod();
+  // After a step at this rate, the arm can still brake.
+  const double braking = std::sqrt(change * change + 2 * way.acceleration * left) - change;
+  return std::min({way.rate, rate + change, braking});
 }
 
 HybridControl::Ended HybridControl::RunMotion(std::size_t index) {
@@ -204,7 +205,7 @@ HybridControl::Ended HybridControl::MoveAlong(const Way& way, const PressedConta
     rate = NextRate(way, rate, 1 - gone);
     if (Ended error = Step(Hybrid(kept, rate * way.twist))) return error;
     if (Ended error = CheckObstruction(kept)) return error;
-    gone += arm_.timestep() * rate;
+    gone += arm_.period() * rate;
   }
   return Settle(kept);
 }
@@ -216,13 +217,13 @@ HybridControl::Ended HybridControl::MoveUntil(const plan::StrategyMotion& motion
   PressedContacts kept = contacts_.Pressed(motion.kept);
   AwaitedContact awaited(static_cast<int>(motion.kept.size()), SeemingForce(motion, kept, way),
                          law_);
-  const double dt = arm_.timestep();
   const double latest = 1 + attempt_ * motion.beyond + Slack(*motion.until, way);
   double gone = 0;
   double rate = 0;
   for (double waited = 0; waited < law_.settling;) {
     rate = gone < latest ? NextRate(way.At(awaited.Pace()), rate, latest - gone) : 0;
     if (Ended error = Step(Hybrid(kept, rate * way.twist))) return error;
+    const double dt = arm_.period();
     const PressedContacts touched = contacts_.Pressed(after);
     awaited.Feel(touched.Forces(arm_.wrench()), dt);
     if (awaited.IsMade()) return Make(motion, way, rate, kept);
@@ -268,7 +269,7 @@ HybridControl::Ended HybridControl::Make(const plan::StrategyMotion& motion, con
 
 HybridControl::Ended HybridControl::CheckObstruction(const PressedContacts& contacts) {
   const double force = contacts.Unexplained(arm_.wrench());
-  obstructed_ = force > law_.obstructing_force ? obstructed_ + arm_.timestep() : 0;
+  obstructed_ = force > law_.obstructing_force ? obstructed_ + arm_.period() : 0;
   if (obstructed_ <= law_.obstruction_duration) return std::nullopt;
   return Error(TrialOutcome::kWrongContact,
                fmt::format("{:.0f} N that no contact of the plan explains", force));
@@ -280,7 +281,6 @@ HybridControl::Ended HybridControl::CheckObstruction(const PressedContacts& cont
 HybridControl::Ended HybridControl::Slide(const Way& way) {
   const double length = way.twist.norm();
   const Vector6 direction = way.twist / length;
-  const double dt = arm_.timestep();
   double gone = 0;
   double stalled = 0;
   while (gone < length + kCreviceEnd && stalled < kStalled) {
@@ -290,8 +290,8 @@ HybridControl::Ended HybridControl::Slide(const Way& way) {
     const double share = std::clamp(1 - resistance / law_.pushing_force, 0.0, 1.0);
     const Vector6 yielding = share * speed * direction + YieldingAcross(direction);
     if (Ended error = Step({.yielding = yielding})) return error;
-    gone += dt * direction.dot(arm_.velocity().yielding);
-    stalled = share < 0.02 ? stalled + dt : 0;
+    gone += arm_.period() * direction.dot(arm_.velocity().yielding);
+    stalled = share < 0.02 ? stalled + arm_.period() : 0;
   }
   if (length - gone < kCreviceEnd) return std::nullopt;
   return Stuck(direction, length - gone);
@@ -305,8 +305,7 @@ HybridControl::Ended HybridControl::Stuck(const Vector6& direction, double left)
       Error(TrialOutcome::kJammed, fmt::format("stuck {:.1f} mm before its end", 1e3 * left));
   stuck.holding = TrueHolding(execution_, fixed_, strategy_.X_HeldTip,
                               direction.head<3>().normalized(), strategy_.length);
-  const double dt = arm_.timestep();
-  for (double gone = 0; gone < kBack; gone += dt * law_.contact_speed) {
+  for (double gone = 0; gone < kBack; gone += arm_.period() * law_.contact_speed) {
     if (Ended error = Step({.yielding = -law_.contact_speed * direction})) return error;
     if (direction.dot(arm_.wrench()) > law_.obstructing_force) {
       stuck.outcome = TrialOutcome::kWedged;
@@ -326,11 +325,11 @@ double HybridControl::Slack(int contact, const Way& way) const {
 
 // Stops quickly. If the part stopped slowly, it would turn about the contact that it has made, and
 // would lose other contacts.
-HybridControl::Ended HybridControl::Brake(TipMotion motion) {
-  const Vector6 change = arm_.timestep() / law_.braking * motion.planned;
-  for (double time = 0; time < law_.braking; time += arm_.timestep()) {
-    motion.planned -= change;
-    if (Ended error = Step(motion)) return error;
+HybridControl::Ended HybridControl::Brake(const TipMotion& motion) {
+  TipMotion slower = motion;
+  for (double time = 0; time < law_.braking; time += arm_.period()) {
+    slower.planned = (1 - std::min(1.0, (time + arm_.period()) / law_.braking)) * motion.planned;
+    if (Ended error = Step(slower)) return error;
   }
   arm_.TakeStock();
   return std::nullopt;
@@ -338,10 +337,11 @@ HybridControl::Ended HybridControl::Brake(TipMotion motion) {
 
 // Waits until all contacts are pressed on average, but at most five times as long as usual.
 HybridControl::Ended HybridControl::Settle(const PressedContacts& contacts) {
-  const double share = arm_.timestep() / law_.settling;
   double least = contacts.empty() ? law_.touching_force : 0;  // newtons
+  double share = 0;
   for (double time = 0; time < 1 || (time < 5 && least < law_.touching_force / 2); time += share) {
     if (Ended error = Step(Hybrid(contacts, Vector6::Zero()))) return error;
+    share = arm_.period() / law_.settling;
     if (contacts.empty()) continue;
     least += 5 * share * (contacts.Forces(arm_.wrench()).minCoeff() - least);
   }
@@ -372,7 +372,7 @@ Vector6 HybridControl::YieldingAcross(const Vector6& direction) const {
 HybridControl::Ended HybridControl::Step(const TipMotion& motion) {
   if (Progress failure = arm_.Step(motion)) return Error(failure->outcome, failure->reason);
   felt_.wrench +=
-      std::min(1.0, arm_.timestep() / law_.recognition_filter) * (arm_.wrench() - felt_.wrench);
+      std::min(1.0, arm_.period() / law_.recognition_filter) * (arm_.wrench() - felt_.wrench);
   felt_.time = arm_.data().time();
   if (observer_) observer_(arm_.data(), motion_);
   return std::nullopt;

@@ -93,7 +93,7 @@ class HybridControl {
   Ended Slide(const Way& way);
   Ended Stuck(const Vector6& direction, double left);
   double Slack(int contact, const Way& way) const;
-  Ended Brake(TipMotion motion);
+  Ended Brake(const TipMotion& motion);
   // Ends a motion whose awaited contact was made on the way, with this contact and the kept ones
   // pressed.
   Ended Make(const plan::StrategyMotion& motion, const Way& way, double rate,

@@ -10,7 +10,9 @@
 namespace assay::execution {
 namespace {
 
-constexpr double kGreatestTurn = 0.05;  // radians that a joint may turn in one timestep
+constexpr double kGreatestTurn = 0.05;  // radians that a joint may turn in one step
+// The longest motion without dynamics, seconds. Meanwhile control does nothing.
+constexpr double kLongestGlide = 0.004;
 
 Vector3 RotationVector(const geometry::Matrix3& R) {
   const Eigen::AngleAxisd turn(R);
@@ -42,26 +44,61 @@ SoftArm::SoftArm(Execution& execution, PartId fixed, const Pose& X_HeldTip, cons
       X_WorldFixed_(execution.world().PartPose(fixed)),
       X_TipTool_(X_HeldTip.inverse() * execution.world().hold().X_PartTool),
       X_FixedTip_(X_WorldFixed_.inverse() * execution.BelievedTool() * X_TipTool_.inverse()),
-      configuration_(execution.problem().workcell->arm().IndicatorsOf(execution.commanded())) {
+      configuration_(execution.problem().workcell->arm().IndicatorsOf(execution.commanded())),
+      period_(execution.data().timestep()) {
+  execution.ForgetKinematics();
   Linearize();
 }
 
+Pose SoftArm::After(double seconds, const Vector6& twist) const {
+  Pose X_FixedTip = X_FixedTip_;
+  X_FixedTip.translation() += seconds * twist.head<3>();
+  X_FixedTip.linear() = Rotation(seconds * twist.tail<3>()) * X_FixedTip.linear();
+  return X_FixedTip;
+}
+
 Progress SoftArm::Step(const TipMotion& motion) {
-  const double dt = timestep();
+  if (Glide(motion)) return std::nullopt;
+  const double dt = execution_.data().timestep();
   const Vector6 acceleration = (motion.planned - velocity_.planned) / dt;
-  velocity_.planned = motion.planned;
-  velocity_.yielding +=
-      std::min(1.0, dt / law_.velocity_filter) * (motion.yielding - velocity_.yielding);
-  const Vector6 twist = dt * (velocity_.planned + velocity_.yielding);
-  X_FixedTip_.translation() += twist.head<3>();
-  X_FixedTip_.linear() = Rotation(twist.tail<3>()) * X_FixedTip_.linear();
-  const auto q = JointsFor(execution_.Erring(X_WorldFixed_ * X_FixedTip_ * X_TipTool_));
+  velocity_ = Filtered(motion, dt);
+  X_FixedTip_ = After(dt, velocity_.planned + velocity_.yielding);
+  const auto q = JointsFor(X_FixedTip_);
   if (!q) return Failure{TrialOutcome::kUnreachable, "the arm cannot follow"};
   const JointVector qd = (*q - execution_.commanded()) / dt;
   const JointVector qdd = jacobian_.solve(acceleration);
   if (Progress failure = execution_.StepSoftly({*q, qd}, qdd, law_.softness)) return failure;
+  period_ = dt;
   Feel();
   return std::nullopt;
+}
+
+double SoftArm::NextPeriod() const {
+  const double free = execution_.KinematicUntil() - execution_.data().time();
+  return std::max(std::min(kLongestGlide, free), execution_.data().timestep());
+}
+
+// Nothing touches the tip, so the wrench decays.
+bool SoftArm::Glide(const TipMotion& motion) {
+  const double longest = NextPeriod();
+  if (longest == execution_.data().timestep()) return false;
+  const TipMotion velocity = Filtered(motion, longest);
+  const Vector6 twist = velocity.planned + velocity.yielding;
+  const auto q = JointsFor(After(longest, twist));
+  if (!q) return false;
+  const JointVector qd = (*q - execution_.commanded()) / longest;
+  const double gone = execution_.GlideSoftly({*q, qd}, longest);
+  if (gone == 0) return false;
+  X_FixedTip_ = After(gone, twist);
+  velocity_ = velocity;
+  period_ = gone;
+  wrench_ -= std::min(1.0, gone / law_.wrench_filter) * wrench_;
+  return true;
+}
+
+TipMotion SoftArm::Filtered(const TipMotion& motion, double seconds) const {
+  const double share = std::min(1.0, seconds / law_.velocity_filter);
+  return {motion.planned, velocity_.yielding + share * (motion.yielding - velocity_.yielding)};
 }
 
 Pose SoftArm::MeasuredTip() const {
@@ -108,7 +145,8 @@ void SoftArm::Linearize() {
   compliance_ = jacobian * flexibility * jacobian.transpose() / law_.softness;
 }
 
-std::optional<JointVector> SoftArm::JointsFor(const Pose& X_WorldTool) const {
+std::optional<JointVector> SoftArm::JointsFor(const Pose& X_FixedTip) const {
+  const Pose X_WorldTool = execution_.Erring(X_WorldFixed_ * X_FixedTip * X_TipTool_);
   const domain::Workcell& workcell = *execution_.problem().workcell;
   const JointVector& now = execution_.commanded();
   for (const auto& s : workcell.arm().Inverse(workcell.FlangeFor(X_WorldTool), now)) {

@@ -30,10 +30,12 @@ class SoftArm {
   // object.
   SoftArm(Execution& execution, PartId fixed, const Pose& X_HeldTip, const ControlLaw& law);
 
-  double timestep() const { return execution_.data().timestep(); }
   const mujoco::Data& data() const { return execution_.data(); }
-  // Executes one timestep.
+  // Executes one timestep, or a few milliseconds without dynamics if the tip touches nothing.
   Progress Step(const TipMotion& motion);
+  // Returns how long the last step took, and how long the next one may take, in seconds.
+  double period() const { return period_; }
+  double NextPeriod() const;
 
   // Returns the wrench of the contacts on the held part: that at the wrist without the part's
   // weight.
@@ -57,7 +59,14 @@ class SoftArm {
   void Linearize();
 
  private:
-  std::optional<JointVector> JointsFor(const Pose& X_WorldTool) const;
+  // Returns the commanded pose of the tip after a time of this twist, seconds.
+  Pose After(double seconds, const Vector6& twist) const;
+  // Returns joint values that are near the commanded ones, or none.
+  std::optional<JointVector> JointsFor(const Pose& X_FixedTip) const;
+  // Returns the velocity after a time in which it follows this motion, seconds.
+  TipMotion Filtered(const TipMotion& motion, double seconds) const;
+  // Moves without dynamics. Returns false if that is not possible.
+  bool Glide(const TipMotion& motion);
   void Feel();
 
   Execution& execution_;
@@ -69,6 +78,7 @@ class SoftArm {
   Eigen::PartialPivLU<Matrix6> jacobian_;  // maps joint rates to the tip's twist
   Matrix6 compliance_ = Matrix6::Zero();
   TipMotion velocity_;
+  double period_ = 0;
   Vector6 wrench_ = Vector6::Zero();
 };
 

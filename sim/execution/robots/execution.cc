@@ -22,14 +22,6 @@ constexpr double kPeakFilter = 0.002;  // time constant of the greatest force, s
 // Time constant of the force that ends a guarded move, seconds.
 constexpr double kTouchFilter = 0.001;
 constexpr double kBrakeTime = 0.002;  // seconds from slow motion to rest
-// How often each second the engine computes the forces, while robots move without dynamics. The
-// forces in the trace's samples are those of the timesteps after the samples, so that the usual
-// rate of samples is best.
-constexpr double kForceRate = 50;
-// A state of motion without dynamics follows the last one when a joint may have moved the robot by
-// this length, metres. Contacts are found if they last longer.
-constexpr double kKinematicLength = 5e-4;
-constexpr double kReach = 2;  // metres from a joint to the farthest point that it moves
 
 using BodyNames = std::pair<std::string, std::string>;
 
@@ -67,19 +59,6 @@ Sample* LastSample(Trace& trace) {
     if (auto* const sample = std::get_if<Sample>(&event)) return sample;
   }
   return nullptr;
-}
-
-// Returns how many seconds a command of these rates may last in motion without dynamics.
-double KinematicStep(const RobotCommand& command, double shortest) {
-  const double speed = kReach * command.arm.qd.lpNorm<1>() + std::abs(command.opening_rate);
-  return std::clamp(kKinematicLength / std::max(speed, 1e-9), shortest, 1 / kForceRate);
-}
-
-// Returns the time at which the engine must compute the forces again.
-double NextForces(double now) {
-  double count = std::floor(now * kForceRate);
-  while (count / kForceRate < now + 1e-9) ++count;
-  return count / kForceRate;
 }
 
 Trace EmptyTrace(const domain::Problem& problem) {
@@ -242,42 +221,6 @@ Progress Execution::MoveFingers(double opening, double rate) {
     if (Progress failure = StepTo(rest)) return failure;
   }
   return std::nullopt;
-}
-
-// A timestep that ends after the engine's forces were due is followed by another timestep, which
-// has these forces. Near bodies that it would touch, the robot moves by timesteps for a while.
-double Execution::MoveKinematically(const Commands& commands, double time, double end) {
-  const double shortest = options_.kinematic_step;
-  const double start = data_.time();
-  const double stop = std::min(NextForces(start), end + start - time);
-  const bool forces_are_due = NextForces(start - data_.timestep()) <= start;
-  if (shortest <= 0 || forces_are_due || start < near_until_ || start + shortest > stop)
-    return time;
-  if (!kinematic_.Begin(data_, world_.held(), commands(time))) return time;
-  while (data_.time() < stop) {
-    const double now = time + data_.time() - start;
-    const double next = std::min(data_.time() + KinematicStep(commands(now), shortest), stop);
-    const RobotCommand command = commands(time + next - start);
-    if (!kinematic_.MoveTo(command, next, data_)) {
-      near_until_ = NextForces(start);
-      break;
-    }
-    commanded_ = command.arm;
-    EndTimestep();
-  }
-  if (data_.time() == start) {
-    data_.Resume();
-    return time;
-  }
-  kinematic_.End(data_);
-  Feel(data_.time() - start);
-  SampleIfDue();
-  return time + data_.time() - start;
-}
-
-void Execution::ForgetKinematics() {
-  kinematic_.Forget();
-  near_until_ = 0;
 }
 
 bool Execution::IsInHand() const {

@@ -100,6 +100,14 @@ class Execution {
   // `share` is the fraction of the servos' usual stiffness. `qdd` is the planned acceleration, so
   // that the arm does not lag.
   Progress StepSoftly(const JointState& next, const JointVector& qdd, double share);
+  // Moves with soft servos toward `next`, where it would be after so many seconds, without
+  // dynamics. Returns how many seconds it moved: 0 if a force decides something.
+  double GlideSoftly(const JointState& next, double seconds);
+  // Returns the time until which a motion without dynamics may last, in seconds of the simulation,
+  // or the present time.
+  double KinematicUntil() const;
+  // Makes motions without dynamics independent of the motions before.
+  void ForgetKinematics();
 
   // Sets the last command to the robot to the arm's measured state.
   void TakeStock();
@@ -113,8 +121,6 @@ class Execution {
   // Moves without dynamics from `time` on, to `end` at most, if that is possible. Returns the time
   // that is reached.
   double MoveKinematically(const Commands& commands, double time, double end);
-  // Makes a motion independent of the motions before it.
-  void ForgetKinematics();
   // Executes one timestep that leads the arm to this state. It adds to the trace's series and
   // checks force and engine.
   Progress StepTo(const JointState& next);

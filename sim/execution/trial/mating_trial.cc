@@ -47,7 +47,9 @@ class Trial {
       : mating_(problem.mating(setting.mating)),
         scene_(scene),
         setting_(setting),
-        options_{.sample_rate = options.sample_rate, .force_limit = options.law.force_limit},
+        options_{.sample_rate = options.sample_rate,
+                 .kinematic_step = options.kinematic_step,
+                 .force_limit = options.law.force_limit},
         data_(scene.Start()),
         execution_(problem, scene, data_, options_) {
     scene.SetPart(data_, mating_.fixed, RestingPoses(problem, scene)[mating_.fixed.index()]);

@@ -22,7 +22,9 @@ struct MatingSetting {
 struct MatingTrialOptions {
   ControlLaw law = {};
   MotionObserver observer = {};
-  double sample_rate = 0;  // see ExecutorOptions::sample_rate
+  // As in ExecutorOptions:
+  double sample_rate = 0;
+  double kinematic_step = ExecutorOptions().kinematic_step;
 };
 
 struct MatingResult {

@@ -153,12 +153,6 @@ MatingResult Insert(const domain::Problem& problem, const scene::Scene& scene,
   return RunMatingTrial(problem, scene, setting, Insertion(setting.X_HeldTip));
 }
 
-TEST_F(MatingTrial, InsertsWithoutErrors) {
-  const MatingResult result = Insert(problem(), scene(), Setting(kNone, kNone));
-  EXPECT_EQ(result.end.outcome, TrialOutcome::kSucceeded) << result.end.reason;
-  EXPECT_NEAR(Depth(result), 0, 1e-3);
-}
-
 TEST_F(MatingTrial, InsertsWithErrorsAtTheirBounds) {
   const Vector3 signs(-1, 1, 1);
   const MatingResult result = Insert(problem(), scene(), Setting(0.002 * signs, kDegree * signs));
@@ -184,6 +178,29 @@ TEST_F(MatingTrial, AContactThatDoesNotComeIsATimeout) {
   EXPECT_EQ(result.end.outcome, TrialOutcome::kTimeout);
   EXPECT_EQ(result.end.motion, 0);
   EXPECT_LT(result.greatest_force, 10) << "it touched nothing: that is the part's own weight";
+}
+
+// Without contact, no force decides anything. A strategy of free motions ends at the same time and
+// place as with dynamics, whatever the hand's error.
+TEST_F(MatingTrial, FreeMotionsEndAsWithDynamics) {
+  const MatingSetting setting = Setting({0.001, -0.002, 0.001}, Vector3(1, -1, 2) * kDegree);
+  SquareStrategy plan(setting.X_HeldTip);
+  const auto at = [](const Vector3& tilts, double height) {
+    return SquareStrategy::VertexAt(tilts, 1, 1, {kMouth + height, kHalfWidth, kAxis - 0.03});
+  };
+  plan.Start(at(kNone, 0.02));
+  plan.Go(at(Vector3(0, 10, 5) * kDegree, 0.015));
+  plan.Go(at(Vector3(3, 2, 0) * kDegree, 0.025));
+  const MatingResult quick = RunMatingTrial(problem(), scene(), setting, plan.strategy());
+  const MatingResult exact =
+      RunMatingTrial(problem(), scene(), setting, plan.strategy(), {.kinematic_step = 0});
+  EXPECT_EQ(quick.end.outcome, TrialOutcome::kSucceeded) << quick.end.reason;
+  EXPECT_EQ(exact.end.outcome, TrialOutcome::kSucceeded) << exact.end.reason;
+  const Pose between = exact.X_FixedHeld.inverse() * quick.X_FixedHeld;
+  EXPECT_LT(between.translation().norm(), 1e-4);
+  EXPECT_LT(Eigen::AngleAxisd(between.linear()).angle(), 0.02 * kDegree);
+  EXPECT_NEAR(quick.duration, exact.duration, 0.02);
+  EXPECT_NEAR(quick.greatest_force, exact.greatest_force, 2);
 }
 
 TEST_F(MatingTrial, AnObstructedMotionStops) {

@@ -1,0 +1,97 @@
+#include <algorithm>
+#include <cmath>
+
+#include "sim/execution/robots/execution.h"
+
+// The motions of Execution without dynamics.
+namespace assay::execution {
+namespace {
+
+// How often each second the engine computes the forces, while robots move without dynamics. The
+// forces in the trace's samples are those of the timesteps after the samples, so that the usual
+// rate of samples is best.
+constexpr double kForceRate = 50;
+// A state of motion without dynamics follows the last one when a joint may have moved the robot by
+// this length, metres. Contacts are found if they last longer.
+constexpr double kKinematicLength = 5e-4;
+constexpr double kReach = 2;  // metres from a joint to the farthest point that it moves
+
+// Returns how many seconds a command of these rates may last in motion without dynamics.
+double KinematicStep(const RobotCommand& command, double shortest) {
+  const double speed = kReach * command.arm.qd.lpNorm<1>() + std::abs(command.opening_rate);
+  return std::clamp(kKinematicLength / std::max(speed, 1e-9), shortest, 1 / kForceRate);
+}
+
+// Returns the time at which the engine must compute the forces again.
+double NextForces(double now) {
+  double count = std::floor(now * kForceRate);
+  while (count / kForceRate < now + 1e-9) ++count;
+  return count / kForceRate;
+}
+
+}  // namespace
+
+double Execution::KinematicUntil() const {
+  const double now = data_.time();
+  const bool forces_are_due = NextForces(now - data_.timestep()) <= now;
+  return options_.kinematic_step <= 0 || forces_are_due || now < near_until_ ? now
+                                                                             : NextForces(now);
+}
+
+// A timestep that ends after the engine's forces were due is followed by another timestep, which
+// has these forces. Near bodies that it would touch, the robot moves by timesteps for a while.
+double Execution::MoveKinematically(const Commands& commands, double time, double end) {
+  const double shortest = options_.kinematic_step;
+  const double start = data_.time();
+  const double stop = std::min(KinematicUntil(), end + start - time);
+  if (start + shortest > stop) return time;
+  if (!kinematic_.Begin(data_, world_.held(), commands(time))) return time;
+  while (data_.time() < stop) {
+    const double now = time + data_.time() - start;
+    const double next = std::min(data_.time() + KinematicStep(commands(now), shortest), stop);
+    const RobotCommand command = commands(time + next - start);
+    if (!kinematic_.MoveTo(command, next, data_)) {
+      near_until_ = NextForces(start);
+      break;
+    }
+    commanded_ = command.arm;
+    EndTimestep();
+  }
+  if (data_.time() == start) {
+    data_.Resume();
+    return time;
+  }
+  kinematic_.End(data_);
+  Feel(data_.time() - start);
+  SampleIfDue();
+  return time + data_.time() - start;
+}
+
+void Execution::ForgetKinematics() {
+  kinematic_.Forget();
+  near_until_ = 0;
+}
+
+// Soft servos let the arm sag. An arm that moves steadily goes on with the lag that it has. If it
+// cannot, it is asked again when the engine has computed the forces.
+double Execution::GlideSoftly(const JointState& next, double seconds) {
+  constexpr double kSteady = 0.01;  // rad/s
+  const JointVector lagging = scene_.ArmPosition(data_) - commanded_.q;
+  const JointVector unsteady = scene_.ArmVelocity(data_) - commanded_.qd;
+  const JointState before = commanded_;
+  const auto between = [&](double time) -> JointVector {
+    return before.q + time / seconds * (next.q - before.q);
+  };
+  const Commands commands = [&](double time) {
+    return RobotCommand{.arm = {between(time) + lagging, next.qd}};
+  };
+  const double gone = unsteady.norm() < kSteady ? MoveKinematically(commands, 0, seconds) : 0;
+  if (gone > 0) {
+    commanded_ = {between(gone), next.qd};
+  } else {
+    near_until_ = NextForces(data_.time());
+  }
+  return gone;
+}
+
+}  // namespace assay::execution
