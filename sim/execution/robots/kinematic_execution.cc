@@ -75,7 +75,7 @@ void Execution::ForgetKinematics() {
 // Soft servos let the arm sag. An arm that moves steadily goes on with the lag that it has. If it
 // cannot, it is asked again when the engine has computed the forces.
 double Execution::GlideSoftly(const JointState& next, double seconds) {
-  constexpr double kSteady = 0.01;  // rad/s
+  constexpr double kSteady = 5e-4;  // rad/s
   const JointVector lagging = scene_.ArmPosition(data_) - commanded_.q;
   const JointVector unsteady = scene_.ArmVelocity(data_) - commanded_.qd;
   const JointState before = commanded_;

@@ -33,7 +33,7 @@ TEST(Mate, PlansAStrategyThatIsCertainForAllTheErrors) {
 }
 
 TEST(Mate, WithoutAStrategyThereIsNoPlan) {
-  const Ended ended = Assay({"mate", kSquare, "--displacement", "20", "--rotation", "10"});
+  const Ended ended = Assay({"mate", kSquare, "--displacement", "5", "--rotation", "2.5"});
   EXPECT_EQ(ended.code, 10) << ended.err;
   EXPECT_THAT(ended.out, HasSubstr("; this is prevented by "));
   EXPECT_THAT(ended.out, HasSubstr("all sequences of the planner's maneuvers from"));

@@ -181,7 +181,7 @@ TEST_F(MatingTrial, AContactThatDoesNotComeIsATimeout) {
 }
 
 // Without contact, no force decides anything. A strategy of free motions ends at the same time and
-// place as with dynamics, whatever the hand's error.
+// place as with dynamics, whatever the hand's error. Soft servos lag by a tenth of a millimetre.
 TEST_F(MatingTrial, FreeMotionsEndAsWithDynamics) {
   const MatingSetting setting = Setting({0.001, -0.002, 0.001}, Vector3(1, -1, 2) * kDegree);
   SquareStrategy plan(setting.X_HeldTip);
@@ -197,7 +197,7 @@ TEST_F(MatingTrial, FreeMotionsEndAsWithDynamics) {
   EXPECT_EQ(quick.end.outcome, TrialOutcome::kSucceeded) << quick.end.reason;
   EXPECT_EQ(exact.end.outcome, TrialOutcome::kSucceeded) << exact.end.reason;
   const Pose between = exact.X_FixedHeld.inverse() * quick.X_FixedHeld;
-  EXPECT_LT(between.translation().norm(), 1e-4);
+  EXPECT_LT(between.translation().norm(), 2e-4);
   EXPECT_LT(Eigen::AngleAxisd(between.linear()).angle(), 0.02 * kDegree);
   EXPECT_NEAR(quick.duration, exact.duration, 0.02);
   EXPECT_NEAR(quick.greatest_force, exact.greatest_force, 2);
