@@ -49,9 +49,23 @@ function factsOf(step, data) {
   const rows = step.facts.map(
       ([name, value]) =>
           element('tr', {}, element('th', {scope: 'row'}, name), element('td', {}, value)));
+  const facts = element('table', {class: 'facts'}, ...rows);
+  if (step.drawing === undefined) return [facts];
   const drawing = element('div', {class: 'drawing'});
-  if (step.drawing !== undefined) drawing.innerHTML = data.drawings[step.drawing];
-  return [element('table', {class: 'facts'}, ...rows), drawing];
+  drawing.innerHTML = data.drawings[step.drawing];
+  const enlarge = element(
+      'button', {class: 'where', onclick: () => showLarge(drawing.cloneNode(true))},
+      'Enlarge the drawing');
+  return [facts, drawing, enlarge];
+}
+
+// Shows a drawing over the whole page. A click or the escape key closes it.
+function showLarge(drawing) {
+  const dialog = element(
+      'dialog', {class: 'large', onclick: () => dialog.close(), onclose: () => dialog.remove()},
+      drawing);
+  document.body.append(dialog);
+  dialog.showModal();
 }
 
 function leadOf(step, standing) {
@@ -102,7 +116,7 @@ function preconditionOf(group, colors, isFirst, showWhere) {
           element('span', {class: 'mark', title: group.standing}, MARKS[group.standing]),
           element(
               'span', {class: 'name'}, group.condition,
-              element('small', {}, group.count > 1 ? ` × ${group.count}` : '')),
+              element('small', {}, group.count > 1 ? ` ×\u00a0${group.count}` : '')),
           marginChart(group, color), element('span', {class: 'value'}, margin)),
       element('p', {}, `${capitalized(group.meaning)}. ${standingSentence(group)}`),
       boundTable(group),
@@ -164,8 +178,8 @@ function costsOf(group) {
       ...rows)];
 }
 
-// Whether the planner computed one number for all errors together. Nothing is known about the effect
-// of single errors then.
+// Whether the planner computed one number for all errors together. Nothing is known about the
+// effect of single errors then.
 const isNumber = ({nominal}) => nominal === undefined;
 
 function remedyOf(group) {

@@ -6,7 +6,7 @@ const scaleOf = ({perCentimetre}) =>
     element('p', {}, `a centimetre of a force arrow: ${numberText(perCentimetre)}\u202fN`);
 
 // Readings at the shown time, over the picture: the distance of each part's true pose from its
-// believed pose, and the bodies that touch.
+// believed pose, and the bodies that touch. A click on the first line hides them.
 export class Readings {
   constructor(data, recording, player, contactMarks) {
     Object.assign(this, {data, recording, points: contactMarks.points});
@@ -16,11 +16,10 @@ export class Readings {
     });
     this.contacts = element('p');
     this.root = element(
-        'div', {class: 'readings'},
-        element(
-            'table', {}, element('caption', {}, 'distance of the true pose from the believed pose'),
-            ...this.rows.map(({row}) => row)),
-        this.contacts, contactMarks.exist ? scaleOf(contactMarks) : null);
+        'details', {class: 'readings', open: true},
+        element('summary', {}, 'distance of the true pose from the believed pose'),
+        element('table', {}, ...this.rows.map(({row}) => row)), this.contacts,
+        contactMarks.exist ? scaleOf(contactMarks) : null);
     this.bodies =
         data.parts.map((part) => data.bodies.findIndex((body) => body.name === part.body));
     player.onGlance(() => this.show(player.time));

@@ -2,9 +2,10 @@ import {element} from '../dom.js';
 import {standingOf} from '../steps/standing.js';
 import {numberText} from '../units.js';
 
-const BAND = 22;  // pixels: the steps
-const FOOT = 18;  // pixels: the seconds
-const EDGE = 8;   // pixels at both ends
+const BAND = 22;    // pixels: the steps
+const FOOT = 18;    // pixels: the seconds
+const EDGE = 8;     // pixels at both ends
+const NARROW = 48;  // pixels: a narrower step has no place for the name of its action
 
 // Steps, forces and occurrences over time, and the time that is shown. Pressing or dragging changes
 // the time that is shown.
@@ -103,11 +104,13 @@ export class Timeline {
     const {start, end} = this.player;
     const spacing = [0.5, 1, 2, 5, 10, 20, 50].find((s) => (end - start) / s < width / 60) || 100;
     pen.textAlign = 'center';
-    for (let time = Math.ceil(start / spacing) * spacing; time <= end; time += spacing) {
+    const first = Math.ceil(start / spacing) * spacing;
+    for (let time = first; time <= end; time += spacing) {
       pen.fillStyle = '#e3e7eb';
       pen.fillRect(Math.round(this.x(time)), BAND, 1, height - FOOT - BAND);
       pen.fillStyle = '#52606f';
-      pen.fillText(time === 0 ? '0 s' : numberText(time), this.x(time), height - 4);
+      pen.fillText(
+          time === first ? `${numberText(time)} s` : numberText(time), this.x(time), height - 4);
     }
     pen.fillStyle = '#98a2ad';
     pen.fillRect(EDGE, height - FOOT, width - 2 * EDGE, 1);
@@ -171,8 +174,14 @@ export class Timeline {
     pen.beginPath();
     pen.rect(left, 0, right - left - 4, BAND);
     pen.clip();
-    pen.fillText(`${step.number} ${step.action}`, left + 5, 13);
+    pen.fillText(this.labelOf(step, right - left), left + 5, 13);
     pen.restore();
+  }
+
+  // Returns what fits into this many pixels.
+  labelOf({number, action}, width) {
+    if (width >= NARROW) return `${number} ${action}`;
+    return this.pen.measureText(number).width + 9 <= width ? number : '';
   }
 
   drawOccurrence({time, bad}) {
