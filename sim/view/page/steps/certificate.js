@@ -2,20 +2,23 @@ import {element} from '../dom.js';
 import {countText, quantityText, rangeText} from '../units.js';
 
 import {marginChart} from './margin_chart.js';
-import {colorOf, MARKS, standingOf, uncoveredOf, VERDICT_MARKS, VERDICTS} from './standing.js';
+import {colorOf, MARKS, standingOf, uncoveredOf, VERDICT_MARKS, verdictOf, VERDICTS, verdictText} from './standing.js';
 
 // The certificate of one step: what was claimed, how far it is from its limit, and what costs most.
+// What was observed comes last, or first if it violates a claim.
 // `showWhere` is called with a sentence about what is not proved, to show it in the picture.
 export function certificateOf(step, data, showWhere) {
   const standing = standingOf(step, data.colors);
+  const observed = observedOf(step, data.colors);
+  const isViolated = verdictOf(step) === 'violated';
   return element(
       'section', {class: 'certificate', 'aria-label': `Certificate of step ${step.number}`},
       element('h2', {}, `Step ${step.number}: ${step.action}`), ...leadsOf(step, standing),
-      ...factsOf(step, data), ...unprovedWaysOf(step, data, showWhere),
-      ...uncoveredTexts(step, data),
+      ...(isViolated ? observed : []), ...factsOf(step, data),
+      ...unprovedWaysOf(step, data, showWhere), ...uncoveredTexts(step, data),
       ...step.preconditions.map(
           (group, i) => preconditionOf(group, data.colors, i === 0, showWhere)),
-      ...notNeededOf(step), ...doneOf(step), ...observedOf(step, data.colors));
+      ...notNeededOf(step), ...doneOf(step), ...(isViolated ? [] : observed));
 }
 
 function unprovedWaysOf({unprovedWays}, {colors}, showWhere) {
@@ -34,8 +37,13 @@ function unprovedWaysOf({unprovedWays}, {colors}, showWhere) {
         element(
             'summary', {}, element('span', {class: 'mark', title: 'open'}, MARKS.open),
             element('span', {class: 'name'}, home ? `${condition}, way home` : condition)),
-        element('p', {}, `Not proved: with errors, ${text}.`), ...enough, ...button);
+        element('p', {}, unprovedText(text)), ...enough, ...button);
   });
+}
+
+// The text is about what may happen with errors, or about the errors with which it happens.
+function unprovedText(text) {
+  return `Not proved: ${text.startsWith('errors ') ? 'there may be' : 'with errors,'} ${text}.`;
 }
 
 function leadsOf(step, standing) {
@@ -227,9 +235,9 @@ function observedOf(step, colors) {
   if (step.verdicts.length === 0) return [];
   const rank = (claim) => VERDICTS.indexOf(claim.verdict);
   const claims = [...step.verdicts].sort((a, b) => rank(a) - rank(b));
-  const counts =
-      VERDICTS.map((name) => [name, claims.filter((claim) => claim.verdict === name).length]);
-  const tally = counts.filter(([, count]) => count > 0).map(([name, count]) => `${count} ${name}`);
+  const count = (name) => claims.filter((claim) => claim.verdict === name).length;
+  const tally = VERDICTS.filter((name) => count(name) > 0)
+                    .map((name) => `${count(name)} ${verdictText(name)}`);
   return [
     element('h3', {}, `Observed in this execution: ${tally.join(', ')}`),
     element(
@@ -248,7 +256,9 @@ function observedRow(claim, colors) {
       'tr', {style: `--standing: ${colors[claim.verdict]}`},
       element(
           'td', {},
-          element('span', {class: 'mark', title: claim.verdict}, VERDICT_MARKS[claim.verdict])),
+          element(
+              'span', {class: 'mark', title: verdictText(claim.verdict)},
+              VERDICT_MARKS[claim.verdict])),
       element('th', {scope: 'row'}, claim.name + when),
       element('td', {}, rangeText(claim.predicted, claim.unit, 3)),
       element('td', {}, quantityText(claim.observed, claim.unit, 3)));

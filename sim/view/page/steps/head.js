@@ -10,11 +10,15 @@ export function headOf(data) {
   return element(
       'header', {}, element('h1', {}, title), element('p', {class: 'source'}, source),
       element(
-          'p', {class: isGood ? 'outcome' : 'outcome bad'},
-          outcome.name === 'reached' ? 'The goal was reached' : `Execution ${outcome.name}`,
+          'p', {class: isGood ? 'outcome' : 'outcome bad'}, outcomeText(outcome.name),
           outcome.reason ? `: ${outcome.reason}` : ''),
-      ...violatedClaims(data),
-      element('p', {class: 'summary'}, summaryOf(data)), ...notCovered(data));
+      ...violatedClaims(data), element('p', {class: 'summary'}, summaryOf(data)),
+      ...notCovered(data));
+}
+
+function outcomeText(name) {
+  if (name === 'reached') return 'The goal was reached';
+  return name === 'succeeded' ? 'Execution succeeded' : `Execution: ${name.replace('-', ' ')}`;
 }
 
 // What makes an execution a counterexample, even if the execution succeeded.

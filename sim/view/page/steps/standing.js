@@ -80,6 +80,8 @@ export const VERDICT_MARKS = {
   'not-claimed': '–'
 };
 
+export const verdictText = (verdict) => verdict.replace('-', ' ');
+
 export function verdictOf(step) {
   return VERDICTS.find((name) => step.verdicts.some((claim) => claim.verdict === name));
 }

@@ -5,7 +5,7 @@ import {countText} from '../units.js';
 import {certificateOf} from './certificate.js';
 import {headOf} from './head.js';
 import {bodiesNamedIn} from './names.js';
-import {standingOf, uncoveredOf, VERDICT_MARKS, verdictOf} from './standing.js';
+import {standingOf, uncoveredOf, VERDICT_MARKS, verdictOf, verdictText} from './standing.js';
 import {treeOf} from './tree.js';
 
 // The steps as a list or a tree, and the certificate of the step that is shown. A click on a step
@@ -45,8 +45,8 @@ export class Steps {
         proved;
     const uncovered = uncoveredOf(step, this.data).length;
     const notes = [
-      text, uncovered > 0 ? `${countText(uncovered, 'effect')} not covered` : '', verdict,
-      step.from === undefined ? 'not reached' : ''
+      text, uncovered > 0 ? `${countText(uncovered, 'effect')} not covered` : '',
+      verdict && verdictText(verdict), step.from === undefined ? 'not reached' : ''
     ].filter(Boolean).join(', ');
     return element(
         'span', {class: isOpen ? 'standing open' : 'standing', style: `--standing: ${color}`},
