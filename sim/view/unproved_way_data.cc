@@ -40,7 +40,7 @@ Json DataOfWay(const assembly::UnprovedWay& way, const domain::Problem& problem,
   KeepMarkedGhosts(data);
   data["condition"] = way.condition.name();
   data["home"] = way.step.IsNone();
-  if (way.condition == plan::Condition(plan::condition::kWayClear)) data["share"] = way.share;
+  if (way.share) data["share"] = *way.share;
   return data;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "planner/geometry/box.h"
 
@@ -25,14 +26,17 @@ double ShiftBy(const Error& error) {
 // point about which the body turns.
 template <class Error>
 double Doubt(const Error& error, double turn, double radius) {
-  const double doubt = ShiftBy(error) + turn * radius;
-  return std::isfinite(doubt) ? std::min(doubt, PartErrorBounds::kMost) : PartErrorBounds::kMost;
+  return ShiftBy(error) + turn * radius;
 }
 
+PlaceError Limited(double shift, double turn) {
+  if (shift <= PartErrorBounds::kMost) return {shift, turn};
+  return {.shift = PartErrorBounds::kMost, .turn = turn, .is_bounded = false};
+}
+
+// A half turn to each side leads everywhere.
 PlaceError ErrorAtRest(const plan::ErrorSet& set) {
-  const PlaceError error = {ShiftBy(set), Greatest(set.theta)};
-  const bool is_bounded = error.shift < PartErrorBounds::kMost && error.turn < M_PI;
-  return is_bounded ? error : PlaceError{PartErrorBounds::kMost};
+  return Limited(ShiftBy(set), std::min(Greatest(set.theta), std::numbers::pi));
 }
 
 // Errors turn a held part about an axis through the grasped point. This axis may have any
@@ -43,7 +47,8 @@ PlaceError ErrorInHand(const domain::Part& part, const plan::ErrorSet& set,
   for (const Vector3& vertex : part.model->corners()) {
     radius = std::max(radius, (vertex - hold.X_PartTool.translation()).norm());
   }
-  return {Doubt(set, Greatest(set.theta) + Greatest(set.tip) + Greatest(set.twist), radius)};
+  const double turn = Greatest(set.theta) + Greatest(set.tip) + Greatest(set.twist);
+  return Limited(Doubt(set, turn, radius), 0);
 }
 
 }  // namespace

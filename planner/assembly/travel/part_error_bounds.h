@@ -19,7 +19,8 @@ class PartErrorBounds {
   // Returns, indexed by PartId, the errors that travels assume.
   std::vector<motion::PlaceError> In(const plan::WorldState& state) const;
 
-  // The greatest shift, in metres. It stands for all errors that are greater or not bounded.
+  // The greatest shift, in metres, with which ways are searched for. It stands for all shifts that
+  // are greater or not bounded, and nothing is proved about ways with such shifts.
   static constexpr double kMost = 0.05;
 
  private:

@@ -124,12 +124,25 @@ std::optional<Way> TravelSearch::WayBy(const plan::Travel& travel) {
 std::optional<WayCertainty> TravelSearch::CertaintyOf(const Way& way, double clearance) {
   const WayCertainty certainty = {Both(way.sway_of_rise, way.sway), kTravelClearance};
   if (!IsFree(way.over, OnTheWay(way, clearance))) return std::nullopt;
-  if (certainty.Reaches() && AreLinesFree(way, ErrorsOf(way))) return certainty;
+  const bool is_known = certainty.Reaches() && ArePartsNearTheirPlaces();
+  if (is_known && AreLinesFree(way, ErrorsOf(way))) return certainty;
   if (!AreLinesFree(way, {})) return std::nullopt;
   return WayCertainty{certainty.sway, 0};
 }
 
-double TravelSearch::ClearShareOfErrors(const Way& way) {
+bool TravelSearch::ArePartsNearTheirPlaces() {
+  const auto far = std::ranges::find_if_not(surroundings_.errors, &motion::PlaceError::is_bounded);
+  if (far == surroundings_.errors.end()) return true;
+  const auto part = static_cast<std::size_t>(far - surroundings_.errors.begin());
+  in_the_way_ = {
+      fmt::format("{} may be more than {:.0f} mm from its place, and ways are proved for "
+                  "smaller distances only",
+                  walk_.problem().parts[part].name, 1e3 * PartErrorBounds::kMost)};
+  return false;
+}
+
+std::optional<double> TravelSearch::ClearShareOfErrors(const Way& way) {
+  if (!ArePartsNearTheirPlaces()) return std::nullopt;
   constexpr int kShares = 100;
   int clear = 0;
   int refused = kShares;

@@ -74,8 +74,9 @@ class TravelSearch {
   std::optional<WayCertainty> CertaintyOf(const Way& way, double clearance);
 
   // Returns the greatest share of the tool's pose errors with which the arm surely stays clear on
-  // the straight lines, to a hundredth. The lines must be free without these errors.
-  double ClearShareOfErrors(const Way& way);
+  // the straight lines, to a hundredth, or none if the errors of a part are too great for any
+  // proof. The lines must be free without these errors.
+  std::optional<double> ClearShareOfErrors(const Way& way);
 
   const plan::Reason& in_the_way() const { return in_the_way_; }  // what stopped the last search
 
@@ -104,6 +105,8 @@ class TravelSearch {
   motion::MotionRules AtWork(const ArmErrors& errors) const;
   bool IsFree(const motion::JointPath& path, const motion::MotionRules& rules);
   bool AreLinesFree(const Way& way, const WayErrors& errors);
+  // Returns whether the errors of all parts are bounded as far as proofs need it.
+  bool ArePartsNearTheirPlaces();
   double ClearanceOf(const Way& way);
   plan::Reason NotReached(const char* text) const;
   plan::Reason Obstructed(std::string text, const motion::Obstruction& obstruction) const;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "planner/domain/problem/problem.h"
@@ -18,8 +19,8 @@ struct UnprovedWay {
   // errors.
   plan::Reason why;
   // For kWayClear: the greatest share of the tool's pose errors with which the arm surely stays
-  // clear, to a hundredth, less than 1.
-  double share = 0;
+  // clear, to a hundredth, less than 1. None if the errors of a part are too great for any proof.
+  std::optional<double> share = {};
 };
 
 // Returns the unproved ways of a plan in the order of execution. Returns none if the plan claims

@@ -30,8 +30,9 @@ struct StandingRobot {
 // How far a part may be from its place. It may be turned about the vertical through its origin, and
 // then no point of it is farther than `shift` from its place.
 struct PlaceError {
-  double shift = 0;  // metres, >= 0
-  double turn = 0;   // radians, >= 0; a held part has no turn
+  double shift = 0;        // metres, >= 0
+  double turn = 0;         // radians, >= 0; a held part has no turn
+  bool is_bounded = true;  // false: the part may also be farther away, and nothing is proved
 };
 
 // Everything around the arm while it moves.

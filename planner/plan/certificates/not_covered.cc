@@ -80,6 +80,13 @@ std::vector<std::string> StartsNotCovered(const domain::Problem& problem) {
         "has one",
         problem.part(a).name, problem.part(b).name));
   }
+  for (const domain::MatingId id : problem.assembled) {
+    const domain::Mating& mating = problem.mating(id);
+    names.push_back(fmt::format(
+        "whether {} and {}, which are assembled at the start, stay as they are: their balance is "
+        "not examined",
+        problem.part(mating.held).name, problem.part(mating.fixed).name));
+  }
   return names;
 }
 

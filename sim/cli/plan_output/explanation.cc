@@ -372,10 +372,10 @@ std::string UnprovedWaysText(const domain::Problem& problem, const plan::Plan& p
     if (way.step != id && !(way.step.IsNone() && is_last)) continue;
     text += fmt::format("  With errors{}, {}.\n", way.step.IsNone() ? " on the way home" : "",
                         way.why.text);
-    if (way.condition == plan::Condition(plan::condition::kWayClear)) {
+    if (way.share) {
       text +=
           fmt::format("  It would be proved if the tool's pose had only {:.0f} % of its errors.\n",
-                      100 * way.share);
+                      100 * *way.share);
     }
   }
   return text;

@@ -3,6 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <string>
+
 #include "planner/assembly/certified_plan.h"
 #include "planner/plan/certificates/condition_table.h"
 #include "tests/planner/constraint_posting/scenarios.h"
@@ -29,8 +32,25 @@ TEST(UnprovedWays, NameTheBodiesThatErrorsBringTogether) {
   EXPECT_THAT(ways[0].why.text, HasSubstr("are nearer than"));
   ASSERT_TRUE(ways[0].why.situation);
   EXPECT_THAT(ways[0].why.situation->colliding, SizeIs(2));
-  EXPECT_GE(ways[0].share, 0);
-  EXPECT_LT(ways[0].share, 1);
+  ASSERT_TRUE(ways[0].share);
+  EXPECT_GE(*ways[0].share, 0);
+  EXPECT_LT(*ways[0].share, 1);
+}
+
+// The block may be farther from its place than proofs of ways take into account.
+TEST(UnprovedWays, AreAllWaysBesideAPartThatMayBeFarAway) {
+  for (const double shift : {0.04, 0.06}) {
+    domain::Problem problem = constraint_posting::LoadScenario("uncertain-known");
+    problem.parts[0].error.x = {-shift, shift};
+    const plan::Plan plan = PlanFor(problem);
+    ASSERT_FALSE(plan.steps.empty());
+    const std::vector<UnprovedWay> ways = UnprovedWays(problem, plan);
+    const auto is_far = [](const UnprovedWay& way) {
+      return way.why.text.find("more than 50 mm from its place") != std::string::npos;
+    };
+    EXPECT_EQ(std::ranges::any_of(ways, is_far), shift > 0.05) << shift;
+    for (const UnprovedWay& way : ways) EXPECT_NE(way.share.has_value(), is_far(way));
+  }
 }
 
 // In the figures, the leaning hand takes the lying peg after a look at it. Its flange is then near

@@ -322,6 +322,12 @@ TEST_F(FourStepPlan, NamesPartsThatErrorsLetOverlapAtTheStart) {
   EXPECT_THAT(Flaws(), ElementsAre(Field(&Flaw::what, HasSubstr("does not name '" + start))));
 }
 
+// The mated peg may fall with the block, or off it.
+TEST_F(FourStepPlan, NamesPartsThatAreAssembledAtTheStart) {
+  problem_.assembled = {domain::MatingId(0)};
+  EXPECT_THAT(NotCovered(problem_, plan_).front(), HasSubstr("assembled at the start"));
+}
+
 TEST_F(FourStepPlan, FindsWhatItSaysWronglyOfWhatIsNotCovered) {
   plan_.not_covered = NotCovered(problem_, plan_);
   EXPECT_THAT(Flaws(), IsEmpty());
