@@ -16,7 +16,7 @@ struct UnprovedWay {
   plan::StepId step;  // the step to whose work the way leads; None: the way home
   plan::Condition condition;
   // What errors may cause. For kWayClear the situation has the two bodies at the posture without
-  // errors.
+  // errors. It has none if the errors of a part are too great for any proof.
   plan::Reason why;
   // For kWayClear: the greatest share of the tool's pose errors with which the arm surely stays
   // clear, to a hundredth, less than 1. None if the errors of a part are too great for any proof.
