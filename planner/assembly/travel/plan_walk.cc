@@ -20,6 +20,11 @@ PartId GuideOf(const domain::Problem& problem, const plan::Action& action) {
   return is_guided ? plan::PlacedPart(problem, action) : PartId::None();
 }
 
+// Returns the parts that the action handles or mates. A look at a part is not work on it.
+std::vector<PartId> PartsAtHand(const domain::Problem& problem, const plan::Action& action) {
+  return plan::HoldIn(action) != nullptr ? plan::PartsOf(problem, action) : std::vector<PartId>{};
+}
+
 }  // namespace
 
 PlanWalk::PlanWalk(const domain::Problem& problem, const plan::Plan& plan,
@@ -53,6 +58,16 @@ plan::ToolErrorBox PlanWalk::DoubtOn(StepId id) const {
     }
   }
   return doubt;
+}
+
+std::vector<PartId> PlanWalk::PartsAtWork(StepId id) const {
+  std::vector<PartId> parts = parts_left_;
+  if (!id.IsNone()) {
+    const std::vector<PartId> next = PartsAtHand(problem_, plan_.step(id).action);
+    parts.insert(parts.end(), next.begin(), next.end());
+  }
+  std::erase(parts, state_.in_hand);
+  return parts;
 }
 
 bool PlanWalk::IsGuarded(StepId id) const {
@@ -109,6 +124,7 @@ void PlanWalk::Do(StepId id) {
   doubt_left_ = DoubtOn(id);
   left_ = route.left();
   rises_ = !route.away.empty();
+  parts_left_ = PartsAtHand(problem_, step.action);
   state_ = plan::StateAfter(problem_, std::move(state_), step.action, id);
   uncertainty::Propagate(world_, step.action, step.strategy ? &*step.strategy : nullptr);
   doubts_.Take(step.certificate.after);

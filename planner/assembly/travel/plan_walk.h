@@ -38,6 +38,8 @@ class PlanWalk {
   plan::ToolRoute RouteTo(plan::StepId id) const;
   // Returns the bound on the tool's error anywhere on the step's route.
   plan::ToolErrorBox DoubtOn(plan::StepId id) const;
+  // Returns the parts, other than a held one, on which the step and the step before it work.
+  std::vector<domain::PartId> PartsAtWork(plan::StepId id) const;
   // Returns true if the tool continues beyond its planned end pose until it meets resistance.
   bool IsGuarded(plan::StepId id) const;
   // The tool's pose when the travel begins, whether the travel first goes straight up to safe
@@ -62,6 +64,7 @@ class PlanWalk {
   plan::Pose left_;
   bool rises_ = false;
   plan::ToolErrorBox doubt_left_;
+  std::vector<domain::PartId> parts_left_;  // the parts of the step before
 };
 
 }  // namespace assay::assembly

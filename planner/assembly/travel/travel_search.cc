@@ -65,8 +65,10 @@ TravelSearch::TravelSearch(const PlanWalk& walk, plan::StepId id, const JointVec
       scene_(walk.Scene()),
       route_(walk.RouteTo(id)),
       doubt_(walk.DoubtOn(id)),
+      at_work_(walk.PartsAtWork(id)),
       is_guarded_(walk.IsGuarded(id)),
-      clearance_(kTravelClearance + HandDoubt(walk.problem())),
+      hand_doubt_(HandDoubt(walk.problem())),
+      clearance_(kTravelClearance + hand_doubt_),
       from_(from) {}
 
 std::optional<TravelSearch::Found> TravelSearch::GoUsually() {
@@ -123,10 +125,12 @@ std::optional<Way> TravelSearch::WayBy(const plan::Travel& travel) {
 
 std::optional<WayCertainty> TravelSearch::CertaintyOf(const Way& way, double clearance) {
   const WayCertainty certainty = {Both(way.sway_of_rise, way.sway), kTravelClearance};
-  if (!IsFree(way.over, OnTheWay(way, clearance))) return std::nullopt;
-  const bool is_known = certainty.Reaches() && ArePartsNearTheirPlaces();
-  if (is_known && AreLinesFree(way, ErrorsOf(way))) return certainty;
-  if (!AreLinesFree(way, {})) return std::nullopt;
+  const MotionRules rules = OnTheWay(way, clearance);
+  const bool is_over_certain = IsFree(way.over, InSpiteOf({}, rules));
+  if (!is_over_certain && !IsFree(way.over, rules)) return std::nullopt;
+  const bool is_known = is_over_certain && certainty.Reaches() && ArePartsNearTheirPlaces();
+  if (is_known && AreLinesFreeInSpiteOf(ErrorsOf(way), way)) return certainty;
+  if (!AreLinesFree(way)) return std::nullopt;
   return WayCertainty{certainty.sway, 0};
 }
 
@@ -143,13 +147,15 @@ bool TravelSearch::ArePartsNearTheirPlaces() {
 
 std::optional<double> TravelSearch::ClearShareOfErrors(const Way& way) {
   if (!ArePartsNearTheirPlaces()) return std::nullopt;
+  if (!IsFree(way.over, InSpiteOf({}, OnTheWay(way, clearance_)))) return std::nullopt;
+  if (!AreLinesFreeInSpiteOf({}, way)) return std::nullopt;
   constexpr int kShares = 100;
   int clear = 0;
   int refused = kShares;
   while (refused - clear > 1) {
     const int middle = (clear + refused) / 2;
     const double share = static_cast<double>(middle) / kShares;
-    (AreLinesFree(way, ErrorsOf(way, share)) ? clear : refused) = middle;
+    (AreLinesFreeInSpiteOf(ErrorsOf(way, share), way) ? clear : refused) = middle;
   }
   return static_cast<double>(clear) / kShares;
 }
@@ -217,11 +223,13 @@ MotionRules TravelSearch::OnTheWay(const Way& way, double clearance) const {
   return {.clearance = clearance, .given = {from_, way.down.back()}};
 }
 
-MotionRules TravelSearch::OnLines(const Way& way, const ArmErrors& errors) const {
-  return {.clearance = clearance_,
-          .sway = errors.joints,
-          .tool = errors.tool,
-          .given = {from_, way.down.back()}};
+// The conditions kHandClear and kPassingClear keep the load clear of the parts at work.
+MotionRules TravelSearch::InSpiteOf(const ArmErrors& errors, MotionRules rules) const {
+  rules.sway = errors.joints;
+  rules.tool = errors.tool;
+  rules.certain_clearance = hand_doubt_;
+  rules.at_work = at_work_;
+  return rules;
 }
 
 MotionRules TravelSearch::AtWork(const ArmErrors& errors) const {
@@ -259,9 +267,15 @@ plan::Reason TravelSearch::Obstructed(std::string text, const Obstruction& obstr
   return {std::move(text), motion::SituationOf(obstruction, scene_, surroundings_)};
 }
 
-bool TravelSearch::AreLinesFree(const Way& way, const WayErrors& errors) {
-  return IsFree(way.rise, OnLines(way, errors.of_rise)) &&
-         IsFree(way.down, OnLines(way, errors.of_rest)) &&
+bool TravelSearch::AreLinesFree(const Way& way) {
+  const MotionRules rules = OnTheWay(way, clearance_);
+  return IsFree(way.rise, rules) && IsFree(way.down, rules) && IsFree(way.AllOfWork(), AtWork({}));
+}
+
+bool TravelSearch::AreLinesFreeInSpiteOf(const WayErrors& errors, const Way& way) {
+  const MotionRules rules = OnTheWay(way, clearance_);
+  return IsFree(way.rise, InSpiteOf(errors.of_rise, rules)) &&
+         IsFree(way.down, InSpiteOf(errors.of_rest, rules)) &&
          IsFree(way.AllOfWork(), AtWork(errors.of_rest));
 }
 

@@ -101,10 +101,12 @@ class TravelSearch {
   void Take(const motion::JointPath& line, motion::Sway& sway) const;
   WayErrors ErrorsOf(const Way& way, double share = 1) const;
   motion::MotionRules OnTheWay(const Way& way, double clearance) const;
-  motion::MotionRules OnLines(const Way& way, const ArmErrors& errors) const;
+  // Adds errors of the arm to the rules, and that the way is to be clear for certain.
+  motion::MotionRules InSpiteOf(const ArmErrors& errors, motion::MotionRules rules) const;
   motion::MotionRules AtWork(const ArmErrors& errors) const;
   bool IsFree(const motion::JointPath& path, const motion::MotionRules& rules);
-  bool AreLinesFree(const Way& way, const WayErrors& errors);
+  bool AreLinesFree(const Way& way);  // without errors of the arm
+  bool AreLinesFreeInSpiteOf(const WayErrors& errors, const Way& way);
   // Returns whether the errors of all parts are bounded as far as proofs need it.
   bool ArePartsNearTheirPlaces();
   double ClearanceOf(const Way& way);
@@ -117,7 +119,9 @@ class TravelSearch {
   motion::CollisionScene scene_;
   plan::ToolRoute route_;
   plan::ToolErrorBox doubt_;
+  std::vector<domain::PartId> at_work_;
   bool is_guarded_;
+  double hand_doubt_;
   double clearance_;
   kinematics::JointVector from_;
   plan::Reason in_the_way_;

@@ -5,21 +5,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <limits>
 #include <utility>
 
 #include "planner/domain/matings/mating_file.h"
 #include "planner/domain/parts/part_model.h"
+#include "planner/domain/problem/initial_balance.h"
 #include "planner/domain/problem/name.h"
 #include "planner/domain/problem/possible_starts.h"
 #include "planner/domain/reachability/reachability.h"
-#include "planner/domain/resting/face_contact.h"
 #include "planner/domain/resting/resting.h"
 #include "planner/domain/resting/stable_pose_names.h"
-#include "planner/geometry/polygon.h"
 #include "planner/geometry/pose.h"
-#include "planner/geometry/solids/mass_properties.h"
 
 namespace assay::domain {
 namespace {
@@ -30,26 +27,6 @@ double LowestOf(const Part& part) {
     lowest = std::min(lowest, (part.X_WorldPart * vertex).z());
   }
   return lowest;
-}
-
-double GreatestOf(const Interval& error) {
-  return std::max(std::abs(error.low), std::abs(error.high));
-}
-
-// Returns the greatest horizontal displacement that the part's error gives to points on it.
-double DisplacementOf(const Part& part, const std::vector<Vector3>& points_World) {
-  double radius = 0;
-  for (const Vector3& p : points_World) {
-    radius = std::max(radius, (p - part.X_WorldPart.translation()).head<2>().norm());
-  }
-  return std::hypot(GreatestOf(part.error.x), GreatestOf(part.error.y)) +
-         radius * GreatestOf(part.error.theta);
-}
-
-geometry::Polygon Shadow(const std::vector<Vector3>& points) {
-  std::vector<Vector2> shadow;
-  for (const Vector3& p : points) shadow.push_back(p.head<2>());
-  return geometry::Hull2(shadow);
 }
 
 class InitialPosesFile {
@@ -77,9 +54,6 @@ class InitialPosesFile {
   void CheckOnTableWithErrors(const Value& pose, const Part& part) const;
   void CheckAboveTable(const Value& place, const Part& part) const;
   void CheckApart() const;
-  void RefuseHeightErrors(const Value& place, const Part& upper, const Part& lower) const;
-  void CheckRests(const Value& place, PartId id) const;
-  void CheckRestsWithErrors(const Value& place, PartId id) const;
 
   std::string InFileUnit(double metres) const { return InUnit(metres, units_.length); }
 
@@ -138,10 +112,7 @@ void InitialPosesFile::PlaceParts() {
     CheckAboveTable(entries_[i], problem_.parts[i]);
   }
   CheckApart();
-  for (std::size_t i = 0; i < problem_.parts.size(); ++i) {
-    const bool is_kept = !mating_of_[i].IsNone() || problem_.parts[i].clamp > 0;
-    if (!is_kept) CheckRests(entries_[i], PartId(i));
-  }
+  CheckInitialBalance(problem_, units_, entries_);
 }
 
 // A part may be assembled with one that is itself assembled, so rounds are made until none is left.
@@ -268,76 +239,6 @@ void InitialPosesFile::CheckApart() const {
   entries_[part.index()].Fail(fmt::format("part '{}' overlaps part '{}' at the start",
                                           problem_.part(part).name, problem_.part(other).name),
                               "parts that do not overlap");
-}
-
-// Two tables whose heights differ would leave the upper part in the air, or in the lower part.
-void InitialPosesFile::RefuseHeightErrors(const Value& place, const Part& upper,
-                                          const Part& lower) const {
-  for (const Part* part : {&upper, &lower}) {
-    if (part->error.z == Interval{}) continue;
-    place.Fail(fmt::format("part '{}' stands on part '{}', and part '{}' has a height error",
-                           upper.name, lower.name, part->name),
-               "parts on each other without an error of z");
-  }
-}
-
-// Checks that the centre of mass is over what the part stands on. Otherwise the part would fall
-// before the first action.
-void InitialPosesFile::CheckRests(const Value& place, PartId id) const {
-  const Part& part = problem_.part(id);
-  std::vector<Vector3> corners = CornersOnTable(*part.model, part.X_WorldPart);
-  for (const Part& other : problem_.parts) {
-    if (&other == &part) continue;
-    const std::vector<Vector3> on_other =
-        CornersOfContact(*part.model, part.X_WorldPart, *other.model, other.X_WorldPart);
-    if (!on_other.empty()) RefuseHeightErrors(place, part, other);
-    std::ranges::copy(on_other, std::back_inserter(corners));
-  }
-  std::vector<Vector2> stands_on;
-  for (const Vector3& corner : corners) stands_on.push_back(corner.head<2>());
-  const Vector2 center = (part.X_WorldPart * part.model->mass().center).head<2>();
-  const double inside = geometry::Depth(geometry::Hull2(stands_on), center);
-  if (inside > 0) return CheckRestsWithErrors(place, id);
-  const std::string what =
-      stands_on.empty() ? fmt::format("stands on nothing: its lowest point is {} above the table",
-                                      InFileUnit(LowestOf(part)))
-                        : fmt::format(
-                              "falls over: its centre of mass is {} beside what it "
-                              "stands on",
-                              InFileUnit(-inside));
-  place.Fail(
-      fmt::format("part '{}' {}", part.name, what),
-      "a pose in which it stands on the table or on other parts, a mating of 'initially', or "
-      "a fixture ('clamp')");
-}
-
-// An area of contact that is eroded by the greatest displacement of the two parts against each
-// other touches wherever the errors bring them. Therefore the part stands if its centre of mass is
-// over the eroded areas. Errors keep all of its corners on the table.
-void InitialPosesFile::CheckRestsWithErrors(const Value& place, PartId id) const {
-  const Part& part = problem_.part(id);
-  std::vector<Vector2> stands_on;
-  for (const Vector3& corner : CornersOnTable(*part.model, part.X_WorldPart)) {
-    stands_on.push_back(corner.head<2>());
-  }
-  bool is_on_part = false;
-  for (const Part& other : problem_.parts) {
-    if (&other == &part) continue;
-    for (const std::vector<Vector3>& area :
-         AreasOfContact(*part.model, part.X_WorldPart, *other.model, other.X_WorldPart)) {
-      is_on_part = true;
-      const double moved = DisplacementOf(part, area) + DisplacementOf(other, area);
-      if (!std::isfinite(moved)) return;  // nothing is known about a pose
-      const geometry::Polygon eroded = geometry::Inset(Shadow(area), moved);
-      stands_on.insert(stands_on.end(), eroded.begin(), eroded.end());
-    }
-  }
-  const Vector2 center = (part.X_WorldPart * part.model->mass().center).head<2>();
-  if (!is_on_part || geometry::Depth(geometry::Hull2(stands_on), center) > 0) return;
-  place.Fail(fmt::format("part '{}' may fall over: what it stands on does not surely bear it, for "
-                         "the errors of their poses",
-                         part.name),
-             "a place, and errors, for which its centre of mass is over what it stands on");
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <deque>
 #include <limits>
+#include <ranges>
 
 #include "planner/base/check.h"
 #include "planner/geometry/box.h"
@@ -41,17 +42,17 @@ std::string Describe(const CollisionScene& scene, const MotionRules& rules,
 }
 
 MotionCheck::MotionCheck(const CollisionScene& scene, const MotionRules& rules)
-    : scene_(scene), rules_(rules), watched_(WatchedPairs()) {
+    : scene_(scene), rules_(rules) {
   ASSAY_CHECK(rules.clearance >= 0);
+  for (const JointVector& q : rules.given) given_.push_back(scene.arm().LinkPoses(q));
+  watched_ = WatchedPairs();
   if (!rules.upright) return;
   const domain::Workcell& workcell = scene.workcell();
   up_Flange_ = workcell.gripper().X_FlangeTool().linear() * rules.upright->up_Tool;
   up_Base_ = workcell.X_WorldBase().linear().transpose() * Vector3::UnitZ();
 }
 
-std::vector<MotionCheck::WatchedPair> MotionCheck::WatchedPairs() const {
-  std::vector<LinkPoses> given;
-  for (const JointVector& q : rules_.given) given.push_back(scene_.arm().LinkPoses(q));
+std::vector<MotionCheck::WatchedPair> MotionCheck::WatchedPairs() {
   std::vector<WatchedPair> watched;
   for (const BodyPair& pair : scene_.pairs()) {
     const bool carried = scene_.IsCarried(pair.second);
@@ -62,14 +63,55 @@ std::vector<MotionCheck::WatchedPair> MotionCheck::WatchedPairs() const {
     const PairErrors errors(scene_, pair, rules_.sway, rules_.tool);
     WatchedPair& added =
         watched.emplace_back(WatchedPair{pair, errors, rules_.clearance + errors.shift(), kFar});
-    if (!carried) continue;
-    const double enough = (added.clearance + errors.GreatestDisplacement()) / kShareOfGiven;
-    for (const LinkPoses& X_BaseLink : given) {
-      const double near = kShareOfGiven * scene_.Separation(pair, X_BaseLink, enough);
-      if (near > 0) added.most = std::min(added.most, near);
-    }
+    if (carried) HeedGivenPostures(added);
   }
   return watched;
+}
+
+void MotionCheck::HeedGivenPostures(WatchedPair& watched) {
+  const double needed = watched.clearance + watched.errors.GreatestDisplacement();
+  double most = kFar;
+  std::size_t nearest = 0;
+  for (std::size_t i = 0; i < given_.size(); ++i) {
+    const double kept =
+        kShareOfGiven * scene_.Separation(watched.pair, given_[i], needed / kShareOfGiven);
+    if (kept == 0 || kept >= std::min(needed, most)) continue;
+    most = kept;
+    nearest = i;
+  }
+  if (most == kFar || LowerToCertainClearance(watched)) return;
+  watched.most = most;
+  const bool has_errors = watched.errors.GreatestDisplacement() + watched.errors.shift() > 0;
+  if (!rules_.certain_clearance || IsAtWork(watched.pair)) return;
+  if (!has_errors && most >= *rules_.certain_clearance) return;
+  in_given_posture_ = Obstruction{Obstruction::Kind::kPair, watched.pair, watched.clearance,
+                                  rules_.given[nearest]};
+}
+
+bool MotionCheck::LowerToCertainClearance(WatchedPair& watched) const {
+  // Halving a motion decides a pair only if it keeps more than its clearance by this distance.
+  constexpr double kRoom = 2 * kUndecidedOfErrors;
+  constexpr double kStep = 0.7;  // ratio of the clearances that are tried
+  const double least = rules_.certain_clearance.value_or(0) + kRoom;
+  WatchedPair tried = watched;
+  const auto is_clear_in = [&](const std::size_t i) {
+    return LookAt(rules_.given[i], given_[i], 0, tried) == Verdict::kFree;
+  };
+  const auto given = std::views::iota(std::size_t{0}, given_.size());
+  for (double kept = rules_.clearance; kept > least; kept *= kStep) {
+    tried.clearance = kept + watched.errors.shift();
+    if (!std::ranges::all_of(given, is_clear_in)) continue;
+    watched.clearance = tried.clearance - kRoom;
+    return true;
+  }
+  return false;
+}
+
+bool MotionCheck::IsAtWork(const BodyPair& pair) const {
+  const auto is_at_work = [&](BodyId id) {
+    return std::ranges::count(rules_.at_work, scene_.body(id).identity.part) > 0;
+  };
+  return is_at_work(pair.first) || is_at_work(pair.second);
 }
 
 MotionCheck::Verdict MotionCheck::LookAt(const JointVector& q, const LinkPoses& X_BaseLink,
@@ -122,6 +164,7 @@ std::optional<Obstruction> MotionCheck::FindObstruction(const JointVector& from,
   for (const JointVector& q : {from, to}) {  // the range is convex: its ends are enough
     if (!scene_.arm().InRange(q)) return Obstruction{Obstruction::Kind::kLimits, {}, 0, q};
   }
+  if (in_given_posture_) return in_given_posture_;
   const JointVector way = to - from;
   const JointVector turn = way.cwiseAbs();
   // The search is breadth first, so that an obstruction is found soon.

@@ -29,8 +29,15 @@ struct MotionRules {
   plan::ToolErrorBox tool = {};
   // Postures that are prescribed, such as the ends of straight lines. In these postures, the load
   // of the arm may be nearer to a body than the clearance. In the rest of the motion, the load may
-  // come almost as near to this body as in these postures.
+  // come almost as near to this body as in these postures. If errors may bring the load to the body
+  // in these postures, the errors of this pair are left out in the rest of the motion, too.
   std::vector<JointVector> given = {};
+  // If this is set, the load keeps at least this distance, in metres, from every body in spite of
+  // all errors, in the given postures too. A body that may come nearer in a given posture obstructs
+  // the motion. The parts in `at_work` are excepted, since the robot works on them there, and
+  // conditions about this work keep the load clear of them.
+  std::optional<double> certain_clearance = {};
+  std::vector<domain::PartId> at_work = {};
   enum class Bodies {
     kAll,
     kArm,     // without what the arm carries, which is tested at its work elsewhere
@@ -87,8 +94,8 @@ class MotionCheck {
     PairErrors errors;
     double clearance = 0;  // with the errors that have no direction, metres
     // In postures without errors, the bodies never need a greater distance than this, metres. It is
-    // infinite unless the second body is a load that is near the first body in a given posture
-    // (MotionRules::given).
+    // infinite unless the second body is a load to which errors may bring the first body in a given
+    // posture (MotionRules::given).
     double most = 0;
     CollisionScene::Slabs slabs = {};  // slabs of the posture that was tested last
   };
@@ -106,7 +113,13 @@ class MotionCheck {
 
   enum class Verdict { kFree, kOpen, kObstructed };
 
-  std::vector<WatchedPair> WatchedPairs() const;
+  std::vector<WatchedPair> WatchedPairs();
+  // Lowers the distance that a pair with the load must keep to what it has in the given postures.
+  void HeedGivenPostures(WatchedPair& watched);
+  // Lowers the clearance of the pair to what it keeps in the given postures in spite of its errors.
+  // Returns false, and changes nothing, if it keeps hardly anything.
+  bool LowerToCertainClearance(WatchedPair& watched) const;
+  bool IsAtWork(const BodyPair& pair) const;
   // Tests a pair whose bodies move by `motion` metres, at the posture q with all errors.
   Verdict LookAt(const JointVector& q, const LinkPoses& X_BaseLink, double motion,
                  WatchedPair& watched) const;
@@ -118,6 +131,9 @@ class MotionCheck {
 
   const CollisionScene& scene_;
   MotionRules rules_;
+  std::vector<LinkPoses> given_;  // of rules_.given
+  // The obstruction in a given posture if rules_.certain_clearance does not hold there.
+  std::optional<Obstruction> in_given_posture_;
   std::vector<WatchedPair> watched_;
   Vector3 up_Flange_ = Vector3::Zero();
   Vector3 up_Base_ = Vector3::Zero();
