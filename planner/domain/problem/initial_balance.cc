@@ -6,24 +6,16 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <limits>
 #include <string>
 
 #include "planner/domain/parts/part_model.h"
 #include "planner/domain/resting/face_contact.h"
+#include "planner/domain/resting/resting.h"
 #include "planner/geometry/polygon.h"
 #include "planner/geometry/solids/mass_properties.h"
 
 namespace assay::domain {
 namespace {
-
-double LowestOf(const Part& part) {
-  double lowest = std::numeric_limits<double>::infinity();
-  for (const Vector3& vertex : part.model->corners()) {
-    lowest = std::min(lowest, (part.X_WorldPart * vertex).z());
-  }
-  return lowest;
-}
 
 double GreatestOf(const Interval& error) {
   return std::max(std::abs(error.low), std::abs(error.high));
@@ -63,9 +55,8 @@ class InitialBalance {
  private:
   // Returns the part at the end of the chain of parts with which this part is assembled.
   PartId BaseOf(PartId id) const {
-    const auto mating = std::ranges::find(problem_.assembled, id, [&](MatingId m) {
-      return problem_.mating(m).held;
-    });
+    const auto mating = std::ranges::find(problem_.assembled, id,
+                                          [&](MatingId m) { return problem_.mating(m).held; });
     return mating == problem_.assembled.end() ? id : BaseOf(problem_.mating(*mating).fixed);
   }
 
@@ -77,7 +68,7 @@ class InitialBalance {
     return parts;
   }
 
-  void RefuseHeightErrors(const Part& upper, const Part& lower) const;
+  void RefuseHeightErrors(PartId upper, PartId lower) const;
   std::vector<Vector2> Support(PartId id, const std::vector<PartId>& own) const;
   static double DepthOver(const std::vector<Vector2>& stands_on, const Vector2& center) {
     return geometry::Depth(geometry::Hull2(stands_on), center);
@@ -95,13 +86,13 @@ class InitialBalance {
 };
 
 // Two tables whose heights differ would leave the upper part in the air, or in the lower part.
-void InitialBalance::RefuseHeightErrors(const Part& upper, const Part& lower) const {
-  for (const Part* part : {&upper, &lower}) {
-    if (part->error.z == Interval{}) continue;
-    EntryOf(PartId(&upper - problem_.parts.data()))
-        .Fail(fmt::format("part '{}' stands on part '{}', and part '{}' has a height error",
-                          upper.name, lower.name, part->name),
-              "parts on each other without an error of z");
+void InitialBalance::RefuseHeightErrors(PartId upper, PartId lower) const {
+  for (const PartId id : {upper, lower}) {
+    if (problem_.part(id).error.z == Interval{}) continue;
+    EntryOf(upper).Fail(
+        fmt::format("part '{}' stands on part '{}', and part '{}' has a height error",
+                    problem_.part(upper).name, problem_.part(lower).name, problem_.part(id).name),
+        "parts on each other without an error of z");
   }
 }
 
@@ -115,7 +106,7 @@ std::vector<Vector2> InitialBalance::Support(PartId id, const std::vector<PartId
     const Part& other = problem_.parts[i];
     const std::vector<Vector3> on_other =
         CornersOfContact(*part.model, part.X_WorldPart, *other.model, other.X_WorldPart);
-    if (!on_other.empty()) RefuseHeightErrors(part, other);
+    if (!on_other.empty()) RefuseHeightErrors(id, PartId(i));
     std::ranges::copy(on_other, std::back_inserter(corners));
   }
   std::vector<Vector2> stands_on;
@@ -131,7 +122,7 @@ void InitialBalance::CheckRests(PartId id) const {
   if (inside > 0) return;
   const std::string what =
       stands_on.empty() ? fmt::format("stands on nothing: its lowest point is {} above the table",
-                                      InFileUnit(LowestOf(part)))
+                                      InFileUnit(LowestPoint(part, part.X_WorldPart)))
                         : fmt::format(
                               "falls over: its centre of mass is {} beside what it "
                               "stands on",

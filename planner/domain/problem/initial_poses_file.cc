@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "planner/domain/matings/mating_file.h"
@@ -20,14 +19,6 @@
 
 namespace assay::domain {
 namespace {
-
-double LowestOf(const Part& part) {
-  double lowest = std::numeric_limits<double>::infinity();
-  for (const Vector3& vertex : part.model->corners()) {
-    lowest = std::min(lowest, (part.X_WorldPart * vertex).z());
-  }
-  return lowest;
-}
 
 class InitialPosesFile {
  public:
@@ -223,7 +214,7 @@ void InitialPosesFile::CheckOnTableWithErrors(const Value& pose, const Part& par
 }
 
 void InitialPosesFile::CheckAboveTable(const Value& place, const Part& part) const {
-  const double lowest = LowestOf(part);
+  const double lowest = LowestPoint(part, part.X_WorldPart);
   const double allowance = problem_.workcell->rules().contact_allowance;
   if (lowest >= -allowance - kRounding) return;
   place.Fail(fmt::format("part '{}' is {} deep in the table", part.name, InFileUnit(-lowest)),

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <vector>
 
@@ -31,6 +32,14 @@ Polygon Footprint(const Part& part, const Pose& X_WorldPart) {
     shadow.push_back((X_WorldPart * vertex).head<2>());
   }
   return geometry::Hull2(shadow);
+}
+
+double LowestPoint(const Part& part, const Pose& X_WorldPart) {
+  double lowest = std::numeric_limits<double>::infinity();
+  for (const Vector3& vertex : part.model->corners()) {
+    lowest = std::min(lowest, (X_WorldPart * vertex).z());
+  }
+  return lowest;
 }
 
 bool IsOver(const Table& table, const Part& part, const Pose& X_WorldPart) {

@@ -8,6 +8,8 @@ namespace assay::domain {
 
 // Returns the shadow of a part on the table: the hull of its vertices in world x and y.
 geometry::Polygon Footprint(const Part& part, const Pose& X_WorldPart);
+// Returns the height of the part's lowest point above the table, in metres.
+double LowestPoint(const Part& part, const Pose& X_WorldPart);
 
 // Returns whether a part at X_WorldPart has its whole footprint over the table.
 bool IsOver(const Table& table, const Part& part, const Pose& X_WorldPart);

@@ -84,8 +84,8 @@ void MotionCheck::HeedGivenPostures(WatchedPair& watched) {
   const bool has_errors = watched.errors.GreatestDisplacement() + watched.errors.shift() > 0;
   if (!rules_.certain_clearance || IsAtWork(watched.pair)) return;
   if (!has_errors && most >= *rules_.certain_clearance) return;
-  in_given_posture_ = Obstruction{Obstruction::Kind::kPair, watched.pair, watched.clearance,
-                                  rules_.given[nearest]};
+  in_given_posture_ =
+      Obstruction{Obstruction::Kind::kPair, watched.pair, watched.clearance, rules_.given[nearest]};
 }
 
 bool MotionCheck::LowerToCertainClearance(WatchedPair& watched) const {
