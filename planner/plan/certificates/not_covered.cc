@@ -83,8 +83,8 @@ std::vector<std::string> StartsNotCovered(const domain::Problem& problem) {
   for (const domain::MatingId id : problem.assembled) {
     const domain::Mating& mating = problem.mating(id);
     names.push_back(fmt::format(
-        "whether {} and {}, which are assembled at the start, stay as they are: their balance is "
-        "not examined",
+        "whether {} stays in {} as it is assembled at the start: only the balance of both together "
+        "is examined",
         problem.part(mating.held).name, problem.part(mating.fixed).name));
   }
   return names;

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "planner/geometry/pose.h"
 #include "tests/planner/motion/arm_scene.h"
 
 namespace assay::motion::motion_check_test {
@@ -103,6 +104,86 @@ TEST(MotionCheck, UprightAtEveryStep) {
 }
 
 // A motion without length asks whether the arm may rest there.
+// Returns surroundings in which every standing part is where one of its errors brings it: turned
+// about the vertical through its origin, and moved in any direction.
+Surroundings WithSomeErrors(Surroundings surroundings, RandomStream& random) {
+  for (domain::PlacedPart& placed : surroundings.parts) {
+    PlaceError& error = surroundings.errors[static_cast<std::size_t>(placed.part.index())];
+    Pose& X_WorldPart = placed.X_WorldPart;
+    X_WorldPart.linear() =
+        geometry::RotationZ(error.turn * std::clamp(random.Uniform(-2, 2), -1.0, 1.0)).linear() *
+        X_WorldPart.linear();
+    const Vector3 way(random.Uniform(-1, 1), random.Uniform(-1, 1), random.Uniform(-1, 1));
+    X_WorldPart.translation() += error.shift * way.normalized();
+    error = {};
+  }
+  return surroundings;
+}
+
+// Returns whether some of many errors of the parts lets a body touch another on the motion.
+bool TouchesWithSomeErrors(const Surroundings& surroundings, const JointVector& from,
+                           const JointVector& to, RandomStream& random) {
+  for (int i = 0; i < 40; ++i) {
+    const CollisionScene scene(Clutter(), WithSomeErrors(surroundings, random));
+    for (const double share : {0.0, random.Uniform(0, 0.2), random.Uniform(0, 1), 1.0}) {
+      if (!IsClear(scene, from + share * (to - from), 1e-9)) return true;
+    }
+  }
+  return false;
+}
+
+// Errors may bring a part to the hand in the posture in which a motion begins. If the clearance is
+// to be certain, such a motion is refused. Otherwise it is accepted, because the posture is given.
+TEST(MotionCheck, CertainClearanceHoldsInGivenPostures) {
+  constexpr double kShift = 0.02;
+  RandomStream random(84, "given");
+  int certain = 0;
+  int uncertain = 0;
+  for (int i = 0; i < 40; ++i) {
+    Surroundings surroundings = PegInTheHand();
+    surroundings.errors.resize(Clutter().parts.size());
+    for (const domain::PlacedPart& placed : surroundings.parts) {
+      surroundings.errors[static_cast<std::size_t>(placed.part.index())] = {
+          .shift = kShift, .turn = random.Uniform(0, 0.5)};
+    }
+    const CollisionScene scene(Clutter(), surroundings);
+    const JointVector from = RandomPostureAtTheTable(scene, 0.01, random);
+    const JointVector to = from + 0.05 * (RandomPosture(scene.arm(), random) - from);
+    MotionRules rules = {.clearance = 0.05, .given = {from}};
+    const bool is_free = !MotionCheck(scene, rules).FindObstruction(from, to);
+    rules.certain_clearance = 0;
+    const bool is_certain = !MotionCheck(scene, rules).FindObstruction(from, to);
+    EXPECT_TRUE(is_free || !is_certain) << i;
+    const bool touches = TouchesWithSomeErrors(surroundings, from, to, random);
+    EXPECT_FALSE(is_certain && touches) << i;
+    certain += is_certain;
+    uncertain += is_free && touches;
+  }
+  EXPECT_GT(certain, 3);
+  EXPECT_GT(uncertain, 3);
+}
+
+// The robot works on parts that it must touch. Their errors are the concern of other conditions.
+TEST(MotionCheck, PartsAtWorkMayBeNearInGivenPostures) {
+  Surroundings surroundings = PegInTheHand();
+  surroundings.errors.assign(Clutter().parts.size(), {});
+  const PartId block = surroundings.parts.front().part;
+  surroundings.errors[static_cast<std::size_t>(block.index())].shift = 0.04;
+  const CollisionScene scene(Clutter(), surroundings);
+  const auto near_block = [&](const JointVector& q) {
+    const Nearness nearest = scene.Nearest(q);
+    return scene.body(nearest.pair.first).identity.part == block &&
+           scene.IsCarried(nearest.pair.second) && nearest.distance < 0.03;
+  };
+  RandomStream random(85, "work");
+  JointVector q = scene.workcell().home();
+  while (!near_block(q)) q = RandomPostureAtTheTable(scene, 0.02, random);
+  MotionRules rules = {.clearance = 0.005, .given = {q}, .certain_clearance = 0};
+  EXPECT_TRUE(MotionCheck(scene, rules).FindObstruction(q, q));
+  rules.at_work = {block};
+  EXPECT_FALSE(MotionCheck(scene, rules).FindObstruction(q, q));
+}
+
 TEST(MotionCheck, RestIsAMotionOfNothing) {
   const CollisionScene scene(Clutter(), PartsAtTheStart());
   MotionCheck check(scene, {.clearance = 0.02});
