@@ -89,8 +89,8 @@ std::vector<report::MatingSubject::Motion> MotionsOf(const FineMotionPlan& plan)
   for (const finemotion::CertainMotion& motion : plan.motions) {
     const auto& unwanted = motion.check.unwanted;
     motions.push_back(
-        {.ends_with =
-             motion.command.until ? finemotion::Name(*motion.command.until) : "its planned length",
+        {.ends_with = motion.command.until ? finemotion::Name(*motion.command.until)
+                                           : "the end of its planned length",
          .contacts = fmt::format("{}", fmt::join(NamesOf(motion.check.after.kept), ", ")),
          .unwanted = unwanted.empty() ? "none" : UnwantedText(unwanted.front())});
   }

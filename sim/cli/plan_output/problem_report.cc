@@ -175,9 +175,10 @@ void AddClearances(const Problem& problem, Draft& report) {
 
 Report ReportOn(const Problem& problem) {
   Draft report;
-  report.text = fmt::format("scenario {}: {}\nworkcell {}, {} parts, {} goals\n\n", problem.name,
+  report.text = fmt::format("scenario {}: {}\nworkcell {}, {} {}, {} {}\n\n", problem.name,
                             problem.title, problem.workcell->name(), problem.parts.size(),
-                            problem.goals.size());
+                            problem.parts.size() == 1 ? "part" : "parts", problem.goals.size(),
+                            problem.goals.size() == 1 ? "goal" : "goals");
   report.json = {{"scenario", problem.name},
                  {"title", problem.title},
                  {"workcell", problem.workcell->name()},

@@ -218,7 +218,7 @@ Progress StepExecution::TryAgain(const std::string& error) {
   if (next >= places.size()) {
     execution_.trace().events.push_back(record);
     return Named(Failure{TrialOutcome::kOperatorCalled,
-                         error + (places.empty() ? "" : ", and nothing that was tried mended it")});
+                         error + (places.empty() ? "" : ", and no attempt to mend it succeeded")});
   }
   record.strategy = RecoveryFrom(error)->strategy;
   record.attempt = static_cast<int>(next) + 1;

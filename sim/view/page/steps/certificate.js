@@ -2,7 +2,8 @@ import {element} from '../dom.js';
 import {countText, quantityText, rangeText} from '../units.js';
 
 import {marginChart} from './margin_chart.js';
-import {colorOf, MARKS, standingOf, uncoveredOf, VERDICT_MARKS, verdictOf, VERDICTS, verdictText} from './standing.js';
+import {colorOf, MARKS, standingOf, uncoveredOf} from './standing.js';
+import {VERDICT_MARKS, verdictOf, VERDICTS, verdictText} from './standing.js';
 
 // The certificate of one step: what was claimed, how far it is from its limit, and what costs most.
 // What was observed comes last, or first if it violates a claim.

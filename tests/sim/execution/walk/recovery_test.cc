@@ -197,7 +197,7 @@ TEST_F(Recovering, ASearchInVainCallsTheOperator) {
   plan_.recoveries[0] = Groping(kPickup, "error1", 0.001, 0.001);
   const Trace trace = Run(peg_, Vector3::Zero(), {.sample_rate = 0});
   EXPECT_EQ(trace.end().outcome, TrialOutcome::kOperatorCalled);
-  EXPECT_EQ(trace.end().reason, "action_2: error1, and nothing that was tried mended it");
+  EXPECT_EQ(trace.end().reason, "action_2: error1, and no attempt to mend it succeeded");
   const auto recoveries = trace.All<RecoveryRecord>();
   ASSERT_EQ(recoveries.size(), 8u) << "one circle of 7 places, and the operator";
   ExpectAttempts(trace, plan_.recoveries[0], Vector3::UnitZ());
