@@ -132,6 +132,17 @@ bool TouchesWithSomeErrors(const Surroundings& surroundings, const JointVector& 
   return false;
 }
 
+// Returns a posture in which the hand, or what it holds, is nearer than `distance` to a part.
+JointVector RandomPostureNearAPart(const CollisionScene& scene, double distance,
+                                   RandomStream& random) {
+  while (true) {
+    const JointVector q = RandomPostureAtTheTable(scene, 0.001, random);
+    const Nearness nearest = scene.Nearest(q);
+    const bool is_part = !scene.body(nearest.pair.first).identity.part.IsNone();
+    if (is_part && scene.IsCarried(nearest.pair.second) && nearest.distance < distance) return q;
+  }
+}
+
 // Errors may bring a part to the hand in the posture in which a motion begins. If the clearance is
 // to be certain, such a motion is refused. Otherwise it is accepted, because the posture is given.
 TEST(MotionCheck, CertainClearanceHoldsInGivenPostures) {
@@ -147,9 +158,9 @@ TEST(MotionCheck, CertainClearanceHoldsInGivenPostures) {
           .shift = kShift, .turn = random.Uniform(0, 0.5)};
     }
     const CollisionScene scene(Clutter(), surroundings);
-    const JointVector from = RandomPostureAtTheTable(scene, 0.01, random);
-    const JointVector to = from + 0.05 * (RandomPosture(scene.arm(), random) - from);
-    MotionRules rules = {.clearance = 0.05, .given = {from}};
+    const JointVector from = RandomPostureNearAPart(scene, 0.04, random);
+    const JointVector to = from + 0.01 * (RandomPosture(scene.arm(), random) - from);
+    MotionRules rules = {.clearance = 0.005, .given = {from}};
     const bool is_free = !MotionCheck(scene, rules).FindObstruction(from, to);
     rules.certain_clearance = 0;
     const bool is_certain = !MotionCheck(scene, rules).FindObstruction(from, to);
@@ -170,14 +181,11 @@ TEST(MotionCheck, PartsAtWorkMayBeNearInGivenPostures) {
   const PartId block = surroundings.parts.front().part;
   surroundings.errors[static_cast<std::size_t>(block.index())].shift = 0.04;
   const CollisionScene scene(Clutter(), surroundings);
-  const auto near_block = [&](const JointVector& q) {
-    const Nearness nearest = scene.Nearest(q);
-    return scene.body(nearest.pair.first).identity.part == block &&
-           scene.IsCarried(nearest.pair.second) && nearest.distance < 0.03;
-  };
   RandomStream random(85, "work");
   JointVector q = scene.workcell().home();
-  while (!near_block(q)) q = RandomPostureAtTheTable(scene, 0.02, random);
+  do {
+    q = RandomPostureNearAPart(scene, 0.03, random);
+  } while (scene.body(scene.Nearest(q).pair.first).identity.part != block);
   MotionRules rules = {.clearance = 0.005, .given = {q}, .certain_clearance = 0};
   EXPECT_TRUE(MotionCheck(scene, rules).FindObstruction(q, q));
   rules.at_work = {block};
