@@ -12,6 +12,7 @@
 #include "planner/algebra/bounds/bounds.h"
 #include "planner/algebra/expression/evaluation.h"
 #include "planner/algebra/expression/nodes.h"
+#include "planner/base/counted.h"
 #include "planner/plan/certificates/condition_table.h"
 #include "planner/uncertainty/error_sets/tip_error.h"
 #include "planner/verify/certificate_algebra.h"
@@ -212,7 +213,7 @@ std::vector<plan::Flaw> CertificateFlaws(const plan::Plan& plan, const std::stri
         {plan::StepId(),
          fmt::format("the error count is said to be {}, but preconditions of {} are not "
                      "proved",
-                     plan.errors, unproved == 1 ? "1 step" : fmt::format("{} steps", unproved))});
+                     plan.errors, Counted(unproved, "step"))});
   }
   for (const plan::StepId id : plan.ExecutionOrder()) {
     CheckClaims(id, plan.step(id), file, flaws);

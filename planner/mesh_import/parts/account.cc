@@ -6,12 +6,10 @@
 #include <cmath>
 #include <numbers>
 
+#include "planner/base/counted.h"
+
 namespace assay::mesh_import {
 namespace {
-
-std::string Counted(int count, const char* noun) {
-  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
-}
 
 std::string UnitSentence(const ImportedPart& part) {
   const char* how =

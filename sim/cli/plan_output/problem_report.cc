@@ -9,6 +9,7 @@
 #include <set>
 #include <variant>
 
+#include "planner/base/counted.h"
 #include "planner/domain/matings/mating_classes.h"
 #include "planner/domain/reachability/reachability.h"
 #include "sim/check/measurements/effective_clearance.h"
@@ -175,10 +176,9 @@ void AddClearances(const Problem& problem, Draft& report) {
 
 Report ReportOn(const Problem& problem) {
   Draft report;
-  report.text = fmt::format("scenario {}: {}\nworkcell {}, {} {}, {} {}\n\n", problem.name,
-                            problem.title, problem.workcell->name(), problem.parts.size(),
-                            problem.parts.size() == 1 ? "part" : "parts", problem.goals.size(),
-                            problem.goals.size() == 1 ? "goal" : "goals");
+  report.text = fmt::format("scenario {}: {}\nworkcell {}, {}, {}\n\n", problem.name, problem.title,
+                            problem.workcell->name(), Counted(std::ssize(problem.parts), "part"),
+                            Counted(std::ssize(problem.goals), "goal"));
   report.json = {{"scenario", problem.name},
                  {"title", problem.title},
                  {"workcell", problem.workcell->name()},

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "planner/base/counted.h"
 #include "planner/plan/plan_files/json_layout.h"
 #include "sim/check/falsification/conservatism.h"
 #include "sim/check/falsification/falsification.h"
@@ -162,8 +163,7 @@ class FalsificationReport {
   std::string Outcome(std::int64_t violated) const {
     if (result_.attempts == 0) return "no attempt was made, so nothing is known about the plan\n";
     if (violated == 0) {
-      return fmt::format("not falsified in {} attempt{}\n", result_.attempts,
-                         result_.attempts == 1 ? "" : "s") +
+      return fmt::format("not falsified in {}\n", Counted(result_.attempts, "attempt")) +
              NotAttempted();
     }
     return fmt::format("violated in {} of {} attempts\n", violated, result_.attempts);

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "planner/base/counted.h"
 #include "sim/cli/options/quantity.h"
 #include "sim/cli/plan_output/table.h"
 #include "sim/cli/trial_output/json_number.h"
@@ -165,9 +166,9 @@ std::string FalsificationsText(const SweepResults& results) {
 
 std::string SpeedText(const sweep::RunRecord& run) {
   const sweep::Throughput& done = run.throughput;
-  return fmt::format(
-      "{} trials, {} engine steps in {:.1f} s on {} threads: {:.0f} steps a second\n", done.trials,
-      done.steps, done.seconds, run.jobs, done.StepsPerSecond());
+  return fmt::format("{}, {} engine steps in {:.1f} s on {}: {:.0f} steps a second\n",
+                     Counted(done.trials, "trial"), done.steps, done.seconds,
+                     Counted(run.jobs, "thread"), done.StepsPerSecond());
 }
 
 Json RunJson(const sweep::RunRecord& run) {
@@ -290,8 +291,9 @@ SweepResults ResultsOf(const sweep::Store& store, const std::string& database) {
 std::string ForPeople(const SweepResults& results) {
   std::string text = CellTable(results).Text() + FalsificationsText(results);
   const int done = results.Done();
-  text += fmt::format("\n{} of {} trials succeeded; {} certificates violated\n",
-                      results.Succeeded(), done, results.Certificates().violated);
+  text +=
+      fmt::format("\n{} of {} succeeded; {} violated\n", results.Succeeded(),
+                  Counted(done, "trial"), Counted(results.Certificates().violated, "certificate"));
   for (const auto& [outcome, count] : Failures(results)) {
     text += fmt::format("{}: {}\n", outcome, count);
   }
@@ -345,8 +347,9 @@ Report ReportOn(const sweep::Sweep& sweep, const domain::ModelPath& models) {
   const auto falsifications =
       std::ranges::count(cells, sweep::NoiseKind::kFalsification, &sweep::Cell::noise);
   Report report;
-  report.text = fmt::format("sweep {}: {} trials in {} cells, {} plans\n",
-                            sweep.file.stem().string(), trials, cells.size(), plans);
+  report.text =
+      fmt::format("sweep {}: {} in {}, {}\n", sweep.file.stem().string(), Counted(trials, "trial"),
+                  Counted(std::ssize(cells), "cell"), Counted(plans, "plan"));
   if (falsifications > 0) {
     report.text += fmt::format("{} of the trials are falsifications with {} attempts each\n",
                                falsifications, sweep.attempts);

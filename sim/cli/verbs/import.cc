@@ -11,6 +11,7 @@
 #include <system_error>
 #include <vector>
 
+#include "planner/base/counted.h"
 #include "planner/base/input_files/input_error.h"
 #include "planner/base/input_files/quotation.h"
 #include "planner/mesh_import/parts/account.h"
@@ -94,8 +95,8 @@ mesh_import::ImportedPart Read(const std::vector<fs::path>& files, const std::st
 }
 
 std::string WorkText(int triangles, int pieces, double seconds) {
-  return fmt::format("{} triangles became {} piece{} in {:.1f} s.\n", triangles, pieces,
-                     pieces == 1 ? "" : "s", seconds);
+  return fmt::format("{} became {} in {:.1f} s.\n", Counted(triangles, "triangle"),
+                     Counted(pieces, "piece"), seconds);
 }
 
 ExitCode ImportPart(const Options& options) {

@@ -9,6 +9,7 @@
 #include <system_error>
 
 #include "planner/base/check.h"
+#include "planner/base/counted.h"
 #include "sim/cli/command_line/console.h"
 #include "sim/cli/command_line/progress.h"
 #include "sim/cli/command_line/verb.h"
@@ -124,8 +125,8 @@ ExitCode Execute(const Options& options) {
   }
   WriteFile(options.page, report::Page(findings, page));
   if (!options.tables.empty()) WriteTables(findings, options.tables);
-  Print(fmt::format("{}: {} trials in {} cells\n", options.page.string(), findings.done(),
-                    findings.cells.size()));
+  Print(fmt::format("{}: {} in {}\n", options.page.string(), Counted(findings.done(), "trial"),
+                    Counted(std::ssize(findings.cells), "cell")));
   return ExitCode::kDone;
 }
 

@@ -11,6 +11,7 @@
 #include <regex>
 #include <thread>
 
+#include "planner/base/counted.h"
 #include "planner/base/input_files/input_error.h"
 #include "planner/base/input_files/quotation.h"
 #include "planner/plan/plan_files/json_layout.h"
@@ -95,11 +96,13 @@ class Narrator {
  private:
   void Announce(const sweep::Advance& advance) {
     announced_ = true;
-    std::string text = fmt::format("{} trials on {} threads", advance.trials, jobs_);
+    std::string text =
+        fmt::format("{} on {}", Counted(advance.trials, "trial"), Counted(jobs_, "thread"));
     if (seconds_of_trial_ > 0) {
       text += fmt::format(", about {}", DurationText(seconds_of_trial_ * advance.trials / jobs_));
     }
-    if (advance.attempts > 0) text += fmt::format(", {} attempts of attacks", advance.attempts);
+    if (advance.attempts > 0)
+      text += fmt::format(", {} of attacks", Counted(advance.attempts, "attempt"));
     Line(text);
   }
 

@@ -27,7 +27,7 @@ TEST(ReportVerb, MakesAPageAndTables) {
   const Ended ended = Assay({"report", database, "-o", page, "--csv", folder / "tables",
                              "--pictures", "--size", "120x90", "--models", models});
   ASSERT_EQ(ended.code, 0) << ended.err;
-  EXPECT_THAT(ended.out, HasSubstr("a.html: 1 trials in 1 cells"));
+  EXPECT_THAT(ended.out, HasSubstr("a.html: 1 trial in 1 cell"));
   const std::string html = TextOf(page);
   EXPECT_THAT(html, HasSubstr("<h1>A &amp; B</h1>"));
   EXPECT_THAT(html, HasSubstr("src=\"data:image/png;base64,iVBORw0KGgo"));

@@ -213,7 +213,7 @@ TEST_F(SweepVerb, WrongSharesAreErrors) {
 TEST_F(SweepVerb, CheckTellsTheGrid) {
   const Ended ended = Assay(WithModels({"check", sweep_}));
   EXPECT_EQ(ended.code, 0) << ended.err;
-  EXPECT_THAT(ended.out, HasSubstr("2 trials in 2 cells, 1 plans"));
+  EXPECT_THAT(ended.out, HasSubstr("2 trials in 2 cells, 1 plan"));
 }
 
 TEST_F(SweepVerb, SampleSweepsAreRight) {
