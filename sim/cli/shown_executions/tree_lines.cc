@@ -13,6 +13,16 @@ namespace {
 using contingent::NodeId;
 using contingent::PlanNode;
 
+// Returns "A" for 1, "Z" for 26, "AA" for 27. Steps of an execution have numbers, so shared nodes
+// of the tree have letters.
+std::string LettersOf(int number) {
+  std::string letters;
+  for (; number > 0; number = (number - 1) / 26) {
+    letters.insert(letters.begin(), static_cast<char>('A' + (number - 1) % 26));
+  }
+  return letters;
+}
+
 class TreeLister {
  public:
   TreeLister(const contingent::GroundTask& task, const contingent::PlanTree& tree,
@@ -35,7 +45,7 @@ class TreeLister {
     for (const NodeId child : tree_.node(id).children) CountParents(child);
   }
 
-  // A shared node is listed once, with a number. All other places refer to this number. An end of
+  // A shared node is listed once, with letters. All other places refer to these letters. An end of
   // the tree needs no line.
   void List(NodeId id, int depth) {
     const PlanNode& node = tree_.node(id);
@@ -43,11 +53,12 @@ class TreeLister {
     const bool is_shared = parents_[id] > 1;
     const auto [number, is_new] = numbers_.try_emplace(id, is_shared ? shared_ + 1 : 0);
     if (!is_new) {
-      lines_.push_back({.depth = depth, .text = fmt::format("go to {}", number->second)});
+      lines_.push_back(
+          {.depth = depth, .text = fmt::format("go to {}", LettersOf(number->second))});
       return;
     }
     if (is_shared) ++shared_;
-    const std::string label = is_shared ? fmt::format("{}: ", number->second) : "";
+    const std::string label = is_shared ? LettersOf(number->second) + ": " : "";
     if (node.kind == PlanNode::Kind::kAct) {
       ListAction(id, label, depth);
     } else {
