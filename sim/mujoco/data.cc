@@ -107,6 +107,8 @@ void Data::Step(const std::function<void()>& see_forces) {
   BeginStep();
 }
 
+void Data::StepUnmodified() { mj_step(own_model_.get(), data_.get()); }
+
 void Data::BeginStep() {
   const KeepPosition keep(qpos());
   const CollidingPieces colliding(model_.convex_pieces());

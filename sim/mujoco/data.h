@@ -53,6 +53,9 @@ class Data {
   // Executes one timestep like Step. Calls `see_forces` as soon as this step has computed the
   // forces of the contacts at its start. During the call, Contacts() still gives these contacts.
   void Step(const std::function<void()>& see_forces);
+  // Executes one timestep of the unmodified engine, which finds contacts of meshes in its own way.
+  // Other programs see this step. Poses and contacts afterwards belong to its start.
+  void StepUnmodified();
   void Forward();  // computes all that follows from qpos, qvel and controls, at the present time
 
   // Computes the poses of the bodies and of the joints' axes from qpos, and nothing else. Call

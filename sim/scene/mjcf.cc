@@ -133,14 +133,6 @@ std::shared_ptr<const domain::PartModel> TrueModel(const Part& part, const Scene
                                          part.model->clearance() + options.clearance_error);
 }
 
-void AddMass(const geometry::MassProperties& mass, XmlElement& body) {
-  const geometry::Matrix3& I = mass.inertia;
-  body.Add("inertial")
-      .Set("pos", mass.center)
-      .Set("mass", mass.mass)
-      .Set("fullinertia", {I(0, 0), I(1, 1), I(2, 2), I(0, 1), I(0, 2), I(1, 2)});
-}
-
 geometry::MassProperties TrueMass(const domain::PartModel& model, domain::PartId part,
                                   const SceneOptions& options) {
   geometry::MassProperties mass = model.mass();

@@ -62,4 +62,12 @@ XmlElement& AddPiece(const geometry::ConvexHull& piece, const std::string& geom_
   return geom.Set("type", "mesh").Set("mesh", name).Set("pos", middle);
 }
 
+void AddMass(const geometry::MassProperties& mass, XmlElement& body) {
+  const geometry::Matrix3& I = mass.inertia;
+  body.Add("inertial")
+      .Set("pos", mass.center)
+      .Set("mass", mass.mass)
+      .Set("fullinertia", {I(0, 0), I(1, 1), I(2, 2), I(0, 1), I(0, 2), I(1, 2)});
+}
+
 }  // namespace assay::scene

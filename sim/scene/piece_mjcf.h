@@ -3,6 +3,7 @@
 #include <string>
 
 #include "planner/geometry/hull.h"
+#include "planner/geometry/solids/mass_properties.h"
 #include "sim/scene/xml_element.h"
 
 namespace assay::scene {
@@ -13,5 +14,8 @@ namespace assay::scene {
 // the piece: they are exact to about 1e-7 of its size.
 XmlElement& AddPiece(const geometry::ConvexHull& piece, const std::string& geom_class,
                      const std::string& name, XmlElement& body, XmlElement& asset);
+
+// Adds the mass, the centre of mass and the inertia of a body.
+void AddMass(const geometry::MassProperties& mass, XmlElement& body);
 
 }  // namespace assay::scene

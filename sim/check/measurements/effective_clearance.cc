@@ -1,6 +1,8 @@
 #include "sim/check/measurements/effective_clearance.h"
 
 #include <cmath>
+#include <functional>
+#include <utility>
 
 #include "planner/domain/matings/shaft_fit.h"
 #include "planner/geometry/pose.h"
@@ -26,22 +28,52 @@ constexpr double kSettling = 4;  // seconds to come to rest at a wall
 // The pose at which the fixed part is held, in the air beside the arm.
 const Pose kX_WorldFixed = geometry::Translation(0.6, 0.7, 0.9);
 
+// A simulation with the two parts of a mating in their mated pose. The fixed part is held fast, and
+// the held part has a free joint.
+struct MatedPair {
+  mujoco::Data data;
+  mujoco::BodyId fixed;
+  mujoco::BodyId held;
+  int dof = 0;  // first index of the free joint in qvel
+  void (*step)(mujoco::Data&) = [](mujoco::Data& data) { data.Step(); };
+};
+
+MatedPair PairIn(mujoco::Data data, const std::string& fixed, const std::string& held) {
+  const mujoco::Model& model = data.model();
+  const int dof = model.DofAddress(model.Joint(held));
+  const mujoco::BodyId fixed_body = model.Body(fixed);
+  return {std::move(data), fixed_body, model.Body(held), dof};
+}
+
+// A weld to the resting hand holds the fixed part as well as one to the world.
+MatedPair PairInScene(const Problem& problem, const Mating& mating) {
+  const scene::Scene scene(problem, {.grasp = scene::GraspMode::kWeld});
+  mujoco::Data data = scene.Start();
+  scene.SetPart(data, mating.fixed, kX_WorldFixed);
+  scene.SetPart(data, mating.held, kX_WorldFixed * mating.X_FixedHeld);
+  scene.AttachPart(data, mating.fixed);
+  return PairIn(std::move(data), "part/" + problem.part(mating.fixed).name,
+                "part/" + problem.part(mating.held).name);
+}
+
+MatedPair PairInFile(const Problem& problem, const Mating& mating, const std::string& mjcf) {
+  mujoco::Data data(mujoco::Model::FromMjcf(mjcf));
+  data.Forward();
+  MatedPair pair =
+      PairIn(std::move(data), problem.part(mating.fixed).name, problem.part(mating.held).name);
+  pair.step = [](mujoco::Data& stepped) { stepped.StepUnmodified(); };
+  return pair;
+}
+
 class PlayMeasurement {
  public:
-  PlayMeasurement(const Problem& problem, const Mating& mating, const domain::ShaftFit& fit)
+  PlayMeasurement(const Problem& problem, const Mating& mating, const domain::ShaftFit& fit,
+                  MatedPair pair)
       : problem_(problem),
         mating_(mating),
         middle_(Middle(fit, mating)),
-        scene_(problem, {.grasp = scene::GraspMode::kWeld}),
-        data_(scene_.Start()) {
-    const mujoco::Model& model = scene_.model();
-    dof_ = model.DofAddress(model.Joint("part/" + problem.part(mating.held).name));
-    scene_.SetPart(data_, mating.fixed, kX_WorldFixed);
-    scene_.SetPart(data_, mating.held, kX_WorldFixed * mating.X_FixedHeld);
-    // A weld to the resting hand holds it as well as one to the world.
-    scene_.AttachPart(data_, mating.fixed);
-    start_ = data_.Save();
-  }
+        pair_(std::move(pair)),
+        start_(pair_.data.Save()) {}
 
   double PlayAlong(const domain::FitGap& gap) {
     const Vector3& axis = gap.across;
@@ -60,17 +92,22 @@ class PlayMeasurement {
   // Returns where the middle comes to a stop when it is pushed in that direction, in the fixed
   // part's frame. `way` is the distance in metres at which a wall is expected.
   Vector3 Stop(const Vector3& direction_Fixed, double way) {
-    data_.Restore(start_);
+    mujoco::Data& data = pair_.data;
+    data.Restore(start_);
     const double longest = kSettling + 2 * way / kSpeed;
     int still = 0;
-    while (still < kStillSteps && data_.time() < start_.time + longest) {
-      Push(scene_.TruePose(data_, mating_.fixed).linear() * direction_Fixed);
-      data_.Step();
-      const bool is_still = scene_.TrueTwist(data_, mating_.held).linear.norm() < kStill;
-      still = is_still ? still + 1 : 0;
+    while (still < kStillSteps && data.time() < start_.time + longest) {
+      Push(data.BodyPose(pair_.fixed).linear() * direction_Fixed);
+      pair_.step(data);
+      still = RateAt(0).norm() < kStill ? still + 1 : 0;
     }
-    return scene_.TruePose(data_, mating_.fixed).inverse() *
-           (scene_.TruePose(data_, mating_.held) * middle_);
+    return data.BodyPose(pair_.fixed).inverse() * (data.BodyPose(pair_.held) * middle_);
+  }
+
+  // Returns three entries of qvel from this one of the free joint on: the velocity of the held
+  // part's origin (0), or its angular velocity in its own frame (3).
+  Vector3 RateAt(int entry) const {
+    return Vector3::Map(pair_.data.qvel().data() + pair_.dof + entry);
   }
 
   // Sets the generalized forces of the free joint: a force at the part's origin in the world frame,
@@ -79,39 +116,34 @@ class PlayMeasurement {
   // are equal while the part moves, and would tilt it if they acted at different points.
   void Push(const Vector3& direction_World) {
     const geometry::MassProperties& mass = problem_.part(mating_.held).model->mass();
-    const geometry::Matrix3 R = scene_.TruePose(data_, mating_.held).linear();
-    const scene::Twist twist = scene_.TrueTwist(data_, mating_.held);
-    const Vector3 velocity = twist.linear + twist.angular.cross(R * mass.center);
+    const geometry::Matrix3 R = pair_.data.BodyPose(pair_.held).linear();
+    const Vector3 angular = R * RateAt(3);
+    const Vector3 velocity = RateAt(0) + angular.cross(R * mass.center);
     const Vector3 at_center = mass.mass * Vector3(0, 0, scene::kGravity);
     const Vector3 at_middle = mass.mass * (kPush * direction_World - kDamping * velocity);
     const Vector3 force = at_center + at_middle;
     const Vector3 torque = mass.center.cross(R.transpose() * at_center) +
                            middle_.cross(R.transpose() * at_middle) -
-                           kDamping * mass.inertia * R.transpose() * twist.angular;
+                           kDamping * mass.inertia * R.transpose() * angular;
     for (int i = 0; i < 3; ++i) {
-      data_.qfrc_applied()[dof_ + i] = force[i];
-      data_.qfrc_applied()[dof_ + 3 + i] = torque[i];
+      pair_.data.qfrc_applied()[pair_.dof + i] = force[i];
+      pair_.data.qfrc_applied()[pair_.dof + 3 + i] = torque[i];
     }
   }
 
   const Problem& problem_;
   const Mating& mating_;
   Vector3 middle_;
-  scene::Scene scene_;
-  mujoco::Data data_;
+  MatedPair pair_;
   mujoco::State start_;
-  int dof_ = 0;
 };
 
-}  // namespace
-
-double Play::RelativeDifference() const { return (measured - nominal) / nominal; }
-
-std::vector<Play> EffectiveClearance(const Problem& problem, domain::MatingId id) {
-  const Mating& mating = problem.mating(id);
+// Returns the play between all pairs of walls. `pair` makes the simulation, only if there is one.
+std::vector<Play> PlaysOf(const Problem& problem, const Mating& mating,
+                          const std::function<MatedPair()>& pair) {
   const std::vector<domain::ShaftFit> fits = domain::FitsOf(problem, mating);
   if (fits.empty()) return {};
-  PlayMeasurement measurement(problem, mating, fits.front());
+  PlayMeasurement measurement(problem, mating, fits.front(), pair());
   std::vector<Play> plays;
   for (const domain::FitGap& gap : domain::GapsOf(problem, mating)) {
     plays.push_back({.axis = gap.across,
@@ -119,6 +151,21 @@ std::vector<Play> EffectiveClearance(const Problem& problem, domain::MatingId id
                      .measured = measurement.PlayAlong(gap)});
   }
   return plays;
+}
+
+}  // namespace
+
+double Play::RelativeDifference() const { return (measured - nominal) / nominal; }
+
+std::vector<Play> EffectiveClearance(const Problem& problem, domain::MatingId id) {
+  const Mating& mating = problem.mating(id);
+  return PlaysOf(problem, mating, [&] { return PairInScene(problem, mating); });
+}
+
+std::vector<Play> ExportedClearance(const Problem& problem, domain::MatingId id,
+                                    const std::string& mjcf) {
+  const Mating& mating = problem.mating(id);
+  return PlaysOf(problem, mating, [&] { return PairInFile(problem, mating, mjcf); });
 }
 
 }  // namespace assay::check

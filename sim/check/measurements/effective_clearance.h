@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "planner/domain/problem/problem.h"
@@ -25,5 +26,10 @@ inline constexpr double kPlayTolerance = 0.05;
 // and the held part is pushed each way until it stops. The push goes through the middle of the
 // engaged length, so that the part does not tilt.
 std::vector<Play> EffectiveClearance(const domain::Problem& problem, domain::MatingId mating);
+
+// Measures the same in a model of the two parts alone (scene::ExportedPair) with the unmodified
+// engine. Other programs that load this model have this play.
+std::vector<Play> ExportedClearance(const domain::Problem& problem, domain::MatingId mating,
+                                    const std::string& mjcf);
 
 }  // namespace assay::check

@@ -13,8 +13,10 @@
 #include "sim/cli/command_line/progress.h"
 #include "sim/cli/command_line/usage_error.h"
 #include "sim/cli/command_line/verb.h"
+#include "sim/cli/options/file_format.h"
 #include "sim/cli/options/models_folder.h"
 #include "sim/cli/plan_output/plan_text.h"
+#include "sim/cli/tasks/body_export.h"
 #include "sim/cli/tasks/output_file.h"
 #include "sim/cli/tasks/planned_problem.h"
 #include "sim/cli/tree_output/dot.h"
@@ -30,6 +32,10 @@ struct Options {
   std::filesystem::path output;
   domain::ModelPath models;
   bool mjcf = false;
+  bool urdf = false;
+  bool obj = false;
+  bool mated = false;         // the two parts of the last mating, and not the whole scene
+  double clearance_mm = 0.5;  // of the holes of a part file
   bool dot = false;
   bool network = false;
   bool contacts = false;
@@ -55,6 +61,23 @@ ExitCode ExportMjcf(const Options& options) {
   scene::SceneOptions scene = scenario::ReadSimulation(document).scene;
   scene.endless_tables = true;
   Deliver(scene::ToMjcf(first, scene), options);
+  return ExitCode::kDone;
+}
+
+bool IsPart(const std::filesystem::path& input) {
+  return std::filesystem::is_directory(input) ||
+         FormatOf(Document::Load(input)) == FileFormat::kPartFile;
+}
+
+ExitCode ExportParts(const Options& options) {
+  using Format = BodyExport::Format;
+  ExportBodies({.input = options.input,
+                .output = options.output,
+                .models = options.models,
+                .format = options.urdf  ? Format::kUrdf
+                          : options.obj ? Format::kObj
+                                        : Format::kMjcf,
+                .clearance_mm = options.clearance_mm});
   return ExitCode::kDone;
 }
 
@@ -145,49 +168,79 @@ ExitCode ExportPks(const Options& options) {
 // Together with an option that names a graph, --dot adds nothing.
 void RequireOneThing(const Options& options) {
   const bool names_graph = options.contacts || options.network;
-  const int things = (options.dot && !names_graph) + options.mjcf + options.network +
-                     options.contacts + options.commands + !options.pddl.empty() + options.pks;
+  const int things = (options.dot && !names_graph) + options.mjcf + options.urdf + options.obj +
+                     options.network + options.contacts + options.commands + !options.pddl.empty() +
+                     options.pks;
   if (things != 1)
     throw UsageError(
         "export: only one of these options is allowed at a time (see assay export --help)");
+  if (options.mated && !options.mjcf && !options.urdf && !options.obj) {
+    throw UsageError("export: --mated needs one of --mjcf, --urdf, --obj");
+  }
+}
+
+// The graphs and commands of a plan, and tasks of contingent planning.
+void AddPlanOptions(CLI::Option_group& what, Options& options) {
+  what.add_flag("--dot", options.dot,
+                "the plan's ordering graph for Graphviz; may also be given with --contacts or "
+                "--network, and then changes nothing");
+  what.add_flag("--network", options.network, "the plan's constraint network for Graphviz");
+  what.add_flag(
+      "--contacts", options.contacts,
+      "the contact states of the last mating at all of its critical points, for Graphviz");
+  what.add_flag("--commands", options.commands,
+                "the commands to the robot, in the order of execution");
+  what.add_option("--pddl", options.pddl, "a .pks domain and this problem, as contingent PDDL");
+  what.add_flag("--pks", options.pks,
+                "the knowledge in the scenario's plans (looks, verifications and recoveries), as "
+                "a domain and a problem for assay contingent");
+}
+
+void AddShapeOptions(CLI::Option_group& what, Options& options) {
+  what.add_flag("--mjcf", options.mjcf,
+                "the scene as a model for MuJoCo, with the key frame home; a part whose pose is "
+                "open has its first pose. Of a part file: the part");
+  what.add_flag("--urdf", options.urdf,
+                "a part, or the parts of a mating, as URDF with convex pieces");
+  what.add_flag("--obj", options.obj,
+                "a part, or the parts of a mating, as OBJ with convex pieces");
+}
+
+ExitCode Execute(const Options& options) {
+  RequireOneThing(options);
+  if (!options.pddl.empty()) return ExportPddl(options);
+  if (options.pks) return ExportPks(options);
+  RequireWritable(options.output);
+  const bool is_of_parts = options.mated || options.urdf || options.obj;
+  if (is_of_parts || (options.mjcf && IsPart(options.input))) return ExportParts(options);
+  if (options.mjcf) return ExportMjcf(options);
+  if (options.contacts) return ExportContacts(options);
+  if (options.network) return ExportNetwork(options);
+  return ExportPlan(options, options.dot ? OrderingGraphToDot : CommandFileText);
 }
 
 Execution Declare(CLI::App& command) {
   const auto options = std::make_shared<Options>();
   command
-      .add_option("scenario", options->input,
-                  "scenario file; for --dot and --commands also a plan file; for --pddl a domain")
+      .add_option("input", options->input,
+                  "scenario file; for --dot and --commands also a plan file; for --pddl a domain; "
+                  "for --mjcf, --urdf and --obj also a part file or the folder of a part")
       ->required();
   CLI::Option_group* const what = command.add_option_group("what");
-  what->add_flag("--mjcf", options->mjcf,
-                 "the scene as a model for MuJoCo, with the key frame home; a part whose pose is "
-                 "open has its first pose");
-  what->add_flag("--dot", options->dot,
-                 "the plan's ordering graph for Graphviz; may also be given with --contacts or "
-                 "--network, and then changes nothing");
-  what->add_flag("--network", options->network, "the plan's constraint network for Graphviz");
-  what->add_flag(
-      "--contacts", options->contacts,
-      "the contact states of the last mating at all of its critical points, for Graphviz");
-  what->add_flag("--commands", options->commands,
-                 "the commands to the robot, in the order of execution");
-  what->add_option("--pddl", options->pddl, "a .pks domain and this problem, as contingent PDDL");
-  what->add_flag("--pks", options->pks,
-                 "the knowledge in the scenario's plans (looks, verifications and recoveries), as "
-                 "a domain and a problem for assay contingent");
+  AddShapeOptions(*what, *options);
+  AddPlanOptions(*what, *options);
   what->require_option(1, 2);
+  command.add_flag("--mated", options->mated,
+                   "the two parts of the scenario's last mating in their mated pose, with the play "
+                   "of the shaft as measured in the engine; --urdf and --obj always export these");
+  command
+      .add_option("--clearance", options->clearance_mm,
+                  "for a part file: clearance of the part's holes in mm")
+      ->check(CLI::Range(0.0, 10.0))
+      ->capture_default_str();
   command.add_option("-o,--output", options->output, "write to this file instead of printing");
   AddModelsOption(command, options->models);
-  return [options] {
-    RequireOneThing(*options);
-    if (!options->pddl.empty()) return ExportPddl(*options);
-    if (options->pks) return ExportPks(*options);
-    RequireWritable(options->output);
-    if (options->mjcf) return ExportMjcf(*options);
-    if (options->contacts) return ExportContacts(*options);
-    if (options->network) return ExportNetwork(*options);
-    return ExportPlan(*options, options->dot ? OrderingGraphToDot : CommandFileText);
-  };
+  return [options] { return Execute(*options); };
 }
 
 }  // namespace export_verb
@@ -195,11 +248,13 @@ Execution Declare(CLI::App& command) {
 const Verb kExport = {
     .name = "export",
     .summary =
-        "writes the scene of a scenario, graphs and commands of its plan, or a problem as PDDL",
+        "writes the scene of a scenario, parts for other programs, graphs and commands of a plan, "
+        "or a problem as PDDL",
     .page = "sim/running.md",
     .example =
         "assay export scenarios/spar-fig13.yaml --mjcf -o fig13.xml\n  assay export "
-        "scenarios/know/force-sensing.pks --pddl scenarios/know/two-cans.pks -o cans\n\nThe second "
+        "scenarios/mate-round.yaml --mated --mjcf -o pair.xml\n  assay export "
+        "scenarios/know/force-sensing.pks --pddl scenarios/know/two-cans.pks -o cans\n\nThe last "
         "command writes cans-domain.pddl and cans-problem.pddl.",
     .declare = export_verb::Declare,
 };
