@@ -35,7 +35,7 @@ struct MatedPair {
   mujoco::BodyId fixed;
   mujoco::BodyId held;
   int dof = 0;  // first index of the free joint in qvel
-  void (*step)(mujoco::Data&) = [](mujoco::Data& data) { data.Step(); };
+  void (*step)(mujoco::Data&) = [](mujoco::Data& stepped) { stepped.Step(); };
 };
 
 MatedPair PairIn(mujoco::Data data, const std::string& fixed, const std::string& held) {
