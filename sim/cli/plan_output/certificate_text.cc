@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "planner/base/check.h"
+#include "planner/base/counted.h"
 #include "planner/plan/certificates/coverage.h"
 #include "planner/plan/certificates/not_covered.h"
 #include "sim/cli/options/quantity.h"
@@ -15,10 +16,6 @@ namespace {
 
 using plan::CertifiedPrecondition;
 using plan::StepId;
-
-std::string Counted(std::size_t count, const char* one, const char* many) {
-  return fmt::format("{} {}", count, count == 1 ? one : many);
-}
 
 std::string RecoveryText(const plan::Plan& plan, StepId step, const std::string& error) {
   const auto found = std::ranges::find_if(plan.recoveries, [&](const plan::Recovery& recovery) {
@@ -85,7 +82,7 @@ std::string StrategyText(const plan::Strategy& strategy) {
   std::string text = fmt::format(
       "    {} by contacts, in spite of errors of the tip of {} and {}\n"
       "    certain for {:.2f} times these errors and friction up to {:.2f}",
-      Counted(strategy.motions.size(), "motion", "motions"), numbers(certificate.d, kLengthUnit),
+      Counted(std::ssize(strategy.motions), "motion"), numbers(certificate.d, kLengthUnit),
       numbers(certificate.w, kAngleUnit), certificate.absorbed, certificate.friction);
   const plan::UnwantedContact* first = nullptr;
   for (const plan::StrategyMotion& motion : strategy.motions) {
@@ -132,16 +129,15 @@ std::string UncertaintyText(const domain::Problem& problem, const plan::Plan& pl
   }
   const std::string summary =
       plan.errors == 0
-          ? fmt::format("Every precondition{} is proved{}{}.{}{}",
-                        plan::IsAsPublished(plan) ? " of the paper" : "",
-                        AnyStrategy(plan) ? ", or absorbed by fine motion" : "",
-                        ExceptWaysText(plan),
-                        plan::NotCovered(problem, plan).empty() ? "" : kSomeIsNotCovered,
-                        UnaskedText(plan))
+          ? fmt::format(
+                "Every precondition{} is proved{}{}.{}{}",
+                plan::IsAsPublished(plan) ? " of the paper" : "",
+                AnyStrategy(plan) ? ", or absorbed by fine motion" : "", ExceptWaysText(plan),
+                plan::NotCovered(problem, plan).empty() ? "" : kSomeIsNotCovered, UnaskedText(plan))
           : fmt::format("Some preconditions of {} are not proved. The plan has {} and {} for {}.",
-                        Counted(plan.errors, "step", "steps"),
-                        Counted(plan.verifications.size(), "verification", "verifications"),
-                        Counted(plan.recoveries.size(), "recovery", "recoveries"),
+                        Counted(plan.errors, "step"),
+                        Counted(std::ssize(plan.verifications), "verification"),
+                        Counted(std::ssize(plan.recoveries), "recovery", "recoveries"),
                         plan.errors == 1 ? "this step" : "these steps");
   const std::string text = done.empty() ? fmt::format("\n{} Nothing was inserted.\n", summary)
                                         : fmt::format("\nuncertainty\n{}{}\n", done, summary);
