@@ -39,10 +39,9 @@ struct MatedPair {
 };
 
 MatedPair PairIn(mujoco::Data data, const std::string& fixed, const std::string& held) {
-  const mujoco::Model& model = data.model();
-  const int dof = model.DofAddress(model.Joint(held));
-  const mujoco::BodyId fixed_body = model.Body(fixed);
-  return {std::move(data), fixed_body, model.Body(held), dof};
+  const mujoco::Model model = data.model();
+  return {std::move(data), model.Body(fixed), model.Body(held),
+          model.DofAddress(model.Joint(held))};
 }
 
 // A weld to the resting hand holds the fixed part as well as one to the world.
