@@ -27,7 +27,7 @@ constexpr double kStill = 1e-7;              // m/s
 constexpr int kStillSteps = 20;
 constexpr std::size_t kEveryDirection = std::numeric_limits<std::size_t>::max();
 // The unmodified engine searches longer for the contacts of meshes.
-constexpr std::size_t kExportedDirections = 8;
+constexpr std::size_t kExportedDirections = 4;
 constexpr double kSettling = 4;  // seconds to come to rest at a wall
 
 // The pose at which the fixed part is held, in the air beside the arm.

@@ -29,7 +29,7 @@ std::vector<Play> EffectiveClearance(const domain::Problem& problem, domain::Mat
 
 // Measures the same in a model of the two parts alone (scene::ExportedPair) with the unmodified
 // engine. Other programs that load this model have this play. If the hole has many pairs of walls,
-// eight of them are measured, whose directions are spread evenly.
+// four of them are measured, whose directions are spread evenly.
 std::vector<Play> ExportedClearance(const domain::Problem& problem, domain::MatingId mating,
                                     const std::string& mjcf);
 

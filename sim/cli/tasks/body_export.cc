@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "planner/domain/parts/part_file.h"
@@ -21,11 +23,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// What is exported, with sentences about the play of its shaft.
+// What is exported: a part, or the two parts of the last mating of a problem.
 struct Subject {
   std::string name;
   std::vector<scene::ExportedBody> bodies;
-  std::vector<std::string> plays = {};
+  std::optional<domain::Problem> problem = {};
 };
 
 Subject PartSubject(const Document& document, const BodyExport& request) {
@@ -33,8 +35,12 @@ Subject PartSubject(const Document& document, const BodyExport& request) {
   return {model->name(), {{.name = model->name(), .model = model}}};
 }
 
-std::vector<std::string> PlaysOf(const domain::Problem& problem, const std::string& mjcf) {
+// Returns sentences about the play of the shaft of a pair.
+std::vector<std::string> PlaysOf(const Subject& subject) {
+  if (!subject.problem) return {};
   const Progress progress("measuring the play in the engine");
+  const domain::Problem& problem = *subject.problem;
+  const std::string mjcf = scene::BodiesToMjcf(subject.name, subject.bodies);
   const domain::MatingId mating(problem.matings.size() - 1);
   const std::string held = problem.part(problem.mating(mating).held).name;
   const std::string fixed = problem.part(problem.mating(mating).fixed).name;
@@ -48,13 +54,12 @@ std::vector<std::string> PlaysOf(const domain::Problem& problem, const std::stri
 }
 
 Subject PairSubject(const Document& document, const BodyExport& request) {
-  const domain::Problem problem = scenario::ReadWorlds(document, request.models).front();
+  domain::Problem problem = scenario::ReadWorlds(document, request.models).front();
   if (problem.matings.empty()) {
     throw UsageError(fmt::format("export: {}: no goal mates parts", request.input.string()));
   }
-  Subject subject = {problem.name, scene::ExportedPair(problem, problem.matings.back())};
-  subject.plays = PlaysOf(problem, scene::BodiesToMjcf(subject.name, subject.bodies));
-  return subject;
+  std::vector<scene::ExportedBody> bodies = scene::ExportedPair(problem, problem.matings.back());
+  return {problem.name, std::move(bodies), std::move(problem)};
 }
 
 Subject SubjectOf(const BodyExport& request) {
@@ -82,7 +87,7 @@ std::vector<scene::ExportedFile> FilesOf(const Subject& subject, const BodyExpor
   const std::string name = request.output.empty() ? subject.name : request.output.stem().string();
   switch (request.format) {
     case BodyExport::Format::kMjcf:
-      return {{"", WithComment(subject.plays, scene::BodiesToMjcf(name, subject.bodies))}};
+      return {{"", scene::BodiesToMjcf(name, subject.bodies)}};
     case BodyExport::Format::kUrdf:
       return scene::BodiesToUrdf(name, subject.bodies);
     case BodyExport::Format::kObj:
@@ -95,18 +100,20 @@ std::vector<scene::ExportedFile> FilesOf(const Subject& subject, const BodyExpor
 
 void ExportBodies(const BodyExport& request) {
   const Subject subject = SubjectOf(request);
-  const std::vector<scene::ExportedFile> files = FilesOf(subject, request);
-  if (request.output.empty()) {
-    if (files.size() > 1) {
-      throw UsageError("export: --urdf needs a file for each piece that is no box; --output FILE");
-    }
-    return Print(files.front().text);
+  std::vector<scene::ExportedFile> files = FilesOf(subject, request);
+  if (request.output.empty() && files.size() > 1) {
+    throw UsageError("export: --urdf needs a file for each piece that is no box; --output FILE");
   }
+  const std::vector<std::string> plays = PlaysOf(subject);
+  if (request.format == BodyExport::Format::kMjcf) {
+    files.front().text = WithComment(plays, files.front().text);
+  }
+  if (request.output.empty()) return Print(files.front().text);
   WriteFile(request.output, files.front().text);
   for (std::size_t i = 1; i < files.size(); ++i) {
     WriteFile(request.output.parent_path() / files[i].name, files[i].text);
   }
-  for (const std::string& play : subject.plays) Print(play + "\n");
+  for (const std::string& play : plays) Print(play + "\n");
 }
 
 }  // namespace assay::cli

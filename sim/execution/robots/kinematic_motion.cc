@@ -40,7 +40,9 @@ KinematicMotion::KinematicMotion(const scene::Scene& scene) : scene_(scene) {
   const int robot = m.body_rootid[scene.hand().index()];
   for (int body = 0; body < m.nbody; ++body) {
     const bool is_hand = scene.KindOf(mujoco::BodyId(body)) == scene::BodyKind::kHand;
-    groups_.push_back(m.body_rootid[body] != robot ? kRests : is_hand ? kHand : kArm);
+    // The base of the arm stands on the floor, and touches it.
+    const bool rests = m.body_rootid[body] != robot || m.body_weldid[body] == 0;
+    groups_.push_back(rests ? kRests : is_hand ? kHand : kArm);
   }
 }
 

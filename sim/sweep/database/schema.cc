@@ -1,14 +1,18 @@
 #include "sim/sweep/database/schema.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <map>
+#include <set>
 #include <string>
 #include <string_view>
 
 #include "planner/base/input_files/input_error.h"
+#include "sim/execution/trial/trial_outcome.h"
 
 namespace assay::sweep {
 namespace {
@@ -27,6 +31,9 @@ constexpr std::array kContentRules = {
                 " (VALUES ('format'), ('path'), ('text'), ('version'), ('trials'))"
                 " WHERE column1 NOT IN (SELECT key FROM sweep)",
                 "format, path, text, version and trials in table sweep"},
+    ContentRule{"SELECT 'the sweep has the format ' || value FROM sweep WHERE key = 'format'"
+                " AND value <> 'assay-sweep/1'",
+                "assay-sweep/1"},
     ContentRule{"SELECT 'the sweep has ' || value || ' trials' FROM sweep WHERE key = 'trials'"
                 " AND (CAST(value AS INTEGER) || '' <> value"
                 " OR CAST(value AS INTEGER) NOT BETWEEN 1 AND 1000000000)",
@@ -34,6 +41,9 @@ constexpr std::array kContentRules = {
     ContentRule{"SELECT 'cell ' || cell || ' has the outcome ' || outcome FROM cell"
                 " WHERE outcome NOT IN ('planned', 'untestable', 'none', 'budget')",
                 "planned, untestable, none, budget"},
+    ContentRule{"SELECT 'cell ' || cell || ' has the noise ' || noise FROM cell"
+                " WHERE noise NOT IN ('none', 'uniform', 'vertices', 'low-discrepancy', 'attack')",
+                "none, uniform, vertices, low-discrepancy, attack"},
     ContentRule{"SELECT 'there is a cell ' || cell || ' of ' || trials || ' trials' FROM cell"
                 " WHERE cell < 1 OR trials < 0",
                 "numbers from 1 on"},
@@ -137,6 +147,26 @@ CREATE TABLE planning(cell INTEGER PRIMARY KEY REFERENCES cell, seconds REAL NOT
   throw InputError({.file = database.file().string()}, what, allowed);
 }
 
+// The outcomes of trials, and of falsifications, which are trials too.
+std::set<std::string, std::less<>> TrialOutcomes() {
+  std::set<std::string, std::less<>> names = {"violated", "untried"};
+  for (int i = 0; i <= static_cast<int>(execution::TrialOutcome::kMissed); ++i) {
+    names.emplace(execution::Name(static_cast<execution::TrialOutcome>(i)));
+  }
+  return names;
+}
+
+void RequireOutcomes(const Database& database) {
+  const auto allowed = TrialOutcomes();
+  Statement outcomes = database.Prepare("SELECT outcome, min(trial) FROM trial GROUP BY outcome");
+  while (outcomes.Next()) {
+    if (allowed.contains(outcomes.Text(0))) continue;
+    Refuse(database,
+           fmt::format("trial {} has the outcome {}", outcomes.Integer(1), outcomes.Text(0)),
+           fmt::format("{}", fmt::join(allowed, ", ")));
+  }
+}
+
 // SQLite stores the statements that made the tables, so that they can be compared with kSchema.
 void RequireTables(const Database& database) {
   Statement made = database.Prepare("SELECT count(*) FROM sqlite_schema WHERE sql = ?");
@@ -189,6 +219,7 @@ void RequireContents(const Database& database) {
     Statement wrong = database.Prepare(query);
     if (wrong.Next()) Refuse(database, wrong.Text(0), allowed);
   }
+  RequireOutcomes(database);
 }
 
 }  // namespace

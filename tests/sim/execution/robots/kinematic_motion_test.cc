@@ -91,6 +91,17 @@ TEST_F(AtHome, StopsBeforeItTouches) {
   }
 }
 
+// The base stands on the floor. It is no obstacle to the arm's motion that the two touch.
+TEST_F(AtHome, MovesWhileTheBaseTouchesTheFloor) {
+  const mujoco::GeomId floor = scene_.model().Geom("floor");
+  data_.SetGeomHeight(floor, data_.GeomHeight(floor) + 0.001);
+  data_.Forward();
+  ASSERT_TRUE(motion_.Begin(data_, kNothing, Here()));
+  RobotCommand next = Here();
+  next.arm.q[0] += 0.01;
+  EXPECT_TRUE(motion_.MoveTo(next, 0.01, data_));
+}
+
 TEST_F(AtHome, DoesNotBeginWhileAPartFalls) {
   Pose in_the_air = scene_.TruePose(data_, PartId(0));
   in_the_air.translation().z() += 0.05;

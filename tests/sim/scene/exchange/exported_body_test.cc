@@ -88,8 +88,9 @@ TEST(ExportedBody, UrdfNamesTheMeshesOfRoundPieces) {
     EXPECT_GT(VolumeOfObj(files[i].text), 0);
     volume += VolumeOfObj(files[i].text);
   }
+  const ExportedBody block = BodyOf("round-block");
   double whole = 0;
-  for (const auto& piece : BodyOf("round-block").model->pieces()) whole += geometry::Volume(piece);
+  for (const auto& piece : block.model->pieces()) whole += geometry::Volume(piece);
   EXPECT_LE(volume, whole * (1 + 1e-9));
 }
 
