@@ -94,7 +94,7 @@ TEST_F(StoreTest, WhatCannotBeIsRefusedWhenItIsOpened) {
                      "column value of table sweep has 1 values of another type"},
            Tampering{"UPDATE cell SET clearance = 'wide'", "column clearance of table cell"},
            Tampering{"UPDATE cell SET outcome = 'fine'", "the outcome fine"},
-           Tampering{"UPDATE cell SET noise = '??'", "the noise ??"},
+           Tampering{"UPDATE cell SET noise = 'loud'", "the noise loud"},
            Tampering{"UPDATE trial SET outcome = 'dancing'", "the outcome dancing"},
            Tampering{"UPDATE sweep SET value = 'assay-sweep/9' WHERE key = 'format'",
                      "the format assay-sweep/9"},
