@@ -116,8 +116,19 @@ class Closing {
     const Vector2 pad(pad_x_, pad_z_);
     const bool on_faces = FaceAt(model, hold, 1) != nullptr && FaceAt(model, hold, -1) != nullptr;
     if (!on_faces || LieOnFaces(model, hold, pad)) return;
-    patch_ = BoundsOf(OppositePatch(model, hold, pad - Vector2(off_x_, off_z_)));
+    const geometry::Patches patch = OppositePatch(model, hold, pad - Vector2(off_x_, off_z_));
+    patch_ = BoundsOf(patch);
+    const Vector3 level = Level();
+    for (const geometry::Polygon& polygon : patch) {
+      for (const Vector2& p : polygon) {
+        const double along = level.x() * p.x() + level.z() * p.y();
+        along_level_ = {std::min(along_level_.low, along), std::max(along_level_.high, along)};
+      }
+    }
   }
+
+  // Returns the horizontal direction along the pads, a unit vector if their normal is horizontal.
+  Vector3 Level() const { return up_.cross(Vector3::UnitY()); }
 
   // Notes whether the part is round about the approach vector, which is vertical. Its middle comes
   // midway between the pads at every turn, since its side looks alike from opposite directions. It
@@ -166,35 +177,38 @@ class Closing {
     return is_straight() ? along_x : std::min(along_x, reach(1, {pad_x_ - off_x_, kFar}));
   }
 
+  // A part that stands turns about the vertical. Only what the pads touch along the horizontal
+  // keeps it from turning. In a hand that leans, a narrow upright face lies across the pads at an
+  // angle, and touches them on less of the horizontal than its bounds in the tool's axes.
   double LengthOfPatch() const {
     if (patch_->isEmpty()) return 0;
-    return is_straight() ? patch_->sizes().x() : patch_->sizes().minCoeff();
+    if (is_straight()) return patch_->sizes().x();
+    return std::min(patch_->sizes().minCoeff(), along_level_.high - along_level_.low);
   }
 
   // Returns how far the first pad may turn the part while this pad pushes the part to the second
   // pad. The result is 0 if the centre of mass is surely behind the first pad.
   double TurnOfFirstPad(const UncertainWorld& world, PartId part, const plan::Hold& hold,
                         double turned) const {
-    const Vector3 level = up_.cross(Vector3::UnitY());  // horizontal, along the pads
-    if (up_.y() == 0 && IsBehindPad(world, part, hold, level, turned)) return 0;
+    if (up_.y() == 0 && IsBehindPad(world, part, hold, turned)) return 0;
     const double push = off_y_ + 2 * pad_x_ * std::sin(AtMostRight(turned));
     return AtMostRight(TurnOfPush(world, part, world.X_WorldPart(part), push));
   }
 
   // Returns whether the centre of mass is surely behind what the pad touches.
   bool IsBehindPad(const UncertainWorld& world, PartId part, const plan::Hold& hold,
-                   const Vector3& level, double turned) const {
-    const Vector2 along(std::abs(level.x()), std::abs(level.z()));
+                   double turned) const {
+    const Vector3 level = Level();
     if (!patch_) {
-      const double reach = pad_x_ * along.x() + pad_z_ * along.y();
+      const double reach = pad_x_ * std::abs(level.x()) + pad_z_ * std::abs(level.z());
       return OffsetOfMass(world, part, hold, level, turned).high <= reach;
     }
     if (patch_->isEmpty()) return false;
-    const Vector2 middle = patch_->center();
     plan::Hold in_patch = hold;
-    in_patch.X_PartTool = hold.X_PartTool * geometry::Translation(middle.x(), 0, middle.y());
+    const Vector3 middle = (along_level_.low + along_level_.high) / 2 * level;
+    in_patch.X_PartTool = hold.X_PartTool * geometry::Translation(middle.x(), 0, middle.z());
     return OffsetOfMass(world, part, in_patch, level, turned).high <=
-           along.dot(patch_->sizes()) / 2;
+           (along_level_.high - along_level_.low) / 2;
   }
 
   // Returns the least and the greatest distance, in metres along an axis of the tool, between the
@@ -266,8 +280,11 @@ class Closing {
   double turn_ = 0;
   double way_ = 0;  // the total turn of the part, there and back
   bool jams_ = false;
-  // What both pads surely touch, in the tool's x and z; none if they lie wholly on their faces.
+  // The bounds of what both pads surely touch, in the tool's x and z, and how far it extends along
+  // the horizontal, in metres. There are none if the pads lie wholly on their faces.
   std::optional<Eigen::AlignedBox2d> patch_;
+  Interval along_level_ = {std::numeric_limits<double>::infinity(),
+                           -std::numeric_limits<double>::infinity()};
   double pad_friction_;  // the greatest
   bool is_round_ = false;
   double round_push_ = 0;  // of a round part by the first pad, metres
