@@ -1,11 +1,13 @@
 #include "planner/uncertainty/error_sets/squeezing.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <fstream>
 
 #include "planner/domain/parts/part_file.h"
 #include "planner/domain/parts/part_model.h"
+#include "planner/geometry/pose.h"
 #include "planner/geometry/solids/mass_properties.h"
 #include "tests/planner/uncertainty/part_on_table.h"
 #include "tests/scratch_file.h"
@@ -111,6 +113,55 @@ TEST(ClosePads, SlipperyPadsTurnThePartAboutItsCentreOfMass) {
   const double a = UprightBlock({}).workcell->gripper().pad_half_extents().x();
   EXPECT_GE(SlipOnWall(0.2 * a / center), center * std::sin(0.02));
   EXPECT_LT(SlipOnWall(2 * a / center), 0.5 * center * std::sin(0.02));
+}
+
+// Returns a post with two opposite upright faces of this width, 30 mm apart.
+std::shared_ptr<const domain::PartModel> PostWithFaces(double width_mm) {
+  const std::filesystem::path file = ScratchFile(fmt::format("post-{}.yaml", width_mm));
+  std::ofstream(file) << fmt::format(R"(format: assay-part/1
+name: post
+initial: P
+units: {{length: mm, angle: degree}}
+density: 700
+friction: 0.1
+solids:
+  base: {{box: [[-40, -40, 0], [40, 40, 20]]}}
+  post: {{prism: {{outline: [[-15, -{0}], [0, -25], [15, -{0}], [15, {0}], [0, 25], [-15, {0}]],
+          axis: z, from: 20, to: 90}}}}
+features:
+  1: {{face: post, normal: [0, 0, 1], what: top}}
+stable_poses: {{upright: [0, 0, -1]}}
+)",
+                                     width_mm / 2);
+  return domain::PartFile::Load(file, 0.001);
+}
+
+// Returns how far the post may stay turned between pads of a hand that leans by this angle. The
+// post comes with a turn of 3 degrees. Faces of 4 mm are as wide as 0.13 times their distance, and
+// faces of 20 mm as 0.67 times. Two contacts at opposite ends of narrow faces are within friction
+// cones of 0.25.
+double TurnBetweenPads(double face_mm, double lean) {
+  domain::Problem problem = UprightBlock({.length = 0, .angle = 0.0524, .hand = 0});
+  problem.parts[kBlock.index()].model = PostWithFaces(face_mm);
+  domain::WorkcellRules rules = problem.workcell->rules();
+  rules.pad_friction = 0.25;
+  problem.workcell = problem.workcell->WithRules(rules);
+  UncertainWorld world(problem, Propagation::kSound);
+  plan::Hold hold = HoldFromAbove(problem, Vector3::UnitX());
+  hold.X_PartTool.translation() = Vector3(0, 0, 0.06);
+  hold.X_PartTool = hold.X_PartTool * geometry::RotationY(lean);
+  hold.width = 0.03;
+  const HeldError held = CloseOn(world, hold);
+  return Magnitude(world.TightRangeOf(held.skew)) + Magnitude(world.TightRangeOf(held.tip));
+}
+
+// A part turns about the vertical, however the hand leans. A narrow upright face therefore jams
+// between leaning pads as it does between upright ones.
+TEST(ClosePads, NarrowFacesJamHoweverTheHandLeans) {
+  for (const double lean : {0.0, 0.3, 0.7, -0.7}) {
+    EXPECT_GT(TurnBetweenPads(4, lean), 0.02) << lean;
+    EXPECT_EQ(TurnBetweenPads(20, lean), 0) << lean;
+  }
 }
 
 }  // namespace
