@@ -29,6 +29,17 @@ std::vector<MeasuredMargin> LandingHeight(const MeasuredStep& step) {
                              .direction = -Vector3::UnitZ()}));
 }
 
+// Returns the vertices on which the part is to stand at its place. Others may hover so low over the
+// table that only the plan tells them apart.
+std::vector<Vector3> PlannedSupport(const domain::PartModel& model, const Pose& X_WorldPart) {
+  constexpr double kLayer = 1e-6;  // metres
+  const auto height = [&](const Vector3& vertex) { return (X_WorldPart * vertex).z(); };
+  std::vector<Vector3> vertices = model.corners();
+  const double lowest = height(*std::ranges::min_element(vertices, {}, height));
+  std::erase_if(vertices, [&](const Vector3& v) { return height(v) > lowest + kLayer; });
+  return vertices;
+}
+
 // Every vertex on which the part stands is on the table.
 std::vector<MeasuredMargin> Footprint(const MeasuredStep& step) {
   const StepEvents& events = step.events();
@@ -39,7 +50,7 @@ std::vector<MeasuredMargin> Footprint(const MeasuredStep& step) {
   const geometry::Polygon& top =
       domain::TableUnder(*step.problem().workcell, part, X_WorldPart).top;
   double worst = kInfinity;
-  for (const Vector3& vertex : part.model->corners()) {
+  for (const Vector3& vertex : PlannedSupport(*part.model, step.step().action.place.X_WorldPart)) {
     const Vector3 p = X_WorldPart * vertex;
     if (p.z() > table + kStandsOn) continue;
     for (std::size_t i = 0; i < top.size(); ++i) {
