@@ -19,7 +19,7 @@ struct UnprovedWay {
   // errors. It has none if the errors of a part are too great for any proof.
   plan::Reason why;
   // For kWayClear: the greatest share of the tool's pose errors with which the arm surely stays
-  // clear, to a hundredth, less than 1. None if the errors of a part are too great for any proof.
+  // clear, to a hundredth, less than 1. None if the errors of parts alone prevent a proof.
   std::optional<double> share = {};
 };
 
