@@ -1,8 +1,12 @@
 #pragma once
 
+#include <numbers>
+
 #include "planner/uncertainty/error_sets/uncertain_pose.h"
 
 namespace assay::uncertainty {
+
+inline constexpr double kRightAngle = std::numbers::pi / 2;
 
 // Returns the world's vertical in the tool's axes. Its components say how an error that is a
 // rotation about the vertical is shared among those axes. Components below 1e-12 are rounding and

@@ -14,11 +14,11 @@
 #include "planner/uncertainty/error_sets/possible_masses.h"
 #include "planner/uncertainty/error_sets/turn_of_push.h"
 #include "planner/uncertainty/pads/contact_patch.h"
+#include "planner/uncertainty/pads/grip.h"
+#include "planner/uncertainty/pads/roll_of_part.h"
 
 namespace assay::uncertainty {
 namespace {
-
-constexpr double kRightAngle = std::numbers::pi / 2;
 
 HeldError AsPublished(const UncertainWorld& world, PartId part, const plan::Hold& hold) {
   Pose R_WorldTool = world.X_WorldPart(part) * hold.X_PartTool;
@@ -37,16 +37,6 @@ SymbolicVector GraspedPoint(const UncertainWorld& world, PartId part, const plan
   return algebra::Simplify(X_TrueHandPart * AsTransform(hold.X_PartTool).translation);
 }
 
-// The greatest friction covers every case: smoother pads let the part slip until it lies flat, and
-// a flat part is one of the results that jammed pads may leave.
-double GreatestPadFriction(const domain::Problem& problem) {
-  return problem.workcell->rules().pad_friction + problem.tolerances.pad_friction;
-}
-
-double LeastPadFriction(const domain::Problem& problem) {
-  return problem.workcell->rules().pad_friction - problem.tolerances.pad_friction;
-}
-
 // The greatest effect that closing the pads may have on the part. Angles are in radians and lengths
 // in metres, about and along the tool's axes; all of them are magnitudes.
 class Closing {
@@ -60,18 +50,23 @@ class Closing {
         off_x_(Magnitude(world.RangeOf(grasped[0]))),
         off_y_(Magnitude(world.RangeOf(grasped[1]))),
         off_z_(Magnitude(world.RangeOf(grasped[2]))),
-        pad_friction_(GreatestPadFriction(world.problem())) {
+        pad_friction_(PossiblePadFriction(world.problem())) {
     NotePatch(world, part, hold);
     const double theta = Magnitude(world.RangeOf(world.resting(part).theta));
     pushed_turn_ = TurnOfFirstPad(world, part, hold, theta + hand_);
     turn_ = AtMostRight(theta + pushed_turn_ + hand_);
-    jams_ = !(turn_ + std::atan(pad_friction_) < std::atan(ContactLength() / hold.width));
+    // The greatest friction covers every case: smoother pads let the part slip until it lies flat,
+    // and a flat part is one of the results that jammed pads may leave.
+    jams_ = !(turn_ + std::atan(pad_friction_.high) < std::atan(ContactLength() / hold.width));
     if (jams_ && is_straight()) NoteRoundSide(world, part, hold);
     // Pads that press beside each other on a part that is turned too far turn it away from its
     // faces, until it lies on others.
     if (jams_ && !(turn_ < SteepestTurn(world, part, hold))) turn_ = kRightAngle;
     lever_ = LeverOfTurn(world, part, hold, turn_);
     way_ = turn_ + pushed_turn_;
+    // An error of a straight hand is a turn about the vertical, which does not tilt the pads.
+    roll_ = RollOfPart(world, part, hold,
+                       {turn_, is_straight() ? 0 : hand_, std::hypot(off_x_, off_z_)});
   }
 
   bool jams() const { return jams_; }
@@ -79,25 +74,27 @@ class Closing {
   double turn() const { return turn_; }  // between faces and pads, when they touch
   double pushed_turn() const { return pushed_turn_; }
 
-  // Returns how much of the part's total turn is about an axis, in radians. In a tool that leans,
-  // flat faces follow the hand's own rotation out of the vertical. Rotations about two axes
-  // together turn the part about the third axis by up to their product.
+  // Returns how much of the part's total turn is about an axis, in radians. The part may roll about
+  // the closing direction. In a tool that leans, flat faces follow the hand's own rotation out of
+  // the vertical. Rotations about two axes together turn the part about the third axis by up to
+  // their product.
   double TurnAbout(int axis) const {
-    if (is_straight()) return axis == 2 ? way_ : 0;
+    const double roll = axis == 1 ? roll_.angle : 0;
+    if (is_straight()) return axis == 2 ? way_ : roll;
     const double products = up_.y() == 0 && !jams_ ? 0 : way_ * way_;
     const double hand = axis == 1 ? way_ + hand_ : 1 + way_;
-    return std::min(TwistOf(AtMostRight(way_), up_[axis]) + products + hand_ * hand,
+    return std::min(TwistOf(AtMostRight(way_), up_[axis]) + products + hand_ * hand + roll,
                     std::numbers::pi);
   }
 
   double SlipX() const {
     if (is_round()) return RoundSlip();
-    if (is_straight()) return StraightSlip();
+    if (is_straight()) return StraightSlip() + roll_.way;
     const Vector3 way = WaysOfGraspedPoint();
     return way.x() + turn_ * (way.y() + way.z());
   }
   double SlipZ() const {
-    if (is_straight()) return 0;
+    if (is_straight()) return roll_.way;
     const Vector3 way = WaysOfGraspedPoint();
     return way.z() + turn_ * (way.x() + way.y());
   }
@@ -137,7 +134,7 @@ class Closing {
     const domain::PartModel& model = *world.problem().part(part).model;
     const auto half_step = RoundAboutApproach(model, hold, {pad_x_, pad_z_}, pad_z_ + off_z_);
     if (!half_step || !patch_ || patch_->isEmpty()) return;
-    is_round_ = std::tan(*half_step) < LeastPadFriction(world.problem());
+    is_round_ = std::tan(*half_step) < pad_friction_.low;
     jams_ = !is_round_;
     round_push_ = off_y_ + hold.width / 2 * (1 / std::cos(*half_step) - 1);
     // The first pad touches at a corner, and may turn the part until the next face lies flat on it.
@@ -238,10 +235,9 @@ class Closing {
   // pads, 2 mu times this force, is more than R if d > a / mu.
   double LeverOfTurn(const UncertainWorld& world, PartId part, const plan::Hold& hold,
                      double turned) const {
-    const double friction = LeastPadFriction(world.problem());
     const double contact = is_straight() ? pad_x_ : std::max(pad_x_, pad_z_);
     const Interval mass = OffsetOfMass(world, part, hold, Vector3::UnitY(), turned);
-    if (friction * mass.low > contact) return hold.width / 2;
+    if (pad_friction_.low * mass.low > contact) return hold.width / 2;
     return std::max(hold.width / 2, mass.high);
   }
 
@@ -257,15 +253,16 @@ class Closing {
   // force within its friction cone, and the part slides in the direction of the force: along the
   // pad by the friction times the push. Twice as much is allowed for, since the support's friction
   // is not even.
-  double RoundSlip() const { return 2 * pad_friction_ * round_push_; }
+  double RoundSlip() const { return 2 * pad_friction_.high * round_push_; }
 
   // Returns how far the grasped point moves, in the part's own axes, when the part turns about
   // points on its faces that the pads reach.
   Vector3 WaysOfGraspedPoint() const {
     const Vector3 about(TurnAbout(0), TurnAbout(1), TurnAbout(2));
     const Vector3 arm(2 * pad_x_, lever_, 2 * pad_z_);
-    return {about.z() * arm.y() + about.y() * arm.z(), about.z() * arm.x() + about.x() * arm.z(),
-            about.x() * arm.y() + about.y() * arm.x()};
+    return {about.z() * arm.y() + about.y() * arm.z() + roll_.way,
+            about.z() * arm.x() + about.x() * arm.z(),
+            about.x() * arm.y() + about.y() * arm.x() + roll_.way};
   }
 
   Vector3 up_;  // the vertical, in the tool's axes
@@ -279,13 +276,14 @@ class Closing {
   double lever_ = 0;        // of the turn, from the middle of the pads
   double turn_ = 0;
   double way_ = 0;  // the total turn of the part, there and back
+  Roll roll_;
   bool jams_ = false;
   // The bounds of what both pads surely touch, in the tool's x and z, and how far it extends along
   // the horizontal, in metres. There are none if the pads lie wholly on their faces.
   std::optional<Eigen::AlignedBox2d> patch_;
   Interval along_level_ = {std::numeric_limits<double>::infinity(),
                            -std::numeric_limits<double>::infinity()};
-  double pad_friction_;  // the greatest
+  Interval pad_friction_;
   bool is_round_ = false;
   double round_push_ = 0;  // of a round part by the first pad, metres
 };

@@ -29,6 +29,7 @@ namespace assay::uncertainty {
 //     along the pads by no more than it moves about the farthest point of this kind.
 //   - Until the second pad touches, the first one pushes the part. It may turn the part further
 //     where the centre of mass is not behind the pad (TurnOfPush).
+//   - A part that is turned may roll about the closing direction (RollOfPart).
 //   - In a tool that leans, each of the tool's axes takes a share of the rotation about the
 //     vertical.
 HeldError ClosePads(UncertainWorld& world, PartId part, const plan::Hold& hold,

@@ -20,14 +20,6 @@ constexpr double kTurn = 0.55;
 // The mean distance from the centre of a convex region, divided by its radius of gyration.
 constexpr double kMeanOfGyration = 0.85;
 
-geometry::Polygon SupportOf(const std::vector<Standing>& standings) {
-  std::vector<Vector2> corners;
-  for (const Standing& standing : standings) {
-    for (const Vector3& p : standing.at) corners.emplace_back(p.head<2>());
-  }
-  return geometry::Hull2(corners);
-}
-
 // Returns the regions in which the part touches what it stands on: the patches of the face that
 // looks down. A part without such a face stands on edges and corners.
 std::vector<geometry::Polygon> RegionsOf(const domain::PartModel& model, const Pose& X_WorldPart) {

@@ -33,6 +33,10 @@ Patches InTool(const domain::Face& face, const plan::Hold& hold) {
   return seen;
 }
 
+Polygon RectangleOf(const Vector2& half) {
+  return {-half, Vector2(half.x(), -half.y()), half, Vector2(-half.x(), half.y())};
+}
+
 }  // namespace
 
 const domain::Face* FaceAt(const domain::PartModel& model, const plan::Hold& hold, double side) {
@@ -66,14 +70,20 @@ bool LieOnFaces(const domain::PartModel& model, const plan::Hold& hold, const Ve
   });
 }
 
+Patches TouchedPatch(const domain::PartModel& model, const plan::Hold& hold, double side,
+                     const Vector2& within) {
+  const domain::Face* face = FaceAt(model, hold, side);
+  if (face == nullptr) return {};
+  return geometry::Common(InTool(*face, hold), {RectangleOf(within)});
+}
+
 Patches OppositePatch(const domain::PartModel& model, const plan::Hold& hold,
                       const Vector2& within) {
   const domain::Face* left = FaceAt(model, hold, 1);
   const domain::Face* right = FaceAt(model, hold, -1);
   if (left == nullptr || right == nullptr || !(within.minCoeff() > 0)) return {};
-  const Polygon rectangle = {-within, Vector2(within.x(), -within.y()), within,
-                             Vector2(-within.x(), within.y())};
-  return geometry::Common(geometry::Common(InTool(*left, hold), InTool(*right, hold)), {rectangle});
+  return geometry::Common(geometry::Common(InTool(*left, hold), InTool(*right, hold)),
+                          {RectangleOf(within)});
 }
 
 Eigen::AlignedBox2d BoundsOf(const Patches& patches) {

@@ -22,6 +22,11 @@ geometry::Polygon OnFaceOf(const domain::Face& face, const plan::Hold& hold, dou
 // Returns whether both pads lie wholly on faces. `pad` is half their extents.
 bool LieOnFaces(const domain::PartModel& model, const plan::Hold& hold, const Vector2& pad);
 
+// Returns what a pad touches of the face that it lies on, in the tool's x and z, inside a rectangle
+// with half the extents `within` about the middle of the pads.
+geometry::Patches TouchedPatch(const domain::PartModel& model, const plan::Hold& hold, double side,
+                               const Vector2& within);
+
 // Returns what both pads touch, opposite each other, of the two faces between them, in the tool's x
 // and z. It is inside a rectangle with half the extents `within` about the middle of the pads. A
 // part that is displaced along the pads by no more than these lack to the pads' extents surely

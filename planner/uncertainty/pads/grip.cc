@@ -43,6 +43,11 @@ void NoteRoundSide(const domain::PartModel& model, const plan::Hold& hold, const
 
 }  // namespace
 
+Interval PossiblePadFriction(const domain::Problem& problem) {
+  const double friction = problem.workcell->rules().pad_friction;
+  return {friction - problem.tolerances.pad_friction, friction + problem.tolerances.pad_friction};
+}
+
 Grip GripOf(const domain::Problem& problem, PartId part, const plan::Hold& hold,
             const OffInHand& off) {
   const domain::PartModel& model = *problem.part(part).model;
@@ -51,7 +56,7 @@ Grip GripOf(const domain::Problem& problem, PartId part, const plan::Hold& hold,
   const TouchingCells right = TouchingCellsOf(model, hold, -1, pad, off);
   if (left.middles.empty() || right.middles.empty()) return {};
   const bool alike = left.middles == right.middles;
-  const double friction = problem.workcell->rules().pad_friction - problem.tolerances.pad_friction;
+  const double friction = PossiblePadFriction(problem).low;
   std::vector<PadCell> cells;
   Eigen::AlignedBox2d bounds;
   for (const TouchingCells* side : {&left, &right}) {

@@ -36,6 +36,9 @@ struct Grip {
 Grip GripOf(const domain::Problem& problem, PartId part, const plan::Hold& hold,
             const OffInHand& off);
 
+// Returns the friction between the pads and a part, within its tolerance.
+Interval PossiblePadFriction(const domain::Problem& problem);
+
 // Returns the force in the plane of the pads (newtons), and the torsion that it causes by acting at
 // `lever` (metres) from the center of friction.
 PlaneLoad ActingAt(const Vector2& lever, const Vector2& force);

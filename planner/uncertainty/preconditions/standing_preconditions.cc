@@ -141,9 +141,9 @@ class StandingConditions {
   }
 
   double GreatestPress() const {
-    const domain::WorkcellRules& rules = world_.problem().workcell->rules();
-    const double friction = rules.pad_friction + world_.problem().tolerances.pad_friction;
-    return std::min(plan::kGreatestPush, 2 * friction * rules.grip_force);
+    const domain::Problem& problem = world_.problem();
+    return std::min(plan::kGreatestPush,
+                    2 * PossiblePadFriction(problem).high * problem.workcell->rules().grip_force);
   }
 
   // Returns the ratio of the force that stops a guarded move to what the pads bear. The force

@@ -98,12 +98,16 @@ std::vector<Standing> StandingsOf(const UncertainWorld& world, PartId part,
   return standings;
 }
 
-std::vector<TippingEdge> TippingEdgesOf(const std::vector<Standing>& standings) {
+Polygon SupportOf(const std::vector<Standing>& standings) {
   std::vector<Vector2> points;
   for (const Standing& standing : standings) {
-    for (const Vector3& p : standing.at) points.push_back(p.head<2>());
+    for (const Vector3& p : standing.at) points.emplace_back(p.head<2>());
   }
-  const Polygon region = geometry::Hull2(points);
+  return geometry::Hull2(points);
+}
+
+std::vector<TippingEdge> TippingEdgesOf(const std::vector<Standing>& standings) {
+  const Polygon region = SupportOf(standings);
   if (region.size() < 3) return {};
   std::vector<TippingEdge> edges;
   for (std::size_t i = 0; i < region.size(); ++i) {

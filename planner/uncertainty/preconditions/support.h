@@ -20,6 +20,9 @@ struct Standing {
 std::vector<Standing> StandingsOf(const UncertainWorld& world, PartId part,
                                   const Pose& X_WorldPart);
 
+// Returns the support of a part, in world x and y: the convex hull of its contacts.
+geometry::Polygon SupportOf(const std::vector<Standing>& standings);
+
 // An edge of a part's support, about which it could tip: outward . p == offset, in world x and y.
 struct TippingEdge {
   Vector2 outward;  // unit

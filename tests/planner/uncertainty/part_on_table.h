@@ -30,11 +30,13 @@ inline domain::Problem UprightBlock(const Errors& errors) {
   return problem;
 }
 
-// Returns a hold from straight above the centre of mass. The pads close along `closing`, a
-// direction of the part.
+// Returns a hold from straight above the centre of mass, midway between two faces. The pads close
+// along `closing`, a direction of the part.
 inline plan::Hold HoldFromAbove(const domain::Problem& problem, const Vector3& closing) {
   const Vector3 down = -Vector3::UnitZ();
-  const Vector3 above = problem.part(kBlock).model->mass().center + Vector3(0, 0, 0.05);
+  Vector3 above = problem.part(kBlock).model->mass().center + Vector3(0, 0, 0.05);
+  const Vector3 middle(1.5 * kInch, 0, 0);  // of the block's lower end
+  above += closing * closing.dot(middle - above);
   return {"from above", geometry::PoseFromColumns(closing.cross(down), closing, down, above),
           3 * kInch};
 }

@@ -1,0 +1,270 @@
+#include "planner/uncertainty/pads/roll_of_part.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <vector>
+
+#include "planner/domain/parts/part_model.h"
+#include "planner/geometry/polygon.h"
+#include "planner/geometry/solids/mass_properties.h"
+#include "planner/uncertainty/error_sets/axis_angle.h"
+#include "planner/uncertainty/error_sets/possible_masses.h"
+#include "planner/uncertainty/pads/contact_patch.h"
+#include "planner/uncertainty/pads/grip.h"
+#include "planner/uncertainty/preconditions/support.h"
+
+namespace assay::uncertainty {
+namespace {
+
+using geometry::Polygon;
+
+constexpr double kWithoutEnd = std::numeric_limits<double>::infinity();
+constexpr double kSameEnd = 1e-9;  // metres
+constexpr double kUpright = 1e-9;  // sine of the angle between two directions
+constexpr double kRounding = 1 + 1e-9;
+
+// What a pad touches of a part whose faces lie flat on the pads. x is horizontal along the pads, y
+// points up as far as the pads do.
+class TouchedRegion {
+ public:
+  TouchedRegion(const geometry::Patches& in_tool, const Vector3& up) {
+    const Vector3 level = up.cross(Vector3::UnitY());
+    std::vector<Vector2> corners;
+    for (const Polygon& patch : in_tool) {
+      for (const Vector2& p : patch) {
+        const Vector3 at(p.x(), 0, p.y());
+        corners.emplace_back(level.dot(at), up.dot(at));
+      }
+    }
+    corners_ = geometry::Hull2(corners);
+  }
+
+  bool IsEmpty() const { return corners_.size() < 3; }
+
+  // Returns how far this region reaches along x (side 1) or against it (side -1), in metres.
+  double Reach(double side) const {
+    double reach = -kWithoutEnd;
+    for (const Vector2& p : corners_) reach = std::max(reach, side * p.x());
+    return reach;
+  }
+
+  // Returns the heights at which this region ends along x (side 1) or against it (side -1).
+  Interval HeightsOfEnd(double side) const {
+    const double end = Reach(side);
+    Interval heights = {kWithoutEnd, -kWithoutEnd};
+    for (const Vector2& p : corners_) {
+      if (side * p.x() < end - kSameEnd) continue;
+      heights = {std::min(heights.low, p.y()), std::max(heights.high, p.y())};
+    }
+    return heights;
+  }
+
+  // Returns the tangent of the angle between x and the normal of the edge that follows this end
+  // upwards (1) or downwards (-1).
+  double SlopeAfterEnd(double side, double upwards) const {
+    double slope = kWithoutEnd;
+    for (std::size_t i = 0; i < corners_.size(); ++i) {
+      const Vector2 along = (corners_[(i + 1) % corners_.size()] - corners_[i]).normalized();
+      const Vector2 normal(side * along.y(), -upwards * along.x());
+      if (normal.x() > 0 && normal.y() > kUpright) slope = std::min(slope, normal.y() / normal.x());
+    }
+    return slope;
+  }
+
+ private:
+  Polygon corners_;
+};
+
+// Two pads on a part that is turned: the first one touches its region at the end along x, the
+// second one at the other end. Errors move each end by up to `off`, in metres.
+struct TurningPads {
+  const TouchedRegion& first;
+  const TouchedRegion& second;
+  double off = 0;
+
+  // Returns the tilt of the part about x, for each radian of its turn, after which pads touch it
+  // along edges. Pads that may press at equal heights do not tilt the part.
+  double TiltPerTurn() const {
+    const Interval ahead = first.HeightsOfEnd(1);
+    const Interval behind = second.HeightsOfEnd(-1);
+    double tilt = 0;
+    if (ahead.low + off >= behind.high - off) {
+      tilt = std::max({tilt, first.SlopeAfterEnd(1, -1), second.SlopeAfterEnd(-1, 1)});
+    }
+    if (behind.low + off >= ahead.high - off) {
+      tilt = std::max({tilt, first.SlopeAfterEnd(1, 1), second.SlopeAfterEnd(-1, -1)});
+    }
+    return tilt;
+  }
+
+  // Returns the greatest couple of the pads' forces about x, for each newton metre that they need
+  // to turn the part. `friction_angle` is the greatest angle at which the part slides on them.
+  double CouplePerMoment(double width, double friction_angle) const {
+    const Interval ahead = first.HeightsOfEnd(1);
+    const Interval behind = second.HeightsOfEnd(-1);
+    const double heights = std::max(ahead.high - behind.low, behind.high - ahead.low) + 2 * off;
+    const double lever =
+        first.Reach(1) + second.Reach(-1) - 2 * off - width * std::tan(friction_angle);
+    return friction_angle < kRightAngle && lever > 0 ? heights / lever : kWithoutEnd;
+  }
+};
+
+// The support of a part, seen from its centre of mass: x is horizontal along the pads, y is the
+// closing direction.
+class SupportBetweenPads {
+ public:
+  SupportBetweenPads(const Polygon& support, const Vector2& center, const Vector2& closing) {
+    const Vector2 along(closing.y(), -closing.x());
+    for (const Vector2& p : support) {
+      corners_.emplace_back(along.dot(p - center), closing.dot(p - center));
+    }
+  }
+
+  // Returns the roll for each radian of the tilt: the greatest tangent of the angle between x and
+  // an edge at which the pressure may arrive. The pressure moves by up to `way` metres along y, at
+  // an angle of up to `friction_angle` against y. `turned` is the greatest angle between this frame
+  // and the true directions, in radians.
+  double RollPerTilt(double friction_angle, double way, double turned) const {
+    double steepest = 0;
+    for (std::size_t i = 0; i < corners_.size(); ++i) {
+      const Vector2& a = corners_[i];
+      const Vector2& b = corners_[(i + 1) % corners_.size()];
+      if (!MayArrive(a, b, friction_angle + turned, way)) continue;
+      const double angle = std::atan2(std::abs(b.y() - a.y()), std::abs(b.x() - a.x())) + turned;
+      steepest = std::max(steepest, angle < kRightAngle ? std::tan(angle) : kWithoutEnd);
+    }
+    return steepest;
+  }
+
+ private:
+  // Returns whether the double cone about y with this half angle meets the edge within `way` of its
+  // tip. The distance from the cone is linear between the points where the edge crosses an axis or
+  // an end of the cone.
+  static bool MayArrive(const Vector2& a, const Vector2& b, double angle, double way) {
+    if (!(angle < kRightAngle)) return true;
+    std::vector<Vector2> points = {a, b};
+    const auto add_crossing = [&](double from, double to, double at) {
+      const double share = (at - from) / (to - from);
+      if (share > 0 && share < 1) points.push_back(a + share * (b - a));
+    };
+    add_crossing(a.x(), b.x(), 0);
+    for (const double at : {0.0, way, -way}) add_crossing(a.y(), b.y(), at);
+    return std::ranges::any_of(points, [&](const Vector2& p) {
+      return std::abs(p.y()) <= way * kRounding &&
+             std::abs(p.x()) <= std::tan(angle) * std::abs(p.y()) * kRounding;
+    });
+  }
+
+  Polygon corners_;
+};
+
+// The pads and the support of a part that is turned until its faces lie flat on the pads.
+class TurnBetweenPads {
+ public:
+  TurnBetweenPads(const UncertainWorld& world, PartId part, const plan::Hold& hold,
+                  const TurnedPart& turned)
+      : problem_(world.problem()),
+        part_(part),
+        width_(hold.width),
+        turned_(turned),
+        X_WorldPart_(world.X_WorldPart(part)),
+        X_WorldTool_(X_WorldPart_ * hold.X_PartTool),
+        up_(VerticalInTool(X_WorldTool_)),
+        standings_(StandingsOf(world, part, X_WorldPart_)),
+        friction_(PossiblePadFriction(problem_)),
+        left_(TouchedPatch(Model(), hold, 1, Pad()), up_),
+        right_(TouchedPatch(Model(), hold, -1, Pad()), up_) {}
+
+  // Returns the greatest roll, in radians: while the part turns, and when its faces are flat except
+  // for the lean of the hand.
+  double AngleOfRoll() const {
+    if (left_.IsEmpty() || right_.IsEmpty() || up_.y() != 0) return ByWork(turned_.turn);
+    const double tilt = turned_.hand_turn + turned_.turn * TiltPerTurn();
+    return RollWith(WayOfPressure(), tilt, turned_.turn) +
+           RollWith(kWithoutEnd, turned_.hand_turn, turned_.hand_turn);
+  }
+
+  // Returns the greatest distance of a contact from the axis through the middle of the pads.
+  double ArmOfRoll() const { return FarthestFrom(X_WorldTool_.linear().col(1)); }
+
+ private:
+  const domain::PartModel& Model() const { return *problem_.part(part_).model; }
+  const Vector2& Pad() const { return problem_.workcell->gripper().pad_half_extents(); }
+
+  double ByWork(double turn) const { return turn == 0 ? 0 : turn / friction_.low; }
+
+  // Returns the greatest roll while the pads turn the part by up to `turn` and tilt it by up to
+  // `tilt` radians. They move the pressure of the support by up to `way` metres.
+  double RollWith(double way, double tilt, double turn) const {
+    const double per_tilt = RollPerTilt(way);
+    if (per_tilt == 0) return 0;
+    return per_tilt < kWithoutEnd ? std::min(per_tilt * tilt, ByWork(turn)) : ByWork(turn);
+  }
+
+  double TiltPerTurn() const {
+    return std::max(TurningPads{left_, right_, turned_.off}.TiltPerTurn(),
+                    TurningPads{right_, left_, turned_.off}.TiltPerTurn());
+  }
+
+  // Returns how far the pads move the pressure of the support along the closing direction, in
+  // metres. The friction of the support resists the turn. The pads press until they overcome it and
+  // their own friction, and no harder.
+  double WayOfPressure() const {
+    const double angle = std::atan(friction_.high) + turned_.turn;
+    const double couple =
+        std::max(TurningPads{left_, right_, turned_.off}.CouplePerMoment(width_, angle),
+                 TurningPads{right_, left_, turned_.off}.CouplePerMoment(width_, angle));
+    const double friction = Model().friction() + problem_.tolerances.friction;
+    return couple * friction * (FarthestFrom(Vector3::UnitZ()) + Pad().norm() + turned_.off);
+  }
+
+  double RollPerTilt(double way) const {
+    const Polygon support = SupportOf(standings_);
+    if (support.size() < 3) return kWithoutEnd;
+    double roll = 0;
+    for (const geometry::MassProperties& mass : PossibleMasses(problem_, part_)) {
+      const SupportBetweenPads between(support, (X_WorldPart_ * mass.center).head<2>(),
+                                       X_WorldTool_.linear().col(1).head<2>());
+      roll = std::max(roll, between.RollPerTilt(std::atan(friction_.high), way, turned_.turn));
+    }
+    return roll;
+  }
+
+  // Returns the greatest distance of a contact from the line through the middle of the pads along a
+  // unit vector.
+  double FarthestFrom(const Vector3& along) const {
+    double farthest = 0;
+    for (const Standing& standing : standings_) {
+      for (const Vector3& p : standing.at) {
+        farthest = std::max(farthest, (p - X_WorldTool_.translation()).cross(along).norm());
+      }
+    }
+    return farthest;
+  }
+
+  const domain::Problem& problem_;
+  PartId part_;
+  double width_;
+  TurnedPart turned_;
+  Pose X_WorldPart_;
+  Pose X_WorldTool_;
+  Vector3 up_;  // the vertical, in the tool's axes
+  std::vector<Standing> standings_;
+  Interval friction_;  // of the pads
+  TouchedRegion left_;
+  TouchedRegion right_;
+};
+
+}  // namespace
+
+Roll RollOfPart(const UncertainWorld& world, PartId part, const plan::Hold& hold,
+                const TurnedPart& turned) {
+  if (turned.turn == 0) return {};
+  const TurnBetweenPads turning(world, part, hold, turned);
+  const double angle = std::min(turning.AngleOfRoll(), std::numbers::pi);
+  return {angle, angle * (turning.ArmOfRoll() + turned.off)};
+}
+
+}  // namespace assay::uncertainty

@@ -1,0 +1,103 @@
+#include "planner/uncertainty/pads/roll_of_part.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <memory>
+#include <numbers>
+
+#include "planner/domain/parts/part_file.h"
+#include "planner/domain/parts/part_model.h"
+#include "planner/geometry/pose.h"
+#include "tests/planner/uncertainty/part_on_table.h"
+#include "tests/scratch_file.h"
+
+namespace assay::uncertainty::roll_of_part_test {
+namespace {
+
+constexpr TurnedPart kTurned = {.turn = 0.01, .hand_turn = 0, .off = 0};  // radians, metres
+constexpr double kHalfLength = 0.04;                                      // of the bar, metres
+
+struct Bar {
+  double half_width = 0.01;  // metres, of the ends of the face on which it lies
+  double bulge = 0;          // metres by which it is wider in the middle, on each side
+  double table_friction = 0.3;
+};
+
+std::shared_ptr<const domain::PartModel> ModelOf(const Bar& bar) {
+  const double widest = bar.half_width + std::max(bar.bulge, 1e-4);
+  const std::filesystem::path file =
+      ScratchFile(fmt::format("bar-{}-{}-{}.yaml", bar.half_width, bar.bulge, bar.table_friction));
+  std::ofstream(file) << fmt::format(R"(format: assay-part/1
+name: bar
+initial: B
+units: {{length: m, angle: degree}}
+density: 700
+friction: {3}
+solids:
+  bar: {{prism: {{outline: [[{0}, -{1}], [{0}, {1}], [0, {2}], [-{0}, {1}], [-{0}, -{1}], [0, -{2}]],
+         axis: z, from: 0, to: 0.03}}}}
+features:
+  1: {{face: bar, normal: [0, 0, 1], what: top}}
+stable_poses: {{flat: [0, 0, -1]}}
+)",
+                                     kHalfLength, bar.half_width, widest, bar.table_friction);
+  return domain::PartFile::Load(file, 0.001);
+}
+
+// Returns the roll of the bar, which lies flat. The pads close on its ends at half its height, in a
+// hand that leans by `lean` radians. The pads are squares of 16 mm.
+Roll RollOf(const Bar& bar, double pad_friction, double lean, const TurnedPart& turned = kTurned) {
+  domain::Problem problem = UprightBlock({});
+  problem.parts[kBlock.index()].model = ModelOf(bar);
+  domain::WorkcellRules rules = problem.workcell->rules();
+  rules.pad_friction = pad_friction;
+  problem.workcell = problem.workcell->WithRules(rules);
+  const UncertainWorld world(problem, Propagation::kSound);
+  plan::Hold hold = HoldFromAbove(problem, Vector3::UnitX());
+  hold.X_PartTool.translation() = Vector3(0, 0, 0.015);
+  hold.X_PartTool = hold.X_PartTool * geometry::RotationY(lean);
+  hold.width = 2 * kHalfLength;
+  return RollOfPart(world, kBlock, hold, turned);
+}
+
+// The centre of mass is 10 mm from the long edges of the support and 40 mm from its ends. Pads with
+// a friction of more than 10 / 40 move the pressure to a long edge before it comes to an end. Pads
+// with less friction lift the bar at an end.
+TEST(RollOfPart, ABarRollsIfThePadsFrictionLeadsToItsLongEdges) {
+  EXPECT_LT(RollOf({}, 0.22, 0.5).angle, 0.1 * kTurned.turn);
+  EXPECT_NEAR(RollOf({}, 0.28, 0.5).angle, kTurned.turn / 0.28, 1e-12);
+  EXPECT_NEAR(RollOf({.half_width = 0.013}, 0.30, 0.5).angle, kTurned.turn * kTurned.turn, 1e-4);
+}
+
+// The grasped point is 15 mm above the support, and 10 mm beside its long edges.
+TEST(RollOfPart, TheGraspedPointMovesAboutTheFarthestEdge) {
+  const Roll roll = RollOf({}, 0.28, 0.5);
+  EXPECT_NEAR(roll.way, roll.angle * std::hypot(0.015, 0.01), 0.01 * roll.way);
+}
+
+// A part that slides without friction turns as soon as the pads touch it. They do not press before
+// its faces are flat. Pads that may jam press as hard as they can.
+TEST(RollOfPart, ThePadsPressNoHarderThanTheSupportsFrictionRequires) {
+  EXPECT_GT(RollOf({.half_width = 0.003}, 0.12, 0.5).angle, kTurned.turn);
+  EXPECT_GT(RollOf({.half_width = 0.008}, 0.21, 0.5).angle, kTurned.turn);
+}
+
+// Pads whose edges are upright touch the part along lines. The part tilts only as far as an error
+// of the hand tilts the pads: while the part turns, and when its faces lie flat. The pressure
+// arrives at edges that run 40 mm along the closing direction and 80 mm across it.
+TEST(RollOfPart, ObliqueEndsTurnAShareOfTheHandsTiltIntoRoll) {
+  const TurnedPart tilted = {.turn = 0.001, .hand_turn = 0.0005, .off = 0};
+  const Bar bar = {.half_width = 0.002, .bulge = 0.08};
+  const double upright = std::numbers::pi / 2;
+  EXPECT_NEAR(RollOf(bar, 0.1, upright, tilted).angle, 2 * 0.0005 * 40 / 80, 2e-6);
+  EXPECT_EQ(RollOf(bar, 0.1, upright, {.turn = 0.001}).angle, 0);
+}
+
+TEST(RollOfPart, APartThatIsNotTurnedDoesNotRoll) { EXPECT_EQ(RollOf({}, 0.28, 0.5, {}).angle, 0); }
+
+}  // namespace
+}  // namespace assay::uncertainty::roll_of_part_test
