@@ -66,7 +66,12 @@ void Search(benchmark::State& state, double multiple) {
 constexpr int kNodes = 20;  // nodes of one search; there is a second search, for twice the errors
 
 StrategyOptions FixedNodes() {
-  return {.rounds = 1, .tries = 0, .nodes = kNodes, .thorough_nodes = 0, .seed = 3};
+  return {.rounds = 1,
+          .diverse_rounds = 0,
+          .tries = 0,
+          .nodes = kNodes,
+          .thorough_nodes = 0,
+          .seed = 3};
 }
 
 void SearchNodes(const Passage& passage, const FineMotionErrors& errors,

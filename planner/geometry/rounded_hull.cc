@@ -57,14 +57,36 @@ bool IsSeenApart(const RoundedHull& a, const RoundedHull& b, const Pose& X_AB, d
          is_enough(-(X_AB.linear() * NormalTowards(a_center_B, b.core())));
 }
 
-// Returns the normal of the facet along which the empty slab is widest. GJK may stop short where
-// facets are nearly parallel, or say that hulls overlap where they do not.
-Vector3 WidestFacetSlab(const RoundedHull& a, const RoundedHull& b, const Pose& X_AB) {
-  std::vector<Vector3> normals;
-  for (const Facet& facet : a.core().facets) normals.push_back(facet.normal);
-  for (const Facet& facet : b.core().facets) normals.push_back(-(X_AB.linear() * facet.normal));
-  return *std::ranges::max_element(
-      normals, {}, [&](const Vector3& normal) { return SlabWidth(normal, a, b, X_AB); });
+const Vector3& FarthestAlong(const Vector3& direction, const ConvexHull& hull) {
+  return *std::ranges::max_element(hull.vertices, {},
+                                   [&](const Vector3& vertex) { return direction.dot(vertex); });
+}
+
+// Returns the direction of the widest empty slab among those normal to a facet and that of the
+// nearest points, whose difference is zero if GJK says that the hulls overlap. GJK may stop short
+// where facets are nearly parallel, or say that hulls overlap where they do not. A slab normal to a
+// facet is no wider than the distance of any point of the other hull from the facet's plane.
+Vector3 WidestSlab(const RoundedHull& a, const RoundedHull& b, const Pose& X_AB,
+                   const Vector3& difference) {
+  const Pose X_BA = X_AB.inverse();
+  const bool is_apart = !difference.isZero(0);
+  Vector3 widest = is_apart ? difference.normalized() : a.core().facets.front().normal;
+  double width = SlabWidth(widest, a, b, X_AB);
+  const auto note = [&](const Vector3& direction) {
+    const double found = SlabWidth(direction, a, b, X_AB);
+    if (found <= width) return;
+    width = found;
+    widest = direction;
+  };
+  const Vector3 of_a = X_BA * FarthestAlong(widest, a.core());
+  const Vector3 of_b = X_AB * FarthestAlong(-(X_BA.linear() * widest), b.core());
+  for (const Facet& facet : a.core().facets) {
+    if (facet.normal.dot(of_b) - facet.offset > width) note(facet.normal);
+  }
+  for (const Facet& facet : b.core().facets) {
+    if (facet.normal.dot(of_a) - facet.offset > width) note(-(X_AB.linear() * facet.normal));
+  }
+  return widest;
 }
 
 }  // namespace
@@ -91,11 +113,7 @@ double Separation(const RoundedHull& a, const Pose& X_WorldA, const RoundedHull&
   const Pose X_AB = X_WorldA.inverse() * X_WorldB;
   if (IsSeenApart(a, b, X_AB, enough + a.radius() + b.radius(), slab)) return enough;
   const Vector3 difference = NearestDifference(GjkHullOf(a), GjkHullOf(b), X_AB);
-  slab = WidestFacetSlab(a, b, X_AB);
-  if (!difference.isZero(0)) {
-    const Vector3 direction = difference.normalized();
-    if (SlabWidth(direction, a, b, X_AB) > SlabWidth(slab, a, b, X_AB)) slab = direction;
-  }
+  slab = WidestSlab(a, b, X_AB, difference);
   return std::max(0.0, SlabWidth(slab, a, b, X_AB) - a.radius() - b.radius());
 }
 

@@ -133,8 +133,12 @@ MotionCheck::Verdict MotionCheck::LookAt(const JointVector& q, const LinkPoses& 
     if (distance < std::min(watched.clearance, most) || distance == 0) {
       return watched.most < most ? Verdict::kOpen : Verdict::kObstructed;
     }
-    if (distance < needed && watched.errors.DistanceIn(box.half, X_Box, watched.slabs, enough) <
-                                 watched.clearance + motion) {
+    // Without errors, this distance is no more than the one above.
+    const bool may_be_near =
+        distance < needed &&
+        (displaced == 0 || watched.errors.DistanceIn(box.half, X_Box, watched.slabs, enough) <
+                               watched.clearance + motion);
+    if (may_be_near) {
       const bool is_open = distance < std::min(watched.clearance, most) + motion;
       if (is_open || displaced < std::max(motion, kUndecided) || boxes > kMostBoxes) {
         return Verdict::kOpen;
