@@ -103,7 +103,7 @@ class ThreatenedPlanBuilder {
   }
 
  private:
-  // Poses at even places, grasps at odd ones.
+  // Poses have even indices, and grasps have odd ones.
   int NodesOfPart() const { return 2 * model_.steps + 1; }
 
   // Adds a part: its initial pose, its final pose, and the poses and grasps between.

@@ -108,7 +108,8 @@ std::vector<double> ApproachFeasible(std::vector<double> start, Probe& probe) {
       const Vector& slope = slack.Gradient();
       const double steepness = DotProduct(slope, slope);
       if (!(value <= 0) || !(steepness > 0)) continue;
-      // The step goes a little farther, because rounding could leave the point on the wrong side.
+      // The step is a little longer than needed, so that the constraint is satisfied in spite of
+      // rounding.
       const double length = -value / steepness * 1.001 + kTouching / std::sqrt(steepness);
       point = Along(point, slope, length, probe.problem().box);
     }

@@ -23,7 +23,7 @@ struct WayCertainty {
 // plan::NotCovered reports it.
 std::vector<plan::CertifiedPrecondition> WayConditions(const WayCertainty& certainty,
                                                        plan::Circumstance circumstance);
-// Returns the circumstance of the way to this step's work; None: of the way home.
+// Returns the circumstance of the way to this step's work, or of the way home if the step is None.
 inline plan::Circumstance WayOf(plan::StepId step) {
   return step.IsNone() ? plan::Circumstance::kWayHome : plan::Circumstance::kUsual;
 }

@@ -102,8 +102,9 @@ class PairSearch {
     return all;
   }
 
-  // Returns the grasp that represents its class, with pads wholly on the faces. With misfits,
-  // the pads may stick out. Returns none if the pads have no room, or if the hand cannot approach.
+  // Returns the grasp that represents its class, with pads wholly on the faces. If `with_misfits`
+  // is set, the pads may stick out of the faces. Returns none if the pads have no room, or if the
+  // hand cannot approach.
   std::optional<Grasp> OnFaces(double angle, bool with_misfits) const {
     const Approach approach = Approach::At(angle, ExtentAlong(angle).length());
     const std::optional<Vector2> center = DeepestCenter(approach, with_misfits);

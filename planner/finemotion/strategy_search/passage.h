@@ -29,7 +29,7 @@ struct Passage {
 inline constexpr double kAcross = 0.1;
 
 // Returns the contacts between a corner and a face that the tip can make at a critical point when
-// it moves across the way in.
+// it moves at right angles to the way in.
 std::vector<PrimitiveContact> WallsAt(const Passage& passage, int critical_point,
                                       const ContactFinder& finder);
 

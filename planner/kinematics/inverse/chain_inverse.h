@@ -43,8 +43,8 @@ class ChainInverse {
   Pose X_TipBase_;  // at zero
   ArmClass arm_;
   SixAxes ideal_axes_;  // of the class
-  // For arms that are not exactly of a class with a closed form: one for each joint, the best
-  // first.
+  // Searches over one joint each, the best first. They serve arms that are not exactly of a class
+  // with a closed form.
   std::vector<SearchedJoint> searches_;
 };
 

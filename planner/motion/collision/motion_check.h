@@ -116,8 +116,8 @@ class MotionCheck {
   std::vector<WatchedPair> WatchedPairs();
   // Lowers the distance that a pair with the load must keep to what it has in the given postures.
   void HeedGivenPostures(WatchedPair& watched);
-  // Lowers the clearance of the pair to what it keeps in the given postures in spite of its errors.
-  // Returns false, and changes nothing, if it keeps hardly anything.
+  // Lowers the clearance of the pair to the distance that remains in the given postures for all
+  // errors. Returns false, and changes nothing, if hardly any remains.
   bool LowerToCertainClearance(WatchedPair& watched) const;
   bool IsAtWork(const BodyPair& pair) const;
   // Tests a pair whose bodies move by `motion` metres, at the posture q with all errors.

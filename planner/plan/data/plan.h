@@ -98,8 +98,8 @@ struct PlanResult {
   std::vector<Reason> conflict;
   // Independent of the machine: nodes, instances, ...
   std::map<std::string, std::int64_t> counters;
-  // If the arm could execute no plan instance: the obstruction of the first one. If the outcome is
-  // kBudget, no path was found, which does not prove that there is none.
+  // If the arm could execute no plan instance, this is the obstruction of the first one. If the
+  // outcome is kBudget, no path was found, which does not prove that there is none.
   std::optional<Reason> obstruction = {};
   // If the outcome is kNone: the robots, actions, grasps and places for which it was proved that no
   // plan exists, one sentence each.

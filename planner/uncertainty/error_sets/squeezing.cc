@@ -128,8 +128,8 @@ class Closing {
   Vector3 Level() const { return up_.cross(Vector3::UnitY()); }
 
   // Notes whether the part is round about the approach vector, which is vertical. Its middle comes
-  // midway between the pads at every turn, since its side looks alike from opposite directions. It
-  // keeps its turn if friction keeps the pads from pressing one of its faces flat.
+  // midway between the pads at every turn, since its side looks alike from opposite directions. Its
+  // turn does not change if friction keeps the pads from pressing one of its faces flat.
   void NoteRoundSide(const UncertainWorld& world, PartId part, const plan::Hold& hold) {
     const domain::PartModel& model = *world.problem().part(part).model;
     const auto half_step = RoundAboutApproach(model, hold, {pad_x_, pad_z_}, pad_z_ + off_z_);

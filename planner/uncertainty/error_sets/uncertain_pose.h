@@ -47,8 +47,8 @@ struct HeldError {
   Expression x, z;                      // metres
   Expression twist = 0;                 // radians about the tool's y
   Expression y = 0, skew = 0, tip = 0;  // metres; radians about the tool's z and x
-  // True if the pads closed on a round side about the tool's z: a skewed part touches them like any
-  // other.
+  // True if the pads closed on a round side whose axis is the tool's z. Such a part touches the
+  // pads alike at every turn.
   bool is_round = false;
 };
 

@@ -28,8 +28,9 @@ inline constexpr int kCellsPerSide = 6;
 
 // Returns the touching cells of a pad. `side` is 1 or -1 and says on which side along the tool's y
 // the pad is; `pad` is its half extents. Pads that lie wholly on their faces are divided into
-// cells. If they do not, what both of them touch opposite each other is divided, and the cells move
-// with the part. A round part that may have rolled touches along a line, which is divided.
+// cells. Otherwise the region that both of them touch opposite each other is divided into cells,
+// which are fixed to the part. A round part that may have rolled touches along a line, which is
+// divided.
 TouchingCells TouchingCellsOf(const domain::PartModel& model, const plan::Hold& hold, double side,
                               const Vector2& pad, const OffInHand& off);
 

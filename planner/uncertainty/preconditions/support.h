@@ -34,8 +34,8 @@ struct TippingEdge {
 // Returns the edges. There are none where the part stands on a line or a point.
 std::vector<TippingEdge> TippingEdgesOf(const std::vector<Standing>& standings);
 
-// A push that presses a part down, somewhere in the hull of these points, and may push it aside
-// there.
+// A push that presses a part down at some point of the hull of these points, and may also push it
+// aside there.
 struct Push {
   std::vector<Vector3> at;
   double down = 0;   // newtons

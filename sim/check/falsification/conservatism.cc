@@ -162,8 +162,8 @@ class Comparison {
       return !Proves(variable, multiple);
     };
     const auto fails = [&](double multiple) { return Fails(variable, multiple); };
-    // Proofs are searched to this share of the trials' precision, because a proof costs very
-    // little.
+    // The bound up to which everything is proved is searched with this share of the precision for
+    // trials, because a proof costs very little.
     constexpr double kFinely = 0.1;
     const double guaranteed =
         FindThreshold(unproved, 1, options_.greatest, kFinely * options_.precision).holds;

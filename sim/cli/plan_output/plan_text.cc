@@ -30,7 +30,7 @@ std::string TravelText(const plan::Plan& plan) {
 constexpr const char* kSpentBudget =
     "The budget was spent before there was an answer. --budget sets a greater budget.\n";
 
-// Returns whether the planner, with its limits, had anything to search.
+// Returns whether the planner's limits left it anything to search.
 bool HasSearched(const plan::PlanResult& result) {
   const auto least = result.counters.find("least_actions");
   return least != result.counters.end() && least->second >= 0;

@@ -120,8 +120,8 @@ class HybridControl {
   MotionObserver observer_;
   double obstructed_ = 0;            // seconds of obstruction without interruption
   std::vector<ErrorState> ignored_;  // error states of the last attempt, as in StrategyEnd
-  // There was an error state, so anything may be hit. Nothing is then faster than a motion to a
-  // contact.
+  // There was an error state, so the part may hit anything. From then on no motion is faster than a
+  // motion to a contact.
   bool in_doubt_ = false;
   Feeling felt_;
   // Wrench when the awaited contact was made; other contacts may have followed it.

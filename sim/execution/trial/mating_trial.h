@@ -42,11 +42,11 @@ bool CanStart(const domain::Problem& problem, const MatingSetting& setting,
               const plan::Strategy& strategy);
 
 // Executes a strategy in the setting. The fixed part lies clamped at its believed pose, the hand
-// holds the other part, and the arm is where it believes the strategy to start. The displacement of
-// the part in the hand is applied as an error of the hand (Execution::SetHandError). If the part
-// itself were displaced, it would not lie flat on the pads, and the pads would correct the
-// displacement. The arm cannot distinguish an error of the hand from a displaced part. CanStart
-// must be true.
+// holds the other part, and the arm is at the pose that it believes to be the start of the
+// strategy. The displacement of the part in the hand is applied as an error of the hand
+// (Execution::SetHandError). If the part itself were displaced, it would not lie flat on the pads,
+// and the pads would correct the displacement. The arm cannot distinguish an error of the hand from
+// a displaced part. CanStart must be true.
 MatingResult RunMatingTrial(const domain::Problem& problem, const scene::Scene& scene,
                             const MatingSetting& setting, const plan::Strategy& strategy,
                             const MatingTrialOptions& options = {});

@@ -87,7 +87,7 @@ std::vector<Cell> Silhouette(std::span<const geometry::ConvexHull> solids, const
   return cells;
 }
 
-// The data of one eye for the search.
+// The data of one camera (eye) for the search.
 struct Eye {
   WorthMap worth;
   Eigen::Matrix2d cells_per_metre;  // the picture's movement with the part's x and y

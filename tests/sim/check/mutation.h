@@ -8,7 +8,8 @@
 
 namespace assay::check {
 
-// A lie of the theory. Certificates are made with it, and falsification is expected to reveal it.
+// A deliberate error in the theory. Certificates are made with it, and falsification is expected to
+// reveal it.
 enum class Lie {
   kHalvedSet,        // one component of a part's error set is halved after a step, and from then on
   kHalvedPromise,    // all components of a part's error set are halved after a look

@@ -24,10 +24,10 @@ std::shared_ptr<const domain::PartModel> Peg() {
 }
 
 // The peg is two boxes with a seam, and one of them has a hole. All lengths are in inches. The
-// plate is 1 by 3 by 3 and has 8 edges of 3 and 4 of 1. The shaft has 8 edges of 1.5, including
-// those at the plate, and 4 of 2.75. The hole is 0.25 by 0.25 and 1 deep and has 8 edges of 0.25
-// and 4 of 1. Seams between boxes are no edges. Each edge counts twice because it belongs to two
-// faces.
+// plate is 1 by 3 by 3 and has 8 edges of length 3 and 4 edges of length 1. The shaft has 8 edges
+// of 1.5, including those at the plate, and 4 of 2.75. The hole is 0.25 by 0.25 and 1 deep and has
+// 8 edges of 0.25 and 4 of 1. Seams between boxes are no edges. Each edge counts twice because it
+// belongs to two faces.
 TEST(EdgesOf, AreThoseOfTheWholePart) {
   const double length = (8 * 3 + 4 * 1) + (8 * 1.5 + 4 * 2.75) + (8 * 0.25 + 4 * 1);
   EXPECT_NEAR(TotalLength(EdgesOf(*Peg())), 2 * length * kInch, 1e-6);

@@ -18,7 +18,8 @@ using domain::StablePose;
 class StablePosesOf : public testing::TestWithParam<std::string> {};
 
 constexpr double kDropHeight = 0.002;  // metres
-// A drop can carry a part over an edge if the pose has little margin. Such a pose is set down.
+// A drop can carry a part over an edge if the pose has little margin. A part in such a pose is set
+// down instead.
 constexpr double kLittleMargin = 6 * kDegree;
 constexpr double kSetDownHeight = 0.0001;  // metres
 constexpr double kLargestTilt = kDegree;   // of the disturbance

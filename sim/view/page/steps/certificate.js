@@ -218,7 +218,8 @@ function doneOf(step) {
   const inserted = step.resolutions.map(
       ({resolver, steps, why}) => element(
           'li', {},
-          `${resolver}${steps.length ? ` (step ${steps.join(', ')})` : ''}, because ${why}`));
+          `${resolver}${steps.length ? ` (step ${steps.join(', ')})` : ''}, because before ` +
+              `this it was ${why}`));
   const checks = step.verifications.map(({name, expected, tolerance, below, above}) => {
     const errors = [below && `less means ${below}`, above && `more means ${above}`].filter(Boolean);
     return element(

@@ -192,7 +192,7 @@ TEST_F(Channels, AnExecutionErrsAsItsNoiseSays) {
 }
 
 // Returns how far the peg can be moved to each side in the hole before it touches the block, in
-// metres. The shaft is 5 mm out of its seat. Contacts of poses are tested, and nothing is
+// metres. The shaft is 5 mm out of its seat. Only poses are tested for contact, and nothing is
 // simulated.
 double PlayOf(const domain::Problem& problem, const Noise& noise) {
   const scene::Scene scene(problem, TrueScene({}, noise));
