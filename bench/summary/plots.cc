@@ -15,8 +15,8 @@ namespace {
 // Names are "noenhanced", since gnuplot otherwise reads "_" and similar characters as typesetting.
 constexpr const char* kStyle = "set encoding utf8\nset grid\n";
 
-// All panels leave the same room for their keys, in one column. Otherwise each key would take room
-// from its panel.
+// All panels leave the same room for their legends, in one column. Otherwise each legend would take
+// room from its panel.
 constexpr const char* kPanelStyle =
     "set key outside right top maxcols 1\nset rmargin at screen 0.66\n";
 

@@ -44,8 +44,8 @@ class PlanHandle {
   // Reads a plan file.
   static std::shared_ptr<const PlanHandle> Read(const std::filesystem::path& plan_file,
                                                 const std::vector<std::filesystem::path>& models);
-  // Returns the plan for one world of a plan tree. No command of the program makes such a plan
-  // alone.
+  // Returns the plan for one world of a plan tree. No command of the program makes such a plan by
+  // itself.
   static std::shared_ptr<const PlanHandle> OfWorld(cli::PlannedProblem planned);
 
   const cli::PlannedProblem& planned() const { return planned_; }

@@ -20,8 +20,8 @@ class Insertion {
   // the pose at which the first shaft reaches the first mouth. If there is no shaft in a hole, it
   // is the length of the mating vector.
   double depth() const { return depth_; }
-  // Returns the distance of a shaft from the mouth at which a camera beside it sees the whole
-  // mouth. It is the width of the mouth, metres.
+  // Returns how far a shaft is drawn before the mouth, in metres, so that a camera beside it sees
+  // the whole mouth. This is the width of the mouth.
   double gap() const { return gap_; }
   // Returns the true depth of the shaft along the mating vector, metres. It is negative before the
   // mouth. It is defined for a part beside the hole, too.

@@ -25,7 +25,7 @@ struct Wrench {
   Vector3 torque = Vector3::Zero();
 };
 
-// The joint values of an arm, radians, joint 1 first, and the opening of its gripper, metres
+// The joint values of an arm in radians, joint 1 first, and the opening of its gripper, metres
 // between the pads.
 struct ArmPosture {
   JointVector q = JointVector::Zero();

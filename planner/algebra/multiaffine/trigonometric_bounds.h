@@ -17,8 +17,8 @@ class TrigonometricBounds {
   void Clear() { count_ = 0; }
 
   // Adds a form in which the variables `angles` of `whole` alone are free, and returns its number,
-  // or -1 if it has too many angles or too many waves. `error` bounds the form's rounding error,
-  // and `reach` the arguments of its sines and cosines.
+  // or -1 if it has too many angles or too many sines and cosines. `error` bounds the form's
+  // rounding error, and `reach` the arguments of its sines and cosines.
   int Add(const NestedForm& form, const MultiaffineForm& whole, std::span<const int> angles,
           double error, double reach);
 
@@ -35,7 +35,7 @@ class TrigonometricBounds {
   // above its value at the middle of the part. `slopes` are its slopes there, for the angles that
   // have a width.
   double GreatestRise(int number, std::span<const Sector> part, std::span<const double> slopes);
-  // Returns true if GreatestRise found the polynomial to be concave in the part.
+  // Returns true if GreatestRise found the polynomial to be concave in this part of the box.
   bool IsConcave() const { return quadratic_bound_.IsConcave(); }
 
  private:

@@ -18,7 +18,7 @@ bool CanHold(const std::vector<PrimitiveContact>& kept,
              const Eigen::Matrix<double, kPoseDimensions, 1>& displacement, double friction);
 
 // Returns the least coefficient of friction with which the contacts can hold the part, to 1 %, or
-// kGreatestFriction if they cannot even with that.
+// kGreatestFriction if they cannot hold the part even with that.
 double FrictionLimit(const std::vector<PrimitiveContact>& kept,
                      const Eigen::Matrix<double, kPoseDimensions, 1>& displacement);
 

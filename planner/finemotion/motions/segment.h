@@ -58,9 +58,10 @@ enum class Telling {
 SegmentCheck Check(const SegmentModel& model, const BelievedPose& believed, const Command& command,
                    Telling telling = Telling::kFirst);
 
-// Returns how far from the command's end without errors the part can touch something in the motion,
-// and how far it can be turned against its believed pose. `touching` holds at least the command's
-// contacts. `size` is the distance in metres from the part's origin to its farthest feature.
+// Returns how far from the command's end without errors the part may touch something in the motion,
+// and how far it may then be turned against its believed pose. `touching` holds at least the
+// command's contacts. `size` is the distance in metres from the part's origin to its farthest
+// feature.
 ContactRange RangeOf(const SegmentModel& touching, const BelievedPose& believed,
                      const Command& command, double size);
 

@@ -45,7 +45,7 @@ JointTrajectory SynchronizedMove(const JointVector& from, const JointVector& to,
 // Returns the duration of SynchronizedMove, in seconds.
 double MoveDuration(const JointVector& from, const JointVector& to, const JointRates& rates);
 
-// Returns one synchronized move after the other along a path, at rest in each corner. So it stays
+// Returns one synchronized move after the other along a path. They rest in each corner, and so stay
 // exactly on the path that was found to be free. There must be at least one posture (checked).
 JointTrajectory AlongPath(const JointPath& path, const JointRates& rates);
 

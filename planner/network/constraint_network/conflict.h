@@ -17,7 +17,7 @@ struct UnaryConstraint {
   LabelSet allowed;
 };
 
-// The labels of `a` and `b` are a pair of the relation.
+// The labels of `a` and `b` are an allowed pair of the relation.
 struct BinaryConstraint {
   NodeId a, b;
   std::shared_ptr<const Relation> relation;

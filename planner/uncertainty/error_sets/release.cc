@@ -56,8 +56,8 @@ bool Drags(const domain::Problem& problem, const domain::Mating& mating) {
   const domain::Part& fixed = problem.part(mating.fixed);
   const double own = fixed.model->friction();
   const double between = std::max(own, problem.part(mating.held).model->friction());
-  // The least load on the table, in newtons: first the part's least weight, then with the pushes
-  // added.
+  // The least load on the table, in newtons: it begins as the part's least weight, and the pushes
+  // are added later.
   double keeping = std::numeric_limits<double>::infinity();
   for (const geometry::MassProperties& mass : PossibleMasses(problem, mating.fixed)) {
     keeping = std::min(keeping, mass.mass * kGravity);

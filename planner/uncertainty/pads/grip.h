@@ -7,7 +7,7 @@ namespace assay::uncertainty {
 
 // The load on a part between two pads.
 struct GripLoad {
-  // load in the plane of the pads, as a ratio to what one newton on each pad bears
+  // load in the plane of the pads, divided by what one newton on each pad bears
   double slipping = 0;
   double across = 0;   // force along the closing direction, newtons
   double tilting = 0;  // moment about the axes in the plane of the pads, newton metres

@@ -197,8 +197,8 @@ class Falsifier {
     const auto share = [&](double of_all) {
       return static_cast<std::int64_t>(of_all * static_cast<double>(budget));
     };
-    // The number of corners is rounded up, so that a single attempt is made at a corner. It is at
-    // most the size of the whole design, because further corners show nothing more about the
+    // The number of corners is rounded up, so that even a single attempt is made at a corner. It is
+    // at most the size of the whole design, because further corners show nothing more about the
     // effects.
     const std::int64_t left = budget - share(kShareOfExtremes) - share(kShareOfEven);
     const std::int64_t design = std::min(

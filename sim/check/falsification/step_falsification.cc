@@ -116,7 +116,8 @@ StepFalsification::StepFalsification(const Experiment& experiment, plan::StepId 
   }
 }
 
-// The engine's errors add up on the way, so the finer trial is executed from the start as well.
+// The engine's errors add up on the way, so the trial with half the timestep is executed from the
+// start as well.
 Approach StepFalsification::Poise(const TriedWorld& world, const noise::Noise& noise,
                                   const execution::Checkpoint* from) const {
   Approach approach = PoiseIn(world.scene, world, noise, from);

@@ -176,7 +176,7 @@ HybridControl::Speed HybridControl::SpeedOf(const plan::StrategyMotion& motion) 
 
 double HybridControl::NextRate(const Way& way, double rate, double left) const {
   const double change = way.acceleration * arm_.NextPeriod();
-  // After a step at this rate, the arm can still brake.
+  // The arm can still brake after one more step at this rate.
   const double braking = std::sqrt(change * change + 2 * way.acceleration * left) - change;
   return std::min({way.rate, rate + change, braking});
 }

@@ -56,8 +56,8 @@ class Verification : public ::testing::Test {
   std::vector<plan::Action> actions_ = ActionsOf(FirstInstance(problem_));
 };
 
-// In figures 11 and 12 of Spar, an empty hand starts a local search, and a wrong object in the hand
-// calls the operator.
+// In figures 11 and 12 of Spar, an empty hand starts a local search, and if a wrong object is in
+// the hand, the operator is called.
 TEST_F(Verification, OfAPickupReadsTheOpeningOfTheGripper) {
   const plan::Plan plan = After(First(domain::kPickup));
   ASSERT_THAT(plan.verifications, SizeIs(1));

@@ -309,7 +309,7 @@ TEST_F(PegAndBlock, GraspsOnTheShaftDoNotLeaveTheMatingFeaturesFree) {
   EXPECT_GT(on_shaft, 0);
 }
 
-// The cone is -v_z >= |v| cos(atan(mu)) with mu = 0.25.
+// The cone is -v_z >= |v| cos(atan(mu)) for the mating vector v with mu = 0.25.
 TEST_F(PegAndBlock, FrictionConeOpensByTheArcTangentOfFriction) {
   const Mating& mating = problem_.mating(mating_);
   const Part& block = problem_.part(block_);

@@ -158,7 +158,7 @@ Pose AtCorner(const Pose& X_WorldTool, const plan::ToolErrorBox& doubt, int corn
 }
 
 // Returns the least distance of any two bodies over all corners of the errors. It is measured where
-// the planned arm comes nearest to anything.
+// the planned arm comes nearest to another body.
 double NearestAtCorners(const CollisionScene& scene, const JointPath& path,
                         const plan::ToolErrorBox& doubt) {
   constexpr int kPoints = 20;
@@ -202,9 +202,9 @@ CollisionScene WithTheBlockBeside(const JointVector& q, RandomStream& random) {
   return {Clutter(), surroundings};
 }
 
-// Oracle: errors are at their corners, at the point of the line that comes nearest to anything. The
-// check never confirms a clearance that the oracle contradicts. It mostly confirms one that is 2 cm
-// smaller.
+// Oracle: errors are at their corners, at the point of the line that comes nearest to another body.
+// The check never confirms a clearance that the oracle contradicts. It mostly confirms one that is
+// 2 cm smaller.
 TEST(Sway, IsKeptClearOf) {
   constexpr double kPlenty = 0.02;     // metres
   constexpr double kNearest = 0.0299;  // metres, below the 3 cm that some pairs always keep

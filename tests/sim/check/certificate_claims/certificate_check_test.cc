@@ -107,7 +107,8 @@ TEST_F(CertificateCheckTest, APartThatIsElsewhereInTheHandViolatesTheOutputSet) 
   EXPECT_EQ(Named(claims, Claimed::kAfter, "x of peg").verdict, ClaimVerdict::kContained);
 }
 
-// The contacts lie half the part's width from the grasped point, and the pads half the opening.
+// The contacts lie half the part's width from the grasped point, and the pads lie half the opening
+// from it.
 TEST_F(CertificateCheckTest, ContactsBesideThePadsViolateAProvedPrecondition) {
   const double room = (snapshot_.opening - pickup_.hold.width) / 2;
   const auto between = [&](double y) {
