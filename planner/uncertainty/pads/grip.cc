@@ -45,7 +45,8 @@ void NoteRoundSide(const domain::PartModel& model, const plan::Hold& hold, const
 
 Interval PossiblePadFriction(const domain::Problem& problem) {
   const double friction = problem.workcell->rules().pad_friction;
-  return {friction - problem.tolerances.pad_friction, friction + problem.tolerances.pad_friction};
+  const double tolerance = problem.tolerances.pad_friction;
+  return {std::max(0.0, friction - tolerance), friction + tolerance};
 }
 
 Grip GripOf(const domain::Problem& problem, PartId part, const plan::Hold& hold,
