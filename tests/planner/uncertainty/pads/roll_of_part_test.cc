@@ -24,13 +24,18 @@ constexpr double kHalfLength = 0.04;                                      // of 
 struct Bar {
   double half_width = 0.01;  // metres, of the ends of the face on which it lies
   double bulge = 0;          // metres by which it is wider in the middle, on each side
+  double foot = 0;           // half the width of a foot under the bar, metres; 0: it has none
   double table_friction = 0.3;
 };
 
 std::shared_ptr<const domain::PartModel> ModelOf(const Bar& bar) {
   const double widest = bar.half_width + std::max(bar.bulge, 1e-4);
-  const std::filesystem::path file =
-      ScratchFile(fmt::format("bar-{}-{}-{}.yaml", bar.half_width, bar.bulge, bar.table_friction));
+  const std::filesystem::path file = ScratchFile(
+      fmt::format("bar-{}-{}-{}-{}.yaml", bar.half_width, bar.bulge, bar.foot, bar.table_friction));
+  const std::string foot =
+      bar.foot == 0 ? ""
+                    : fmt::format("  foot: {{box: [[-{0}, -{1}, 0], [{0}, {1}, 0.005]]}}\n",
+                                  kHalfLength, bar.foot);
   std::ofstream(file) << fmt::format(R"(format: assay-part/1
 name: bar
 initial: B
@@ -39,12 +44,13 @@ density: 700
 friction: {3}
 solids:
   bar: {{prism: {{outline: [[{0}, -{1}], [{0}, {1}], [0, {2}], [-{0}, {1}], [-{0}, -{1}], [0, -{2}]],
-         axis: z, from: 0, to: 0.03}}}}
-features:
+         axis: z, from: {4}, to: 0.03}}}}
+{5}features:
   1: {{face: bar, normal: [0, 0, 1], what: top}}
 stable_poses: {{flat: [0, 0, -1]}}
 )",
-                                     kHalfLength, bar.half_width, widest, bar.table_friction);
+                                     kHalfLength, bar.half_width, widest, bar.table_friction,
+                                     bar.foot == 0 ? 0 : 0.005, foot);
   return domain::PartFile::Load(file, 0.001);
 }
 
@@ -79,11 +85,13 @@ TEST(RollOfPart, TheGraspedPointMovesAboutTheFarthestEdge) {
   EXPECT_NEAR(roll.way, roll.angle * std::hypot(0.015, 0.01), 0.01 * roll.way);
 }
 
-// A part that slides without friction turns as soon as the pads touch it. They do not press before
-// its faces are flat. Pads that may jam press as hard as they can.
+// A bar on a foot of 6 mm rolls if the pressure moves by more than 3 mm. If the foot slides almost
+// without friction, the pads turn the bar before they press. Pads that may jam press as hard as
+// they can, whatever the friction.
 TEST(RollOfPart, ThePadsPressNoHarderThanTheSupportsFrictionRequires) {
-  EXPECT_GT(RollOf({.half_width = 0.003}, 0.12, 0.5).angle, kTurned.turn);
-  EXPECT_GT(RollOf({.half_width = 0.008}, 0.21, 0.5).angle, kTurned.turn);
+  EXPECT_EQ(RollOf({.foot = 0.003, .table_friction = 1e-3}, 0.12, 0.5).angle, 0);
+  EXPECT_GT(RollOf({.foot = 0.003, .table_friction = 0.8}, 0.12, 0.5).angle, kTurned.turn);
+  EXPECT_GT(RollOf({.half_width = 0.003, .table_friction = 1e-3}, 0.12, 0.5).angle, kTurned.turn);
 }
 
 // Pads whose edges are upright touch the part along lines. The part tilts only as far as an error
