@@ -97,10 +97,15 @@ std::shared_ptr<const GjkHull> MakeGjkHull(const ConvexHull& hull) {
                            static_cast<int>(hull.facets.size()), faces)});
 }
 
-Vector3 NearestDifference(const GjkHull& a, const GjkHull& b, const Pose& X_AB) {
+std::optional<NearestPair> NearestPoints(const GjkHull& a, const GjkHull& b, const Pose& X_AB) {
   const Nearness nearness = NearnessOf(a.convex, Pose::Identity(), b.convex, X_AB);
-  if (nearness.distance <= 0) return Vector3::Zero();
-  return nearness.on_b - nearness.on_a;
+  if (nearness.distance <= 0) return std::nullopt;
+  return NearestPair{nearness.on_a, nearness.on_b};
+}
+
+Vector3 NearestDifference(const GjkHull& a, const GjkHull& b, const Pose& X_AB) {
+  const std::optional<NearestPair> nearest = NearestPoints(a, b, X_AB);
+  return nearest ? Vector3(nearest->on_b - nearest->on_a) : Vector3::Zero();
 }
 
 }  // namespace assay::geometry

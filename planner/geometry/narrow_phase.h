@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "planner/geometry/coordinates.h"
 #include "planner/geometry/hull.h"
@@ -25,6 +26,13 @@ double Distance(const PlacedBox& a, const PlacedBox& b);
 // A hull in FCL's representation.
 struct GjkHull;
 std::shared_ptr<const GjkHull> MakeGjkHull(const ConvexHull& hull);
+// The points of two hulls that are nearest to each other, in A's frame.
+struct NearestPair {
+  Vector3 on_a;
+  Vector3 on_b;
+};
+// Returns none if the hulls overlap.
+std::optional<NearestPair> NearestPoints(const GjkHull& a, const GjkHull& b, const Pose& X_AB);
 // Returns the vector from A's nearest point to B's nearest point, in A's frame. It is zero if they
 // overlap.
 Vector3 NearestDifference(const GjkHull& a, const GjkHull& b, const Pose& X_AB);

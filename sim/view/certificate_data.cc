@@ -6,6 +6,8 @@
 
 #include "planner/domain/units/units.h"
 #include "planner/verify/proof.h"
+#include "sim/view/deciding_place.h"
+#include "sim/view/pose_data.h"
 
 namespace assay::view {
 namespace {
@@ -72,12 +74,20 @@ void AddProof(const verify::Proof& proof, Json& data) {
                     {"enough", RangeData(proof.remedy->enough)}};
 }
 
+void AddPlace(const std::optional<DecidingPlace>& place, Json& data) {
+  if (!place) return;
+  Json lines = Json::array();
+  for (const auto& [from, to] : place->lines) lines.push_back({ToJson(from), ToJson(to)});
+  data["place"] = {{"time", place->time}, {"marked", place->bodies}, {"lines", std::move(lines)}};
+}
+
 }  // namespace
 
-Json PreconditionsOf(const plan::PlannedStep& step, const std::string& file) {
+Json PreconditionsOf(const Executed& executed, plan::StepId id) {
+  const plan::PlannedStep& step = executed.plan.step(id);
   Json all = Json::array();
   if (step.certificate.preconditions.empty()) return all;
-  const verify::CertificateProofs proofs(step, file);
+  const verify::CertificateProofs proofs(step, executed.plan_file);
   for (const ClaimGroup& group : GroupsOf(step.certificate.preconditions)) {
     const CertifiedPrecondition& claim = *group.tightest;
     Json data = {{"condition", claim.condition.name()},
@@ -92,6 +102,7 @@ Json PreconditionsOf(const plan::PlannedStep& step, const std::string& file) {
                  {"margin", claim.margin}};
     if (claim.IsUnborne()) data["unborne"] = true;
     AddProof(proofs.Of(claim), data);
+    if (data["standing"] == "open") AddPlace(PlaceOf(claim, id, executed), data);
     all.push_back(std::move(data));
   }
   return all;

@@ -4,7 +4,6 @@
 
 #include "planner/geometry/coordinates.h"
 
-
 namespace assay::view {
 
 using geometry::Pose;

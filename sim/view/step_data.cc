@@ -76,7 +76,7 @@ Json StepData(const Executed& executed, plan::StepId id) {
           {"name", step.name},
           {"action", plan::ShortText(executed.problem, step.action)},
           {"certified", !step.certificate.before.empty()},
-          {"preconditions", PreconditionsOf(step, executed.plan_file)},
+          {"preconditions", PreconditionsOf(executed, id)},
           {"notNeeded", NotNeededOf(step.certificate)},
           {"resolutions", ResolutionsOf(executed.plan, step.certificate)},
           {"verifications", VerificationsOf(executed.plan, id)},

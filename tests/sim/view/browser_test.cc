@@ -1,8 +1,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 
+#include "planner/plan/certificates/condition_table.h"
 #include "sim/view/page.h"
 #include "tests/browser.h"
 #include "tests/scratch_file.h"
@@ -160,6 +162,41 @@ TEST(InBrowser, ShowsATraceWithoutContactPoints) {
 )");
   for (const char* expected :
        {"toggles=believed poses,predicted errors\n", "drawn=true\n", "touching=true\n"}) {
+    EXPECT_THAT(seen.said, HasSubstr(expected));
+  }
+}
+
+// The button of a precondition that is not proved leads to the place where it is decided, and draws
+// the outline of the hole there. Another step takes the outline away.
+TEST(InBrowser, ShowsWhereAPreconditionIsNotProved) {
+  if (!HasChromium()) GTEST_SKIP() << "chromium is not installed";
+  plan::Plan plan = Figure15().plan;
+  const plan::StepId last = plan.ExecutionOrder().back();
+  auto& claims = plan.steps[last.index()].certificate.preconditions;
+  std::ranges::find(claims, plan::Condition(plan::condition::kEntry),
+                    &plan::CertifiedPrecondition::condition)
+      ->margin = -1e-3;
+  const Subject subject = Figure15().subject();
+  const SeenPage seen = Seen({.problem = subject.problem,
+                              .plan = plan,
+                              .scene = subject.scene,
+                              .trace = subject.trace,
+                              .outcome = "succeeded",
+                              .plan_file = "test"},
+                             R"(
+  const { player, viewport } = w.assayView;
+  const { pointers } = viewport.picture;
+  const begin = () => d.querySelector("header .where").click();
+  begin(); say("goes to", d.querySelector('[aria-current="step"] .action').textContent);
+  const from = player.time; const plain = picture();
+  d.querySelector(".detail .where").click();
+  say("later", player.time > from + 1); say("lines", pointers.root.children.length > 0);
+  say("seen", picture() !== plain);
+  d.querySelectorAll(".steps button")[0].click();
+  say("gone", pointers.root.children.length === 0);
+)");
+  for (const char* expected : {"goes to=assemble(peg, block)\n", "later=true\n", "lines=true\n",
+                               "seen=true\n", "gone=true\n"}) {
     EXPECT_THAT(seen.said, HasSubstr(expected));
   }
 }

@@ -12,7 +12,7 @@ namespace {
 
 const std::string kFigure15 = ASSAY_SOURCE_DIR "/scenarios/spar-fig15.yaml";
 
-ViewedExecution Executed(scenario::Scenario scenario) {
+ViewedExecution ExecutionOf(scenario::Scenario scenario) {
   plan::Plan plan = assembly::MakeCertifiedPlan(scenario.problem, {}, {}).plan;
   scene::Scene scene(scenario.problem, scenario.simulation.scene);
   mujoco::Data data = scene.Start();
@@ -23,7 +23,7 @@ ViewedExecution Executed(scenario::Scenario scenario) {
 }  // namespace
 
 const ViewedExecution& Figure15() {
-  static const ViewedExecution execution = Executed(scenario::Load(kFigure15));
+  static const ViewedExecution execution = ExecutionOf(scenario::Load(kFigure15));
   return execution;
 }
 
@@ -34,7 +34,7 @@ const ViewedExecution& WithAnUnprovedWay() {
     text << std::ifstream(kFigure15).rdbuf();
     std::string scenario = text.str();
     scenario.replace(scenario.find(place), place.size(), "at: [24, -1]");
-    return Executed(scenario::Read(Document::Parse(scenario, kFigure15)));
+    return ExecutionOf(scenario::Read(Document::Parse(scenario, kFigure15)));
   }();
   return execution;
 }

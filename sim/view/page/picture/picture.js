@@ -5,6 +5,7 @@ import {element} from '../dom.js';
 import {ContactMarks} from './contact_marks.js';
 import {Ghosts} from './ghosts.js';
 import {Outlines} from './outlines.js';
+import {Pointers} from './pointers.js';
 import {Stage} from './stage.js';
 
 const GROUND = '#f3f5f7';
@@ -46,10 +47,12 @@ export class Picture {
     this.outlines = new Outlines(data, recording);
     this.contacts = new ContactMarks(data, this.stage);
     this.ghosts = new Ghosts(data);
+    this.pointers = new Pointers(data);
     this.scene = new three.Scene();
     this.scene.background = new three.Color(GROUND);
     this.scene.add(
-        this.stage.root, this.outlines.root, this.contacts.root, this.ghosts.root, ...lights());
+        this.stage.root, this.outlines.root, this.contacts.root, this.ghosts.root,
+        this.pointers.root, ...lights());
     this.renderer = newRenderer();
     this.surface = this.renderer.domElement;
   }

@@ -111,11 +111,14 @@ export class Viewport {
     return this.showsBeside;
   }
 
-  // Draws bodies in the colour of what is wrong, and others as ghosts, and looks at the ghosts.
-  mark(names, ghosts = []) {
-    this.picture.stage.mark(names);
+  // Draws bodies in the colour of what is wrong, others as ghosts, and lines in the world. Looks at
+  // the ghosts and the lines.
+  mark(names, {ghosts = [], lines = []} = {}) {
+    const {stage, pointers} = this.picture;
+    stage.mark(names);
     this.picture.ghosts.show(ghosts, names);
-    const box = this.picture.ghosts.box();
+    pointers.show(lines);
+    const box = this.picture.ghosts.box() || pointers.box();
     if (box) this.orbit.frame(box.getCenter(new three.Vector3()), box.getSize(new three.Vector3()));
     this.show(this.time);
   }

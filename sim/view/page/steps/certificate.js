@@ -7,7 +7,8 @@ import {VERDICT_MARKS, verdictOf, VERDICTS, verdictText} from './standing.js';
 
 // The certificate of one step: what was claimed, how far it is from its limit, and what costs most.
 // What was observed comes last, or first if it violates a claim.
-// `showWhere` is called with a sentence about what is not proved, to show it in the picture.
+// `showWhere` is called with what is to be shown in the picture: a place (see `place` in data.md), or
+// bodies and ghosts.
 export function certificateOf(step, data, showWhere) {
   const standing = standingOf(step, data.colors);
   const observed = observedOf(step, data.colors);
@@ -31,7 +32,7 @@ function unprovedWaysOf({unprovedWays}, {colors}, showWhere) {
             'p', {},
             `It would be proved if the tool's pose had only ${Math.round(100 * share)} % of ` +
                 'its errors.')];
-    const button = marked ? [whereButton(() => showWhere(text, {marked, ghosts}))] : [];
+    const button = marked ? [whereButton(() => showWhere({marked, ghosts}))] : [];
     return element(
         'details',
         {class: 'claim open', open: true, style: `--standing: ${colorOf('open', colors)}`},
@@ -129,7 +130,7 @@ function preconditionOf(group, colors, isFirst, showWhere) {
           marginChart(group, color), element('span', {class: 'value'}, margin)),
       element('p', {}, `${capitalized(group.meaning)}. ${standingSentence(group)}`),
       boundTable(group),
-      ...(group.standing === 'open' ? [whereButton(() => showWhere(group.meaning))] : []),
+      ...(group.place ? [whereButton(() => showWhere(group.place))] : []),
       ...costsOf(group), ...remedyOf(group));
 }
 

@@ -1,10 +1,11 @@
 import {element} from '../dom.js';
 import {countText} from '../units.js';
 
-import {summaryOf} from './standing.js';
+import {standingOf, summaryOf} from './standing.js';
 
 // The head of a page: the title, what was viewed, the outcome, and a summary of the certificates.
-export function headOf(data) {
+// Buttons call `goTo` with a step that is not proved.
+export function headOf(data, goTo) {
   const {title, source, outcome} = data;
   const isGood = outcome.name === 'succeeded' || outcome.name === 'reached';
   return element(
@@ -13,7 +14,14 @@ export function headOf(data) {
           'p', {class: isGood ? 'outcome' : 'outcome bad'}, outcomeText(outcome.name),
           outcome.reason ? `: ${outcome.reason}` : ''),
       ...violatedClaims(data), element('p', {class: 'summary'}, summaryOf(data)),
-      ...notCovered(data));
+      ...unprovedSteps(data, goTo), ...notCovered(data));
+}
+
+function unprovedSteps(data, goTo) {
+  return data.steps.filter((step) => step.planned && standingOf(step, data.colors).isOpen)
+      .map(
+          (step) => element(
+              'button', {class: 'where', onclick: () => goTo(step)}, `Go to step ${step.number}`));
 }
 
 function outcomeText(name) {

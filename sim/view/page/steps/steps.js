@@ -4,7 +4,6 @@ import {countText} from '../units.js';
 
 import {certificateOf} from './certificate.js';
 import {headOf} from './head.js';
-import {bodiesNamedIn} from './names.js';
 import {standingOf, uncoveredOf, VERDICT_MARKS, verdictOf, verdictText} from './standing.js';
 import {treeOf} from './tree.js';
 
@@ -19,7 +18,9 @@ export class Steps {
     Object.assign(this, {list, buttons});
     this.detail = element('div', {class: 'detail'});
     this.root =
-        element('aside', {'aria-label': 'Steps and certificates'}, headOf(data), list, this.detail);
+        element(
+            'aside', {'aria-label': 'Steps and certificates'},
+            headOf(data, (step) => this.goTo(step)), list, this.detail);
     player.onChange(() => this.select(this.at(player.time)));
     if (data.steps.length > 0) this.select(0);
   }
@@ -78,17 +79,14 @@ export class Steps {
       this.goTo(this.data.steps[Math.max(0, wanted)]);
   }
 
-  // Goes to the time when a step acts and turns the camera there. Marks the bodies of a situation
-  // and draws its ghosts, or marks the bodies that the sentence names.
-  showWhere(step, sentence, situation) {
+  // Goes to the time of a place, or to the time when the step acts. Marks bodies there, draws ghosts
+  // or lines, and turns the camera to them.
+  showWhere(step, {time = step.acts, marked, ghosts, lines}) {
     this.player.playing = false;
     // A step that is verified acts at its very end, where the next one begins.
-    if (step.acts !== undefined) this.player.seek(Math.min(step.acts, step.to - 1e-3));
+    if (time !== undefined) this.player.seek(Math.min(time, step.to - 1e-3));
     this.viewport.choose(WorkView.NAME);
-    if (situation)
-      this.viewport.mark(situation.marked, situation.ghosts);
-    else
-      this.viewport.mark(bodiesNamedIn(sentence, this.data));
+    this.viewport.mark(marked, {ghosts, lines});
   }
 
   select(index) {
@@ -101,7 +99,7 @@ export class Steps {
     this.scrollTo(current);
     const step = this.data.steps[index];
     this.detail.replaceChildren(
-        certificateOf(step, this.data, (...what) => this.showWhere(step, ...what)));
+        certificateOf(step, this.data, (where) => this.showWhere(step, where)));
     this.detail.scrollTop = 0;
   }
 

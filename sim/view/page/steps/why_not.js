@@ -40,7 +40,7 @@ export class WhyNot {
     if (this.chosen) this.chosen.setAttribute('aria-pressed', 'false');
     this.chosen = this.chosen === button ? null : button;
     if (this.chosen) button.setAttribute('aria-pressed', 'true');
-    this.viewport.mark(this.chosen ? names : [], this.chosen ? ghosts : []);
+    this.viewport.mark(this.chosen ? names : [], {ghosts: this.chosen ? ghosts : []});
   }
 
   // Shows the first reason when the page is opened.

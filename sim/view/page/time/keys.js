@@ -86,7 +86,7 @@ export function listenToKeys(keys) {
   });
 }
 
-// The list of keys, and how the mouse turns the picture.
+// The list of keys, and how the mouse turns the picture. A click closes the list.
 export function helpOf(keys) {
   const mouse = [
     ['drag', 'turn the picture'], ['right drag, shift drag', 'move the picture'], ['wheel', 'zoom'],
@@ -100,5 +100,6 @@ export function helpOf(keys) {
           'table', {},
           ...rows.map(
               ([key, text]) =>
-                  element('tr', {}, element('th', {}, key), element('td', {}, text)))));
+                  element('tr', {}, element('th', {}, key), element('td', {}, text)))),
+      element('button', {class: 'where'}, 'Close'));
 }

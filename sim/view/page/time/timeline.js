@@ -118,7 +118,10 @@ export class Timeline {
 
   drawName() {
     const {pen} = this;
-    const name = `force at the wrist, up to ${numberText(Math.round(this.mostForce))} N`;
+    const guards = this.data.guards.length > 0 ?
+        '; blue: resistance in a guarded move; dashed: the force that ends the move' :
+        '';
+    const name = `grey: force at the wrist, up to ${numberText(Math.round(this.mostForce))} N${guards}`;
     pen.textAlign = 'left';
     pen.fillStyle = '#ffffff';
     pen.fillRect(EDGE + 1, BAND + 3, pen.measureText(name).width + 4, 14);
@@ -170,18 +173,17 @@ export class Timeline {
     pen.globalAlpha = 1;
     pen.fillStyle = standing.isOpen ? '#14202e' : '#2c3a49';
     pen.textAlign = 'left';
-    pen.save();
-    pen.beginPath();
-    pen.rect(left, 0, right - left - 4, BAND);
-    pen.clip();
-    pen.fillText(this.labelOf(step, right - left), left + 5, 13);
-    pen.restore();
+    pen.fillText(this.labelOf(step, right - left - 9), left + 5, 13);
   }
 
-  // Returns what fits into this many pixels.
+  // Returns as much of a step's number and action as fits into this many pixels.
   labelOf({number, action}, width) {
-    if (width >= NARROW) return `${number} ${action}`;
-    return this.pen.measureText(number).width + 9 <= width ? number : '';
+    const fits = (text) => this.pen.measureText(text).width <= width;
+    const whole = `${number} ${action}`;
+    if (fits(whole)) return whole;
+    const cut = [...whole].map((_, i) => `${whole.slice(0, i)}…`).filter(fits).pop();
+    if (width >= NARROW && cut) return cut;
+    return fits(number) ? number : '';
   }
 
   drawOccurrence({time, bad}) {
