@@ -83,8 +83,7 @@ class ExecutedStep {
 
 const Pose& PoseOf(PartId part, const Snapshot& at) { return at.parts[part.index()].truth; }
 
-// ---- Shafts in holes
-// -----------------------------------------------------------------------------
+// ---- Shafts in holes ---------------------------------------------------------------------------
 
 Pose HoleAt(const ShaftFit& fit, const ExecutedStep& step, const Snapshot& at) {
   return PoseOf(fit.shaft_is_held ? step.fixed : step.handled, at);
@@ -149,8 +148,7 @@ std::optional<DecidingPlace> InHole(const plan::CertifiedPrecondition& claim,
   return DecidingPlace{at.time, {}, OutlineOf(*fit, HoleAt(*fit, step, at))};
 }
 
-// ---- Bodies that stay apart
-// ----------------------------------------------------------------------
+// ---- Bodies that stay apart --------------------------------------------------------------------
 
 // A convex piece of a body.
 struct Piece {
@@ -253,8 +251,7 @@ std::optional<DecidingPlace> NearestApproach(const plan::CertifiedPrecondition& 
   return nearest.place;
 }
 
-// ---- All other conditions
-// ------------------------------------------------------------------------
+// ---- All other conditions ----------------------------------------------------------------------
 
 DecidingPlace WhereTheStepActs(const plan::CertifiedPrecondition& claim, const ExecutedStep& step) {
   DecidingPlace place = {.time = step.samples.back()->time, .bodies = {}};
