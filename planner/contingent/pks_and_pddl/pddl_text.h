@@ -20,9 +20,9 @@ struct PddlFiles {
 //
 // Throws InputError at the action, the rule or the goal whose PDDL would have another meaning.
 // Intervals, run-time variables, update rules, conjunctions in Kw, and actions that sense several
-// things have another meaning. So have Kw and conditions on ignorance, if they are in the goal or
-// in a condition of an effect. So has the deletion of an atom that is sensed, asked to be false, or
-// a condition of an effect.
+// things have another meaning. The same is true of Kw and conditions on ignorance in the goal or in
+// a condition of an effect, and of the deletion of an atom that is sensed, asked to be false, or a
+// condition of an effect.
 PddlFiles ToPddl(const GroundTask& task, const std::string& name);
 
 }  // namespace assay::contingent
