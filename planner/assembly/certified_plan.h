@@ -7,11 +7,11 @@
 
 namespace assay::assembly {
 
-// Makes a plan as constraint_posting::MakeCertifiedPlan does, with the resolvers that the problem
-// names, unless others are given, and with the travels that the plan needs (AddTravels). If no
-// travels are found for the best plan instance, the best instance with travels is returned. If none
-// of the first UncertaintyOptions::instances instances has travels, the outcome is kBudget, and the
-// result names the obstruction.
+// Makes a plan as constraint_posting::MakeCertifiedPlan does, and adds the travels that the plan
+// needs (AddTravels). If no resolvers are given, the resolvers are those that the problem names. If
+// no travels are found for the best plan instance, the best instance with travels is returned. If
+// none of the first UncertaintyOptions::instances instances has travels, the outcome is kBudget,
+// and the result names the obstruction.
 plan::PlanResult MakeCertifiedPlan(const domain::Problem& problem,
                                    const constraint_posting::PlannerOptions& planner,
                                    constraint_posting::UncertaintyOptions uncertainty);

@@ -28,11 +28,11 @@ struct ContingentAssembly {
 std::string NameOf(const domain::Problem& world);
 
 // Makes a plan tree for several worlds: Spar's uncertainty phase with contingent planning as one of
-// its resolvers. It plans for every world by MakeCertifiedPlan. It puts a look (a sensing action)
-// at each part whose pose matters at the beginning of these plans. Then it plans which looks are
-// needed and when (contingent::MakePlan). A plan that works unchanged in other worlds is used for
-// them too, so that no action looks at a pose that does not matter. `worlds` must come from
-// domain::ReadWorlds.
+// its resolvers. The function plans for every world by MakeCertifiedPlan. At the beginning of these
+// plans, it puts a look (a sensing action) at each part whose pose matters. Then it plans which
+// looks are needed and when (contingent::MakePlan). A plan that works unchanged in other worlds is
+// used for them too, so that no action looks at a pose that does not matter. `worlds` must come
+// from domain::ReadWorlds.
 ContingentAssembly MakeContingentPlan(const std::vector<domain::Problem>& worlds,
                                       const constraint_posting::PlannerOptions& planner,
                                       const constraint_posting::UncertaintyOptions& uncertainty);

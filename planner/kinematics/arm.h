@@ -101,8 +101,8 @@ class Arm {
   // 1e-9. Solutions that coincide only up to rounding are all given.
   InverseSolutions Inverse(const Pose& X_BaseFlange,
                            const JointVector& reference = JointVector::Zero()) const;
-  // Returns the solution with the given indicators, or nothing if there is none. It takes a part of
-  // the work for all solutions.
+  // Returns the solution with the given indicators, or nothing if there is none. This takes less
+  // work than computing all solutions.
   std::optional<JointVector> Inverse(const Pose& X_BaseFlange, const Indicators& indicators,
                                      const JointVector& reference) const;
 

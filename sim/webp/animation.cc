@@ -12,8 +12,9 @@ namespace {
 // time in which it was drawn.
 constexpr int kMethod = 4;
 constexpr float kQuality = 75;  // of 100
-// Pictures are stored as their difference from the one before. The least and the greatest number of
-// pictures between two whole pictures. Whole pictures remove the traces that differences leave.
+// Each picture is stored as its difference from the picture before. These are the least and the
+// greatest number of pictures between two whole pictures. Whole pictures remove the traces that
+// differences leave.
 constexpr int kLeastBetweenKeys = 20;
 constexpr int kMostBetweenKeys = 40;
 

@@ -23,10 +23,10 @@ struct StopRule {
 
 // Returns an upper bound of the form over the problem's box. It splits the box and bounds the parts
 // by the cheaper methods. The probe keeps good feasible points that are found on the way. The bound
-// is conservative because the parts cover the whole box except for three kinds of regions: (a)
-// regions where, by monotonicity or affinity, the form is nowhere larger than elsewhere in the box,
-// (b) regions that surely violate an inequality or in which the form has no value, and (c) regions
-// where the form cannot exceed a value that a feasible point attains.
+// is conservative because the parts cover the whole box except for three kinds of regions. In
+// regions of the first kind, by monotonicity or affinity, the form is nowhere larger than elsewhere
+// in the box. Regions of the second kind surely violate an inequality, or the form has no value in
+// them. In regions of the third kind, the form cannot exceed a value that a feasible point attains.
 double BranchAndBound(Probe& probe, double upper_bound, const StopRule& stop);
 
 }  // namespace assay::algebra

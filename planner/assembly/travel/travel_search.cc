@@ -98,8 +98,8 @@ std::variant<TravelSearch::Found, plan::Reason> TravelSearch::Search(const Trave
         {.from = from_, .to = end, .rules = OnTheWay(*way, clearance_), .budget = effort.budget});
     if (auto* path = std::get_if<JointPath>(&result)) {
       way->over = *path;
-      // The search has tested shorter pieces of the path. A pair that comes near to the clearance
-      // may be decided on them and not on the whole.
+      // The search has tested shorter pieces of the path. A pair of bodies that comes near to the
+      // clearance may be decided on the shorter pieces, but not on the whole path.
       const auto certainty = CertaintyOf(*way, clearance_);
       if (!certainty) continue;
       return Found{{*path, ClearanceOf(*way), false}, way->after(), *certainty};

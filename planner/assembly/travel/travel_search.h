@@ -74,8 +74,8 @@ class TravelSearch {
   std::optional<WayCertainty> CertaintyOf(const Way& way, double clearance);
 
   // Returns the greatest share of the tool's pose errors with which the arm surely stays clear on
-  // the straight lines, to a hundredth, or none if the errors of parts prevent a proof even without
-  // errors of the arm. The lines must be free without any errors of the arm.
+  // the straight lines, to a hundredth. Returns none if the errors of parts prevent a proof even
+  // without errors of the arm. The lines must be free without any errors of the arm.
   std::optional<double> ClearShareOfErrors(const Way& way);
 
   const plan::Reason& in_the_way() const { return in_the_way_; }  // what stopped the last search

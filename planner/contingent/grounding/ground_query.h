@@ -28,8 +28,8 @@ bool AsksForIgnorance(const GroundTask& task);
 // depends on the other worlds.
 bool HappensByKnowledge(const GroundTask& task);
 
-// Returns true if more knowledge never does harm. Then no effect depends on what is known, and no
-// query asks that something is not known.
+// Returns true if more knowledge never does harm: no effect depends on what is known, and no query
+// asks that something is not known.
 bool IsMonotone(const GroundTask& task);
 
 // Returns the text of a query: "K(on(a, b))", "!(Kw(p) | K(n > 2))".

@@ -18,10 +18,11 @@ struct PddlFiles {
 // without needless sensing meets them. An atom that is deleted from Kf becomes false, provided that
 // nothing in the task distinguishes false from unknown.
 //
-// Throws InputError at the action, the rule or the goal whose PDDL would have another meaning. Such
-// input is a deletion of an atom that is sensed, asked to be false, or a condition of an effect; Kw
-// or a condition on ignorance in the goal or in a condition of an effect; an interval; a run-time
-// variable; a conjunction in Kw; an action that senses several things; and an update rule.
+// Throws InputError at the action, the rule or the goal whose PDDL would have another meaning.
+// Intervals, run-time variables, update rules, conjunctions in Kw, and actions that sense several
+// things have another meaning. The same is true of Kw and conditions on ignorance in the goal or in
+// a condition of an effect, and of the deletion of an atom that is sensed, asked to be false, or a
+// condition of an effect.
 PddlFiles ToPddl(const GroundTask& task, const std::string& name);
 
 }  // namespace assay::contingent

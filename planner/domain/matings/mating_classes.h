@@ -15,18 +15,18 @@ inline constexpr double kSeatGap = 1e-4;
 // can rely. 0 allows only straight down.
 double LeastMatingFriction(const Problem& problem);
 
-// Returns the greatest friction between the parts of a mating. It is that of the workcell's rules,
-// or that of a part if a part has more, at the end of its tolerance.
+// Returns the greatest friction between the parts of a mating. It is the greatest of the friction
+// in the workcell's rules and the frictions of the two parts, at the upper end of its tolerance.
 double GreatestMatingFriction(const Problem& problem, const Mating& mating);
 
-// Returns the angle of the mating vector from straight down. Its limit is the friction cone's half
-// angle, and zero, but for rounding, for a motion that ends on the table.
+// Returns the angle of the mating vector from straight down. Its limit is the half angle of the
+// friction cone. For a motion that ends on the table, the limit is zero, apart from rounding.
 Limited MatingLean(const Problem& problem, const Mating& mating, const Pose& X_WorldFixed);
 // Returns whether the mating vector is inside the friction cone, and MeetsTable holds.
 bool InFrictionCone(const Problem& problem, const Mating& mating, const Pose& X_WorldFixed);
-// Returns whether the mating motion ends on the table (Mating::ends_on_table), if this is where it
-// must end: straight down, with the held part's lowest point level with the table. True for other
-// matings.
+// Returns whether a mating that must end on the table (Mating::ends_on_table) does so: the motion
+// goes straight down, and at its end the held part's lowest point is level with the table. Returns
+// true for other matings.
 bool MeetsTable(const Problem& problem, const Mating& mating, const Pose& X_WorldFixed);
 // Returns whether a stable pose of the fixed part hides one of its mating features. The
 // far mouth of a through hole may be hidden: the shaft enters at the other one.
@@ -41,7 +41,8 @@ std::vector<int> GraspList(const Problem& problem, const Mating& mating);
 
 // Returns the positions that suit a mating, as labels: the stable poses of the fixed part that hide
 // none of its mating features and put the mating vector inside the friction cone (PositionList of
-// assemble). The pose at the start is in the list if the stable pose that it corresponds to is.
+// assemble). The pose at the start is in the list if the stable pose to which it corresponds is in
+// the list.
 std::vector<int> PositionList(const Problem& problem, const Mating& mating);
 
 }  // namespace assay::domain

@@ -274,8 +274,9 @@ void MatingFile::CheckWayIn(const Value& vector, const Mating& mating, const Sha
 }
 
 // Checks that the motion ends at a contact where the part is to be, because a guarded move feels
-// for it. Returns whether this is the table: nothing of the fixed part is ahead, and the held part
-// is level with the side of the fixed part that lies on the table if the motion goes straight down.
+// for it. Returns whether this contact is the table. It is the table if nothing of the fixed part
+// is ahead, and if the held part is level with that side of the fixed part which lies on the table
+// when the motion goes straight down.
 bool MatingFile::EndsOnTable(const Value& pose, const Mating& mating) const {
   const PartModel& held = *problem_.part(mating.held).model;
   const PartModel& fixed = *problem_.part(mating.fixed).model;

@@ -10,10 +10,10 @@ namespace assay::domain {
 // matings of its goals and of its start. Adds the mating to the problem unless it is there already.
 // The problem must have its parts with their models, the clearance and the workcell.
 //
-// Throws InputError if the value is malformed. Throws also if a pair of features cannot meet (a
-// shaft meets a hole, a face a face, and holes lie in line) or is given twice; if, in the mated
-// pose, features do not meet, or parts overlap or do not touch; or if the motion does not lead
-// along the hole from before its mouth, or the parts overlap on the way.
+// Throws InputError if the value is malformed. Throws also if a pair of features is given twice or
+// cannot meet: a shaft meets a hole, a face meets a face, and holes lie in line. In the mated pose,
+// features must meet, and the parts must touch and not overlap. The motion must lead along the hole
+// from before its mouth, and the parts must not overlap on the way.
 MatingId AddMating(const Value& value, const Units& units, Problem& problem);
 
 // Throws InputError at the `features` of `value`, the entry of the mating, if none of its shafts is

@@ -25,8 +25,9 @@ std::vector<Side> SidesTowards(std::span<const geometry::ConvexHull> solids,
 double FarthestAlong(std::span<const geometry::ConvexHull> solids, const Vector3& direction);
 
 // Returns the frame of a part's feature, with its origin at a point and z along a unit vector. Its
-// x is the projection of the part's axis that is nearest to perpendicular to z, and the first such
-// axis if several are equal. So the part's axes stay visible.
+// x is the projection of that axis of the part which is nearest to perpendicular to z. If several
+// axes are equally near, it is the first of them. The axes of the frame are thus those of the part
+// wherever possible.
 Pose FrameAlong(const Vector3& origin, const Vector3& z);
 
 // Returns the faces of a part: the surface of a union of convex solids without what solids

@@ -56,8 +56,8 @@ class PartModel {
   double clearance_;
   std::string name_;
   std::string initial_;
-  // Most of what knows parts does not need their solids, and is then not compiled anew when a
-  // header of planner/geometry changes.
+  // Most code about parts does not need their solids. Such code is not compiled anew when a header
+  // of planner/geometry changes.
   std::shared_ptr<const PartShape> shape_;
   std::vector<Eigen::Vector4f> colors_;
   double friction_ = 0;

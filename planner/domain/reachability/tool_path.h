@@ -19,8 +19,9 @@ bool CanFollow(const Workcell& workcell, const geometry::Matrix3& R_WorldTool,
 struct PathReach {
   // Number of poses, from the first on, that the best single configuration reaches.
   std::size_t reached = 0;
-  // Joints at the first pose of a configuration that reaches the last one: the nearest to the
-  // workcell's home. None if no configuration does.
+  // The joint values at the first pose, in a configuration in which the arm reaches the last pose.
+  // If there are several, the joint values nearest to the workcell's home are taken. None if there
+  // is no such configuration.
   std::optional<kinematics::JointVector> start = {};
 };
 PathReach ReachAlong(const Workcell& workcell, std::span<const geometry::Pose> X_WorldTools);

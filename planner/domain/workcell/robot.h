@@ -24,8 +24,8 @@ struct Robot {
   kinematics::JointVector joint_acceleration =
       kinematics::JointVector::Zero();  // the greatest of each joint, rad/s^2
 
-  // Returns the prefix of names of the robot's own things, where names must differ: "left/", or
-  // nothing if it is the only robot.
+  // Returns the prefix that distinguishes names that belong to this robot from those of other
+  // robots: "left/", or nothing if it is the only robot.
   std::string Prefix() const { return name.empty() ? "" : name + "/"; }
 };
 

@@ -29,8 +29,8 @@ struct Stretch {
 // regions, or a vertex on a wall and the edge above it). Surfaces are in the order of their first
 // contacts. Model errors are taken to be 0.
 //
-// A patch may include its limits (closed) or not (open). Which contacts exist where contacts meet
-// depends on that:
+// A patch may include its limits (closed) or not (open). This decides which contacts exist where
+// contacts meet:
 //  - The limit of a rotation is closed, since a face may lie flat.
 //  - The end of a face or an edge is closed where other contacts stop whatever would go past it. A
 //    corner touches both walls that meet there, and an edge still touches when the face at its end
@@ -65,8 +65,8 @@ class CSurfaces {
 
   // Returns whether the pose is on one of the surface's patches, or in front of or behind one.
   bool Covers(int surface, const ScaledPose& x) const;
-  // Returns whether x is within one patch and well off each limit that a motion along the tangents
-  // can approach.
+  // Returns whether x is within one patch and well inside each limit that a motion along the
+  // tangents can approach.
   bool IsInside(int surface, const ScaledPose& x,
                 const Eigen::Matrix<double, kPoseDimensions, Eigen::Dynamic>& tangents) const;
   // Returns the stretch of a ray that is in the patch. The ray leads along g from the point with

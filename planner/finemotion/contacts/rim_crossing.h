@@ -22,10 +22,11 @@ struct RimCrossing {
   double sine = 0;           // sine of the angle between the rims there
 };
 
-// Returns the crossing of two rims whose axes are roughly opposite. Going around the first rim
-// about its axis, one comes to two crossings with the second: there one leaves (`sense` 1) or
-// enters (-1) the second rim's inside, as seen along the second axis. Returns none if the rims do
-// not cross. If there are more crossings in this sense, returns the one with the nearest points.
+// Returns the crossing of two rims whose axes are roughly opposite. A walk around the first rim,
+// about its axis, passes two crossings with the second rim. At one of them the walk leaves the
+// inside of the second rim, as seen along the second axis (`sense` 1). At the other it enters this
+// inside (`sense` -1). Returns none if the rims do not cross. If there are more crossings in this
+// sense, returns the one with the nearest points.
 std::optional<RimCrossing> CrossingOf(const Rim& first, const Rim& second, int sense);
 
 }  // namespace assay::finemotion

@@ -8,7 +8,8 @@ namespace assay::finemotion {
 // All points of generalized space that a part can reach if it starts in `start` and moves for at
 // most `time` seconds at one velocity out of `velocity`: { z + s v : z in start, v in velocity, 0
 // <= s <= time } (Dakin and Popplestone, section 4 and figure 12). The velocity components of model
-// errors are 0, since model errors do not move. The projection is convex, since the velocities are.
+// errors are 0, since model errors do not move. The projection is convex, since the set of
+// velocities is convex.
 struct ForwardProjection {
   geometry::Zonotope start;
   geometry::Zonotope velocity;

@@ -13,9 +13,9 @@ inline constexpr int kUsualRows = 8;  // the dimension is known to the compiler 
 
 // The image of a forward projection under a contact's rows. The rows map a point of generalized
 // space to the gap of the contact at this point and to the excess over each limit of the contact.
-// In the image the contact is { 0 } x { not positive } x ..., in few dimensions however many errors
-// there are. One matrix holds, a column each, the start, the motion in the whole time, and the
-// change that each error makes to either.
+// In the image the contact is { 0 } x { not positive } x ... . The image has few dimensions,
+// however many errors there are. The columns of one matrix hold the start, the motion in the whole
+// time, and the change that each error makes to start or motion.
 class ProjectionImage {
  public:
   ProjectionImage(const ForwardProjection& projection, const PrimitiveContact& contact);
@@ -58,8 +58,8 @@ class ProjectionImage {
   Eigen::Index motion_errors_;
 };
 
-// The image as points of K dimensions, which the compiler knows. It serves the innermost loops.
-// Code that uses the points is compiled for each K, so it should be short.
+// The image as points of K dimensions, where the compiler knows K. This class serves the innermost
+// loops. Code that uses the points is compiled for each K, so it should be short.
 template <int K>
 class ImagePoints {
  public:

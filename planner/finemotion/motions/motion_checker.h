@@ -56,7 +56,7 @@ class MotionChecker {
 
   const Options& options() const { return options_; }
   const ContactFinder& finder() const { return finder_; }
-  // Returns a checker for motions that walls lead, which have no velocity errors.
+  // Returns a checker for motions that walls guide, which have no velocity errors.
   MotionChecker WithoutVelocityErrors() const;
   // Returns the contacts within `reach` metres, for parts turned by no more than options().turn.
   std::vector<PrimitiveContact> ContactsWithin(double reach, const Pose& X_StationaryMoving) const;

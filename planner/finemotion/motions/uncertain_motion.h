@@ -15,9 +15,9 @@
 
 namespace assay::finemotion {
 
-// A command with everything that errors can make of it: the poses that the part can come to, and
-// the believed pose after it. Checks of motions spend much of their time here, so the class stands
-// in a header.
+// A command and its possible results under errors: the poses that the part can come to, and the
+// believed pose after the command. Checks of motions spend much of their time here, so the class
+// stands in a header.
 class UncertainMotion {
  public:
   // All three must outlive the motion.

@@ -23,8 +23,8 @@ constexpr double kBlocked = 0.2;
 constexpr double kGrazing = 0.3;          // sine of an angle at which a contact is felt too late
 constexpr double kCorrection = 2e-3;      // metres; more is not a correction
 constexpr double kLongestMotion = 0.015;  // metres of the way that are checked as one motion
-// More metres of a way along round contacts are not checked as one motion, because the normals of
-// such contacts turn as the part moves.
+// The longest way along round contacts, in metres, that is checked as one motion. It is short,
+// because the normals of such contacts turn as the part moves.
 constexpr double kLongestRoundMotion = 0.002;
 // A way ends this many metres before the next critical point, so that the part is free there.
 constexpr double kShortOfNext = 5e-4;

@@ -163,9 +163,10 @@ std::optional<double> RadiusOfRoundHole(const domain::ShaftFit& fit) {
   return radius(walls.front());
 }
 
-// Makes round what is round: shafts of the held part that go into holes of the fixed part. A shaft
-// is as wide as the corners of its polygon, and a hole as its sides, so that the cylinders touch
-// wherever the polygons do.
+// Adds cylinders for polygons that stand for circles: for shafts of the held part that go into
+// holes of the fixed part. The cylinder of a shaft goes through the corners of its polygon, and
+// that of a hole touches the sides of its polygon. The cylinders therefore touch wherever the
+// polygons do.
 void AddRoundFits(const std::vector<domain::ShaftFit>& fits, Shapes& shapes) {
   for (const domain::ShaftFit& fit : fits) {
     const geometry::Polygon section = domain::CrossSection(fit);
@@ -198,7 +199,7 @@ domain::Problem WithoutClearance(domain::Problem problem, const domain::Mating& 
   return problem;
 }
 
-// Returns the critical points of the parts without clearance. Play that is left then is that of
+// Returns the critical points of the parts without clearance. The play that is then left comes from
 // the parts' files.
 std::vector<CriticalPoint> CriticalPointsOf(const domain::Problem& problem,
                                             const domain::Mating& mating) {

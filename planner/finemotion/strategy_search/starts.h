@@ -28,7 +28,7 @@ class Starts {
   Start Near(const Start& start, double size);
 
   // Returns the believed pose at a start, with `multiple` times the errors. The start is so far up
-  // that the part is free for all of them.
+  // that the part is free for all of these errors.
   BelievedPose BelievedPoseAt(const Start& start, double multiple) const;
 
  private:

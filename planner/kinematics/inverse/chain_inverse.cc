@@ -19,8 +19,9 @@ constexpr double kRefined = 1e-13;      // an error that needs no refinement
 constexpr double kSameSolution = 1e-6;  // rad
 constexpr double kNearSolution = 1e-5;  // rad
 constexpr double kNearlySolved = 0.05;  // greatest error of the class's solution for such an arm
-// Two solutions that are near to each other lie about the square root of the deviation from where
-// they would be the same. There, the Jacobian's least singular value is below this multiple of it.
+// The distance of two near solutions from the place where they would coincide is about the square
+// root of the deviation. At such solutions, the Jacobian's least singular value is below this
+// multiple of it.
 constexpr double kSingularMotion = 20;
 // Beside a singular pose, more joint values than this can reach the pose to within the error.
 constexpr std::size_t kMostSolutions = 16;

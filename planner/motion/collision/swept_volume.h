@@ -32,8 +32,8 @@ std::vector<SweptPiece> SweptVolume(const CollisionScene& scene, const JointPath
 
 // Returns the first pair of bodies whose distance falls below `clearance` (metres): a piece's own
 // body, and a body that stands still and that it must not touch. Returns none if everything that
-// moves stays clear. Pieces are never smaller than what they contain. So the absence of
-// obstructions is proved, and their presence is not.
+// moves stays clear. Pieces are never smaller than what they contain. An answer without an
+// obstruction is therefore a proof, and an answer with an obstruction is not.
 std::optional<BodyPair> InTheWay(const CollisionScene& scene, const std::vector<SweptPiece>& pieces,
                                  double clearance);
 

@@ -13,8 +13,8 @@ struct CarryRequest {
   // The greatest angle, in radians, between the vertical and the direction of the tool that points
   // up at the start; none: any angle.
   std::optional<double> tilt = {};
-  // The tool, by the arm's kinematics, in the frame where the tool is believed to be. If the tool
-  // is elsewhere than believed, this error stays the same while the arm moves.
+  // The pose of the tool by the arm's kinematics, relative to the pose where the tool is believed
+  // to be. If the two poses differ, their difference stays the same while the arm moves.
   Pose X_BelievedTool = Pose::Identity();
 };
 

@@ -17,8 +17,8 @@ namespace assay::network {
 // keeps a trail.
 //
 // There are two differences from TreeSearch. Changed nodes are propagated in no particular order,
-// except that nodes with one label come first. The node to branch on has the fewest labels,
-// squared, per weight.
+// except that nodes with one label come first. The search branches on the node with the least
+// square of its number of labels, divided by its weight.
 
 // Returns true if every label set fits into one word and all rows together fit into the caches.
 bool FitsLanes(std::span<const int> scope, const LabelStore& labels);

@@ -46,8 +46,8 @@ inline constexpr ConditionKind kPadContact = {
     "pad contact", "the grasped point stays inside the closed pads, by the workcell's margin",
     Dimension::kLength, NeededBy::kGrasp, Origin::kSoundMode};
 
-// The moment of a pad's push about every edge on which the part stands, over the moment of the
-// part's weight, is below 1.
+// The moment of a pad's push about every edge on which the part stands, divided by the moment of
+// the part's weight, is below 1.
 inline constexpr ConditionKind kUpright = {
     "upright", "the part slides before a closing pad and does not topple", Dimension::kRatio,
     NeededBy::kGrasp, Origin::kSoundMode};
@@ -172,9 +172,9 @@ inline constexpr ConditionKind kPressed = {
 
 // ---- Every step with the hand ----------------------------------------------------------------
 
-// The load on the pads over what they bear is below 1. The load is weight, accelerations
-// (carrying.h) and the lever from the pads to the centre of mass. The pads bear it by the least
-// friction within its tolerance, under the grip force.
+// The load on the pads, divided by the load that they bear, is below 1. The load is weight,
+// accelerations (carrying.h) and the lever from the pads to the centre of mass. The pads bear it by
+// the least friction within its tolerance, under the grip force.
 inline constexpr ConditionKind kHolding = {"holding", "the pads' friction bears the part",
                                            Dimension::kRatio, NeededBy::kCarrying,
                                            Origin::kSoundMode};

@@ -20,8 +20,8 @@ ToolLine LineFrom(const Pose& X_WorldTool, const geometry::Vector3& displacement
 
 // Checks whether the arm can follow every line from one joint vector at their common start. Returns
 // the reason why it cannot, or none if it can. The closed form of the inverse kinematics only
-// proposes joint vectors. Each one counts if it is within the arm's limits and brings the tool to
-// the pose to 1e-6. From one pose to the next, no joint may turn by more than 20 degrees.
+// proposes joint vectors. A joint vector counts if it is within the arm's limits and brings the
+// tool to the pose to 1e-6. From one pose to the next, no joint may turn by more than 20 degrees.
 std::optional<std::string> WhyOutOfReach(const domain::Workcell& workcell,
                                          std::span<const ToolLine> lines);
 

@@ -28,17 +28,18 @@ geometry::Patches TouchedPatch(const domain::PartModel& model, const plan::Hold&
                                const Vector2& within);
 
 // Returns what both pads touch, opposite each other, of the two faces between them, in the tool's x
-// and z. It is inside a rectangle with half the extents `within` about the middle of the pads. A
-// part that is displaced along the pads by no more than these lack to the pads' extents surely
-// touches with all of it.
+// and z. It is inside a rectangle with half the extents `within` about the middle of the pads. If
+// the part is displaced along the pads by at most the difference between the pads' half extents and
+// `within`, it surely touches with all of this area.
 geometry::Patches OppositePatch(const domain::PartModel& model, const plan::Hold& hold,
                                 const Vector2& within);
 
 Eigen::AlignedBox2d BoundsOf(const geometry::Patches& patches);
 
 // Returns half the angle between neighbouring faces, in radians, if the pads close on the middle of
-// a side that is round about the tool's z. It is round all along what the pads touch, and nothing
-// of the part sticks out of it within `reach` metres of the pads' middle. Returns none otherwise.
+// a side that is round about the tool's z. The side must be round along the whole area that the
+// pads touch, and within `reach` metres of the pads' middle nothing of the part may stick out of
+// this side. Returns none otherwise.
 std::optional<double> RoundAboutApproach(const domain::PartModel& model, const plan::Hold& hold,
                                          const Vector2& pad, double reach);
 

@@ -29,11 +29,11 @@ struct FalsificationOptions {
 
 // Tries to falsify each certificate of a plan in the engine. The plan is first executed without
 // noise. Then its steps are attempted in order, from states saved where the tool is poised for the
-// step. The points of the error box are tried in this sequence: corners of a design; corners at
-// which claims are likely to be extreme, by the main effects that the design shows; points that
-// fill the box evenly; and a local search (NLopt) from the least margins found. The corners of the
-// design are attempted to the step's end. Every other attempt is made for one claim and ends when
-// that claim is decided, which is mostly where the tool is poised. All claims get the same
+// step. First, corners of a design are tried. Next come corners at which claims are likely to be
+// extreme, by the main effects that the design shows, and then points that fill the box evenly. The
+// last attempts are those of a local search (NLopt) from the least margins found. The corners of
+// the design are attempted to the step's end. Every other attempt is made for one claim and ends
+// when that claim is decided, which is mostly where the tool is poised. All claims get the same
 // simulated time, so claims that are decided sooner are attempted more often. The next step starts
 // from the states whose errors are farthest out in each direction. The result is the same for any
 // number of threads.

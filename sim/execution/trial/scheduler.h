@@ -15,9 +15,10 @@ namespace assay::execution {
 // lock.
 //
 // No more pieces are begun after `stop` has returned true, or after a piece of work or keeping its
-// result has thrown. Pieces that take long ask Ends, and end by throwing anything. What a piece
-// throws after a stop is dropped, with its result. The first other exception is thrown again when
-// the pieces that were begun have ended, and no result is kept after it.
+// result has thrown. Pieces that take long ask Ends, and end by throwing an exception of any type.
+// An exception that a piece throws after a stop is dropped, and the piece has no result. The first
+// other exception is thrown again when the pieces that were begun have ended, and no later result
+// is kept.
 class Scheduler {
  public:
   // `stop` is asked before each piece, by one thread at a time; empty: nothing stops the work.
