@@ -74,7 +74,7 @@ void InBatches(benchmark::State& state) {
   SolutionBatch found;
   int regular = 0;
   for (std::size_t i = 0; i < batches.size(); ++i) {
-    Inverse(Puma().geometry(), batches[i], found);
+    Inverse(*Puma().geometry(), batches[i], found);
     for (int pose = 0; pose < kBatch; ++pose) {
       if (!found.regular[static_cast<std::size_t>(pose)]) continue;
       ++regular;
@@ -88,7 +88,7 @@ void InBatches(benchmark::State& state) {
   }
   for (auto _ : state) {
     for (const PoseBatch& batch : batches) {
-      Inverse(Puma().geometry(), batch, found);
+      Inverse(*Puma().geometry(), batch, found);
       benchmark::DoNotOptimize(found);
     }
   }

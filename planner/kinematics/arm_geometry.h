@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "planner/kinematics/urdf_model.h"
 
 namespace assay::kinematics {
@@ -14,10 +16,11 @@ struct ArmGeometry {
   double d6 = 0;  // wrist centre to flange
 };
 
-// Returns the lengths of a chain of links. Throws InputError if the chain does not satisfy Lee and
-// Ziegler's convention. At joint values 0, axes 1, 4, 6 must point along the root's z, and axes 2,
-// 3, 5 along its y. Axes 1 and 2 must meet in the root's origin, and axes 4, 5, 6 in one point. The
-// frame of the last link, the flange, must have the root's orientation and its origin on axis 6.
-ArmGeometry ReadGeometry(const RobotModel& model);
+// Returns the lengths of an arm, a chain of six revolute joints, or none if it does not satisfy Lee
+// and Ziegler's convention. At joint values 0, axes 1, 4, 6 must point along the base's z, and axes
+// 2, 3, 5 along its y. Axes 1 and 2 must meet in the base's origin, and axes 4, 5, 6 in one point.
+// The frame of the last link, the flange, must have the base's orientation and its origin on
+// axis 6.
+std::optional<ArmGeometry> GeometryOf(const RobotModel& arm);
 
 }  // namespace assay::kinematics

@@ -14,7 +14,7 @@ namespace {
 void SolveAtHome(const std::filesystem::path& file) {
   const auto arm = assay::kinematics::Arm::FromUrdf(file);
   const assay::kinematics::JointVector q = assay::kinematics::JointVector::Constant(0.3);
-  ASSAY_CHECK(arm.Inverse(arm.Forward(q), q).size() <= 8, "more solutions than branches");
+  ASSAY_CHECK(arm.Inverse(arm.Forward(q), q).size() <= kinematics::kMostSolutions, "more solutions than branches");
 }
 
 void SolveAnyArm(const std::filesystem::path& file, bool general) {

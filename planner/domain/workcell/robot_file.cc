@@ -19,6 +19,7 @@ class RobotFile {
   Robot Read(const std::string& name, const Value& robot, const Value& gripper) const;
 
  private:
+  static kinematics::ArmEnds ReadEnds(const Value& robot);
   JointVector ReadJoints(const Value& value) const;
   JointVector ReadHome(const Value& home, const kinematics::Arm& arm) const;
   JointVector ReadAcceleration(const Value& acceleration) const;
@@ -33,8 +34,8 @@ Robot RobotFile::Read(const std::string& name, const Value& robot, const Value& 
   Robot read;
   read.name = name;
   read.gripper_file = Beside(gripper.At("urdf"));
-  read.arm =
-      std::make_shared<const kinematics::Arm>(kinematics::Arm::FromUrdf(Beside(robot.At("urdf"))));
+  read.arm = std::make_shared<const kinematics::Arm>(
+      kinematics::Arm::FromUrdf(Beside(robot.At("urdf")), ReadEnds(robot)));
   read.gripper =
       std::make_shared<const kinematics::Gripper>(kinematics::Gripper::FromUrdf(read.gripper_file));
   const Value base = robot.At("base");
@@ -43,6 +44,17 @@ Robot RobotFile::Read(const std::string& name, const Value& robot, const Value& 
   read.home = ReadHome(robot.At("home"), *read.arm);
   read.joint_acceleration = ReadAcceleration(robot.At("acceleration"));
   return read;
+}
+
+kinematics::ArmEnds RobotFile::ReadEnds(const Value& robot) {
+  const std::optional<Value> links = robot.Find("links");
+  if (!links) return {};
+  links->AllowOnly({"base", "flange"});
+  const auto name = [&](const char* key) {
+    const std::optional<Value> link = links->Find(key);
+    return link ? link->Text() : std::string();
+  };
+  return {name("base"), name("flange")};
 }
 
 JointVector RobotFile::ReadJoints(const Value& value) const {
@@ -89,14 +101,14 @@ std::vector<Robot> ReadRobots(const Value& workcell, const Units& units,
   const std::optional<Value> robots = workcell.Find("robots");
   if (!robots) {
     const Value robot = workcell.At("robot");
-    robot.AllowOnly({"urdf", "base", "home", "acceleration"});
+    robot.AllowOnly({"urdf", "links", "base", "home", "acceleration"});
     return {file.Read("", robot, workcell.At("gripper"))};
   }
   workcell.AllowOnly({"format", "description", "units", "robots", "table", "tables", "rules",
                       "placements", "places", "sensors", "verifications", "recoveries"});
   std::vector<Robot> read;
   for (const auto& [key, robot] : robots->Entries()) {
-    robot.AllowOnly({"urdf", "base", "home", "acceleration", "gripper"});
+    robot.AllowOnly({"urdf", "links", "base", "home", "acceleration", "gripper"});
     read.push_back(file.Read(ReadName(key, "a robot"), robot, robot.At("gripper")));
   }
   if (read.empty()) robots->Fail("no robots", "one or more, by their names");

@@ -8,17 +8,6 @@
 namespace assay::kinematics {
 namespace {
 
-bool Meet(const JointAxis& a, const JointAxis& b) {
-  return DistanceBetween(a, b) < kFileTolerance && !AreParallel(a, b);
-}
-
-// Returns the point of a that is nearest to b. The axes must not be parallel.
-Vector3 NearestPoint(const JointAxis& a, const JointAxis& b) {
-  const Vector3 normal = a.direction.cross(b.direction);
-  const double along = (b.point - a.point).cross(b.direction).dot(normal) / normal.squaredNorm();
-  return a.point + along * a.direction;
-}
-
 // Axes that cross at a smaller angle (radians) have no clear common point.
 constexpr double kLeastCrossing = 0.01;
 

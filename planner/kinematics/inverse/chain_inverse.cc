@@ -9,6 +9,7 @@
 
 #include "planner/base/check.h"
 #include "planner/base/random.h"
+#include "planner/kinematics/arm_solutions.h"
 
 namespace assay::kinematics {
 namespace {
@@ -24,7 +25,6 @@ constexpr double kNearlySolved = 0.05;  // greatest error of the class's solutio
 // multiple of it.
 constexpr double kSingularMotion = 20;
 // Beside a singular pose, more joint values than this can reach the pose to within the error.
-constexpr std::size_t kMostSolutions = 16;
 constexpr double kBeyondLimit = 1e-9;  // rad
 constexpr double kAnyValue = 0.7;      // rad; a joint value without meaning
 

@@ -45,4 +45,14 @@ bool AreParallel(const JointAxis& a, const JointAxis& b) {
   return a.direction.cross(b.direction).norm() < kFileTolerance;
 }
 
+bool Meet(const JointAxis& a, const JointAxis& b) {
+  return DistanceBetween(a, b) < kFileTolerance && !AreParallel(a, b);
+}
+
+Vector3 NearestPoint(const JointAxis& a, const JointAxis& b) {
+  const Vector3 normal = a.direction.cross(b.direction);
+  const double along = (b.point - a.point).cross(b.direction).dot(normal) / normal.squaredNorm();
+  return a.point + along * a.direction;
+}
+
 }  // namespace assay::kinematics

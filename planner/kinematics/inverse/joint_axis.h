@@ -36,4 +36,9 @@ double DistanceBetween(const JointAxis& a, const JointAxis& b);
 // Returns true if the lines have the same direction or opposite directions, to within 1e-9.
 bool AreParallel(const JointAxis& a, const JointAxis& b);
 
+// Returns true if the lines meet in one point, to within kFileTolerance.
+bool Meet(const JointAxis& a, const JointAxis& b);
+// Returns the point of a that is nearest to b. The lines must not be parallel.
+Vector3 NearestPoint(const JointAxis& a, const JointAxis& b);
+
 }  // namespace assay::kinematics

@@ -10,7 +10,7 @@
 namespace assay::motion {
 namespace {
 
-constexpr int kFirstOfWrist = 4;  // link of the arm: the axes beyond it meet in one point
+constexpr int kFirstOfWrist = 4;  // link of the arm: seen from the tool, only two joints move it
 
 // Returns a turn about the axis through `origin`.
 Pose TurnAbout(const Vector3& origin, const Vector3& axis, double angle) {
@@ -81,17 +81,33 @@ PairErrors::PairErrors(const CollisionScene& scene, const BodyPair& pair, const 
   shift_ += tool.shift.norm();
   greatest_[kToolTurn] = tool.turn;
   greatest_[kToolSpin] = tool.spin;
-  const LinkPoses X_BaseLink = scene.arm().LinkPoses(JointVector::Zero());
-  const Vector3 wrist = X_BaseLink.back() * Vector3(0, 0, -scene.arm().geometry().d6);
-  const Vector3 origin =
-      X_BaseLink.back() * scene.workcell().gripper().X_FlangeTool().translation();
-  const Vector3 center = X_BaseLink[second.link] * second.center;
-  const double from_wrist = (center - wrist).norm() + second.ball_radius;
-  for (int k = second.link; k < kToolTurn; ++k) {
-    greatest_[k] = sway[k];
-    reach_[k] = from_wrist;
+  greatest_.segment(second.link, kToolTurn - second.link) = sway.tail(kToolTurn - second.link);
+  ReachFromTool(second);
+}
+
+// Goes from the body outwards. Every axis beyond the body passes through a point whose distance
+// from the body is bounded. If the last axes meet, this point is the same for all of them.
+// Otherwise it is the origin of the axis, which is as far from the axis before it as the file says.
+void PairErrors::ReachFromTool(const Body& body) {
+  const kinematics::Arm& arm = scene_->arm();
+  const Vector3 tool = scene_->workcell().gripper().X_FlangeTool().translation();
+  if (arm.HasSphericalWrist()) {
+    const LinkPoses X_BaseLink = arm.LinkPoses(JointVector::Zero());
+    const Vector3 center = X_BaseLink.back() * arm.p_FlangeCenter();
+    const double from_center =
+        (X_BaseLink[body.link] * body.center - center).norm() + body.ball_radius;
+    reach_.segment(body.link, kToolTurn - body.link).setConstant(from_center);
+    reach_[kToolTurn] = reach_[kToolSpin] = from_center + (tool - arm.p_FlangeCenter()).norm();
+    return;
   }
-  reach_[kToolTurn] = reach_[kToolSpin] = from_wrist + (wrist - origin).norm();
+  double reach = body.center.norm() + body.ball_radius;
+  for (int k = body.link; k < kToolTurn; ++k) {
+    const Vector3 next =
+        arm.model().joints[static_cast<std::size_t>(k)].X_ParentJoint.translation();
+    reach = k == body.link ? (body.center - next).norm() + body.ball_radius : reach + next.norm();
+    reach_[k] = reach;
+  }
+  reach_[kToolTurn] = reach_[kToolSpin] = reach + tool.norm();
 }
 
 // An error moves points that the others have moved, which makes their levers longer.

@@ -57,6 +57,7 @@ class PairErrors {
   double GreatestMotion(const JointVector& turn) const;
 
  private:
+  void ReachFromTool(const Body& body);
   Pose FlangeWith(const ErrorVector& errors, const Pose& X_BaseFlange) const;
 
   const CollisionScene* scene_;

@@ -25,18 +25,14 @@ constexpr double kInflation = 1.2;    // factor on a guess at the turns of joint
 constexpr int kGuesses = 5;           // number of guesses, each computed from the last one
 constexpr double kWidestCell = 0.25;  // greatest turn of a joint in a cell, radians
 
-// Derivatives of the arm in one posture, as the tool moves with it. They are about the wrist's
-// center, through which the last three axes pass, in the world's axes.
+// Derivatives of the arm in one posture, as the tool moves with it. They are about the arm's center
+// (kinematics::ArmSolver), in the world's axes.
 struct Differential {
   Matrix6 inverse;                // A of the Jacobian J: joint rates by twists of the tool
   std::array<Matrix6, 6> change;  // |A dJ/dq| for each joint
-  // Distance of the wrist's center from each joint's axis, metres.
+  // Distance of the center from each joint's axis, metres.
   std::array<double, 6> lever = {};
 };
-
-Vector3 WristInFlange(const domain::Workcell& workcell) {
-  return {0, 0, -workcell.arm().geometry().d6};
-}
 
 // Joint j turns everything behind it about its axis.
 Matrix6 ChangeOf(const Matrix6& jacobian, int j) {
@@ -50,21 +46,26 @@ Matrix6 ChangeOf(const Matrix6& jacobian, int j) {
   return change;
 }
 
-// The last three joints do not move the center, so J and A consist of blocks.
+Matrix6 InverseOf(const Matrix6& jacobian) {
+  const Matrix3 by_wrist = jacobian.topRightCorner<3, 3>();
+  if (!by_wrist.isZero(0)) return jacobian.inverse();
+  // The last three joints do not move the center, so the matrix consists of blocks.
+  const Matrix3 by_velocity = jacobian.topLeftCorner<3, 3>().inverse();
+  const Matrix3 by_turn = jacobian.bottomRightCorner<3, 3>().inverse();
+  Matrix6 inverse;
+  inverse << by_velocity, Matrix3::Zero(),
+      -by_turn * jacobian.bottomLeftCorner<3, 3>() * by_velocity, by_turn;
+  return inverse;
+}
+
 Differential DifferentialAt(const domain::Workcell& workcell, const JointVector& q) {
-  const kinematics::WristJacobian at_wrist = workcell.arm().JacobianAt(q);
   const Matrix3 R_WorldBase = workcell.X_WorldBase().linear();
-  const Matrix3 center = R_WorldBase * at_wrist.center;
-  const Matrix3 shoulder = R_WorldBase * at_wrist.shoulder;
-  const Matrix3 wrist = R_WorldBase * at_wrist.wrist;
-  const Matrix3 by_velocity = center.inverse();
-  const Matrix3 by_turn = wrist.inverse();
-  Matrix6 jacobian;
-  jacobian << center, Matrix3::Zero(), shoulder, wrist;
-  Differential at;
-  at.inverse << by_velocity, Matrix3::Zero(), -by_turn * shoulder * by_velocity, by_turn;
+  Matrix6 jacobian = workcell.arm().JacobianAt(q);
+  jacobian.topRows<3>() = R_WorldBase * jacobian.topRows<3>();
+  jacobian.bottomRows<3>() = R_WorldBase * jacobian.bottomRows<3>();
+  Differential at = {.inverse = InverseOf(jacobian), .change = {}};
   for (int j = 0; j < 6; ++j) at.change[j] = (at.inverse * ChangeOf(jacobian, j)).cwiseAbs();
-  for (int k = 0; k < 3; ++k) at.lever[k] = center.col(k).norm();
+  for (int k = 0; k < 6; ++k) at.lever[k] = jacobian.col(k).head<3>().norm();
   return at;
 }
 
@@ -134,7 +135,7 @@ class Piece {
         indicators_(workcell.arm().IndicatorsOf(from)),
         X_WorldTool_(ToolAt(workcell, from)),
         line_(ToolAt(workcell, to).translation() - X_WorldTool_.translation()),
-        wrist_(workcell.gripper().X_FlangeTool().inverse() * WristInFlange(workcell)) {
+        center_(workcell.gripper().X_FlangeTool().inverse() * workcell.arm().p_FlangeCenter()) {
     all_.middle[kAlong] = 0.5;
     all_.half << 0.5, doubt.shift, doubt.turn, doubt.spin;
     all_.half.tail<5>().array() += kLeastDoubt;
@@ -155,7 +156,7 @@ class Piece {
     return q ? kinematics::NearestByTurns(*q, middle_) : q;
   }
 
-  // Returns bounds of the twist, about the wrist's center, that moves the tool from the middle of
+  // Returns bounds of the twist, about the arm's center, that moves the tool from the middle of
   // the cell to another of its poses. A column bounds the components of the twist if only one of
   // the coordinates changes.
   Matrix6 TwistsIn(const Coordinates& half) const {
@@ -165,8 +166,8 @@ class Piece {
     // A turn about the vertical does not change the lean of the tool's z.
     const Vector3 z = X_WorldTool_.linear().col(2);
     const double across = z.head<2>().norm();
-    const double off_axis = wrist_.head<2>().norm();
-    const double swung = across * std::abs(wrist_.z()) + off_axis;
+    const double off_axis = center_.head<2>().norm();
+    const double swung = across * std::abs(center_.z()) + off_axis;
     twists.col(kTurn) << swung, swung, 0, 0, 0, 1;
     twists.col(kSpin) << off_axis, off_axis, off_axis, across, across, std::abs(z.z());
     twists.col(kTurn) *= half[kTurn];
@@ -181,7 +182,7 @@ class Piece {
   kinematics::Indicators indicators_;
   Pose X_WorldTool_;
   Vector3 line_;
-  Vector3 wrist_;  // the wrist's center in the tool's frame
+  Vector3 center_;  // the arm's center in the tool's frame
   Cell all_;
   Coordinates errors_;
 };
@@ -199,7 +200,9 @@ class WayCover {
  public:
   WayCover(const domain::Workcell& workcell, const plan::ToolErrorBox& doubt)
       : workcell_(workcell), doubt_(doubt) {
-    sway_.is_bounded = true;
+    // The cells of a way are known to have postures of one configuration only if the indicators
+    // tell configurations apart.
+    sway_.is_bounded = workcell.arm().IndicatorsTellAllApart();
     sway_.room = std::numeric_limits<double>::infinity();
   }
 

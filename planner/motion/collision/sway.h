@@ -23,12 +23,11 @@ struct Sway {
 // posture to the next.
 //
 // The possible poses of the tool are covered by cells. A cell is a piece of a line together with
-// intervals of the errors. In the middle of a cell the closed form of the inverse kinematics gives
-// the posture q0. As the tool goes from there to another pose of the cell, the joints turn at rates
-// x with J(q) x = b, and |b| is at most half the cell. With A = J(q0)^-1 that is x = A b + (I - A
-// J(q)) x, so |x| <= |A| |b| + M |x|. M bounds |I - A J(q)|. The bound consists of the derivatives
-// of J at q0, and of a bound on the higher terms that follows from how far axes and levers may
-// turn.
+// intervals of the errors. In the middle of a cell the inverse kinematics gives the posture q0. As
+// the tool goes from there to another pose of the cell, the joints turn at rates x with J(q) x = b,
+// and |b| is at most half the cell. With A = J(q0)^-1 that is x = A b + (I - A J(q)) x, so |x| <=
+// |A| |b| + M |x|. M bounds |I - A J(q)|. The bound consists of the derivatives of J at q0, and of
+// a bound on the higher terms that follows from how far axes and levers may turn.
 //
 // Let r satisfy r >= |A| |b| + M r, with M for joints within r of q0. Then no joint turns farther
 // than r, and J(q) is never singular. This is the argument of Krawczyk's test (Moore, "Methods and

@@ -73,7 +73,7 @@ class PostureSampler {
     return q;
   }
 
-  // Turns the tool by the least angle, about the wrist's centre at its present place, until it is
+  // Turns the tool by the least angle, about the arm's center at its present place, until it is
   // upright. Returns false if the arm cannot do this.
   bool SetUpright(JointVector& q) {
     const domain::Workcell& workcell = scene_.workcell();
@@ -81,12 +81,12 @@ class PostureSampler {
         workcell.gripper().X_FlangeTool().linear() * request_.rules.upright->up_Tool;
     const Vector3 up_Base = workcell.X_WorldBase().linear().transpose() * Vector3::UnitZ();
     const Pose X_BaseFlange = scene_.arm().Forward(q);
-    const Vector3 wrist = X_BaseFlange * Vector3(0, 0, -scene_.arm().geometry().d6);
+    const Vector3 center = X_BaseFlange * scene_.arm().p_FlangeCenter();
     Pose upright = X_BaseFlange;
     upright.linear() =
         Eigen::Quaterniond::FromTwoVectors(X_BaseFlange.linear() * up_Flange, up_Base) *
         X_BaseFlange.linear();
-    upright.translation() = wrist + upright.linear() * Vector3(0, 0, scene_.arm().geometry().d6);
+    upright.translation() = center - upright.linear() * scene_.arm().p_FlangeCenter();
     std::vector<JointVector> found;
     for (const auto& solution : scene_.arm().Inverse(upright, q)) {
       for (const JointVector& r : scene_.arm().Representatives(solution.q)) found.push_back(r);

@@ -58,29 +58,28 @@ struct MissingForPhysics {
 };
 
 // Returns why a workcell cannot have the arm, or nothing if it can.
-std::string ReasonAgainstWorkcell(const std::filesystem::path& file) {
+std::string ReasonAgainstWorkcell(const ArmRequest& request) {
   try {
-    kinematics::Arm::FromUrdf(file);
+    kinematics::Arm::FromUrdf(request.file, {request.base, request.tip});
     return "";
   } catch (const InputError& error) {
     return error.what();
   }
 }
 
-std::string WorkcellText(const std::filesystem::path& file, const std::string& reason) {
-  if (!reason.empty()) {
-    return fmt::format(
-        "So far, a workcell takes only arms whose axes are arranged like those of the Puma 762. "
-        "This arm is refused:\n"
-        "  {}\n",
-        reason);
-  }
+std::string WorkcellText(const ArmRequest& request, const SerialChain& chain,
+                         const std::string& reason) {
+  if (!reason.empty()) return fmt::format("A workcell refuses this arm:\n  {}\n", reason);
   return fmt::format(
-      "Write into a workcell (the base's axes and origin, in metres from the middle of the table's "
-      "top):\n  robot:\n    urdf: {}\n    base: {{columns: [[1, 0, 0], [0, 1, 0], [0, 0, 1], "
-      "[-0.15, "
-      "0, 0.70]]}}\n",
-      file.filename().string());
+      "Write into a workcell (lengths in metres in the world, whose origin is on the table's top; "
+      "joint values in the workcell's unit of angles):\n"
+      "  robot:\n"
+      "    urdf: {}\n"
+      "    links: {{base: {}, flange: {}}}\n"
+      "    base: {{columns: [[1, 0, 0], [0, 1, 0], [0, 0, 1], [-0.15, 0, 0.70]]}}\n"
+      "    home: [0, 0, 0, 0, 0, 0]  # a posture with the tool straight down over the table\n"
+      "    acceleration: [150, 150, 150, 300, 300, 300]  # of each joint, per second squared\n",
+      request.file.filename().string(), chain.base(), chain.tip());
 }
 
 std::string JointTable(const SerialChain& chain) {
@@ -176,7 +175,7 @@ Report ReportOnArm(const ArmRequest& request) {
   const SerialChain chain = SerialChain::FromModel(model, request.base, request.tip);
   const ArmSurvey survey = Survey(chain, request.poses, request.seed);
   const MissingForPhysics missing(model, chain);
-  const std::string reason = ReasonAgainstWorkcell(request.file);
+  const std::string reason = ReasonAgainstWorkcell(request);
   Json json = {{"robot", model.name},
                {"base", chain.base()},
                {"tip", chain.tip()},
@@ -189,7 +188,7 @@ Report ReportOnArm(const ArmRequest& request) {
   json["workcell_refuses"] = reason;
   return {.text = fmt::format("robot {} from link {} to link {}\n\n{}\n{}{}{}", model.name,
                               chain.base(), chain.tip(), JointTable(chain), SolutionsText(survey),
-                              missing.Text(), WorkcellText(request.file, reason)),
+                              missing.Text(), WorkcellText(request, chain, reason)),
           .json = std::make_shared<const Json>(std::move(json)),
           .holds = survey.pose_error < 1e-9 && survey.not_returned == 0};
 }

@@ -52,7 +52,7 @@ TEST(InverseBatch, GivesTheSolutionsOfTheArmInItsOrder) {
   SolutionBatch found;
   int regular = 0;
   for (std::size_t first = 0; first < poses.size(); first += kBatch) {
-    Inverse(Puma().geometry(), Batch(std::span<const Pose, kBatch>(&poses[first], kBatch)), found);
+    Inverse(*Puma().geometry(), Batch(std::span<const Pose, kBatch>(&poses[first], kBatch)), found);
     for (int pose = 0; pose < kBatch; ++pose) {
       if (!found.regular[static_cast<std::size_t>(pose)]) continue;
       ++regular;
@@ -77,7 +77,7 @@ bool IsRegular(const Pose& X_BaseFlange) {
   std::array<Pose, kBatch> poses;
   poses.fill(X_BaseFlange);
   SolutionBatch found;
-  Inverse(Puma().geometry(), Batch(poses), found);
+  Inverse(*Puma().geometry(), Batch(poses), found);
   EXPECT_THAT(found.regular, testing::Each(found.regular[0]));
   return found.regular[0];
 }
@@ -90,14 +90,14 @@ TEST(InverseBatch, LeavesSingularAndUnreachablePosesToTheArm) {
   straight_wrist[4] = 0;
   EXPECT_FALSE(IsRegular(Puma().Forward(straight_wrist)));
   JointVector stretched = q;
-  stretched[2] = std::atan2(Puma().geometry().d4, Puma().geometry().a3);
+  stretched[2] = std::atan2(Puma().geometry()->d4, Puma().geometry()->a3);
   EXPECT_FALSE(IsRegular(Puma().Forward(stretched)));
   Pose far = Puma().Forward(q);
   far.translation() *= 10;
   EXPECT_FALSE(IsRegular(far));
   Pose by_the_waist = Puma().Forward(q);
   by_the_waist.translation() =
-      Puma().geometry().d6 * by_the_waist.linear().col(2) + geometry::Vector3(0.01, 0, 0.4);
+      Puma().geometry()->d6 * by_the_waist.linear().col(2) + geometry::Vector3(0.01, 0, 0.4);
   EXPECT_FALSE(IsRegular(by_the_waist));
 }
 
