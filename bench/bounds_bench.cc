@@ -277,9 +277,10 @@ void AddChains() {
   bench::Announce(
       family,
       {.measured =
-           "bounds as in the section bounds, of 30 random chains of transforms for each kind and "
-           "size: planar chains of 2 to 6 links, spatial chains of 2 to 4, chains with wide errors "
-           "(30 degrees) of 2 to 4, arms of 2 to 6 joints, and chains whose terms cancel of 1 to 3",
+           "bounds as in the section bounds, of 30 random chains of transforms for each kind. The "
+           "kinds are planar chains of 2 to 6 links, spatial chains of 2 to 4 links, planar chains "
+           "of 2 to 4 links with wide errors (30 degrees), arms of 2 to 6 joints, and chains of 1 "
+           "to 3 links whose terms cancel",
        .unfair = "the section bounds has the reasons. Terms that cancel are not expanded for "
                  "Boost.Interval"});
   const auto add = [&](const char* kind, int fewest, int most, const Chain& chain) {

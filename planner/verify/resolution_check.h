@@ -15,8 +15,8 @@ namespace assay::verify {
 // - Each look and each squeeze must belong to one resolution of a later step, whose resolver makes
 //   such steps. A step has a strategy if and only if fine motion is one of its resolutions.
 // - A step says that it is verified if and only if it is not proved.
-// - The reason must be the goal that fails most without the remedies for this step and for later
-//   ones. Its numbers may differ by rounding.
+// - The reason must be the goal that fails by the greatest amount without the remedies for this
+//   step and for later ones. Its numbers may differ by rounding.
 //
 // Two things are not computed anew, since they depend on plans that the planner gave up. These are
 // the reasons for which parts were moved, and what remained unproved with remedies that move no

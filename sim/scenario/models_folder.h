@@ -15,8 +15,8 @@ domain::ModelPath FindModels(const std::filesystem::path& scenario_file,
                              const domain::ModelPath& given = {});
 
 // Returns the folder of models that is installed with this program (share/assay/models in a folder
-// above the program or above the Python module), or else the nearest one above that file. It is
-// empty if there is none.
+// above the program or above the Python module). If there is none, returns the nearest folder of
+// models above the file of the program or module. If there is none either, the path is empty.
 std::filesystem::path ModelsOfTheProgram();
 
 }  // namespace assay::scenario

@@ -133,9 +133,10 @@ void InitialBalance::CheckRests(PartId id) const {
       "a fixture ('clamp')");
 }
 
-// An area of contact that is eroded by the greatest displacement of the two parts against each
-// other touches wherever the errors bring them. Therefore the part stands if its centre of mass is
-// over the eroded areas. Errors keep all of its corners on the table.
+// The area of contact of two parts is eroded by the greatest displacement of the parts against each
+// other. In what remains of the area, the parts touch each other whatever their errors are. The
+// corners of the part that stand on the table stay on it whatever the errors are. Therefore the
+// part stands if its centre of mass is over the hull of the remaining areas and of these corners.
 void InitialBalance::CheckRestsWithErrors(PartId id) const {
   const Part& part = problem_.part(id);
   std::vector<Vector2> stands_on;

@@ -13,8 +13,8 @@ using ScaledPose = Eigen::Matrix<double, kPoseDimensions, 1>;
 
 // Gaps and limits within this distance of 0 count as reached, metres.
 inline constexpr double kTouch = 1e-9;
-// A ray runs along a surface if a gap or an excess changes by less than this for one metre of the
-// ray.
+// A ray runs along a surface or a limit if the gap to the surface, or the excess over the limit,
+// changes by less than this for one metre of the ray.
 inline constexpr double kAlong = 1e-9;
 
 // The stretch of a ray that is in a patch, in metres. It is empty if from > to.

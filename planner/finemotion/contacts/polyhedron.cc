@@ -123,8 +123,9 @@ std::vector<int> Union::Containing(const Vector3& p) const {
   return containing;
 }
 
-// Returns whether the solid `cover` hides the part of the other solid's facet that it meets. If two
-// facets lie in one plane, the facet of the earlier solid hides the other.
+// Returns whether the solid `cover` hides that region of a facet of `solid` which lies in `cover`.
+// The facet is in the plane. If two facets lie in one plane, the facet of the earlier solid hides
+// the other.
 bool Union::Covers(int cover, int solid, int plane) const {
   if (cover == solid) return false;
   if (HighestAbove(planes_[plane], solids_[cover]) > kUnionTolerance) return true;

@@ -14,9 +14,10 @@ Polyhedron OutsideOf(const domain::PartModel& model);
 // first (Mating::features). In the mated pose, its axes are the axes of the fixed part.
 struct MatingGeometry {
   Pose X_HeldTip = Pose::Identity();
-  // The moving part about its tip, the fixed part, and the critical points between them. The part
-  // has its clearance, except where it only lands. If the problem tolerates errors of the
-  // clearance, each wall may be displaced by that error.
+  // The moving part about its tip, the fixed part, and the critical points between them. Both parts
+  // have the clearance of the problem. A further critical point at the seat, where the part lands,
+  // is left out. If the problem tolerates errors of the clearance, each wall may be displaced by
+  // that error.
   Passage passage;
   Eigen::VectorXd tolerances;                  // half widths of the passage's tolerances, metres
   Pose X_FixedSeat = Pose::Identity();         // the tip's pose at the end

@@ -15,8 +15,9 @@ constexpr double kEdgePreference = 1e-6;
 // this, in metres, so that rounding does not decide between the two.
 constexpr double kSecondPreference = 1e-9;
 
-// Returns the manifold with the points nearest to the plane of a surface, or none without points.
-// The points are on the other surface, and all is given in the frame of `X_WorldFrame`.
+// Returns the manifold with the outermost of the points, or none if there are no points. The points
+// are on one surface, and `plane` is the plane of the other one. Points and plane are given in the
+// frame of `X_WorldFrame`.
 std::optional<ContactManifold> ManifoldOf(const std::vector<Vector3>& points, const Plane& plane,
                                           const Pose& X_WorldFrame) {
   if (points.empty()) return std::nullopt;

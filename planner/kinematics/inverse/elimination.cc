@@ -20,7 +20,8 @@ constexpr int kSamples = 96;
 constexpr double kStep = kTurns / kSamples;
 constexpr int kMostHalvings = 8;
 constexpr double kLeastCosine2 = 0.98;
-// More sharp turns than this mean that the matrix has a rank below 8 everywhere.
+// If the null vector turns sharply between more neighbouring samples than this, the matrix has a
+// rank below 8 everywhere.
 constexpr std::size_t kMostSharp = 60;
 constexpr int kRounds = 5;
 

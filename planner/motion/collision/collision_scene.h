@@ -82,9 +82,9 @@ class CollisionScene {
   // Returns the distance of two bodies, in metres, never more than the true one. If the distance is
   // at least `enough`, any value from `enough` up may be returned.
   double Separation(const BodyPair& pair, const LinkPoses& X_BaseLink, double enough) const;
-  // Returns the distance like the other overload, but faster for a posture near to the last one.
-  // `slabs` was filled for that posture (geometry::Separation, by pair of hulls); it is empty at
-  // first.
+  // Returns the distance like the other overload, but faster for a posture near to the one of the
+  // last call. `slabs` has the directions of the slabs that the last call found, one for each pair
+  // of hulls (see geometry::Separation). Give an empty `slabs` to the first call.
   using Slabs = std::vector<Vector3>;
   double Separation(const BodyPair& pair, const LinkPoses& X_BaseLink, double enough,
                     Slabs& slabs) const;

@@ -59,12 +59,13 @@ class Closing {
     // and a flat part is one of the results that jammed pads may leave.
     jams_ = !(turn_ + std::atan(pad_friction_.high) < std::atan(ContactLength() / hold.width));
     if (jams_ && is_straight()) NoteRoundSide(world, part, hold);
-    // Pads that press beside each other on a part that is turned too far turn it away from its
-    // faces, until it lies on others.
+    // If a part is turned too far, the pads press on it beside each other. They then do not turn it
+    // back, but farther, until it lies on other faces.
     if (jams_ && !(turn_ < SteepestTurn(world, part, hold))) turn_ = kRightAngle;
     lever_ = LeverOfTurn(world, part, hold, turn_);
     way_ = turn_ + pushed_turn_;
-    // An error of a straight hand is a turn about the vertical, which does not tilt the pads.
+    // If the hand points straight down, its error is a turn about the vertical, which does not tilt
+    // the pads.
     roll_ = RollOfPart(world, part, hold,
                        {turn_, is_straight() ? 0 : hand_, std::hypot(off_x_, off_z_)});
   }

@@ -142,8 +142,8 @@ TipPoses TipAtStart(const MeasuredStep& step, const execution::Snapshot& poised)
           fixed.truth.inverse() * step.PartAt(poised) * strategy.X_HeldTip};
 }
 
-// At the strategy's start, the tip is where it is believed to be, except for the shift that the
-// strategy absorbs.
+// At the strategy's start, the tip is shifted from where it is believed to be by at most the shift
+// that the strategy absorbs.
 std::vector<MeasuredMargin> TipShift(const MeasuredStep& step) {
   if (step.events().poised == nullptr) return {};
   const TipPoses tip = TipAtStart(step, *step.events().poised);
@@ -152,8 +152,8 @@ std::vector<MeasuredMargin> TipShift(const MeasuredStep& step) {
   return {{{}, (absorbed - shift.cwiseAbs()).minCoeff()}};
 }
 
-// At the strategy's start, the tip is turned as it is believed to be, except for the turn that the
-// strategy absorbs.
+// At the strategy's start, the tip is turned from its believed orientation by at most the turn that
+// the strategy absorbs.
 std::vector<MeasuredMargin> TipTurn(const MeasuredStep& step) {
   if (step.events().poised == nullptr) return {};
   const TipPoses tip = TipAtStart(step, *step.events().poised);

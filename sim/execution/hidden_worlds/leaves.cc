@@ -229,8 +229,8 @@ class WorldSearch {
 };
 
 // Tries the ways in which a leaf's denied conjunctions can be false until one way has a world. Each
-// conjunction is made false by one literal that a sensor can observe. Conjunctions that a literal
-// of the leaf denies already need no such choice.
+// conjunction is made false by one literal that a sensor can observe. If a literal of the leaf
+// already makes a conjunction false, no such choice is needed for this conjunction.
 class CaseSearch {
  public:
   CaseSearch(const Interpretation& interpretation, const domain::Problem& problem,

@@ -249,8 +249,9 @@ void Execution::Restore(const Checkpoint& checkpoint) {
 // The servo's law is linear in its command. If the command is a state between the arm's own and the
 // wanted one, the servo behaves as if its gains were lower. Damping is scaled by the root of the
 // stiffness, so the arm is as well damped as before. The accelerations by which the arm yields to
-// forces get no feedforward torques. Most of these torques would accelerate the motors. The touched
-// bodies would then exert forces of this size on the arm.
+// forces get no feedforward torques. Most of such a torque would serve to accelerate the motor
+// itself. A touched body would prevent this acceleration, and would then exert a force of the size
+// of the torque on the arm.
 Progress Execution::StepSoftly(const JointState& next, const JointVector& qdd, double share) {
   const JointVector q = scene_.ArmPosition(data_);
   const JointVector qd = scene_.ArmVelocity(data_);
