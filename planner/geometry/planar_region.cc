@@ -24,6 +24,12 @@ Polygon LeftOf(const Polygon& polygon, const Vector2& a, const Vector2& b) {
   return Hull2(kept);
 }
 
+Eigen::AlignedBox2d BoundsOf(const Polygon& polygon) {
+  Eigen::AlignedBox2d bounds;
+  for (const Vector2& p : polygon) bounds.extend(p);
+  return bounds;
+}
+
 // Appends the pieces of the polygon that lie outside each edge of the cut in turn. What remains at
 // the end is inside all edges.
 void AppendOutside(Polygon polygon, const Polygon& cut, Patches& patches) {
@@ -54,7 +60,9 @@ Patches Without(const Patches& region, const Polygon& cut) {
 Patches Common(const Patches& a, const Patches& b) {
   Patches common;
   for (const Polygon& p : a) {
+    const Eigen::AlignedBox2d bounds = BoundsOf(p);
     for (const Polygon& q : b) {
+      if (!bounds.intersects(BoundsOf(q))) continue;
       Polygon both = Intersection(p, q);
       if (Area(both) > kSliverArea) common.push_back(std::move(both));
     }

@@ -21,20 +21,20 @@ void Extend(Polygon& chain, size_t first, const Vector2& p) {
   chain.push_back(p);
 }
 
-// Returns the part of a polygon to the left of the line from a to b.
-Polygon ClipLeft(const Polygon& polygon, const Vector2& a, const Vector2& b) {
-  Polygon kept;
-  for (size_t i = 0; i < polygon.size(); ++i) {
-    const Vector2& p = polygon[i];
-    const Vector2& q = polygon[(i + 1) % polygon.size()];
-    const double at_p = Turn(a, b, p);
+// Writes the part of a polygon to the left of the line from a to b.
+void ClipLeft(const Polygon& polygon, const Vector2& a, const Vector2& b, Polygon& kept) {
+  kept.clear();
+  Vector2 p = polygon.back();
+  double at_p = Turn(a, b, p);
+  for (const Vector2& q : polygon) {
     const double at_q = Turn(a, b, q);
-    if (at_p >= 0) kept.push_back(p);
     if ((at_p > 0 && at_q < 0) || (at_p < 0 && at_q > 0)) {
       kept.push_back(p + at_p / (at_p - at_q) * (q - p));
     }
+    if (at_q >= 0) kept.push_back(q);
+    p = q;
+    at_p = at_q;
   }
-  return kept;
 }
 
 double DistanceToSegment(const Vector2& a, const Vector2& b, const Vector2& p) {
@@ -56,9 +56,9 @@ double SeparationAlong(const Polygon& a, const Polygon& b, const Vector2& direct
   return (b_low - a_high) / length;
 }
 
-double SeparationAlongNormals(const Polygon& a, const Polygon& b) {
+double SeparationAlongNormals(const Polygon& a, const Polygon& b, double enough) {
   double best = -std::numeric_limits<double>::infinity();
-  for (size_t i = 0; i < a.size(); ++i) {
+  for (size_t i = 0; i < a.size() && best < enough; ++i) {
     const Vector2 edge = a[(i + 1) % a.size()] - a[i];
     best = std::max(best, SeparationAlong(a, b, {edge.y(), -edge.x()}));
   }
@@ -75,6 +75,7 @@ Polygon Hull2(std::span<const Vector2> points) {
   sorted.erase(std::unique(sorted.begin(), sorted.end()), sorted.end());
   if (sorted.size() < 3) return sorted;
   Polygon hull;
+  hull.reserve(sorted.size() + 1);
   for (const Vector2& p : sorted) Extend(hull, 0, p);
   const size_t upper = hull.size() - 1;
   for (auto p = sorted.rbegin() + 1; p != sorted.rend(); ++p) Extend(hull, upper, *p);
@@ -129,7 +130,11 @@ double RadiusOfGyration(std::span<const Polygon> polygons) {
 Polygon Intersection(const Polygon& a, const Polygon& b) {
   if (a.size() < 3 || b.size() < 3) return {};
   Polygon kept = a;
-  for (size_t i = 0; i < b.size(); ++i) kept = ClipLeft(kept, b[i], b[(i + 1) % b.size()]);
+  Polygon clipped;
+  for (size_t i = 0; i < b.size() && !kept.empty(); ++i) {
+    ClipLeft(kept, b[i], b[(i + 1) % b.size()], clipped);
+    kept.swap(clipped);
+  }
   kept = Hull2(kept);  // a corner on a clipping line occurs twice
   return Area(kept) > 0 ? kept : Polygon{};
 }
@@ -166,10 +171,11 @@ Polygon Inset(const Polygon& polygon, double depth) {
 // The separation is greatest along the normal of an edge or, if a corner faces a corner, along the
 // line between both corners. Overlapping polygons need only the normals. No direction overstates
 // the separation, so all may be tried.
-double Gap(const Polygon& a, const Polygon& b) {
+double Gap(const Polygon& a, const Polygon& b, double enough) {
   ASSAY_CHECK(!a.empty() && !b.empty());
-  double best = std::max(SeparationAlongNormals(a, b), SeparationAlongNormals(b, a));
-  if (std::isfinite(best) && best < 0) return best;
+  double best = SeparationAlongNormals(a, b, enough);
+  if (best < enough) best = std::max(best, SeparationAlongNormals(b, a, enough));
+  if (best >= enough || (std::isfinite(best) && best < 0)) return best;
   for (const Vector2& p : a) {
     for (const Vector2& q : b) best = std::max(best, SeparationAlong(a, b, q - p));
   }

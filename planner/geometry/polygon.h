@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -26,7 +27,9 @@ double Depth(const Polygon& polygon, const Vector2& p);
 // cover no area.
 Polygon Inset(const Polygon& polygon, double depth);
 // Returns the separation of two convex polygons along the best separating axis. A negative value is
-// the depth of their overlap.
-double Gap(const Polygon& a, const Polygon& b);
+// the depth of their overlap. If the separation is at least `enough`, the result is any number from
+// `enough` to it, which is found sooner.
+double Gap(const Polygon& a, const Polygon& b,
+           double enough = std::numeric_limits<double>::infinity());
 
 }  // namespace assay::geometry

@@ -32,6 +32,7 @@ constexpr double kAllowance = 1e-4;  // overlap of hand and part that is ignored
 // this small so that no pad reaches into another face.
 constexpr double kNarrowAllowance = 1e-6;
 constexpr double kEqual = kEqualLength;
+constexpr double kFlush = -2 * kEqual;  // pads that stick out by less are on the faces, metres
 // The least breadth of the patch that both pads touch, in metres, and its least extent across the
 // approach, as a share of the width of the grasp. Narrower patches hold nothing, since pads jam on
 // them however little the part is turned.
@@ -48,16 +49,34 @@ Polygon PadAt(const Vector2& center, const Approach& approach, const Vector2& ha
   return {center - x - z, center - x + z, center + x + z, center + x - z};
 }
 
+// Returns whether the margin around pads at a spot cannot exceed `margin` however they are turned,
+// since the circle in the middle of a pad has no greater margin.
+bool IsNarrowerAt(const Spot& spot, const Vector2& pads, double margin) {
+  return spot.clearance - pads.minCoeff() <= margin;
+}
+
+// A pair of faces, and where pads can be on it.
+struct PadPlaces {
+  PadPlaces(const PartModel& part, FacePair faces)
+      : pair(std::move(faces)),
+        room(pair.region),
+        mass_center((pair.X_PartMiddle.inverse() * part.mass().center).head<2>()),
+        spots(SpotsOf(pair.region, room, mass_center, mass_center)) {}
+
+  FacePair pair;
+  PadRegion room;
+  Vector2 mass_center;  // of the part, in the middle plane
+  std::vector<Spot> spots;
+};
+
 // Returns the directions in which no pad has room on the faces.
-std::vector<double> CrampedAngles(const PartModel& part, const FacePair& pair, const Vector2& pads,
+std::vector<double> CrampedAngles(const PadPlaces& places, const Vector2& pads,
                                   std::vector<double> angles) {
-  const PadRegion region(pair.region);
-  const Vector2 mass_center = (pair.X_PartMiddle.inverse() * part.mass().center).head<2>();
-  const std::vector<Spot> spots = SpotsOf(pair.region, region, mass_center, mass_center);
   std::erase_if(angles, [&](double angle) {
     const Approach approach = Approach::At(angle, 0);
-    return std::ranges::any_of(spots, [&](const Spot& spot) {
-      return region.MarginOf(PadAt(spot.center, approach, pads)) > -2 * kEqual;
+    return std::ranges::any_of(places.spots, [&](const Spot& spot) {
+      return !IsNarrowerAt(spot, pads, kFlush) &&
+             places.room.MarginOf(PadAt(spot.center, approach, pads), kFlush) > kFlush;
     });
   });
   return angles;
@@ -67,25 +86,21 @@ std::vector<double> CrampedAngles(const PartModel& part, const FacePair& pair, c
 class PairSearch {
  public:
   // `round` is the round side that narrow faces belong to. Overlaps of hand and part up to
-  // `allowance` metres are ignored.
-  PairSearch(const PartModel& part, const kinematics::Gripper& gripper, FacePair pair,
+  // `allowance` metres are ignored. The part and the places must outlive the search.
+  PairSearch(const PartModel& part, const kinematics::Gripper& gripper, const PadPlaces& places,
              const std::optional<RoundSide>& round, double allowance)
       : part_(part),
         pads_(gripper.pad_half_extents()),
-        pair_(std::move(pair)),
+        pair_(places.pair),
         is_round_(round.has_value()),
-        region_(pair_.region),
-        clearance_(part, gripper, pair_.X_PartMiddle, pair_.width, allowance) {
-    const Pose X_MiddlePart = pair_.X_PartMiddle.inverse();
-    const Vector2 mass_center = (X_MiddlePart * part.mass().center).head<2>();
-    if (!is_round_) {
-      spots_ = SpotsOf(pair_.region, region_, mass_center, mass_center);
-      return;
-    }
+        room_(places.room),
+        clearance_(part, gripper, pair_.X_PartMiddle, pair_.width, allowance),
+        spots_(places.spots) {
+    if (!is_round_) return;
     const Vector2 middle = geometry::Centroid(pair_.region);
-    axis_ = (X_MiddlePart.linear() * round->X_PartAxis.linear().col(2)).head<2>();
-    const Vector2 nearest = middle + axis_.dot(mass_center - middle) * axis_;
-    spots_ = SpotsOf(pair_.region, region_, nearest, mass_center);
+    axis_ = (pair_.X_PartMiddle.inverse().linear() * round->X_PartAxis.linear().col(2)).head<2>();
+    const Vector2 nearest = middle + axis_.dot(places.mass_center - middle) * axis_;
+    spots_ = SpotsOf(pair_.region, room_, nearest, places.mass_center);
     std::erase_if(spots_, [&](const Spot& spot) {
       const Vector2 off = spot.center - middle;
       return std::abs(off.x() * axis_.y() - off.y() * axis_.x()) > kRounding;
@@ -111,8 +126,8 @@ class PairSearch {
     if (!center) return std::nullopt;
     Grasp grasp = GraspAt(*center, approach);
     const Polygon pad = PadAt(*center, approach, pads_);
-    const double margin = region_.MarginOf(pad);
-    if (margin <= -kEqual) grasp.room = region_.Lacking(pad, -margin);
+    const double margin = room_.MarginOf(pad);
+    if (margin <= -kEqual) grasp.room = room_.Lacking(pad, -margin);
     return grasp;
   }
 
@@ -130,6 +145,13 @@ class PairSearch {
     double high = 0;
     double length() const { return high - low; }
   };
+  // An edge of the faces that is ahead, and how far across it the pads may reach.
+  struct EdgeAhead {
+    Vector2 outward;
+    double ahead = 0;        // outward . approach.z
+    double limit = 0;        // greatest outward . p of a point p that pads may reach
+    double half_extent = 0;  // of the pads along their x, seen along `outward`
+  };
 
   Grasp GraspAt(const Vector2& center, const Approach& approach) const {
     Grasp grasp;
@@ -139,9 +161,10 @@ class PairSearch {
     return grasp;
   }
 
-  double MarginAt(const Spot& spot, const Approach& approach) const {
+  // Returns the margin around the pads (PadRegion::MarginOf).
+  double MarginAt(const Spot& spot, const Approach& approach, double floor) const {
     if (spot.clearance >= pads_.norm() + kDeepEnough) return kDeepEnough;
-    return region_.MarginOf(PadAt(spot.center, approach, pads_));
+    return room_.MarginOf(PadAt(spot.center, approach, pads_), floor);
   }
 
   // The spots nearest to the centre of mass come first, so a later spot must lie deeper to replace
@@ -149,11 +172,12 @@ class PairSearch {
   std::optional<Vector2> DeepestCenter(const Approach& approach, bool with_misfits) const {
     const std::vector<CObstacle> obstacles = clearance_.ObstaclesOf(approach);
     const Spot* best = nullptr;
-    double best_margin = with_misfits ? std::numeric_limits<double>::lowest() : -2 * kEqual;
+    double best_margin = with_misfits ? std::numeric_limits<double>::lowest() : kFlush;
     for (const Spot& spot : spots_) {
       if (best_margin >= kDeepEnough - kEqual) break;
+      if (best_margin >= kFlush && IsNarrowerAt(spot, pads_, best_margin)) continue;
       if (IsBlocked(obstacles, spot.center)) continue;
-      const double margin = MarginAt(spot, approach);
+      const double margin = MarginAt(spot, approach, best_margin + kEqual);
       if (margin <= best_margin + kEqual) continue;
       best = &spot;
       best_margin = margin;
@@ -164,10 +188,13 @@ class PairSearch {
   // As above, with the area that the pads touch instead of their depth.
   std::optional<Vector2> WidestTouch(const Approach& approach) const {
     const std::vector<CObstacle> obstacles = clearance_.ObstaclesOf(approach);
+    const std::vector<EdgeAhead> edges = EdgesAhead(approach);
+    const double enough = MostTouched(approach) - kEqual * pads_.norm() / 2;
     std::optional<Vector2> best;
     double best_area = 0;
     for (const Spot& spot : spots_) {
-      const Vector2 center = HeldBack(spot.center, approach);
+      if (best_area >= enough) break;
+      const Vector2 center = HeldBack(spot.center, approach, edges);
       if (IsBlocked(obstacles, center)) continue;
       const Polygon pad = PadAt(center, approach, pads_);
       const Patches touched = geometry::Common(pair_.region, {pad});
@@ -187,12 +214,29 @@ class PairSearch {
            ExtentOf(outline, approach.x) >= kLeastShare * pair_.width;
   }
 
-  // Returns the center, moved back against the approach, so that the pads end before the part does:
-  // across each edge of the faces that is ahead, they reach over at most half of what the part has
-  // beyond the middle of the faces. The hand can then take a part from a table that is there.
-  Vector2 HeldBack(const Vector2& center, const Approach& approach) const {
-    const Polygon outline = geometry::Hull(pair_.region);
-    double back = 0;
+  // Returns an area that pads in this direction cannot exceed wherever they are, up to rounding:
+  // the faces are in a strip as broad as they are across each of their edges, and pads touch most
+  // of a strip in its middle.
+  double MostTouched(const Approach& approach) const {
+    const Polygon& outline = room_.outline();
+    const Polygon pad = PadAt(Vector2::Zero(), approach, pads_);
+    double most = geometry::Area(pad);
+    for (std::size_t i = 0; i < outline.size(); ++i) {
+      const Vector2 edge = (outline[(i + 1) % outline.size()] - outline[i]).normalized();
+      const Vector2 along = 2 * pads_.norm() * edge;
+      const Vector2 across =
+          ExtentOf(outline, {-edge.y(), edge.x()}) / 2 * Vector2(-edge.y(), edge.x());
+      const Polygon strip = {-along - across, along - across, along + across, across - along};
+      most = std::min(most, geometry::Area(geometry::Intersection(pad, strip)));
+    }
+    return most;
+  }
+
+  // Returns the edges of the faces that are ahead. Across each of them, pads reach over at most
+  // half of what the part has beyond the middle of the faces.
+  std::vector<EdgeAhead> EdgesAhead(const Approach& approach) const {
+    const Polygon& outline = room_.outline();
+    std::vector<EdgeAhead> edges;
     for (std::size_t i = 0; i < outline.size(); ++i) {
       const Vector2 edge = outline[(i + 1) % outline.size()] - outline[i];
       const Vector2 outward = Vector2(edge.y(), -edge.x()).normalized();
@@ -200,9 +244,22 @@ class PairSearch {
       if (ahead < kAhead) continue;
       const double middle = outward.dot(outline[i]) - ExtentOf(outline, outward) / 2;
       const double end = ExtentAlong(std::atan2(outward.y(), outward.x())).high;
-      const double reach =
-          outward.dot(center) + pads_.x() * std::abs(outward.dot(approach.x)) + pads_.y() * ahead;
-      back = std::max(back, (reach - (middle + end) / 2) / ahead);
+      edges.push_back({.outward = outward,
+                       .ahead = ahead,
+                       .limit = (middle + end) / 2,
+                       .half_extent = pads_.x() * std::abs(outward.dot(approach.x))});
+    }
+    return edges;
+  }
+
+  // Returns the center, moved back against the approach, so that the pads end before the part does.
+  // The hand can then take a part from a table that is there.
+  Vector2 HeldBack(const Vector2& center, const Approach& approach,
+                   const std::vector<EdgeAhead>& edges) const {
+    double back = 0;
+    for (const EdgeAhead& edge : edges) {
+      const double reach = edge.outward.dot(center) + edge.half_extent + pads_.y() * edge.ahead;
+      back = std::max(back, (reach - edge.limit) / edge.ahead);
     }
     return center - back * approach.z;
   }
@@ -243,10 +300,10 @@ class PairSearch {
 
   const PartModel& part_;
   Vector2 pads_;  // half extents along the tool's x and z
-  FacePair pair_;
+  const FacePair& pair_;
   bool is_round_;
   Vector2 axis_ = Vector2::Zero();  // of the round side, in the middle plane
-  PadRegion region_;
+  const PadRegion& room_;
   HandClearance clearance_;
   std::vector<Spot> spots_;
 };
@@ -302,23 +359,26 @@ std::vector<Grasp> ComputeGrasps(const PartModel& part, const kinematics::Grippe
     grasp->label = fmt::format("{}G{}", part.initial(), grasps.size() + 1);
     grasps.push_back(*std::move(grasp));
   };
-  std::vector<std::pair<FacePair, std::vector<double>>> narrow;
-  for (const FacePair& pair : PairsOf(part, search.widest)) {
-    std::vector<double> cramped = CrampedAngles(part, pair, gripper.pad_half_extents(), angles);
-    if (!cramped.empty()) narrow.emplace_back(pair, cramped);
-    if (cramped.size() == angles.size()) continue;
-    const PairSearch on_faces(part, gripper, pair, std::nullopt, kAllowance);
-    for (const double angle : angles) {
-      if (!std::ranges::binary_search(cramped, angle))
-        add(on_faces.OnFaces(angle, search.with_misfits));
+  std::vector<std::pair<PadPlaces, std::vector<double>>> narrow;
+  for (FacePair& pair : PairsOf(part, search.widest)) {
+    PadPlaces places(part, std::move(pair));
+    std::vector<double> cramped = CrampedAngles(places, gripper.pad_half_extents(), angles);
+    if (cramped.size() < angles.size()) {
+      const PairSearch on_faces(part, gripper, places, std::nullopt, kAllowance);
+      for (const double angle : angles) {
+        if (!std::ranges::binary_search(cramped, angle))
+          add(on_faces.OnFaces(angle, search.with_misfits));
+      }
     }
+    if (!cramped.empty()) narrow.emplace_back(std::move(places), std::move(cramped));
   }
   RoundGrasps round_grasps(search.approach_step);
-  for (const auto& [pair, cramped] : narrow) {
+  for (const auto& [places, cramped] : narrow) {
+    const FacePair& pair = places.pair;
     const std::optional<RoundSide> round =
         cramped.size() == angles.size() ? RoundSideOf(part, pair) : std::nullopt;
     if (round && !round_grasps.Add(*round, pair.X_PartMiddle.linear().col(2))) continue;
-    const PairSearch on_faces(part, gripper, pair, round, kNarrowAllowance);
+    const PairSearch on_faces(part, gripper, places, round, kNarrowAllowance);
     for (const double angle : on_faces.Angles(cramped)) {
       std::optional<Grasp> grasp = on_faces.OnNarrowFaces(angle);
       if (!grasp && search.with_misfits) grasp = on_faces.OnFaces(angle, true);

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <tuple>
 
 #include "planner/geometry/polygon.h"
 
@@ -38,16 +37,23 @@ PadRegion::PadRegion(const geometry::Patches& region)
 
 double PadRegion::ClearanceAt(const Vector2& p) const {
   double least = geometry::Depth(outline_, p);
-  for (const Polygon& gap : gaps_) least = std::min(least, -geometry::Depth(gap, p));
+  for (const Polygon& gap : gaps_) {
+    const double outside = -geometry::Depth(gap, p);  // at most the distance
+    if (outside >= least) continue;
+    least = outside < 0 ? outside : std::min(least, std::max(outside, geometry::Gap({p}, gap)));
+  }
   return least;
 }
 
-double PadRegion::MarginOf(const Polygon& pad) const {
+double PadRegion::MarginOf(const Polygon& pad, double floor) const {
   double least = kDeepEnough;
-  for (const Vector2& corner : pad) least = std::min(least, geometry::Depth(outline_, corner));
+  for (const Vector2& corner : pad) {
+    if (least <= floor) break;
+    least = std::min(least, geometry::Depth(outline_, corner));
+  }
   for (const Polygon& gap : gaps_) {
-    if (least < 0) break;
-    least = std::min(least, geometry::Gap(pad, gap));
+    if (least < 0 || least <= floor) break;
+    least = std::min(least, geometry::Gap(pad, gap, least));
   }
   return least;
 }
@@ -73,10 +79,13 @@ Eigen::AlignedBox2d PadRegion::Bounds() const {
 std::vector<Spot> SpotsOf(const geometry::Patches& region, const PadRegion& room,
                           const Vector2& first, const Vector2& mass_center) {
   std::vector<Spot> spots;
+  // Numbers of the order are rounded, so that rounding errors do not order equal spots.
+  const auto rounded = [](double length) { return std::llround(length / kEqualLength); };
   const auto add = [&](const Vector2& p) {
     const double clearance = room.ClearanceAt(p);
     if (clearance < 0) return;
-    spots.push_back({p, (p - mass_center).norm(), clearance});
+    spots.push_back(
+        {p, clearance, {rounded((p - mass_center).norm()), rounded(p.x()), rounded(p.y())}});
   };
   add(first);
   const Vector2 origin = geometry::Centroid(region);
@@ -88,13 +97,7 @@ std::vector<Spot> SpotsOf(const geometry::Patches& region, const PadRegion& room
       add(origin + kGridStep * Vector2(i, j));
     }
   }
-  // Keys are rounded, so that rounding errors do not order equal spots.
-  const auto key = [](const Spot& spot) {
-    return std::tuple(std::llround(spot.from_mass / kEqualLength),
-                      std::llround(spot.center.x() / kEqualLength),
-                      std::llround(spot.center.y() / kEqualLength));
-  };
-  std::ranges::stable_sort(spots, {}, key);
+  std::ranges::stable_sort(spots, {}, &Spot::order);
   return spots;
 }
 

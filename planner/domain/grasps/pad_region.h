@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <limits>
 #include <vector>
 
 #include "planner/domain/grasps/pad_room.h"
@@ -24,17 +26,20 @@ class PadRegion {
  public:
   explicit PadRegion(const geometry::Patches& region);
 
-  // Returns a lower bound on a point's distance from the border of the region; negative outside.
+  // Returns a point's distance from the border of the region; negative outside.
   double ClearanceAt(const Vector2& p) const;
 
-  // Returns a pad's distance from the border of the region; negative if the pad sticks out.
-  double MarginOf(const geometry::Polygon& pad) const;
+  // Returns a pad's distance from the border of the region; negative if the pad sticks out. If the
+  // distance is at most `floor`, the result is any number up to `floor`, which is found sooner.
+  double MarginOf(const geometry::Polygon& pad,
+                  double floor = std::numeric_limits<double>::lowest()) const;
 
   // Returns the room that a pad needs and has across the outline's edge at which most room is
   // missing. The pad sticks out by `overhang`. If the outline has room for the pad, the pad sticks
   // out into a gap.
   PadRoom Lacking(const geometry::Polygon& pad, double overhang) const;
 
+  const geometry::Polygon& outline() const { return outline_; }  // hull of the region
   Eigen::AlignedBox2d Bounds() const;
 
  private:
@@ -45,8 +50,9 @@ class PadRegion {
 // A candidate position of the pads' centres on a pair of faces.
 struct Spot {
   Vector2 center;        // position in the middle plane
-  double from_mass = 0;  // distance to the centre of mass in that plane
-  double clearance = 0;  // distance to the border of the region, or less
+  double clearance = 0;  // distance to the border of the region
+  // The distance to the centre of mass in that plane, x and y, as multiples of kEqualLength.
+  std::array<long long, 3> order = {};
 };
 
 // Returns the positions inside the region on a grid through the region's centroid, and the position

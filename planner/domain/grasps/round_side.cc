@@ -45,7 +45,7 @@ double StepAfter(const std::vector<FaceAtAngle>& around, std::size_t i) {
 
 bool HasOpposite(const std::vector<FaceAtAngle>& around, double angle) {
   return std::ranges::any_of(around, [&](const FaceAtAngle& other) {
-    return std::abs(std::remainder(other.angle - angle - kTurn / 2, kTurn)) < kSameAngle;
+    return std::abs(std::abs(other.angle - angle) - kTurn / 2) < kSameAngle;
   });
 }
 

@@ -176,6 +176,16 @@ TEST(PolygonTest, InsetHoldsThePointsThatAreSoDeep) {
   EXPECT_TRUE(Inset({{0, 0}, {1, 0}, {1, 1}, {0, 1}}, 0.6).empty());
 }
 
+TEST(PolygonTest, GapThatIsEnoughIsFoundSooner) {
+  const Polygon apart = Moved(kSquare, 0.3, {5, 6});
+  const double gap = Gap(kSquare, apart);
+  for (const double enough : {0.0, 0.5 * gap, gap, 2 * gap}) {
+    const double found = Gap(kSquare, apart, enough);
+    EXPECT_LE(found, gap);
+    EXPECT_EQ(std::min(found, enough), std::min(gap, enough));
+  }
+}
+
 TEST(PolygonTest, GapOfKnownShapes) {
   EXPECT_DOUBLE_EQ(Gap(kSquare, Moved(kSquare, 0, {2.5, 1})), 0.5);
   EXPECT_DOUBLE_EQ(Gap(kSquare, Moved(kSquare, 0, {2, 1})), 0);
