@@ -9,6 +9,8 @@
 #include "planner/assembly/strategy_reach.h"
 #include "planner/constraint_posting/resolvers/sensing_resolver.h"
 #include "planner/domain/matings/mating_classes.h"
+#include "planner/finemotion/strategy_checks/sequence_replay.h"
+#include "planner/finemotion/strategy_checks/strategy_check.h"
 #include "planner/finemotion/strategy_search/likely_errors.h"
 #include "planner/plan/certificates/condition_table.h"
 #include "planner/plan/checker/world_state.h"
@@ -57,6 +59,19 @@ plan::Strategy StrategyFrom(const MatingGeometry& geometry, const FineMotionPlan
   strategy.certificate.friction = plan.friction_limit;
   strategy.certificate.absorbed = plan.absorbed;
   return strategy;
+}
+
+// Reduces what the strategy claims to absorb until the checker of plans agrees. The checker replays
+// the strategy as it stands in a file, with slightly smaller errors than the search. With such
+// errors a replay may deviate although it did not with the larger ones. Returns whether all errors
+// are absorbed.
+bool AbsorbWhatIsChecked(const MatingGeometry& geometry, plan::Strategy& strategy) {
+  double& absorbed = strategy.certificate.absorbed;
+  while (!FlawsOfStrategy(geometry, strategy).empty()) {
+    if (absorbed <= 1) return false;
+    absorbed = std::max(1.0, absorbed / finemotion::kGrowth);
+  }
+  return true;
 }
 
 bool CanBeReached(const UnmetGoals& unmet, const plan::Action& assemble,
@@ -176,6 +191,7 @@ std::optional<plan::Strategy> FineMotionResolver::StrategyFor(const UnmetGoals& 
     const TipBox there = TipBoxAt(unmet, propagation_, uncertainty::WayOf(strategy));
     if (IsWithin(there, box)) {
       if (!CanBeReached(unmet, assemble, strategy)) return std::nullopt;
+      if (!AbsorbWhatIsChecked(geometry, strategy)) return std::nullopt;
       TellLikelyErrors(geometry, plan, errors, {.friction = friction}, strategy);
       return strategy;
     }

@@ -1,7 +1,6 @@
-// The target reads a URDF file as an arm like the Puma, as an arm of any axes, and as a gripper.
-// The inverse kinematics of an accepted arm is run at a pose that the arm reaches. It may find
-// eight solutions at most for an arm like the Puma, and each solution of any arm must reach the
-// pose.
+// The target reads a URDF file as an arm of a workcell, as an arm of any axes, and as a gripper.
+// The inverse kinematics of an accepted arm is run at a pose that the arm reaches. Each solution
+// must reach the pose.
 
 #include "planner/base/check.h"
 #include "planner/kinematics/arm.h"
@@ -14,7 +13,12 @@ namespace {
 void SolveAtHome(const std::filesystem::path& file) {
   const auto arm = assay::kinematics::Arm::FromUrdf(file);
   const assay::kinematics::JointVector q = assay::kinematics::JointVector::Constant(0.3);
-  ASSAY_CHECK(arm.Inverse(arm.Forward(q), q).size() <= kinematics::kMostSolutions, "more solutions than branches");
+  const assay::kinematics::Pose X = arm.Forward(q);
+  ASSAY_CHECK(X.isApprox(arm.LinkPoses(q).back(), 1e-6), "the flange is not the last link");
+  for (const auto& solution : arm.Inverse(X, q)) {
+    const double error = (arm.Forward(solution.q).matrix() - X.matrix()).cwiseAbs().maxCoeff();
+    ASSAY_CHECK(error < 1e-8, "a solution misses the pose");
+  }
 }
 
 void SolveAnyArm(const std::filesystem::path& file, bool general) {

@@ -40,14 +40,16 @@ std::string GraspsText(const RelaxedProblem& relaxed) {
 
 std::vector<std::string> Hypotheses(const Problem& problem, const RelaxedProblem& relaxed) {
   const domain::Workcell& workcell = *problem.workcell;
-  return {fmt::format("actions: pickup, putdown and assemble along straight lines, by {}; each "
-                      "part is in one hand, rests, or is mated",
-                      RobotsText(problem)),
-          fmt::format("grasps: {}; between parallel faces, approach directions every {:.4g} deg",
-                      GraspsText(relaxed), workcell.rules().approach_step * 180 / std::numbers::pi),
-          fmt::format("places: the starting places of the parts, and the {} placements of workcell "
-                      "{}, in the parts' stable poses; errors are ignored",
-                      workcell.placements().size(), workcell.name())};
+  return {
+      fmt::format("actions: pickup, putdown and assemble along straight lines, on which the arm "
+                  "keeps its configuration, by {}; each part is in one hand, rests, or is mated",
+                  RobotsText(problem)),
+      fmt::format("grasps: {}; between parallel faces, approach directions every {:.4g} deg; on "
+                  "round sides, along and across the axis",
+                  GraspsText(relaxed), workcell.rules().approach_step * 180 / std::numbers::pi),
+      fmt::format("places: the starting places of the parts, and the {} placements of workcell "
+                  "{}, in the parts' stable poses; errors are ignored",
+                  workcell.placements().size(), workcell.name())};
 }
 
 // A deletion filter (Chinneck and Dravnieks 1991). It leaves out each constraint whose removal does

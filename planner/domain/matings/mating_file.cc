@@ -361,7 +361,7 @@ void RequireShaftInHole(const Value& value, const Problem& problem, MatingId id)
   value.At("features")
       .Fail(fmt::format("the planner cannot prove this kind of mating of {} with {}",
                         problem.part(mating.held).name, problem.part(mating.fixed).name),
-            "at least one shaft in a hole whose walls hold it all around");
+            "at least one shaft in a hole whose walls face each other in two or more directions");
 }
 
 MatingId AddMating(const Value& value, const Units& units, Problem& problem) {

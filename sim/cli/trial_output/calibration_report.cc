@@ -17,6 +17,11 @@
 namespace assay::cli {
 namespace {
 
+// Returns the name of a stable pose in the part's file, or its label if it has no name.
+const std::string& NameOf(const domain::StablePose& pose) {
+  return pose.name.empty() ? pose.label : pose.name;
+}
+
 using Json = nlohmann::ordered_json;
 using geometry::Pose;
 
@@ -152,7 +157,7 @@ Json CalibrationReport::Described(const CalibrationTrial& trial) const {
   return {{"scenario", trial.scenario->file.string()},
           {"trial", trial.number},
           {"part", trial.part().name},
-          {"stable_pose", trial.resting().name},
+          {"stable_pose", NameOf(trial.resting())},
           {"at", {X_WorldPart.translation().x(), X_WorldPart.translation().y()}},
           {"displacement", Coordinates(trial.placement.displacement)},
           {"error", trial.error ? Coordinates(*trial.error) : Json(nullptr)},
@@ -163,7 +168,7 @@ std::string CalibrationReport::NotFoundForPeople() const {
   std::map<std::string, std::vector<const CalibrationTrial*>> missed;
   for (const CalibrationTrial& trial : trials_) {
     if (HasFound(trial)) continue;
-    missed[fmt::format("{}, {}", trial.part().model->name(), trial.resting().name)].push_back(
+    missed[fmt::format("{}, {}", trial.part().model->name(), NameOf(trial.resting()))].push_back(
         &trial);
   }
   std::string text;
@@ -177,7 +182,7 @@ std::string CalibrationReport::NotFoundForPeople() const {
 std::string CalibrationReport::ForPeople(const CalibrationTrial& trial) const {
   return fmt::format("{}, trial {}: {}, {}: the error is greater than promised\nto repeat it: {}\n",
                      trial.scenario->file.stem().string(), trial.number, trial.part().name,
-                     trial.resting().name, ReplayCommand(trial));
+                     NameOf(trial.resting()), ReplayCommand(trial));
 }
 
 }  // namespace assay::cli

@@ -22,9 +22,11 @@ domain::Problem Figure15In(const std::string& workcell) {
   return domain::ReadProblem(Document::Parse(scenario, file), ASSAY_SOURCE_DIR "/models");
 }
 
+class OtherArms : public ::testing::TestWithParam<const char*> {};
+
 // Every execution succeeds and keeps to the certificates, whatever arm executes the plan.
-TEST(OtherArms, KeepToTheirCertificates) {
-  const Certified certified = CertifiedPlan(Figure15In("ur5e-table"));
+TEST_P(OtherArms, KeepToTheirCertificates) {
+  const Certified certified = CertifiedPlan(Figure15In(GetParam()));
   EXPECT_EQ(certified.plan.steps.size(), CertifiedPlan("spar-fig15").plan.steps.size());
   const auto box = noise::ErrorBox(certified.problem, certified.plan);
   for (int number = 1; number <= 3; ++number) {
@@ -36,6 +38,9 @@ TEST(OtherArms, KeepToTheirCertificates) {
     for (const Claim& claim : trial.claims) EXPECT_FALSE(claim.IsViolated()) << claim.name;
   }
 }
+
+INSTANTIATE_TEST_SUITE_P(Workcells, OtherArms,
+                         ::testing::Values("ur5e-table", "irb120-table", "kr6-table"));
 
 }  // namespace
 }  // namespace assay::check::other_arms_test
