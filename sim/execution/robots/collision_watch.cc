@@ -9,6 +9,13 @@ namespace assay::execution {
 using mujoco::BodyId;
 using scene::BodyKind;
 
+namespace {
+
+// Returns whether the body can never move.
+bool IsFixed(const mjModel& model, BodyId body) { return model.body_weldid[body.index()] == 0; }
+
+}  // namespace
+
 CollisionWatch::CollisionWatch(const scene::Scene& scene) {
   const auto count = static_cast<std::size_t>(scene.model().get()->nbody);
   for (std::size_t i = 0; i < count; ++i) kinds_.push_back(scene.KindOf(BodyId(i)));
@@ -64,6 +71,8 @@ std::vector<Collision> CollisionWatch::Look(const mujoco::Data& data, PartId hel
     const Collision touch =
         InOrder({BodyId(m.geom_bodyid[contact.geom1]), BodyId(m.geom_bodyid[contact.geom2])});
     if (!IsRobot(touch.robot) && !IsHeld(touch.robot)) continue;
+    // An arm's base may be mounted on a table.
+    if (IsFixed(m, touch.robot) && IsFixed(m, touch.other)) continue;
     if (is_taken && IsHeld(touch.robot)) taken_from_.insert(touch.other);
     if (!IsAllowed(touch) && seen_.insert(touch).second) found.push_back(touch);
   }

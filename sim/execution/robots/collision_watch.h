@@ -29,8 +29,8 @@ enum class HeldTouches {
 };
 
 // Watches the contacts of arms, hands and the parts that they hold. Links of an arm may touch
-// nothing. Hands and fingers may touch the table and the parts that they handle, but no other
-// robot.
+// nothing, except that its base may stand on what cannot move either. Hands and fingers may touch
+// the table and the parts that they handle, but no other robot.
 class CollisionWatch {
  public:
   explicit CollisionWatch(const scene::Scene& scene);

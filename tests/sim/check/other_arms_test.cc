@@ -3,6 +3,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "sim/check/noise_floor/measure_noise_floor.h"
 #include "sim/check/trial_verdicts/trial.h"
 #include "sim/noise/error_box.h"
 #include "sim/noise/sampling.h"
@@ -29,10 +30,12 @@ TEST_P(OtherArms, KeepToTheirCertificates) {
   const Certified certified = CertifiedPlan(Figure15In(GetParam()));
   EXPECT_EQ(certified.plan.steps.size(), CertifiedPlan("spar-fig15").plan.steps.size());
   const auto box = noise::ErrorBox(certified.problem, certified.plan);
+  const NoiseFloor gate = MeasureNoiseFloor(certified.problem, certified.plan, {});
   for (int number = 1; number <= 3; ++number) {
     const noise::Noise noise =
         noise::Sample(certified.problem, box, noise::Mode::kVertices, 31, number);
-    const Trial trial = RunTrial({certified.problem, certified.plan}, noise, {});
+    const Trial trial =
+        RunTrial({.problem = certified.problem, .plan = certified.plan, .gate = gate}, noise, {});
     EXPECT_EQ(trial.verdict.outcome, TrialOutcome::kSucceeded) << trial.verdict.reason;
     EXPECT_GT(trial.claims.size(), 40u);
     for (const Claim& claim : trial.claims) EXPECT_FALSE(claim.IsViolated()) << claim.name;
