@@ -14,6 +14,7 @@ namespace {
 constexpr double kTurn = 2 * std::numbers::pi;
 // The greatest excess over a joint limit that counts as rounding, in radians.
 constexpr double kLimitTolerance = 1e-9;
+
 double Clamped(double angle, const JointLimits& limits) {
   return std::min(std::max(angle, limits.lower), limits.upper);
 }

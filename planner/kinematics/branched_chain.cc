@@ -4,8 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "planner/base/check.h"
-
 namespace assay::kinematics {
 namespace {
 
