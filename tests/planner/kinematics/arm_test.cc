@@ -477,8 +477,7 @@ INSTANTIATE_TEST_SUITE_P(
                  "in fewer than six ways"}),
     [](const testing::TestParamInfo<WrongArm>& wrong) { return std::string(wrong.param.name); });
 
-// Arms that miss Lee and Ziegler's convention are solved as chains. The first one has the Puma's
-// axes and a base of its own, so it reaches the same poses by the same joint values.
+// Arms that miss Lee and Ziegler's convention are solved as chains.
 TEST(ArmFile, OtherArmsAreChains) {
   const std::array<std::pair<std::string, std::string>, 4> changes = {
       {{"<child link=\"upper_arm\"/>\n    <origin xyz=\"0 0 0\"/>",
