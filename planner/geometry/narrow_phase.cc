@@ -3,8 +3,11 @@
 #include <fcl/geometry/shape/box.h>
 #include <fcl/geometry/shape/convex.h>
 #include <fcl/narrowphase/detail/convexity_based_algorithm/gjk_libccd.h>
+#include <fcl/narrowphase/detail/failed_at_this_configuration.h>
 #include <fcl/narrowphase/detail/primitive_shape_algorithm/box_box.h>
+#include <fmt/format.h>
 
+#include <string>
 #include <vector>
 
 #include "planner/geometry/hull.h"
@@ -31,6 +34,12 @@ template class GJKInitializer<double, Box<double>>;
 template class GJKInitializer<double, Convex<double>>;
 template bool GJKDistance(void*, ccd_support_fn, void*, ccd_support_fn, unsigned int, double,
                           double*, Vector3d*, Vector3d*);
+
+// FCL's library contains this function, too. Builds without optimization refer to it.
+void ThrowFailedAtThisConfiguration(const std::string& message, const char* func, const char* file,
+                                    int line) {
+  throw FailedAtThisConfiguration(fmt::format("{}:{}: {}: {}", file, line, func, message));
+}
 
 }  // namespace detail
 }  // namespace fcl

@@ -39,8 +39,9 @@ Arm::Arm(RobotModel model) : model_(std::move(model)), geometry_(GeometryOf(mode
   }
 }
 
-Arm Arm::FromUrdf(const std::filesystem::path& file, const ArmEnds& ends) {
-  return Arm(ArmModel(ReadUrdf(file), ends.base, ends.flange));
+Arm Arm::FromUrdf(const std::filesystem::path& file, const ArmEnds& ends,
+                  std::span<const std::filesystem::path> packages) {
+  return Arm(ArmModel(ReadUrdf(file, UrdfContents::kBodies, packages), ends.base, ends.flange));
 }
 
 std::array<Pose, 7> Arm::LinkPoses(const JointVector& q) const {

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -25,10 +26,11 @@ struct ArmEnds {
 class Arm {
  public:
   // Reads an arm from a URDF file. Links that are fixed to each other become one link, so that the
-  // arm has a base and six moving links. Throws InputError if the file is not URDF, if the joints
-  // between base and flange are not six revolute ones, if other joints move, or if the flange
-  // cannot move in all directions.
-  static Arm FromUrdf(const std::filesystem::path& file, const ArmEnds& ends = {});
+  // arm has a base and six moving links. `packages` are folders with meshes (ReadUrdf). Throws
+  // InputError if the file is not URDF, if the joints between base and flange are not six revolute
+  // ones, if other joints move, or if the flange cannot move in all directions.
+  static Arm FromUrdf(const std::filesystem::path& file, const ArmEnds& ends = {},
+                      std::span<const std::filesystem::path> packages = {});
 
   // The base and the six moving links, each in the frame of its joint. The last link has the
   // flange's frame.

@@ -11,6 +11,7 @@
 
 #include "planner/base/input_files/input_error.h"
 #include "planner/base/input_files/input_file.h"
+#include "planner/kinematics/link_mesh.h"
 #include "planner/kinematics/xml_outline.h"
 
 namespace assay::kinematics {
@@ -64,12 +65,19 @@ urdf::ModelInterfaceSharedPtr Parse(const std::string& text, const XmlOutline& o
 
 Vector3 ToVector(const urdf::Vector3& v) { return {v.x, v.y, v.z}; }
 
+// Where the files of meshes are searched for (FindMesh).
+struct MeshPlaces {
+  const std::filesystem::path& urdf;
+  std::span<const std::filesystem::path> packages;
+};
+
 // Converts urdfdom's tree into a RobotModel, depth first. Every error gives the place of its link
 // or joint.
 class Converter {
  public:
-  Converter(const XmlOutline& outline, const urdf::ModelInterface& parsed, UrdfContents contents)
-      : outline_(outline), only_axes_(contents == UrdfContents::kAxes) {
+  Converter(const XmlOutline& outline, const urdf::ModelInterface& parsed, UrdfContents contents,
+            const MeshPlaces& mesh_places)
+      : outline_(outline), only_axes_(contents == UrdfContents::kAxes), mesh_places_(mesh_places) {
     model_.place = outline.root();
     model_.name = parsed.getName();
     if (parsed.links_.size() > kMostLinks) {
@@ -131,12 +139,29 @@ class Converter {
     return link;
   }
 
-  // Returns true if the shape is a mesh that need not be loaded.
+  // Returns true if the shape is a mesh that is not read.
   bool NotesMesh(const urdf::GeometrySharedPtr& parsed, bool for_collision, Link& link) const {
     const auto* mesh = dynamic_cast<const urdf::Mesh*>(parsed.get());
-    if (!mesh || !only_axes_) return false;
-    link.meshes.push_back({mesh->filename, for_collision});
-    return true;
+    if (!mesh) return false;
+    const bool is_read = !only_axes_ && (for_collision || FileOf(*mesh));
+    if (!is_read) link.meshes.push_back({mesh->filename, for_collision});
+    return !is_read;
+  }
+
+  // Returns the file of a mesh that can be read.
+  std::optional<std::filesystem::path> FileOf(const urdf::Mesh& mesh) const {
+    if (!IsReadableMesh(mesh.filename)) return std::nullopt;
+    return FindMesh(mesh.filename, mesh_places_.urdf, mesh_places_.packages);
+  }
+
+  HullShape ConvertMesh(const urdf::Mesh& mesh, const std::string& link) const {
+    if (const auto file = FileOf(mesh)) return {ReadMeshHull(*file, ToVector(mesh.scale))};
+    const bool is_unknown = !IsReadableMesh(mesh.filename);
+    Fail(fmt::format("link '{}' has the collision mesh '{}', {}", link, mesh.filename,
+                     is_unknown ? "whose format is not read" : "and there is no such file"),
+         is_unknown ? "STL or OBJ files"
+                    : "a path from the file's folder, or a package in one of the folders around it "
+                      "or in one that the workcell names (packages)");
   }
 
   std::optional<Inertial> InertialOf(const urdf::Inertial& parsed, const std::string& link) const {
@@ -190,7 +215,11 @@ class Converter {
     if (const auto* sphere = dynamic_cast<const urdf::Sphere*>(parsed.get())) {
       return SphereShape{Extent(Vector3::Constant(sphere->radius), link).x()};
     }
-    Fail(fmt::format("link '{}' has a shape that is not supported", link), "box, cylinder, sphere");
+    if (const auto* mesh = dynamic_cast<const urdf::Mesh*>(parsed.get())) {
+      return ConvertMesh(*mesh, link);
+    }
+    Fail(fmt::format("link '{}' has a shape that is not supported", link),
+         "box, cylinder, sphere, mesh");
   }
 
   Vector3 Extent(const Vector3& extent, const std::string& link) const {
@@ -258,6 +287,7 @@ class Converter {
 
   const XmlOutline& outline_;
   bool only_axes_;
+  const MeshPlaces& mesh_places_;
   FilePlace at_ = outline_.root();  // the element that is being converted
   RobotModel model_;
 };
@@ -296,11 +326,12 @@ void RobotModel::Fail(const std::string& what, const std::string& allowed) const
   throw InputError(place, what, allowed);
 }
 
-RobotModel ReadUrdf(const std::filesystem::path& file, UrdfContents contents) {
+RobotModel ReadUrdf(const std::filesystem::path& file, UrdfContents contents,
+                    std::span<const std::filesystem::path> packages) {
   const std::string text = ReadInput(file, "a URDF file");
   RequireText(text, file.string());
   const XmlOutline outline(text, file.string());
-  return Converter(outline, *Parse(text, outline), contents).Take();
+  return Converter(outline, *Parse(text, outline), contents, {file, packages}).Take();
 }
 
 }  // namespace assay::kinematics

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -10,6 +12,10 @@
 #include "planner/base/id.h"
 #include "planner/base/input_files/input_error.h"
 #include "planner/geometry/coordinates.h"
+
+namespace assay::geometry {
+struct ConvexHull;
+}  // namespace assay::geometry
 
 namespace assay::kinematics {
 
@@ -25,8 +31,8 @@ using JointId = Id<JointTag>;
 // The tolerance, in metres and radians, within which a file must have the required geometry.
 inline constexpr double kFileTolerance = 1e-9;
 
-// Shapes are centred at the origin of their frame. The axis of a cylinder is z. Lengths are in
-// metres.
+// Boxes, cylinders and spheres are centred at the origin of their frame. The axis of a cylinder is
+// z. Lengths are in metres.
 struct BoxShape {
   Vector3 size = Vector3::Zero();  // full edge lengths
 };
@@ -37,7 +43,11 @@ struct CylinderShape {
 struct SphereShape {
   double radius = 0;
 };
-using Shape = std::variant<BoxShape, CylinderShape, SphereShape>;
+// The convex hull of a mesh.
+struct HullShape {
+  std::shared_ptr<const geometry::ConvexHull> hull;
+};
+using Shape = std::variant<BoxShape, CylinderShape, SphereShape, HullShape>;
 
 struct Rgba {
   double red = 0.5;
@@ -59,7 +69,7 @@ struct Collision {
   Shape shape;
 };
 
-// A mesh that a link names. Meshes are not loaded.
+// A mesh that a link names and that is not read.
 struct MeshReference {
   std::string file;  // as in the URDF file, for example package://robot/meshes/base.stl
   bool for_collision = false;
@@ -77,7 +87,7 @@ struct Link {
   std::optional<Inertial> inertial = {};   // nothing for a massless frame
   std::vector<Visual> visuals = {};
   std::vector<Collision> collisions = {};
-  std::vector<MeshReference> meshes = {};  // only with UrdfContents::kAxes
+  std::vector<MeshReference> meshes = {};  // those that are not read (ReadUrdf)
   FilePlace place = {};
 };
 
@@ -133,13 +143,18 @@ enum class UrdfContents {
 
 // Reads a URDF file without xacro. Joints are fixed, revolute or prismatic. Throws InputError, with
 // line and column, if the file cannot be read, is not URDF, or contains something unsupported or
-// impossible: meshes, missing joint limits, a negative mass, an inertia that no body has, a shape
-// without extent, or lengths over 100 m.
+// impossible: missing joint limits, a negative mass, an inertia that no body has, a shape without
+// extent, or lengths over 100 m.
 //
-// With kAxes, more files are accepted. Meshes are noted but not loaded. An inertia that no body has
-// is left out. Joints may mimic others. Continuous joints are revolute, with limits of two turns
-// either way. Velocity and effort may be 0, for unknown.
+// A mesh in an STL or OBJ file becomes its convex hull. `packages` are folders in which packages of
+// meshes lie (FindMesh). A mesh for collision that is not found or has another format is an error.
+// Such a mesh that is only drawn is noted.
+//
+// With kAxes, more files are accepted. All meshes are noted and none is read. An inertia that no
+// body has is left out. Joints may mimic others. Continuous joints are revolute, with limits of two
+// turns either way. Velocity and effort may be 0, for unknown.
 RobotModel ReadUrdf(const std::filesystem::path& file,
-                    UrdfContents contents = UrdfContents::kBodies);
+                    UrdfContents contents = UrdfContents::kBodies,
+                    std::span<const std::filesystem::path> packages = {});
 
 }  // namespace assay::kinematics

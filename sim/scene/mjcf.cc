@@ -239,7 +239,7 @@ std::string ToMjcf(const Problem& problem, const SceneOptions& options) {
       .pad_friction = TrueFriction(rules.pad_friction, options.pad_friction_error),
       // A weld carries the load of the pads, so more contacts would only press against each other.
       .pad_tiles = options.grasp == GraspMode::kWeld ? 1 : 2};
-  for (const domain::Robot& robot : robots) AddRobot(robot, gripper, worldbody);
+  for (const domain::Robot& robot : robots) AddRobot(robot, gripper, asset, worldbody);
   for (std::size_t i = 0; i < problem.parts.size(); ++i) {
     const domain::PartId part(i);
     AddPartTables(problem, {part, TableBit(part), options.endless_tables}, worldbody);

@@ -55,7 +55,7 @@ XmlElement& AddPiece(const geometry::ConvexHull& piece, const std::string& geom_
                      const std::string& name, XmlElement& body, XmlElement& asset) {
   XmlElement& geom = body.Add("geom").Set("class", geom_class);
   if (const std::optional<geometry::Box> box = geometry::AsBox(piece)) {
-    return geom.SetPose(box->X_FrameBox).Set("size", box->half_extents);
+    return geom.Set("type", "box").SetPose(box->X_FrameBox).Set("size", box->half_extents);
   }
   const Vector3 middle = MiddleOf(piece);
   AddMesh(piece, middle, name, asset);

@@ -1,10 +1,16 @@
 #include "sim/scene/robot_mjcf.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
+#include <string>
+#include <variant>
 
 #include "planner/base/check.h"
+#include "planner/geometry/hull.h"
 #include "planner/geometry/pose.h"
+#include "sim/scene/piece_mjcf.h"
 #include "sim/scene/servo_gains.h"
 
 namespace assay::scene {
@@ -30,6 +36,7 @@ constexpr double kTorsionOfFinger = 0.005;  // m
 
 constexpr std::array kFingers = {"finger_left", "finger_right"};
 
+// Writes a shape into a geom, except its pose.
 struct ShapeWriter {
   XmlElement& geom;
 
@@ -42,6 +49,16 @@ struct ShapeWriter {
   void operator()(const kinematics::SphereShape& sphere) const {
     geom.Set("type", "sphere").Set("size", {sphere.radius});
   }
+  void operator()(const kinematics::HullShape& /*hull*/) const {
+    ASSAY_CHECK(false, "a hull is written as a piece");
+  }
+};
+
+// A shape of a link, and the class of its geom.
+struct LinkShape {
+  const kinematics::Shape& shape;
+  const geometry::Pose& X_LinkShape;
+  std::string geom_class;
 };
 
 // Adds the inertia in the link's axes, because the engine accepts a full matrix only if no
@@ -53,15 +70,6 @@ void AddInertial(const kinematics::Inertial& inertial, XmlElement& body) {
       .Set("pos", geometry::Vector3(inertial.X_LinkCenter.translation()))
       .Set("mass", inertial.mass)
       .Set("fullinertia", {I(0, 0), I(1, 1), I(2, 2), I(0, 1), I(0, 2), I(1, 2)});
-}
-
-void AddVisuals(const Link& link, XmlElement& body) {
-  for (const kinematics::Visual& visual : link.visuals) {
-    XmlElement& geom = body.Add("geom").Set("class", "visual");
-    std::visit(ShapeWriter{geom}, visual.shape);
-    const kinematics::Rgba& color = visual.color;
-    geom.SetPose(visual.X_LinkShape).Set("rgba", {color.red, color.green, color.blue, color.alpha});
-  }
 }
 
 void AddPad(const kinematics::Collision& pad, const std::string& geom_class,
@@ -86,30 +94,17 @@ void AddPad(const kinematics::Collision& pad, const std::string& geom_class,
   }
 }
 
-void AddCollisions(const Link& link, const std::string& geom_class, const GripperRules& rules,
-                   XmlElement& body) {
-  for (const kinematics::Collision& collision : link.collisions) {
-    if (collision.name == "pad") {
-      AddPad(collision, geom_class, rules, body);
-      continue;
-    }
-    XmlElement& geom = body.Add("geom").Set("class", geom_class);
-    std::visit(ShapeWriter{geom}, collision.shape);
-    geom.SetPose(collision.X_LinkShape)
-        .Set("friction", {kFingerFriction, kTorsionOfFinger, 0.0001});
-  }
-}
-
 // Adds a robot's arm or gripper link by link. Names get a prefix, because arm and gripper may use
 // the same names.
 class RobotWriter {
  public:
   RobotWriter(const Robot& robot, const RobotModel& model, const std::string& prefix,
-              const GripperRules& rules)
+              const GripperRules& rules, XmlElement& asset)
       : model_(model),
         prefix_(robot.Prefix() + prefix),
         collision_class_(CollisionClass(robot)),
-        rules_(rules) {}
+        rules_(rules),
+        asset_(asset) {}
 
   XmlElement& AddRoot(const geometry::Pose& X_ParentRoot, XmlElement& parent) const {
     return AddLink(model_.links.front(), X_ParentRoot, parent);
@@ -141,19 +136,61 @@ class RobotWriter {
     XmlElement& body = parent.Add("body").Set("name", prefix_ + link.name).SetPose(X_ParentLink);
     if (link.inertial) AddInertial(*link.inertial, body);
     AddVisuals(link, body);
-    AddCollisions(link, collision_class_, rules_, body);
+    AddCollisions(link, body);
     return body;
+  }
+
+  // Draws the collision shapes of a link whose meshes for drawing were not read.
+  void AddVisuals(const Link& link, XmlElement& body) const {
+    for (const kinematics::Visual& visual : link.visuals) {
+      AddDrawn(link, {visual.shape, visual.X_LinkShape, "visual"}, visual.color, body);
+    }
+    if (!link.visuals.empty() || link.meshes.empty()) return;
+    for (const kinematics::Collision& collision : link.collisions) {
+      AddDrawn(link, {collision.shape, collision.X_LinkShape, "visual"}, {}, body);
+    }
+  }
+
+  void AddDrawn(const Link& link, const LinkShape& shape, const kinematics::Rgba& color,
+                XmlElement& body) const {
+    AddShape(link, shape, body).Set("rgba", {color.red, color.green, color.blue, color.alpha});
+  }
+
+  void AddCollisions(const Link& link, XmlElement& body) const {
+    for (const kinematics::Collision& collision : link.collisions) {
+      if (collision.name == "pad") {
+        AddPad(collision, collision_class_, rules_, body);
+        continue;
+      }
+      AddShape(link, {collision.shape, collision.X_LinkShape, collision_class_}, body)
+          .Set("friction", {kFingerFriction, kTorsionOfFinger, 0.0001});
+    }
+  }
+
+  XmlElement& AddShape(const Link& link, const LinkShape& shape, XmlElement& body) const {
+    if (const auto* mesh = std::get_if<kinematics::HullShape>(&shape.shape)) {
+      const std::string name =
+          fmt::format("{}{}/{}/{}", prefix_, link.name, shape.geom_class, hulls_++);
+      return AddPiece(Transformed(*mesh->hull, shape.X_LinkShape), shape.geom_class, name, body,
+                      asset_);
+    }
+    XmlElement& geom = body.Add("geom").Set("class", shape.geom_class);
+    std::visit(ShapeWriter{geom}, shape.shape);
+    return geom.SetPose(shape.X_LinkShape);
   }
 
   const RobotModel& model_;
   std::string prefix_;
   std::string collision_class_;
   const GripperRules& rules_;
+  XmlElement& asset_;
+  mutable int hulls_ = 0;  // the number of those that were added
 };
 
-void AddGripper(const Robot& robot, const GripperRules& rules, XmlElement& flange) {
+void AddGripper(const Robot& robot, const GripperRules& rules, XmlElement& asset,
+                XmlElement& flange) {
   const RobotModel& model = robot.gripper->model();
-  const RobotWriter writer(robot, model, "gripper/", rules);
+  const RobotWriter writer(robot, model, "gripper/", rules, asset);
   XmlElement& hand = writer.AddRoot(geometry::Pose::Identity(), flange);
   hand.Add("site").Set("name", robot.Prefix() + "wrist").Set("class", "mark");
   hand.Add("site")
@@ -182,10 +219,11 @@ void AddServo(const std::string& joint, double stiffness, XmlElement& general) {
 
 std::string CollisionClass(const Robot& robot) { return robot.Prefix() + "collision"; }
 
-void AddRobot(const Robot& robot, const GripperRules& rules, XmlElement& worldbody) {
+void AddRobot(const Robot& robot, const GripperRules& rules, XmlElement& asset,
+              XmlElement& worldbody) {
   const RobotModel& model = robot.arm->model();
   ASSAY_CHECK(model.joints.size() == kServoGains.size());
-  const RobotWriter writer(robot, model, "arm/", rules);
+  const RobotWriter writer(robot, model, "arm/", rules, asset);
   XmlElement* body = &writer.AddRoot(robot.X_WorldBase, worldbody);
   for (std::size_t i = 0; i < model.joints.size(); ++i) {
     body = &writer.AddMoved(model.joints[i], *body);
@@ -193,7 +231,7 @@ void AddRobot(const Robot& robot, const GripperRules& rules, XmlElement& worldbo
         .Set("armature", kServoGains[i].armature)
         .Set("damping", kServoGains[i].damping);
   }
-  AddGripper(robot, rules, *body);
+  AddGripper(robot, rules, asset, *body);
 }
 
 void AddFingerCoupling(const Robot& robot, XmlElement& equality) {

@@ -22,8 +22,10 @@ struct GripperRules {
   int pad_tiles = 2;
 };
 // Adds arm and gripper under `worldbody`: links with their inertias and their shapes for collision.
-// The sites "tool" and "wrist" (the flange) are on the hand.
-void AddRobot(const domain::Robot& robot, const GripperRules& rules, XmlElement& worldbody);
+// Hulls of meshes are added under `asset`. The sites "tool" and "wrist" (the flange) are on the
+// hand.
+void AddRobot(const domain::Robot& robot, const GripperRules& rules, XmlElement& asset,
+              XmlElement& worldbody);
 
 // Adds the constraint that couples the fingers under `equality`.
 void AddFingerCoupling(const domain::Robot& robot, XmlElement& equality);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "planner/domain/units/units.h"
+#include "planner/plan/certificates/error_kind.h"
 #include "planner/verify/proof.h"
 #include "sim/view/deciding_place.h"
 #include "sim/view/pose_data.h"
@@ -51,6 +52,9 @@ Json CostsOf(const verify::Proof& proof) {
                  {"unit", domain::SiUnitOf(variable.dimension).name},
                  {"range", RangeData(variable.range)},
                  {"cost", variable.cost}};
+    if (const plan::ErrorKind* kind = plan::ErrorKindOf(variable.name)) {
+      cost["meaning"] = kind->meaning;
+    }
     if (variable.worst) cost["worst"] = *variable.worst;
     costs.push_back(std::move(cost));
   }

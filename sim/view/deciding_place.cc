@@ -199,7 +199,9 @@ std::vector<PartId> PartsToAvoid(const std::string& meaning, const ExecutedStep&
 // Returns the moved bodies. The fingers are left out if they are to touch the part.
 std::vector<Piece> MovedPieces(plan::Condition kind, PartId other, const ExecutedStep& step,
                                const Snapshot& at) {
-  if (kind != condition::kHandClear) return PiecesOf(step.handled, step, at);
+  if (!IsOneOf(kind, {condition::kHandClear, condition::kFingertip})) {
+    return PiecesOf(step.handled, step, at);
+  }
   std::vector<Piece> hand = PiecesOfHand(step, at);
   if (other == step.handled) {
     std::erase_if(hand, [&](const Piece& piece) { return piece.body != step.BodyOf("hand"); });
@@ -253,11 +255,29 @@ std::optional<DecidingPlace> NearestApproach(const plan::CertifiedPrecondition& 
 
 // ---- All other conditions ----------------------------------------------------------------------
 
+// Returns the lowest point of the fingers, and the point of the table below it.
+DecidingPlace AboveTheTable(const ExecutedStep& step, const Snapshot& at) {
+  DecidingPlace place = {.time = at.time, .bodies = {}};
+  Vector3 lowest = Vector3::Constant(std::numeric_limits<double>::infinity());
+  const kinematics::Gripper& gripper = step.problem.workcell->gripper();
+  for (const geometry::Box& box :
+       gripper.FingerBoxes(std::min(at.opening, gripper.max_opening()))) {
+    for (const Vector3& corner : geometry::HullOf(box).vertices) {
+      const Vector3 p = at.tool.truth * corner;
+      if (p.z() < lowest.z()) lowest = p;
+    }
+  }
+  place.bodies = {step.BodyOf("finger_left"), step.BodyOf("finger_right")};
+  place.lines = {{lowest, Vector3(lowest.x(), lowest.y(), 0)}};
+  return place;
+}
+
 DecidingPlace WhereTheStepActs(const plan::CertifiedPrecondition& claim, const ExecutedStep& step) {
   DecidingPlace place = {.time = step.samples.back()->time, .bodies = {}};
+  if (claim.condition == condition::kFingertip) return AboveTheTable(step, *step.samples.back());
   const bool is_about_fingers =
-      IsOneOf(claim.condition, {condition::kBetweenFingers, condition::kFingerClear,
-                                condition::kFingertip, condition::kPadContact});
+      IsOneOf(claim.condition,
+              {condition::kBetweenFingers, condition::kFingerClear, condition::kPadContact});
   if (is_about_fingers) {
     const Snapshot& at = *step.samples.back();
     const auto pad = [&](double side) -> Vector3 {
@@ -284,7 +304,8 @@ std::optional<DecidingPlace> PlaceOf(const plan::CertifiedPrecondition& claim, p
                                 condition::kTipShift, condition::kTipTurn})) {
     place = InHole(claim, step);
   } else if (IsOneOf(claim.condition, {condition::kHandClear, condition::kPassingClear,
-                                       condition::kNeighbourClear, condition::kPushedClear})) {
+                                       condition::kNeighbourClear, condition::kPushedClear}) ||
+             (claim.condition == condition::kFingertip && !step.fixed.IsNone())) {
     place = NearestApproach(claim, step);
   }
   return place ? place : WhereTheStepActs(claim, step);

@@ -41,8 +41,8 @@ std::string GraspsText(const RelaxedProblem& relaxed) {
 std::vector<std::string> Hypotheses(const Problem& problem, const RelaxedProblem& relaxed) {
   const domain::Workcell& workcell = *problem.workcell;
   return {
-      fmt::format("actions: pickup, putdown and assemble along straight lines, on which the arm "
-                  "keeps its configuration, by {}; each part is in one hand, rests, or is mated",
+      fmt::format("actions: pickup, putdown and assemble along straight lines by {}, in any "
+                  "configuration of the arm; each part is in one hand, rests, or is mated",
                   RobotsText(problem)),
       fmt::format("grasps: {}; between parallel faces, approach directions every {:.4g} deg; on "
                   "round sides, along and across the axis",
@@ -73,14 +73,36 @@ bool IsMinimalConflict(const RelaxedProblem& relaxed, const std::vector<Constrai
          });
 }
 
+// Returns the problem in which an arm may change its configuration on a straight line. A real arm
+// can do so where its joints can turn while the tool stands still, at a singular posture.
+Problem InAnyConfiguration(const Problem& problem) {
+  domain::WorkcellRules rules = problem.workcell->rules();
+  rules.keeps_configuration = false;
+  Problem other = problem;
+  other.workcell = problem.workcell->WithRules(rules);
+  return other;
+}
+
+std::vector<std::string> LimitsMet(const Problem& problem, const RelaxedProblem& possible) {
+  std::vector<std::string> limits = LimitsOf(problem, possible);
+  const RelaxedProblem straight(problem, RelaxedProblem::Grasps::kListed);
+  if (!straight.IsPossibleWith({straight.Constraints()})) {
+    limits.push_back(
+        "this planner's arms keep their configuration on the straight lines of an action: within "
+        "their joint limits they do so on none of the lines that a plan could use");
+  }
+  return limits;
+}
+
 }  // namespace
 
-ImpossibilityAnswer ProveImpossible(const Problem& problem) {
+ImpossibilityAnswer ProveImpossible(const Problem& given) {
+  const Problem problem = InAnyConfiguration(given);
   if (problem.actions != domain::StandardActions()) {
     return {{}, {"no proof covers actions other than those that every robot can do"}};
   }
   const RelaxedProblem listed(problem, RelaxedProblem::Grasps::kListed);
-  if (listed.IsPossibleWith({listed.Constraints()})) return {{}, LimitsOf(problem, listed)};
+  if (listed.IsPossibleWith({listed.Constraints()})) return {{}, LimitsMet(given, listed)};
   const RelaxedProblem relaxed(problem, RelaxedProblem::Grasps::kWithMisses);
   const std::vector<Constraint> conflict = MinimalConflict(relaxed);
   Impossibility proof = {.hypotheses = Hypotheses(problem, listed),

@@ -91,8 +91,7 @@ std::string ReachText(const plan::Situation& situation) {
   const geometry::Vector3 p = 1e3 * situation.hand->X_WorldTool.translation();
   const std::string where = fmt::format("({:.0f}, {:.0f}, {:.0f}) mm", p.x(), p.y(), p.z());
   if (!situation.excess) {
-    return fmt::format(
-        "the arm cannot lead the tool to {} on straight ways and back in one configuration", where);
+    return fmt::format("the arm cannot lead the tool to {} on straight ways and back", where);
   }
   return fmt::format(
       "the arm does not reach {} with the tool, {} from its first axis; with this orientation it "

@@ -1,7 +1,6 @@
 #include "planner/constraint_posting/impossibility/reach_excess.h"
 
-#include <algorithm>
-
+#include "planner/domain/reachability/tool_path.h"
 #include "planner/geometry/pose.h"
 
 namespace assay::constraint_posting {
@@ -10,13 +9,6 @@ namespace {
 constexpr double kStep =
     0.02;  // metres; poses between two steps are tried if the second is reached
 constexpr double kFine = 0.001;  // metres
-
-bool IsReached(const domain::Workcell& workcell, const geometry::Pose& X_WorldTool) {
-  const auto solutions = workcell.arm().Inverse(workcell.FlangeFor(X_WorldTool), workcell.home());
-  return std::ranges::any_of(solutions, [&](const auto& solution) {
-    return workcell.arm().NearestInRange(solution.q, workcell.home()).has_value();
-  });
-}
 
 }  // namespace
 
@@ -27,7 +19,7 @@ std::optional<plan::Excess> ReachExcess(const domain::Workcell& workcell,
   const double distance = from_axis.norm();
   const auto is_reached = [&](double nearer) {
     const geometry::Vector3 shift = -nearer * from_axis / distance;
-    return IsReached(workcell, geometry::Translation(shift) * X_WorldTool);
+    return domain::IsReached(workcell, geometry::Translation(shift) * X_WorldTool);
   };
   double nearer = 0;
   while (nearer < distance && !is_reached(nearer)) nearer += kStep;

@@ -357,9 +357,9 @@ std::string Describe(const Problem& problem, GraspCondition condition) {
       return "hand and fingers do not go through the table";
     case GraspCondition::kReach:
       return fmt::format(
-          "the arm gets there from {:.4g} mm above the table within its joint limits and in one "
-          "configuration",
-          Millimetres(workcell.rules().safe_height));
+          "the arm gets there from {:.4g} mm above the table within its joint limits{}",
+          Millimetres(workcell.rules().safe_height),
+          workcell.rules().keeps_configuration ? " and in one configuration" : "");
     case GraspCondition::kMateClear:
       return "hand and fingers do not go through the part that is mated with";
   }

@@ -72,8 +72,7 @@ class Leg {
         turn_(Matrix3(from.linear().transpose() * to.linear())) {}
 
   bool Follow(Configuration& configuration) const {
-    const double looks = std::max({1.0, line_.norm() / kStep, turn_.angle() / kTurnStep});
-    const int steps = static_cast<int>(std::ceil(looks));
+    const int steps = Steps();
     for (int i = 0; i < steps; ++i) {
       const double now = static_cast<double>(i) / steps;
       const double next = static_cast<double>(i + 1) / steps;
@@ -82,7 +81,20 @@ class Leg {
     return true;
   }
 
+  // Returns whether the arm reaches each tested pose after the first in some configuration.
+  bool IsReachedThroughout() const {
+    const int steps = Steps();
+    for (int i = 1; i <= steps; ++i) {
+      if (!IsReached(workcell_, PoseAt(static_cast<double>(i) / steps))) return false;
+    }
+    return true;
+  }
+
  private:
+  int Steps() const {
+    const double looks = std::max({1.0, line_.norm() / kStep, turn_.angle() / kTurnStep});
+    return static_cast<int>(std::ceil(looks));
+  }
   bool Step(double now, double next, int halvings, Configuration& configuration) const {
     if (MoveTo(workcell_, PoseAt(next), configuration)) return true;
     if (halvings == 0) return false;
@@ -101,12 +113,28 @@ class Leg {
   Eigen::AngleAxisd turn_;
 };
 
+bool IsReachedAlong(const Workcell& workcell, std::span<const Pose> X_WorldTools) {
+  if (!IsReached(workcell, X_WorldTools[0])) return false;
+  for (std::size_t i = 1; i < X_WorldTools.size(); ++i) {
+    if (!Leg(workcell, X_WorldTools[i - 1], X_WorldTools[i]).IsReachedThroughout()) return false;
+  }
+  return true;
+}
+
 }  // namespace
+
+bool IsReached(const Workcell& workcell, const Pose& X_WorldTool) {
+  const auto solutions = workcell.arm().Inverse(workcell.FlangeFor(X_WorldTool), workcell.home());
+  return std::ranges::any_of(solutions, [&](const auto& solution) {
+    return workcell.arm().NearestInRange(solution.q, workcell.home()).has_value();
+  });
+}
 
 bool CanFollow(const Workcell& workcell, const Matrix3& R_WorldTool,
                std::span<const Vector3> corners) {
   std::vector<Pose> X_WorldTools;
   for (const Vector3& corner : corners) X_WorldTools.push_back(PoseOf(R_WorldTool, corner));
+  if (!workcell.rules().keeps_configuration) return IsReachedAlong(workcell, X_WorldTools);
   return ReachAlong(workcell, X_WorldTools).start.has_value();
 }
 

@@ -7,10 +7,16 @@
 
 namespace assay::domain {
 
+// Returns whether the arm reaches the pose of the tool within its joint limits, in any
+// configuration.
+bool IsReached(const Workcell& workcell, const geometry::Pose& X_WorldTool);
+
 // Returns whether the arm can move the tool along the straight lines from corner to corner. The
 // tool keeps its orientation. The arm stays within its joint limits, keeps its configuration, and
-// makes no sudden turns of a joint. The corners are origins of the tool in the world frame; there
-// must be at least one. The lines are tested in steps of a few centimetres.
+// makes no sudden turns of a joint. If the workcell's rules let the arm change its configuration
+// (WorkcellRules), the arm only needs to reach each tested pose. The corners are origins of the
+// tool in the world frame; there must be at least one. The lines are tested in steps of a few
+// centimetres.
 bool CanFollow(const Workcell& workcell, const geometry::Matrix3& R_WorldTool,
                std::span<const geometry::Vector3> corners);
 

@@ -20,6 +20,7 @@ class RobotFile {
 
  private:
   static kinematics::ArmEnds ReadEnds(const Value& robot);
+  std::vector<std::filesystem::path> ReadPackages(const Value& robot) const;
   JointVector ReadJoints(const Value& value) const;
   JointVector ReadHome(const Value& home, const kinematics::Arm& arm) const;
   JointVector ReadAcceleration(const Value& acceleration) const;
@@ -35,7 +36,7 @@ Robot RobotFile::Read(const std::string& name, const Value& robot, const Value& 
   read.name = name;
   read.gripper_file = Beside(gripper.At("urdf"));
   read.arm = std::make_shared<const kinematics::Arm>(
-      kinematics::Arm::FromUrdf(Beside(robot.At("urdf")), ReadEnds(robot)));
+      kinematics::Arm::FromUrdf(Beside(robot.At("urdf")), ReadEnds(robot), ReadPackages(robot)));
   read.gripper =
       std::make_shared<const kinematics::Gripper>(kinematics::Gripper::FromUrdf(read.gripper_file));
   const Value base = robot.At("base");
@@ -55,6 +56,22 @@ kinematics::ArmEnds RobotFile::ReadEnds(const Value& robot) {
     return link ? link->Text() : std::string();
   };
   return {name("base"), name("flange")};
+}
+
+// Reads the folders in which the packages of a robot's meshes lie.
+std::vector<std::filesystem::path> RobotFile::ReadPackages(const Value& robot) const {
+  std::vector<std::filesystem::path> folders;
+  const std::optional<Value> packages = robot.Find("packages");
+  if (!packages) return folders;
+  for (const Value& path : packages->Items()) {
+    folders.push_back((folder_ / path.Text()).lexically_normal());
+    std::error_code error;
+    if (!std::filesystem::is_directory(folders.back(), error)) {
+      path.Fail(fmt::format("there is no folder '{}'", path.Text()),
+                "a path from the workcell's folder");
+    }
+  }
+  return folders;
 }
 
 JointVector RobotFile::ReadJoints(const Value& value) const {
@@ -101,14 +118,14 @@ std::vector<Robot> ReadRobots(const Value& workcell, const Units& units,
   const std::optional<Value> robots = workcell.Find("robots");
   if (!robots) {
     const Value robot = workcell.At("robot");
-    robot.AllowOnly({"urdf", "links", "base", "home", "acceleration"});
+    robot.AllowOnly({"urdf", "links", "packages", "base", "home", "acceleration"});
     return {file.Read("", robot, workcell.At("gripper"))};
   }
   workcell.AllowOnly({"format", "description", "units", "robots", "table", "tables", "rules",
                       "placements", "places", "sensors", "verifications", "recoveries"});
   std::vector<Robot> read;
   for (const auto& [key, robot] : robots->Entries()) {
-    robot.AllowOnly({"urdf", "links", "base", "home", "acceleration", "gripper"});
+    robot.AllowOnly({"urdf", "links", "packages", "base", "home", "acceleration", "gripper"});
     read.push_back(file.Read(ReadName(key, "a robot"), robot, robot.At("gripper")));
   }
   if (read.empty()) robots->Fail("no robots", "one or more, by their names");

@@ -55,6 +55,9 @@ struct WorkcellRules {
   // before or beyond the expected height. A guarded descent goes on until it meets resistance.
   double guarded_travel = 0;
   double lateral_compliance = 0;
+  // Whether the arm keeps its configuration and makes no sudden turns along straight lines. No file
+  // states this rule: only the proof that no plan exists drops it.
+  bool keeps_configuration = true;
 };
 
 // Tables, rules, and one or more robots. A planner of grasps and motions works with one robot, the

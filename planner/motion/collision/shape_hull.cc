@@ -15,6 +15,7 @@ using geometry::RoundedHull;
 using geometry::Vector3;
 using kinematics::BoxShape;
 using kinematics::CylinderShape;
+using kinematics::HullShape;
 using kinematics::SphereShape;
 
 constexpr int kPrismSides = 16;
@@ -60,6 +61,10 @@ RoundedHull HullAroundShape(const SphereShape& sphere, const Pose& X_LinkSphere)
     }
   }
   return RoundedHull(corners);
+}
+
+RoundedHull HullAroundShape(const HullShape& shape, const Pose& X_LinkShape) {
+  return RoundedHull(Transformed(*shape.hull, X_LinkShape));
 }
 
 }  // namespace

@@ -24,6 +24,13 @@ constexpr double kLeastDoubt = 1e-6;  // least half width of any error: rounding
 constexpr double kInflation = 1.2;    // factor on a guess at the turns of joints
 constexpr int kGuesses = 5;           // number of guesses, each computed from the last one
 constexpr double kWidestCell = 0.25;  // greatest turn of a joint in a cell, radians
+// A cell that turns the joints more than the errors do is halved along the line if M adds more than
+// this share to the joints' differences.
+constexpr double kLengthened = 0.05;
+// Postures are on one straight line if the tool is off it by less: metres, and entries of a
+// rotation matrix. The errors of each cell are larger (kLeastDoubt).
+constexpr double kOnLine = 1e-7;
+constexpr double kLongestPiece = 1.0;  // greatest turn of a joint along one piece, radians
 
 // Derivatives of the arm in one posture, as the tool moves with it. They are about the arm's center
 // (kinematics::ArmSolver), in the world's axes.
@@ -125,7 +132,25 @@ struct Cell {
   int halvings = 0;
 };
 
-// The way from posture to posture, with the tool on a straight line.
+// Returns the last posture, after the first, up to which the tool stays on one straight line.
+std::size_t EndOfPiece(const domain::Workcell& workcell, const JointPath& path, std::size_t first) {
+  const Pose start = ToolAt(workcell, path[first]);
+  Vector3 line = ToolAt(workcell, path[first + 1]).translation() - start.translation();
+  std::size_t last = first + 1;
+  for (; last + 1 < path.size(); ++last) {
+    const Pose next = ToolAt(workcell, path[last + 1]);
+    const Vector3 way = next.translation() - start.translation();
+    const bool goes_on = way.norm() > line.norm() &&
+                         way.cross(line).norm() < kOnLine * line.norm() &&
+                         next.linear().isApprox(start.linear(), kOnLine) &&
+                         (path[last + 1] - path[first]).cwiseAbs().maxCoeff() < kLongestPiece;
+    if (!goes_on) break;
+    line = way;
+  }
+  return last;
+}
+
+// A way with the tool on a straight line.
 class Piece {
  public:
   Piece(const domain::Workcell& workcell, const JointVector& from, const JointVector& to,
@@ -221,30 +246,35 @@ class WayCover {
   const Sway& sway() const { return sway_; }
 
  private:
-  // Adds the cell's bounds to the result, or halves the cell.
+  // Adds the cell's bounds to the result, or halves the cell: in the coordinate that turns the
+  // joints most if no bound is known, and along the line if the bounds are loose and the cell is
+  // long.
   void Look(const Piece& piece, const Cell& cell, const JointVector& q, std::vector<Cell>& open) {
     const Differential at = DifferentialAt(workcell_, q);
     const Matrix6 twists = piece.TwistsIn(cell.half);
     const auto turning = TurningFor(at, twists.rowwise().sum());
     if (!turning) {
       sway_.is_bounded = cell.halvings < kMostHalvings;
-      return Halve(cell, at, twists, open);
+      int widest = 0;
+      (at.inverse.cwiseAbs() * twists).colwise().maxCoeff().maxCoeff(&widest);
+      return Halve(cell, widest, open);
     }
     const Matrix6 within = Matrix6::Identity() - turning->departure;
-    const JointVector turn = within.partialPivLu().solve(at.inverse.cwiseAbs() * piece.Errors());
+    const JointVector least = at.inverse.cwiseAbs() * piece.Errors();
+    const JointVector turn = within.partialPivLu().solve(least);
+    const double room = RoomOf(workcell_.arm(), q, turning->r);
+    const double along = (at.inverse.cwiseAbs() * twists.col(kAlong)).maxCoeff();
+    const bool is_loose = turn.maxCoeff() > (1 + kLengthened) * least.maxCoeff() || room <= 0;
+    if (is_loose && along > least.maxCoeff()) return Halve(cell, kAlong, open);
     sway_.turn = sway_.turn.cwiseMax(turn);
-    sway_.room = std::min(sway_.room, RoomOf(workcell_.arm(), q, turning->r));
+    sway_.room = std::min(sway_.room, room);
   }
 
-  // Halves the cell in the coordinate that turns the joints most.
-  static void Halve(const Cell& cell, const Differential& at, const Matrix6& twists,
-                    std::vector<Cell>& open) {
-    int widest = 0;
-    (at.inverse.cwiseAbs() * twists).colwise().maxCoeff().maxCoeff(&widest);
+  static void Halve(const Cell& cell, int coordinate, std::vector<Cell>& open) {
     for (const double side : {-0.5, 0.5}) {
       Cell half = cell;
-      half.middle[widest] += side * cell.half[widest];
-      half.half[widest] /= 2;
+      half.middle[coordinate] += side * cell.half[coordinate];
+      half.half[coordinate] /= 2;
       ++half.halvings;
       open.push_back(half);
     }
@@ -262,7 +292,11 @@ Sway SwayAlong(const domain::Workcell& workcell, const JointPath& path,
                const plan::ToolErrorBox& doubt) {
   ASSAY_CHECK(!path.empty());
   WayCover cover(workcell, doubt);
-  for (std::size_t i = 0; i + 1 < path.size(); ++i) cover.Cover(path[i], path[i + 1]);
+  for (std::size_t first = 0; first + 1 < path.size();) {
+    const std::size_t last = EndOfPiece(workcell, path, first);
+    cover.Cover(path[first], path[last]);
+    first = last;
+  }
   if (path.size() == 1) cover.Cover(path.front(), path.front());
   return cover.sway();
 }

@@ -46,6 +46,14 @@ CertifiedPrecondition ClaimOf(const Precondition& precondition, const Bound& bou
           .circumstance = precondition.circumstance};
 }
 
+void Tighten(double value, Relation relation, Bound& bound) {
+  const double gain = relation == Relation::kLess ? bound.value - value : value - bound.value;
+  if (!(gain > 0)) return;
+  bound.value = value;
+  bound.method = algebra::BoundingMethod::kCentred;
+  bound.gap = std::max(0., bound.gap - gain);
+}
+
 // Returns the claim, if quick bounds (algebra/methods/glance.h) tell whether it holds.
 std::optional<CertifiedPrecondition> Seen(const Precondition& precondition,
                                           const algebra::Glance& glance) {
@@ -222,46 +230,38 @@ class StepCertifier {
     }
   }
 
-  // A claim that quick bounds prove is proved, even if the bounding methods stopped with a looser
-  // bound at the wanted gap.
-  CertifiedPrecondition Certified(const Precondition& precondition) {
-    if (std::optional<CertifiedPrecondition> claim = ProvedToFirstOrder(precondition)) {
-      return *std::move(claim);
-    }
-    Bound bound = BoundOf(precondition, world_, request_);
-    CertifiedPrecondition claim = ClaimOf(precondition, bound);
-    if (!claim.holds()) {
-      const std::optional<CertifiedPrecondition> seen = AtAGlance(precondition);
-      if (seen && seen->holds()) {
-        bound = {.value = seen->bound,
-                 .method = algebra::BoundingMethod::kCentred,
-                 .gap = bound.gap,
-                 .at = std::move(bound.at)};
-        claim = ClaimOf(precondition, bound);
-      }
-    }
-    Detail(precondition, bound, claim);
-    return claim;
-  }
-
   // First-order bounds prove most claims, and the bounding methods need not run for these claims.
   // The bounding methods would stop at the first method that proves the claim, and its bound would
   // be looser.
-  std::optional<CertifiedPrecondition> ProvedToFirstOrder(const Precondition& precondition) {
-    if (request_.highest < algebra::BoundingMethod::kCentred) return std::nullopt;
-    const bool less = precondition.relation == Relation::kLess;
-    const Bound bound = less ? world_.FirstOrderAbove(precondition.expression)
-                             : world_.FirstOrderBelow(precondition.expression);
-    CertifiedPrecondition claim = ClaimOf(precondition, bound);
-    if (!claim.holds()) return std::nullopt;
-    Detail(precondition, bound, claim);
+  CertifiedPrecondition Certified(const Precondition& precondition) {
+    std::optional<Bound> bound = FirstOrder(precondition);
+    if (!bound || !ClaimOf(precondition, *bound).holds()) bound = Searched(precondition, bound);
+    CertifiedPrecondition claim = ClaimOf(precondition, *bound);
+    Detail(precondition, *bound, claim);
     return claim;
   }
 
+  // The bounding methods stop at the wanted gap, or at a point where the claim is false. Other
+  // bounds may be tighter, and may prove the claim.
+  Bound Searched(const Precondition& precondition, const std::optional<Bound>& first_order) const {
+    Bound bound = BoundOf(precondition, world_, request_);
+    if (ClaimOf(precondition, bound).holds()) return bound;
+    const auto seen = AtAGlance(precondition);
+    if (seen) Tighten(seen->bound, precondition.relation, bound);
+    if (first_order) Tighten(first_order->value, precondition.relation, bound);
+    return bound;
+  }
+
+  std::optional<Bound> FirstOrder(const Precondition& precondition) {
+    if (request_.highest < algebra::BoundingMethod::kCentred) return std::nullopt;
+    return precondition.relation == Relation::kLess
+               ? world_.FirstOrderAbove(precondition.expression)
+               : world_.FirstOrderBelow(precondition.expression);
+  }
+
   CertifiedPrecondition Decided(const Precondition& precondition) const {
-    std::optional<CertifiedPrecondition> seen = AtAGlance(precondition);
-    if (seen) return *std::move(seen);
-    return ClaimOf(precondition, BoundOf(precondition, world_, request_));
+    const std::optional<CertifiedPrecondition> seen = AtAGlance(precondition);
+    return seen ? *seen : ClaimOf(precondition, BoundOf(precondition, world_, request_));
   }
 
   // Quick bounds decide most claims, although they are looser. They prove what the centred bounding

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <vector>
 
@@ -35,7 +36,10 @@ struct MissingForPhysics {
       const bool moves = !link.parent_joint.IsNone() &&
                          model.joint(link.parent_joint).type == kinematics::JointType::kRevolute;
       if (moves && !link.inertial) inertias.push_back(link.name);
-      if (moves && link.collisions.empty()) collision_shapes.push_back(link.name);
+      const bool has_shape =
+          !link.collisions.empty() ||
+          std::ranges::any_of(link.meshes, &kinematics::MeshReference::for_collision);
+      if (moves && !has_shape) collision_shapes.push_back(link.name);
     }
     for (const ChainJoint& joint : chain.joints()) {
       if (!(joint.limits.velocity > 0)) speeds.push_back(joint.name);
@@ -49,8 +53,7 @@ struct MissingForPhysics {
       if (!names.empty()) text += fmt::format("  {}: {}\n", what, fmt::join(names, ", "));
     };
     add("links without a possible mass and inertia", inertias);
-    add("links without a collision box, cylinder or sphere (meshes are not read)",
-        collision_shapes);
+    add("links without a collision shape", collision_shapes);
     add("joints without a speed", speeds);
     add("joints without a torque", efforts);
     return text.empty() ? "Nothing is missing for physics.\n" : "Missing for physics:\n" + text;
@@ -60,7 +63,7 @@ struct MissingForPhysics {
 // Returns why a workcell cannot have the arm, or nothing if it can.
 std::string ReasonAgainstWorkcell(const ArmRequest& request) {
   try {
-    kinematics::Arm::FromUrdf(request.file, {request.base, request.tip});
+    kinematics::Arm::FromUrdf(request.file, {request.base, request.tip}, request.packages);
     return "";
   } catch (const InputError& error) {
     return error.what();

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "sim/cli/plan_output/report.h"
 
@@ -12,6 +13,7 @@ struct ArmRequest {
   std::filesystem::path file;  // a URDF file
   std::string base;            // names of links; empty to find them
   std::string tip;
+  std::vector<std::filesystem::path> packages;  // folders with packages of meshes
   int poses = 1000;
   std::uint64_t seed = 1;
 };

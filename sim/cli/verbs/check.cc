@@ -168,6 +168,8 @@ Execution Declare(CLI::App& command) {
       ->capture_default_str();
   command.add_option("--base", options->arm.base, "for a URDF file: link at which the arm begins");
   command.add_option("--tip", options->arm.tip, "for a URDF file: link at which the arm ends");
+  command.add_option("--packages", options->arm.packages,
+                     "for a URDF file: folders in which packages with its meshes lie");
   command.add_option("--poses", options->arm.poses, "for a URDF file: random postures to solve")
       ->check(CLI::Range(1, 1000000))
       ->capture_default_str();

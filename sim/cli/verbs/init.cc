@@ -1,18 +1,25 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <array>
+#include <cctype>
 #include <filesystem>
 #include <memory>
 #include <system_error>
+#include <utility>
+#include <vector>
 
+#include "planner/base/check.h"
 #include "planner/base/input_files/input_error.h"
 #include "planner/base/input_files/input_file.h"
 #include "planner/base/input_files/quotation.h"
+#include "planner/domain/workcell/arm_site.h"
 #include "sim/cli/command_line/console.h"
 #include "sim/cli/command_line/usage_error.h"
 #include "sim/cli/command_line/verb.h"
 #include "sim/cli/tasks/output_file.h"
+#include "sim/cli/tasks/own_workcell.h"
 #include "sim/scenario/models_folder.h"
 
 namespace assay::cli {
@@ -22,6 +29,9 @@ namespace fs = std::filesystem;
 
 struct Options {
   fs::path folder;
+  fs::path robot;  // a URDF file; empty for the arm that comes with the program
+  kinematics::ArmEnds ends;
+  std::vector<fs::path> packages;
 };
 
 constexpr const char* kScenario = "plate-on-stud.yaml";
@@ -37,9 +47,72 @@ fs::path StartFolder() {
   return models.parent_path() / "scenarios/start";
 }
 
-// Nothing is written if anything is there.
-void RefuseToOverwrite(const fs::path& folder) {
+// The texts of the files to write, by their paths below the folder.
+using Files = std::vector<std::pair<fs::path, std::string>>;
+
+Files StartFiles() {
+  const fs::path start = StartFolder();
+  Files files;
   for (const char* file : kFiles) {
+    files.emplace_back(file, ReadInput(start / file, "a file of the program", kMostBytes));
+  }
+  return files;
+}
+
+void Replace(const std::string& from, const std::string& to, std::string& text) {
+  const std::size_t at = text.find(from);
+  ASSAY_CHECK(at != std::string::npos, "the template lacks '{}'", from);
+  text.replace(at, from.size(), to);
+}
+
+// Returns the name of the URDF file as the name of a workcell: small letters, digits and hyphens.
+std::string WorkcellName(const fs::path& robot) {
+  std::string name = robot.stem().string();
+  for (char& c : name) {
+    const auto letter = static_cast<unsigned char>(c);
+    c = std::isalnum(letter) != 0 ? static_cast<char>(std::tolower(letter)) : '-';
+  }
+  return name + "-table";
+}
+
+// Returns the path to `to` as a file in `folder` names it.
+std::string PathFrom(const fs::path& folder, const fs::path& to) {
+  return fs::absolute(to).lexically_normal().lexically_relative(
+      fs::absolute(folder).lexically_normal());
+}
+
+// Adds a workcell with the user's arm, and puts the parts of the scenario where the arm reaches.
+void UseOwnArm(const Options& options, Files& files) {
+  const fs::path gripper = scenario::ModelsOfTheProgram() / "grippers/parallel-jaw/gripper.urdf";
+  const auto arm = kinematics::Arm::FromUrdf(options.robot, options.ends, options.packages);
+  const auto site = domain::FindArmSite(arm, kinematics::Gripper::FromUrdf(gripper));
+  if (!site) {
+    throw InputError({options.robot.string()},
+                     "the arm reaches no square of 20 cm with its tool straight down",
+                     "an arm that does; the gripper is 0.2 m long");
+  }
+  const std::string name = WorkcellName(options.robot);
+  const fs::path folder = fs::path("models/workcells") / name;
+  OwnArm own = {.name = arm.model().name,
+                .urdf = PathFrom(options.folder / folder, options.robot),
+                .gripper = PathFrom(options.folder / folder, gripper),
+                .base = options.ends.base,
+                .flange = options.ends.flange};
+  for (const fs::path& package : options.packages) {
+    own.packages.push_back(PathFrom(options.folder / folder, package));
+  }
+  files.emplace_back(folder / "workcell.yaml", WorkcellText(own, *site));
+  const auto scenario = std::ranges::find(files, fs::path(kScenario), &Files::value_type::first);
+  const double x = 1e3 * site->middle.x();
+  const double y = 0.7e3 * site->half_side;
+  Replace("workcell: puma762-table", "workcell: " + name, scenario->second);
+  Replace("at: [600, 50]", fmt::format("at: [{:.0f}, {:.0f}]", x, y), scenario->second);
+  Replace("at: [500, -200]", fmt::format("at: [{:.0f}, {:.0f}]", x, -y), scenario->second);
+}
+
+// Nothing is written if anything is there.
+void RefuseToOverwrite(const fs::path& folder, const Files& files) {
+  for (const auto& [file, text] : files) {
     std::error_code error;
     if (!fs::exists(fs::symlink_status(folder / file, error))) continue;
     throw UsageError(fmt::format("init: {} is there already; allowed: a folder without it",
@@ -49,12 +122,13 @@ void RefuseToOverwrite(const fs::path& folder) {
 
 ExitCode Execute(const Options& options) {
   const fs::path& folder = options.folder;
-  RefuseToOverwrite(folder);
-  const fs::path start = StartFolder();
+  Files files = StartFiles();
+  if (!options.robot.empty()) UseOwnArm(options, files);
+  RefuseToOverwrite(folder, files);
   std::string text;
-  for (const char* file : kFiles) {
+  for (const auto& [file, content] : files) {
     MakeFolder((folder / file).parent_path());
-    WriteFile(folder / file, ReadInput(start / file, "a file of the program", kMostBytes));
+    WriteFile(folder / file, content);
     text += fmt::format("{}\n", (folder / file).string());
   }
   text += fmt::format(
@@ -72,6 +146,13 @@ Execution Declare(CLI::App& command) {
           "folder", options->folder,
           "folder for the files, which is made if it does not exist; no file is overwritten")
       ->required();
+  command.add_option("--robot", options->robot,
+                     "URDF file of your own arm, for which a workcell is written");
+  command.add_option("--base", options->ends.base, "link of this file at which the arm begins");
+  command.add_option("--flange", options->ends.flange,
+                     "link of this file at which the arm ends: the gripper is mounted there");
+  command.add_option("--packages", options->packages,
+                     "folders in which packages with the meshes of this file lie");
   return [options] { return Execute(*options); };
 }
 
@@ -79,9 +160,10 @@ Execution Declare(CLI::App& command) {
 
 const Verb kInit = {
     .name = "init",
-    .summary = "writes a template for your own assembly: a scenario, two parts and a sweep",
+    .summary = "writes a template for your own assembly, and a workcell for your own arm",
     .page = "scenarios/your-own-part.md",
-    .example = "assay init own\n  assay plan own/plate-on-stud.yaml",
+    .example =
+        "assay init own\n  assay plan own/plate-on-stud.yaml\n  assay init own --robot arm.urdf",
     .declare = init_verb::Declare,
 };
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "planner/base/random.h"
+#include "planner/geometry/hull.h"
 #include "planner/kinematics/urdf_model.h"
 
 namespace assay::kinematics::puma_shapes_test {
@@ -23,6 +24,9 @@ struct Holds {
            p.head<2>().norm() <= cylinder.radius + kRounding;
   }
   bool operator()(const SphereShape& sphere) const { return p.norm() <= sphere.radius + kRounding; }
+  bool operator()(const HullShape& shape) const {
+    return geometry::Contains(*shape.hull, p, kRounding);
+  }
 };
 
 struct DrawIn {
@@ -35,6 +39,10 @@ struct DrawIn {
   }
   Vector3 operator()(const SphereShape& sphere) const {
     return sphere.radius * Cube().normalized();
+  }
+  Vector3 operator()(const HullShape& shape) const {
+    const auto& corners = shape.hull->vertices;
+    return corners[static_cast<std::size_t>(random.Index(static_cast<int>(corners.size())))];
   }
   Vector3 Cube() const {
     return {random.Uniform(-1, 1), random.Uniform(-1, 1), random.Uniform(-1, 1)};

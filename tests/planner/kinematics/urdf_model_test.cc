@@ -113,7 +113,7 @@ INSTANTIATE_TEST_SUITE_P(
                   "is not a URDF file"},
         WrongFile{"not_a_number", "mass value=\"2\"", "mass value=\"two\"", "is not a URDF file"},
         WrongFile{"mesh", "<sphere radius=\"0.3\"/>", "<mesh filename=\"a.stl\"/>",
-                  "box, cylinder, sphere"},
+                  "there is no such file"},
         WrongFile{"no_extent", "<sphere radius=\"0.3\"/>", "<sphere radius=\"0\"/>",
                   "positive extents"},
         WrongFile{"negative_mass", "mass value=\"2\"", "mass value=\"-2\"", "positive mass"},

@@ -4,19 +4,26 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdlib>
 
 #include "planner/uncertainty/preconditions/certify.h"
 #include "tests/planner/plan/actions.h"
 #include "tests/planner/uncertainty/action_lists.h"
 
-// In sound mode no certificate is false. Plans are executed thousands of times with drawn errors.
+// In sound mode no certificate is false. Plans are executed hundreds of times with drawn errors, or
+// as often as ASSAY_EXECUTIONS says.
 namespace assay::uncertainty::executed_errors_test {
 namespace {
 
 using ::testing::IsEmpty;
 
 constexpr std::uint64_t kSeed = 20;
-constexpr int kExecutions = 2000;
+constexpr int kMostUntilContradicted = 2000;
+
+int ExecutionCount() {
+  const char* count = std::getenv("ASSAY_EXECUTIONS");
+  return count == nullptr ? 500 : std::atoi(count);
+}
 
 enum class Inserted { kNothing, kSensing, kSqueezing };
 
@@ -82,14 +89,15 @@ TEST_P(ExecutedPlans, ContradictNoCertificate) {
   const domain::Problem problem = ProblemOf(GetParam());
   const auto certified = Certify(problem, With(GetParam().inserted, problem, FirstPlan(problem)));
   RandomStream random(kSeed, "executed plans");
+  const int executions = ExecutionCount();
   int completed = 0;
-  for (int i = 0; i < kExecutions; ++i) {
+  for (int i = 0; i < executions; ++i) {
     const oracle::Execution execution = oracle::ExecuteOnce(problem, certified, random);
     ASSERT_THAT(execution.contradictions, IsEmpty()) << "execution " << i;
     completed += execution.completed;
   }
   // Nothing goes wrong in a plan whose preconditions are all proved.
-  EXPECT_GE(completed, IsProved(certified) ? kExecutions : kExecutions / 100 + 1);
+  EXPECT_GE(completed, IsProved(certified) ? executions : executions / 100 + 1);
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -112,7 +120,7 @@ TEST(ExecutedErrors, BeyondTheirBoundsContradict) {
   const auto certified = Certify(assumed, With(trial.inserted, assumed, FirstPlan(assumed)));
   const auto contradicted = [&](const domain::Problem& problem) {
     RandomStream random(kSeed, "beyond");
-    for (int i = 0; i < kExecutions; ++i) {
+    for (int i = 0; i < kMostUntilContradicted; ++i) {
       if (!oracle::ExecuteOnce(problem, certified, random).contradictions.empty()) return true;
     }
     return false;

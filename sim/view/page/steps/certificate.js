@@ -137,7 +137,10 @@ function preconditionOf(group, colors, isFirst, showWhere) {
 const capitalized = (text) => text.charAt(0).toUpperCase() + text.slice(1);
 
 function whereButton(onclick) {
-  return element('button', {class: 'where', onclick}, 'Show where');
+  return element(
+      'button',
+      {class: 'where', title: 'Show in red, in the picture, what decides the condition', onclick},
+      'Show where');
 }
 
 function marginText({margin, unit, unborne}, sign = 1) {
@@ -153,7 +156,8 @@ function standingSentence({standing, count, open, refuted, unborne}) {
   const proof = `Not proved${count > 1 ? ` in ${open} of ${count} cases` : ''}`;
   if (standing === 'absorbed') return `${proof}, and absorbed by fine motion.${shown}`;
   const corner =
-      refuted ? 'At the worst corner it is false.' : 'No corner is known at which it is false.';
+      refuted ? 'There are errors within their ranges with which it is false.' :
+                'No errors within their ranges are known with which it is false.';
   return `${proof}. ${unborne ? 'At worst, nothing bears the load.' : corner}${shown}`;
 }
 
@@ -174,18 +178,24 @@ function costsOf(group) {
   if (costs.length === 0) return [];
   const rows = costs.map(
       (cost) => element(
-          'tr', {}, element('th', {scope: 'row'}, cost.name),
+          'tr', {},
+          element(
+              'th', {scope: 'row'}, cost.name,
+              ...(cost.meaning ? [element('small', {}, cost.meaning)] : [])),
           element('td', {}, rangeText(cost.range, cost.unit)),
           element(
               'td', {class: 'bar'},
               element('i', {style: `width: ${(100 * cost.cost) / costs[0].cost}%`})),
           element('td', {}, quantityText(cost.cost, group.unit))));
+  const heads = ['error', 'range', '', 'cost'].map(
+      (name) => element('th', {scope: 'col'}, name));
   return [element(
       'table', {class: 'costs'},
       element(
           'caption', {},
-          'Errors that cost most: what the bound would gain if the error were known'),
-      ...rows)];
+          'The errors that cost most. The cost of an error is the amount by which the bound would ' +
+              'improve if this error were known exactly.'),
+      element('tr', {}, ...heads), ...rows)];
 }
 
 // Whether the planner computed one number for all errors together. Nothing is known about the
@@ -196,7 +206,7 @@ function remedyOf(group) {
   const {remedy, standing} = group;
   if (standing !== 'open' || isNumber(group)) return [];
   if (!remedy)
-    return [element('p', {}, 'No smaller range of a single error is enough for a proof.')];
+    return [element('p', {}, 'It is not enough for a proof to know one of the errors exactly.')];
   return [element(
       'p', {},
       `A smaller range of ${remedy.name} is enough for a proof: ` +

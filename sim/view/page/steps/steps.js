@@ -21,7 +21,10 @@ export class Steps {
         element(
             'aside', {'aria-label': 'Steps and certificates'},
             headOf(data, (step) => this.goTo(step)), list, this.detail);
-    player.onChange(() => this.select(this.at(player.time)));
+    player.onChange(() => {
+      if (player.time !== this.placeTime) this.leavePlace();
+      this.select(this.at(player.time));
+    });
     if (data.steps.length > 0) this.select(0);
   }
 
@@ -54,10 +57,11 @@ export class Steps {
         element('span', {class: 'mark'}, mark), ` ${notes}`);
   }
 
-  // Returns the index of the step in which a time lies. Times after the last step belong to the
-  // last step.
+  // Returns the index of the step in which a time lies. A step without duration has its one time.
+  // Times after the last step belong to the last step.
   at(time) {
-    const index = this.data.steps.findIndex((step) => step.from !== undefined && time < step.to);
+    const index = this.data.steps.findIndex(
+        ({from, to}) => from !== undefined && (time < to || (from === to && time <= to)));
     if (index >= 0) return index;
     return this.data.steps.reduce((last, step, i) => (step.from !== undefined ? i : last), 0);
   }
@@ -70,7 +74,7 @@ export class Steps {
   // second of a step, it goes back to the previous step.
   go(count) {
     if (this.data.steps.length === 0) return;
-    const index = this.at(this.player.time);
+    const index = this.selected;
     const early = this.player.time - this.data.steps[index].from < 1;
     const wanted = count < 0 && !early ? index : index + count;
     if (wanted >= this.data.steps.length)
@@ -84,15 +88,29 @@ export class Steps {
   showWhere(step, {time = step.acts, marked, ghosts, lines}) {
     this.player.playing = false;
     // A step that is verified acts at its very end, where the next one begins.
+    const camera = this.cameraBefore || this.viewport.chosen;
     if (time !== undefined) this.player.seek(Math.min(time, step.to - 1e-3));
     this.viewport.choose(WorkView.NAME);
     this.viewport.mark(marked, {ghosts, lines});
+    this.cameraBefore = camera;
+    this.placeTime = this.player.time;
+  }
+
+  // Takes the marks out of the picture, and goes back to the camera that was chosen before, unless
+  // people have chosen another one since.
+  leavePlace() {
+    if (this.placeTime === undefined) return;
+    const camera = this.cameraBefore;
+    this.placeTime = undefined;
+    this.cameraBefore = undefined;
+    this.viewport.mark([]);
+    if (this.viewport.chosen === WorkView.NAME) this.viewport.choose(camera);
   }
 
   select(index) {
     if (index === this.selected || this.data.steps.length === 0) return;
     this.selected = index;
-    this.viewport.mark([]);
+    this.leavePlace();
     const current = this.buttons[index];
     for (const button of this.buttons)
       button.setAttribute('aria-current', button === current ? 'step' : 'false');

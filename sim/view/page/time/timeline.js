@@ -6,6 +6,7 @@ const BAND = 22;    // pixels: the steps
 const FOOT = 18;    // pixels: the seconds
 const EDGE = 8;     // pixels at both ends
 const NARROW = 48;  // pixels: a narrower step has no place for the name of its action
+const THIN = 4;     // pixels: a step without duration
 
 // Steps, forces and occurrences over time, and the time that is shown. Pressing or dragging changes
 // the time that is shown.
@@ -165,7 +166,8 @@ export class Timeline {
   drawStep(step) {
     if (step.from === undefined) return;
     const {pen} = this;
-    const [left, right] = [this.x(step.from), this.x(step.to)];
+    const left = this.x(step.from);
+    const right = Math.max(this.x(step.to), left + THIN);
     const standing = standingOf(step, this.data.colors);
     pen.fillStyle = standing.color;
     pen.globalAlpha = standing.isOpen ? 0.6 : 0.16;

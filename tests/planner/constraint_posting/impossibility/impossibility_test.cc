@@ -314,6 +314,19 @@ TEST(Impossibility, AnotherArmThatGetsThereIsALimitOfThePlanner) {
   EXPECT_THAT(far.limits, ElementsAre(HasSubstr("robot left")));
 }
 
+// The Puma lifts a box that stands this close to its base straight through a singularity of the
+// wrist. It reaches every pose on the line, but in no single configuration: an arm that may turn
+// its wrist on the way does it.
+TEST(Impossibility, IsNotSaidWhereTheArmHasToChangeItsConfiguration) {
+  const domain::Problem problem =
+      Read(BoxesOnTable(Box("a", 22, 120, 60, "upright, at: [400, -80], yaw: 20"),
+                        "  - located: {part: a, stable: [XP1]}\n", "one-arm", 5));
+  const plan::PlanResult result = MakePlan(problem, {});
+  EXPECT_EQ(result.outcome, Outcome::kBudget);
+  EXPECT_THAT(result.conflict, IsEmpty());
+  EXPECT_THAT(result.limits, ElementsAre(HasSubstr("arms keep their configuration")));
+}
+
 // Two boxes stand side by side without room for a finger between them. They are so long that they
 // can be held only across. Each box keeps the other from being taken first.
 TEST(Impossibility, IsProvedOfPartsThatKeepEachOtherFromBeingTaken) {

@@ -1,0 +1,134 @@
+#include "planner/domain/workcell/arm_site.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <vector>
+
+#include "planner/domain/workcell/floor.h"
+#include "planner/geometry/pose.h"
+
+namespace assay::domain {
+namespace {
+
+using geometry::Pose;
+using geometry::Vector2;
+using geometry::Vector3;
+using kinematics::JointVector;
+
+constexpr std::array kSafeHeights = {0.40, 0.30, 0.25, 0.20};  // the highest that works is taken
+constexpr double kNearest = 0.10;                              // metres from the base's axis
+constexpr double kFarthest = 3.0;
+constexpr double kStep = 0.025;
+constexpr double kLow = 0.01;        // height of the tool that works at the table
+constexpr double kLeastHalf = 0.10;  // half the side of the smallest square
+constexpr double kMostHalf = 0.30;
+constexpr double kLowest = 1.05;  // how far the arm may stand below the table's top
+constexpr double kLowerStep = 0.15;
+constexpr double kTableGap = 0.05;  // between the base's shapes and the table
+
+// An arm at its place, with its tool straight down.
+class StandingArm {
+ public:
+  StandingArm(const kinematics::Arm& arm, const kinematics::Gripper& gripper,
+              const Pose& X_WorldBase)
+      : arm_(arm), X_FlangeTool_(gripper.X_FlangeTool()), X_WorldBase_(X_WorldBase) {}
+
+  const Pose& X_WorldBase() const { return X_WorldBase_; }
+
+  // Returns the postures at a point of the world, with the tool straight down and turned by yaw
+  // about the vertical.
+  std::vector<JointVector> PosturesAt(const Vector3& p, double yaw) const {
+    const Pose X_WorldTool = geometry::Translation(p.x(), p.y(), p.z()) * geometry::RotationZ(yaw) *
+                             geometry::RotationX(std::numbers::pi);
+    std::vector<JointVector> postures;
+    const Pose X_BaseFlange = X_WorldBase_.inverse() * X_WorldTool * X_FlangeTool_.inverse();
+    for (const auto& solution : arm_.Inverse(X_BaseFlange)) {
+      if (const auto q = arm_.NearestInRange(solution.q, JointVector::Zero())) {
+        postures.push_back(*q);
+      }
+    }
+    return postures;
+  }
+
+  // Returns whether the tool reaches points from `high` down to the table, turned either way.
+  bool ReachesDown(double x, double y, double high) const {
+    constexpr int kHeights = 4;
+    for (const double yaw : {0.0, std::numbers::pi / 2}) {
+      for (int i = 0; i <= kHeights; ++i) {
+        const double z = kLow + (high - kLow) * i / kHeights;
+        if (PosturesAt({x, y, z}, yaw).empty()) return false;
+      }
+    }
+    return true;
+  }
+
+  double HeightOfLowestJoint(const JointVector& q) const {
+    double lowest = std::numeric_limits<double>::infinity();
+    const auto X_BaseLinks = arm_.LinkPoses(q);
+    for (std::size_t link = 1; link < X_BaseLinks.size(); ++link) {
+      lowest = std::min(lowest, (X_WorldBase_ * X_BaseLinks[link]).translation().z());
+    }
+    return lowest;
+  }
+
+ private:
+  const kinematics::Arm& arm_;
+  Pose X_FlangeTool_;
+  Pose X_WorldBase_;
+};
+
+bool ReachesSquare(const StandingArm& arm, double middle, double half, double high) {
+  for (const double x : {-half, 0.0, half}) {
+    for (const double y : {-half, 0.0, half}) {
+      if (!arm.ReachesDown(middle + x, y, high)) return false;
+    }
+  }
+  return true;
+}
+
+// Sets the square of the site to a larger one that the arm reaches from the site's safe height.
+void FindLargerSquare(const StandingArm& arm, ArmSite& site) {
+  for (double middle = kNearest; middle < kFarthest; middle += kStep) {
+    double half = std::max(kLeastHalf, site.half_side + kStep);
+    while (half <= kMostHalf && middle - half >= kNearest &&
+           ReachesSquare(arm, middle, half, site.safe_height)) {
+      site.X_WorldBase = arm.X_WorldBase();
+      site.half_side = half;
+      site.middle = Vector2(middle, 0);
+      half += kStep;
+    }
+  }
+}
+
+// Returns how far the arm's base reaches along x.
+double FrontOf(const kinematics::Arm& arm) {
+  const Pose forward_is_down = geometry::RotationY(std::numbers::pi / 2);
+  return -UndersideOf(arm.model().links.front(), forward_is_down).value_or(0);
+}
+
+}  // namespace
+
+std::optional<ArmSite> FindArmSite(const kinematics::Arm& arm, const kinematics::Gripper& gripper) {
+  const double height = -UndersideOf(arm.model().links.front(), Pose::Identity()).value_or(0);
+  ArmSite site;
+  for (const double safe_height : kSafeHeights) {
+    site.safe_height = safe_height;
+    for (double lower = 0; lower < kLowest; lower += kLowerStep) {
+      FindLargerSquare({arm, gripper, geometry::Translation(0, 0, height - lower)}, site);
+    }
+    if (site.half_side > 0) break;
+  }
+  if (site.half_side == 0) return std::nullopt;
+  const StandingArm standing(arm, gripper, site.X_WorldBase);
+  const std::vector<JointVector> postures =
+      standing.PosturesAt({site.middle.x(), site.middle.y(), site.safe_height}, 0);
+  site.home = *std::ranges::max_element(
+      postures, {}, [&](const JointVector& q) { return standing.HeightOfLowestJoint(q); });
+  site.table_edge = std::min(site.middle.x() - site.half_side, FrontOf(arm) + kTableGap);
+  return site;
+}
+
+}  // namespace assay::domain
