@@ -19,9 +19,9 @@ using geometry::Vector3;
 using kinematics::JointVector;
 
 constexpr std::array kSafeHeights = {0.40, 0.30, 0.25, 0.20};  // the highest that works is taken
-constexpr double kNearest = 0.10;                              // metres from the base's axis
-constexpr double kFarthest = 3.0;
-constexpr double kStep = 0.025;
+constexpr double kNearestEdge = 0.10;                          // metres from the base's axis
+constexpr double kFarthestMiddle = 3.0;
+constexpr double kSquareStep = 0.025;
 constexpr double kLow = 0.01;        // height of the tool that works at the table
 constexpr double kLeastHalf = 0.10;  // half the side of the smallest square
 constexpr double kMostHalf = 0.30;
@@ -91,16 +91,30 @@ bool ReachesSquare(const StandingArm& arm, double middle, double half, double hi
 
 // Sets the square of the site to a larger one that the arm reaches from the site's safe height.
 void FindLargerSquare(const StandingArm& arm, ArmSite& site) {
-  for (double middle = kNearest; middle < kFarthest; middle += kStep) {
-    double half = std::max(kLeastHalf, site.half_side + kStep);
-    while (half <= kMostHalf && middle - half >= kNearest &&
+  for (double middle = kNearestEdge; middle < kFarthestMiddle; middle += kSquareStep) {
+    double half = std::max(kLeastHalf, site.half_side + kSquareStep);
+    while (half <= kMostHalf && middle - half >= kNearestEdge &&
            ReachesSquare(arm, middle, half, site.safe_height)) {
       site.X_WorldBase = arm.X_WorldBase();
       site.half_side = half;
       site.middle = Vector2(middle, 0);
-      half += kStep;
+      half += kSquareStep;
     }
   }
+}
+
+// Returns the posture with the least turns of the joints, among those in which no joint is much
+// lower than it needs to be.
+JointVector HomeOf(const StandingArm& arm, const ArmSite& site) {
+  constexpr double kLowered = 0.05;  // metres
+  std::vector<JointVector> postures =
+      arm.PosturesAt({site.middle.x(), site.middle.y(), site.safe_height}, 0);
+  double highest = -std::numeric_limits<double>::infinity();
+  for (const JointVector& q : postures) highest = std::max(highest, arm.HeightOfLowestJoint(q));
+  std::erase_if(postures, [&](const JointVector& q) {
+    return arm.HeightOfLowestJoint(q) < highest - kLowered;
+  });
+  return *std::ranges::min_element(postures, {}, [](const JointVector& q) { return q.norm(); });
 }
 
 // Returns how far the arm's base reaches along x.
@@ -123,10 +137,7 @@ std::optional<ArmSite> FindArmSite(const kinematics::Arm& arm, const kinematics:
   }
   if (site.half_side == 0) return std::nullopt;
   const StandingArm standing(arm, gripper, site.X_WorldBase);
-  const std::vector<JointVector> postures =
-      standing.PosturesAt({site.middle.x(), site.middle.y(), site.safe_height}, 0);
-  site.home = *std::ranges::max_element(
-      postures, {}, [&](const JointVector& q) { return standing.HeightOfLowestJoint(q); });
+  site.home = HomeOf(standing, site);
   site.table_edge = std::min(site.middle.x() - site.half_side, FrontOf(arm) + kTableGap);
   return site;
 }

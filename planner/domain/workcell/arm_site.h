@@ -23,8 +23,8 @@ struct ArmSite {
 
 // Finds a place for an arm with a gripper. The arm stands on the plane of the table's top, or lower
 // if its square is larger then, and the square is as large as the arm reaches. At home, the tool
-// points straight down over the middle of the square, at the safe height, in the posture whose
-// lowest joint is highest. Returns none if there is no square of 20 cm.
+// points straight down over the middle of the square, at the safe height, and no joint is low above
+// the table. Returns none if there is no square of 20 cm.
 std::optional<ArmSite> FindArmSite(const kinematics::Arm& arm, const kinematics::Gripper& gripper);
 
 }  // namespace assay::domain

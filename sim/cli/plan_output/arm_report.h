@@ -13,7 +13,7 @@ struct ArmRequest {
   std::filesystem::path file;  // a URDF file
   std::string base;            // names of links; empty to find them
   std::string tip;
-  std::vector<std::filesystem::path> packages;  // folders with packages of meshes
+  std::vector<std::filesystem::path> packages = {};  // folders with packages of meshes
   int poses = 1000;
   std::uint64_t seed = 1;
 };

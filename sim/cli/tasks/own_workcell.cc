@@ -4,13 +4,14 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 #include <numbers>
 
 namespace assay::cli {
 namespace {
 
 // What follows the description of the arm and of the table in a workcell's file.
-constexpr const char* kRules = R"(
+constexpr const char* kUsualRules = R"(
 rules:
   tool_lean: 60            # of the tool's axis from straight down
   approach_step: 15        # between approach directions of a pair of faces
@@ -47,13 +48,17 @@ recoveries:
   unseated: {{strategy: groping-search, radius: 0.004, pitch: 0.001}}  # stopped before it was seated
 )";
 
+// Returns a text as YAML, whatever characters it has.
+std::string Quoted(const std::string& text) { return nlohmann::json(text).dump(); }
+
 std::string LinksText(const OwnArm& arm) {
   std::string text;
   if (!arm.base.empty() || !arm.flange.empty()) {
-    text += fmt::format("  links: {{base: {}, flange: {}}}\n", arm.base, arm.flange);
+    text +=
+        fmt::format("  links: {{base: {}, flange: {}}}\n", Quoted(arm.base), Quoted(arm.flange));
   }
   if (!arm.packages.empty()) {
-    text += fmt::format("  packages: [{}]\n", fmt::join(arm.packages, ", "));
+    text += fmt::format("  packages: {}\n", nlohmann::json(arm.packages).dump());
   }
   return text;
 }
@@ -77,10 +82,10 @@ std::string WorkcellText(const OwnArm& arm, const domain::ArmSite& site) {
       "  acceleration: [150, 150, 150, 300, 300, 300]  # per second squared\n\n"
       "gripper: {{urdf: {}}}\n\n"
       "table: {{x: [{:.3f}, {:.3f}], y: [-{:.3f}, {:.3f}], thickness: 0.04}}\n",
-      arm.name, arm.urdf, LinksText(arm), base.x(), base.y(), base.z(), fmt::join(home, ", "),
-      arm.gripper, site.table_edge, site.middle.x() + side + kBeyond, side + kBeyond,
-      side + kBeyond);
-  return text + fmt::format(kRules, fmt::arg("safe_height", site.safe_height),
+      arm.name, Quoted(arm.urdf), LinksText(arm), base.x(), base.y(), base.z(),
+      fmt::join(home, ", "), Quoted(arm.gripper), site.table_edge, site.middle.x() + side + kBeyond,
+      side + kBeyond, side + kBeyond);
+  return text + fmt::format(kUsualRules, fmt::arg("safe_height", site.safe_height),
                             fmt::arg("low_x", site.middle.x() - side),
                             fmt::arg("high_x", site.middle.x() + side), fmt::arg("half", side),
                             fmt::arg("step", std::min(kMostStep, side)),

@@ -15,7 +15,7 @@ struct OwnArm {
   std::string gripper;
   std::string base;  // names of links; may be empty
   std::string flange;
-  std::vector<std::string> packages;  // folders with packages of meshes
+  std::vector<std::string> packages = {};  // folders with packages of meshes
 };
 
 // Returns the text of a workcell file for an arm at its site. Its rules and its error bounds are

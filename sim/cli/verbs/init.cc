@@ -59,7 +59,7 @@ Files StartFiles() {
   return files;
 }
 
-void Replace(const std::string& from, const std::string& to, std::string& text) {
+void ReplaceIn(const std::string& from, const std::string& to, std::string& text) {
   const std::size_t at = text.find(from);
   ASSAY_CHECK(at != std::string::npos, "the template lacks '{}'", from);
   text.replace(at, from.size(), to);
@@ -89,7 +89,7 @@ void UseOwnArm(const Options& options, Files& files) {
   if (!site) {
     throw InputError({options.robot.string()},
                      "the arm reaches no square of 20 cm with its tool straight down",
-                     "an arm that does; the gripper is 0.2 m long");
+                     "a longer arm, because the gripper reaches below its flange");
   }
   const std::string name = WorkcellName(options.robot);
   const fs::path folder = fs::path("models/workcells") / name;
@@ -105,9 +105,9 @@ void UseOwnArm(const Options& options, Files& files) {
   const auto scenario = std::ranges::find(files, fs::path(kScenario), &Files::value_type::first);
   const double x = 1e3 * site->middle.x();
   const double y = 0.7e3 * site->half_side;
-  Replace("workcell: puma762-table", "workcell: " + name, scenario->second);
-  Replace("at: [600, 50]", fmt::format("at: [{:.0f}, {:.0f}]", x, y), scenario->second);
-  Replace("at: [500, -200]", fmt::format("at: [{:.0f}, {:.0f}]", x, -y), scenario->second);
+  ReplaceIn("workcell: puma762-table", "workcell: " + name, scenario->second);
+  ReplaceIn("at: [600, 50]", fmt::format("at: [{:.0f}, {:.0f}]", x, y), scenario->second);
+  ReplaceIn("at: [500, -200]", fmt::format("at: [{:.0f}, {:.0f}]", x, -y), scenario->second);
 }
 
 // Nothing is written if anything is there.
