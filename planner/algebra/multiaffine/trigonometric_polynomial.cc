@@ -107,7 +107,8 @@ bool TrigonometricPolynomial::Assign(const NestedForm& form, std::span<const int
   for (const Complex& coefficient : sum.coefficients()) {
     largest = std::max(largest, std::abs(coefficient));
   }
-  // Each term comes from two exponentials. The one whose last turn is positive is taken.
+  // Each term is a cosine, which comes from two conjugate exponentials. The loop takes the
+  // exponential in which the last of the turns that are not 0 is positive.
   for (std::size_t i = static_cast<std::size_t>(sum.still()) + 1; i < sum.coefficients().size();
        ++i) {
     const double amplitude = 2 * std::abs(sum.coefficients()[i]);

@@ -74,7 +74,8 @@ class AtomKnowledge {
   void UnsenseWith(KnowledgeState& state, AtomId atom);
   void Disentangle(KnowledgeState& state, AtomId atom) const;
   void Entangle(KnowledgeState& state, AtomId atom, bool is_outer) const;
-  // Marks each atom that is related to an entangled or outer atom in the same way.
+  // Marks every atom that is related to an entangled atom as entangled, too. If one of the related
+  // atoms is outer, all of them become outer.
   void SpreadEntanglement(KnowledgeState& state);
   void SpreadEntanglement(KnowledgeState& state, const std::vector<int>& variables) const;
   void Unrelate(KnowledgeState& state, AtomId atom);

@@ -25,10 +25,11 @@ class KnowledgeBase {
   const StateLayout& layout() const { return layout_; }
   WorldSets& worlds() { return atoms_.worlds(); }
 
-  // Returns the initial knowledge. Throws InputError at an alternative that cannot hold, if init
-  // contradicts itself, and at an update rule that leaves no alternative of init, or no number.
-  // Like every function that makes a state, it throws InputError at an update rule if the rules do
-  // not come to rest.
+  // Returns the initial knowledge. Throws InputError in three cases: an alternative of init cannot
+  // hold; init contradicts itself; or an update rule excludes all alternatives of init, or all
+  // values of a number. The error names the place of the alternative, the change or the rule. Like
+  // every function that makes a state, it throws InputError at an update rule if the rules do not
+  // come to rest.
   KnowledgeState Initial();
 
   // See KnowledgeQueries.

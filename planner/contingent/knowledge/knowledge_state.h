@@ -89,7 +89,7 @@ class StateLayout {
       state.bits[FirstEntangled() + atom_words_ + w] |= state.bits[FirstEntangled() + w];
     }
   }
-  // Clears the entangled and outer marks of known atoms.
+  // Clears both marks of all known atoms: only unknown atoms can be entangled or outer.
   void DisentangleKnown(KnowledgeState& state) const {
     for (std::size_t w = 0; w < atom_words_; ++w) {
       const std::uint64_t unknown = ~(state.bits[w] | state.bits[atom_words_ + w]);

@@ -20,9 +20,10 @@
 namespace assay::contingent {
 namespace {
 
-// Limits for wrong trees. The first is the number of worlds on one path, unless there are more
-// initial worlds. The second is the number of worlds in which one repeat is followed from one
-// world.
+// Limits that stop the check of a wrong tree. kMostWorlds limits the number of worlds on one path.
+// If four times the number of initial worlds is more, this number is the limit instead. When a
+// world is back where a repeat begins, the check follows it through the repeat again and again.
+// kMostReturns limits the number of different worlds that come back in this way.
 constexpr std::size_t kMostWorlds = 1'000'000;
 constexpr std::size_t kMostReturns = 100'000;
 // The greatest number of knowledge states with which the repeats of one tree begin again.

@@ -8,8 +8,9 @@ namespace assay::domain {
 // and in one configuration (CanFollow). All vectors and poses are in the world frame, except where
 // another frame is named.
 
-// Returns the straight way that an action must be able to go when the tool retreats against its
-// approach vector, in the tool pose's frame.
+// Returns the displacement of the tool when it retreats from the place where an action is done,
+// opposite to its approach direction. The displacement is in the frame in which X_FrameTool is
+// given. The arm must be able to go this straight way.
 geometry::Vector3 Retreat(const Workcell& workcell, const geometry::Pose& X_FrameTool);
 
 // Returns whether the arm can go the ways of a pickup: down from the safe height, in, and up again.

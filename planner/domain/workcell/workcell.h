@@ -52,7 +52,8 @@ struct WorkcellRules {
   double contact_allowance = 0;  // overlap that a geometric test ignores, metres
   double pad_margin = 0;
   // Greatest distance, in metres, by which the guarded descent of a putdown or of a mating may end
-  // before or beyond the expected height. A guarded descent goes on until it meets resistance.
+  // before or beyond the expected height. A guarded descent ends when it meets resistance, or
+  // without resistance at the lowest height at which contact can occur.
   double guarded_travel = 0;
   double lateral_compliance = 0;
   // Whether the arm keeps its configuration and makes no sudden turns along straight lines. No file

@@ -13,7 +13,8 @@ namespace assay::finemotion {
 inline constexpr double kLadder[] = {1, 1.25, 1.5, 2, 3, 4};
 inline constexpr double kBeyondLadder = 8;  // the scale if no enlargement of kLadder causes it
 
-// The contacts and losses that a check reports.
+// Which unwanted events a check reports. An unwanted event is a contact that may be made, or a kept
+// or awaited contact that may be lost.
 enum class Margins {
   kNone,   // the first contact that is found with the errors as they are
   kLeast,  // all contacts at the least enlargement of the errors with a contact

@@ -39,7 +39,7 @@ struct SegmentCheck {
   bool certain = false;
   std::vector<Unwanted> unwanted = {};
   BelievedPose after = {};
-  double longest = 1;  // greatest number of displacements that the motion takes
+  double longest = 1;  // greatest time of the motion; 1 is the time of the commanded displacement
   TestComparison comparison = {};
 };
 

@@ -60,8 +60,8 @@ class UncertainMotion {
            (!command_.until || until_ != nullptr);
   }
 
-  // Returns the number of displacements until the motion is surely over, or none if it may never
-  // be.
+  // Returns the time after which the motion is surely over, or none if it may never be over. The
+  // unit is the time that the commanded displacement takes.
   std::optional<double> Time() const {
     if (until_ == nullptr) return 1;
     const double slowest = -until_at_start_.Fastest();

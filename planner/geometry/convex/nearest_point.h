@@ -42,8 +42,8 @@ class NearestPoint {
     }
   }
 
-  // Returns the coordinates that count for the distance, with 0 for each negative value that does
-  // not.
+  // Returns the point with 0 in place of each negative coordinate from kEqual on, because only
+  // positive values of these coordinates count for the distance.
   static Point Outward(const Point& at) {
     Point outward = at;
     for (Eigen::Index j = kEqual; j < at.size(); ++j) outward[j] = std::max(at[j], 0.0);

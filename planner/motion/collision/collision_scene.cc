@@ -43,9 +43,12 @@ double GreatestOverVertices(const std::vector<RoundedHull>& hulls, const Measure
 
 double DistanceFromAxis(const Vector3& p, const Vector3& axis) { return p.cross(axis).norm(); }
 
-// Goes from the flange inwards. The axis of joint k + 1 passes through the origin of link k + 1. A
-// body within `ball` of the next link's origin is within |offset across the axis| + ball of that
-// axis.
+// Returns, for each joint before the body's link, an upper bound on the distance of the body's
+// points from the joint's axis. The loop goes from the body's link to the base. The axis of
+// joints[k] passes through the origin of link k + 1. `offset` leads from there to the origin of
+// link k + 2. `ball` is the radius of a ball that contains the body. At first, the centre of this
+// ball is the origin of the body's link. The last line of a pass moves the centre to the origin of
+// link k + 1.
 std::array<double, 6> ReachOf(const Body& body, const kinematics::RobotModel& robot) {
   std::array<double, 6> reach = {};
   double ball = GreatestOverVertices(body.hulls, [](const Vector3& p) { return p.norm(); });

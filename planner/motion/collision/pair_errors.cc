@@ -187,8 +187,8 @@ double PairErrors::DistanceIn(const ErrorVector& half, const LinkPoses& X_BaseLi
   return least - by_joints * (1 + half[kToolTurn] + half[kToolSpin]);
 }
 
-// Seen from the tool, the body moves only by the joints between them. Errors turn this part of the
-// motion.
+// Seen from the tool, only the joints between the tool and the body move the body. Errors rotate
+// the direction of this displacement, which changes it by at most twice its length.
 double PairErrors::GreatestMotion(const JointVector& turn) const {
   const double motion = scene_->GreatestMotion(pair_, turn);
   if (!is_seen_from_tool_ || greatest_.isZero(0)) return motion;

@@ -17,8 +17,9 @@ namespace assay::network {
 // keeps a trail.
 //
 // There are two differences from TreeSearch. Changed nodes are propagated in no particular order,
-// except that nodes with one label come first. The search branches on the node with the least
-// square of its number of labels, divided by its weight.
+// except that nodes with one label come first. The search branches on the node for which
+// (number of labels)^2 / weight is least. The weight of a node is the sum of the weights of its
+// arcs to open nodes.
 
 // Returns true if every label set fits into one word and all rows together fit into the caches.
 bool FitsLanes(std::span<const int> scope, const LabelStore& labels);

@@ -21,7 +21,8 @@ class OpenLanes {
   void Reopen(int count);  // restores the state in which count() had this value
   void Blame(int changed, int revised);
 
-  // Returns the open node with the fewest labels, squared, per weight, or -1 if no node is open.
+  // Returns the open node for which (number of labels)^2 / weight is least, or -1 if no node is
+  // open.
   template <class Lane>
   int Heaviest(const Lane* lanes) const;
 

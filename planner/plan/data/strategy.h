@@ -33,9 +33,11 @@ struct TipError {
   Vector3 w = Vector3::Zero();  // rotation vector, radians
 };
 
-// A contact that a motion must not make, or a kept or awaited contact that it must not lose. In the
-// error state, this contact exists beside the kept contacts, or it is missing among the planned
-// contacts.
+// An event that makes a motion fail: the motion makes a contact that it must not make, or it loses
+// a planned contact. The planned contacts are the kept contacts and the awaited contact. The motion
+// loses the awaited contact if this contact is missing where it should exist. After a new contact,
+// the error state has the kept contacts and the new one. After a loss, it has all planned contacts
+// but the lost one.
 struct UnwantedContact {
   int contact = 0;  // index in Strategy::contacts
   bool is_loss = false;

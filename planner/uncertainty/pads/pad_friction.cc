@@ -9,8 +9,8 @@ namespace assay::uncertainty {
 namespace {
 
 constexpr double kNowhere = 1e-12;  // metres: a cell so near to the pivot does not move
-// Distances from the center to the points about which the pads may turn, in multiples of the
-// friction's mean distance.
+// Distances from the centre of friction to the points about which the part may turn between the
+// pads. The unit is the mean distance of the pads' friction from this centre (reach_).
 constexpr std::array kPivots = {0.0, 0.15, 0.3, 0.5, 0.75, 1.0, 1.4, 2.0, 3.5, 8.0};
 
 Vector2 QuarterTurn(const Vector2& v) { return {-v.y(), v.x()}; }

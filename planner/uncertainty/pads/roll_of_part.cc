@@ -99,8 +99,9 @@ struct TurningPads {
     return tilt;
   }
 
-  // Returns the greatest couple of the pads' forces about x, for each newton metre that they need
-  // to turn the part. `friction_angle` is the greatest angle at which the part slides on them.
+  // Returns the greatest couple of the pads' forces about x, in newton metres, for each newton
+  // metre of the moment with which the pads turn the part. `friction_angle` is the greatest angle
+  // between the force of a sliding pad and its normal.
   double CouplePerMoment(double width, double friction_angle) const {
     const Interval ahead = first.HeightsOfEnd(1);
     const Interval behind = second.HeightsOfEnd(-1);

@@ -48,7 +48,7 @@ struct Claim {
   double observed = 0;
   Lever lever = {};   // of the point whose position is observed
   double margin = 0;  // distance to the nearer end; negative outside
-  double gate = 0;    // the noise floor: a smaller deviation means nothing; in the claim's unit
+  double gate = 0;    // a smaller deviation outside means nothing (NoiseFloor); the claim's unit
   ClaimVerdict verdict = ClaimVerdict::kContained;
 
   // Returns the SI unit of the claim's numbers, as files name this unit; empty for ratios and

@@ -51,8 +51,8 @@ Trial RunTrial(const Experiment& experiment, const noise::Noise& noise,
                execution::ExecutorOptions options, Sensing sensing = Sensing::kDrawn);
 // Executes the plan in a world with this noise up to the step of the claim, and returns the claim
 // with what was observed in this execution. The result is empty if the execution does not observe
-// the claim. Nothing else is judged, so that only a violation is executed again with half the
-// timestep.
+// the claim. No other claim is judged, because a violation of another claim would cause a further
+// execution with half the timestep.
 std::optional<Claim> ObserveAgain(const Experiment& experiment, const Claim& claim,
                                   const noise::Noise& noise);
 // Executes the plan in a world with this noise and returns the verdict alone. Certificates are not

@@ -72,8 +72,11 @@ class Weighing {
     return finemotion::Separation(wrench_, signature, strategy_.length);
   }
 
-  // Returns whether the contact can explain the wrench: a contact that was made is needed to
-  // explain it, and one that was lost is not.
+  // Returns whether the unwanted event fits the felt wrench. `as_felt` is the unlikeliness of the
+  // contact state after the event, and `planned` that of the planned state. A new contact fits if
+  // the planned state does not explain the wrench, and the state with the contact explains it. A
+  // lost contact fits if the state without the contact explains the wrench, and the planned state
+  // does not explain it clearly better.
   static bool IsCandidate(const plan::UnwantedContact& unwanted, double as_felt, double planned) {
     if (unwanted.separation < kAlike || as_felt > kExplained) return false;
     if (unwanted.is_loss) return as_felt < planned + kBetter;

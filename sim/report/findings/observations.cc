@@ -19,7 +19,7 @@ using sweep::VerdictRecord;
 // - If nothing was claimed of the step, the claim was not claimed.
 // - If the observation alone would give a worse verdict than the step's, the claim was not claimed.
 //   Otherwise the step's verdict would be as bad.
-// - All other observations are judged by the claim's prediction and noise floor. If the step's
+// - All other observations are judged by the claim's prediction and gate. If the step's
 //   certificate is violated, a claim that was not claimed also counts as violated if the
 //   observation is outside the prediction.
 ClaimVerdict VerdictOn(const ClaimRecord& claim, double observed, ClaimVerdict of_step) {
@@ -137,8 +137,8 @@ class StepReader {
     std::vector<double> values;
     while (rows.Next()) {
       const ClaimVerdict verdict = VerdictOn(claim, rows.Real(0), VerdictNamed(rows.Text(1)));
-      // The standing follows from the claim's own noise floor, so that an inconclusive verdict
-      // means within the engine's resolution.
+      // The standing follows from the claim's own gate, so that an inconclusive verdict means
+      // within the engine's resolution.
       const double margin = std::min(rows.Real(0) - claim.low, claim.high - rows.Real(0));
       observed.verdicts.Add(StandingOf({check::Name(verdict), margin, claim.gate}));
       if (verdict != ClaimVerdict::kNotClaimed) values.push_back(rows.Real(0));

@@ -13,11 +13,11 @@ namespace assay::report {
 // a colour of their own.
 enum class Standing {
   kContained,
-  // Outside the prediction by less than the claim's noise floor, which is the engine's resolution
-  // of this quantity.
+  // Outside the prediction by no more than the claim's gate, which is the engine's resolution of
+  // this quantity.
   kWithinResolution,
-  // Outside by more than the noise floor, and not confirmed. The execution with half the timestep
-  // did not reach the point where the quantity is observed (check::Confirmed).
+  // Outside by more than the gate, and not confirmed. The execution with half the timestep did not
+  // reach the point where the quantity is observed (check::Confirmed).
   kInconclusive,
   kViolated,
   kNotClaimed,
@@ -32,8 +32,8 @@ std::string_view TextOf(Standing standing);
 check::ClaimVerdict VerdictNamed(std::string_view name);
 
 // A verdict as it is stored in the database: its name, like "inconclusive", and the claim's margin
-// and noise floor (`gate`) in one unit. An unknown name counts as not claimed. The noise floor of a
-// violation that was not confirmed is widened to exactly its margin.
+// and gate in one unit. An unknown name counts as not claimed. The gate of a violation that was not
+// confirmed is widened to exactly its margin.
 struct StoredVerdict {
   std::string_view name;
   double margin = 0;

@@ -52,7 +52,7 @@ struct ClaimRecord {
   double low = 0;
   double high = 0;
   bool proved = true;
-  double gate = 0;  // noise floor
+  double gate = 0;  // as in check::Claim
 
   bool operator==(const ClaimRecord&) const = default;
 };
@@ -100,7 +100,7 @@ struct TrialRecord {
   bool operator==(const TrialRecord&) const = default;
 };
 
-// The worst observation of a claim in a falsification: a row of table `falsification_worst`.
+// The worst observation of a claim in a falsification: a row of table `attack_worst`.
 struct WorstClaimRecord {
   std::string claim;  // the name in table `claim`
   int step = 0;

@@ -32,10 +32,11 @@ struct TimedTrial {
 };
 
 // The results of a sweep in an SQLite database. Its tables are sweep, run, cell, gate,
-// gate_component, claim, trial, verdict, observation, attack, falsification_worst, counterexample,
-// conservatism, timing and planning (schema.cc). After a release of the program they keep their
-// meaning. All tables but `run`, `timing` and `planning` are the same, row for row, for the same
-// sweep. They do not depend on the number of threads, shards and starts of the program.
+// gate_component, claim, trial, verdict, observation, attack, attack_worst, counterexample,
+// conservatism, timing and planning (schema.cc). In all releases of the program that have the same
+// version of the format, the tables have the same meaning. For the same sweep, all tables but
+// `run`, `timing` and `planning` are the same, row for row, except for the file paths in stored
+// commands. They do not depend on the number of threads, shards and starts of the program.
 //
 // Added data are on the disk when the call returns, either all of them or none. Errors are those of
 // Database.
