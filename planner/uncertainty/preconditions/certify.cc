@@ -1,7 +1,6 @@
 #include "planner/uncertainty/preconditions/certify.h"
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -13,6 +12,7 @@
 #include "planner/uncertainty/error_sets/release.h"
 #include "planner/uncertainty/error_sets/sensing.h"
 #include "planner/uncertainty/error_sets/squeezing.h"
+#include "planner/uncertainty/preconditions/bounded_claim.h"
 
 namespace assay::uncertainty {
 namespace {
@@ -22,48 +22,6 @@ using plan::CertifiedPrecondition;
 using plan::Relation;
 
 enum class Effort { kPropagate, kDecideFirst, kDecideAll, kCertify };
-
-Bound BoundOf(const Precondition& precondition, const UncertainWorld& world,
-              algebra::BoundRequest request) {
-  request.limit = precondition.limit;
-  return precondition.relation == Relation::kLess
-             ? BoundAbove(precondition.expression, world.constraints(), request)
-             : BoundBelow(precondition.expression, world.constraints(), request);
-}
-
-CertifiedPrecondition ClaimOf(const Precondition& precondition, const Bound& bound) {
-  const bool less = precondition.relation == Relation::kLess;
-  return {.condition = precondition.condition,
-          .meaning = precondition.meaning,
-          .expression = {},
-          .relation = precondition.relation,
-          .limit = precondition.limit,
-          .bound = bound.value,
-          .margin = less ? precondition.limit - bound.value : bound.value - precondition.limit,
-          .gap = bound.gap,
-          .method = std::string(algebra::Name(bound.method)),
-          .worst = {},
-          .circumstance = precondition.circumstance};
-}
-
-void Tighten(double value, Relation relation, Bound& bound) {
-  const double gain = relation == Relation::kLess ? bound.value - value : value - bound.value;
-  if (!(gain > 0)) return;
-  bound.value = value;
-  bound.method = algebra::BoundingMethod::kCentred;
-  bound.gap = std::max(0., bound.gap - gain);
-}
-
-// Returns the claim, if quick bounds (algebra/methods/glance.h) tell whether it holds.
-std::optional<CertifiedPrecondition> Seen(const Precondition& precondition,
-                                          const algebra::Glance& glance) {
-  const bool less = precondition.relation == Relation::kLess;
-  const double limit = precondition.limit;
-  const bool holds = less ? glance.bound < limit : glance.bound > limit;
-  const bool fails = less ? glance.attained >= limit : glance.attained <= limit;
-  if (!holds && !fails) return std::nullopt;
-  return ClaimOf(precondition, {.value = glance.bound});
-}
 
 class StepCertifier {
  public:
@@ -235,20 +193,21 @@ class StepCertifier {
   // be looser.
   CertifiedPrecondition Certified(const Precondition& precondition) {
     std::optional<Bound> bound = FirstOrder(precondition);
-    if (!bound || !ClaimOf(precondition, *bound).holds()) bound = Searched(precondition, bound);
+    if (!bound || !ClaimOf(precondition, *bound).holds()) bound = Searched(precondition);
     CertifiedPrecondition claim = ClaimOf(precondition, *bound);
     Detail(precondition, *bound, claim);
     return claim;
   }
 
-  // The bounding methods stop at the wanted gap, or at a point where the claim is false. Other
-  // bounds may be tighter, and may prove the claim.
-  Bound Searched(const Precondition& precondition, const std::optional<Bound>& first_order) const {
-    Bound bound = BoundOf(precondition, world_, request_);
+  // The bounding methods may stop at the wanted gap with a looser bound than a quick bound that
+  // proves the claim.
+  Bound Searched(const Precondition& precondition) const {
+    Bound bound = ToldBound(precondition, world_, request_);
     if (ClaimOf(precondition, bound).holds()) return bound;
     const auto seen = AtAGlance(precondition);
-    if (seen) Tighten(seen->bound, precondition.relation, bound);
-    if (first_order) Tighten(first_order->value, precondition.relation, bound);
+    if (!seen || !seen->holds()) return bound;
+    Tighten({.value = seen->bound, .method = algebra::BoundingMethod::kCentred},
+            precondition.relation, bound);
     return bound;
   }
 
@@ -366,7 +325,7 @@ Unproved AsCertified(Unproved unproved, const UncertainWorld& world,
                                      .relation = unproved.claim.relation,
                                      .limit = unproved.claim.limit,
                                      .circumstance = unproved.claim.circumstance};
-  unproved.claim = ClaimOf(precondition, BoundOf(precondition, world, request));
+  unproved.claim = ClaimOf(precondition, ToldBound(precondition, world, request));
   return unproved;
 }
 

@@ -35,9 +35,10 @@ domain::PartId PartNamed(const std::string& name) {
 plan::StepId Assembly() { return Seen().plan.ExecutionOrder().back(); }
 
 std::optional<DecidingPlace> PlaceIn(const execution::Trace& trace,
-                                     const plan::CertifiedPrecondition& claim) {
+                                     const plan::CertifiedPrecondition& claim,
+                                     plan::StepId step = Assembly()) {
   const std::vector<check::Claim> none;
-  return PlaceOf(claim, Assembly(), {Workcell(), Seen().plan, trace, none, "test"});
+  return PlaceOf(claim, step, {Workcell(), Seen().plan, trace, none, "test"});
 }
 
 DecidingPlace PlaceOfClaim(plan::Condition kind) {
@@ -126,12 +127,31 @@ TEST(DecidingPlace, TheHandIsShownWhereItIsNearest) {
   EXPECT_THAT(place.bodies, SizeIs(1));
 }
 
-TEST(DecidingPlace, FingersAreShownWithTheLineBetweenTheirPads) {
+// The fingers must stay above the block, so the least distance between fingers and block is shown.
+TEST(DecidingPlace, AFingertipIsShownWithItsLineToThePartBelow) {
   const DecidingPlace place = PlaceOfClaim(condition::kFingertip);
-  EXPECT_THAT(place.bodies, ElementsAre("gripper/finger_left", "gripper/finger_right"));
+  EXPECT_THAT(place.bodies, ElementsAre(testing::StartsWith("gripper/finger_")));
   ASSERT_THAT(place.lines, SizeIs(1));
-  const auto& [left, right] = place.lines[0];
-  EXPECT_NEAR((left - right).norm(), At(place.time).opening, 1e-12);
+  const auto& [tip, below] = place.lines[0];
+  EXPECT_GT(tip.z(), below.z());
+  EXPECT_LT((tip - below).head<2>().norm(), 1e-4) << "the gap is vertical";
+  EXPECT_LT((tip - below).norm(), 0.01);
+}
+
+TEST(DecidingPlace, FingersAreShownWithTheLineBetweenTheirPads) {
+  for (const plan::StepId step : Seen().plan.ExecutionOrder()) {
+    for (const auto& claim : Seen().plan.step(step).certificate.preconditions) {
+      if (claim.condition != condition::kBetweenFingers) continue;
+      const auto place = PlaceIn(Seen().trace, claim, step);
+      ASSERT_TRUE(place);
+      EXPECT_THAT(place->bodies, ElementsAre("gripper/finger_left", "gripper/finger_right"));
+      ASSERT_THAT(place->lines, SizeIs(1));
+      const auto& [left, right] = place->lines[0];
+      EXPECT_NEAR((left - right).norm(), At(place->time).opening, 1e-12);
+      return;
+    }
+  }
+  FAIL() << "no step takes a part between the fingers";
 }
 
 TEST(DecidingPlace, AStandingPartIsShownWhereTheStepActs) {

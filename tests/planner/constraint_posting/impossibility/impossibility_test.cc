@@ -315,16 +315,22 @@ TEST(Impossibility, AnotherArmThatGetsThereIsALimitOfThePlanner) {
 }
 
 // The Puma lifts a box that stands this close to its base straight through a singularity of the
-// wrist. It reaches every pose on the line, but in no single configuration: an arm that may turn
-// its wrist on the way does it.
+// wrist. It reaches every pose on the line, but in no single configuration. An arm that turns its
+// wrist on the way does it. Nearer to the base, the box is out of reach in any configuration.
 TEST(Impossibility, IsNotSaidWhereTheArmHasToChangeItsConfiguration) {
-  const domain::Problem problem =
-      Read(BoxesOnTable(Box("a", 22, 120, 60, "upright, at: [400, -80], yaw: 20"),
-                        "  - located: {part: a, stable: [XP1]}\n", "one-arm", 5));
-  const plan::PlanResult result = MakePlan(problem, {});
+  const auto result_at = [](int x) {
+    return MakePlan(
+        Read(BoxesOnTable(Box("a", 60, 60, 50, "upright, at: [650, 0]") +
+                              Box("b", 40, 40, 40, fmt::format("upright, at: [{}, -80]", x)),
+                          Stacked("b", "a", 50), "one-arm", 5)),
+        {});
+  };
+  EXPECT_EQ(result_at(500).outcome, Outcome::kFound);
+  const plan::PlanResult result = result_at(400);
   EXPECT_EQ(result.outcome, Outcome::kBudget);
   EXPECT_THAT(result.conflict, IsEmpty());
   EXPECT_THAT(result.limits, ElementsAre(HasSubstr("arms keep their configuration")));
+  EXPECT_EQ(result_at(340).outcome, Outcome::kNone);
 }
 
 // Two boxes stand side by side without room for a finger between them. They are so long that they
