@@ -134,6 +134,7 @@ class ArmBuilder {
       collision.X_LinkShape = place.X_BodyLink * collision.X_LinkShape;
       body.collisions.push_back(std::move(collision));
     }
+    body.meshes.insert(body.meshes.end(), link.meshes.begin(), link.meshes.end());
     if (!link.inertial) return;
     Inertial inertial = *link.inertial;
     inertial.X_LinkCenter = place.X_BodyLink * inertial.X_LinkCenter;

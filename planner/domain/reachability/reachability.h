@@ -19,7 +19,7 @@ enum class GraspCondition : std::uint16_t {
   kToolLean = 4,    // the tool points roughly down
   kTableClear = 8,  // hand and fingers do not go through the table
   kReach = 16,      // the arm goes the action's straight ways, from the safe height and back to
-                    // it, within its joint limits and, by the workcell's rules, in one configuration
+                    // it, within its joint limits, and in one configuration if rules say so
   kMateClear = 32,  // hand and fingers do not go through the fixed part of the mating
   kPadsFit = 64,    // the pads have room on the faces: always true unless misfits are sought
 };

@@ -132,16 +132,19 @@ struct Cell {
   int halvings = 0;
 };
 
-// Returns the last posture, after the first, up to which the tool stays on one straight line.
+// Returns the last posture, after the first, up to which the tool stays on one straight line. As
+// the line gets longer, it turns by the distance of its new end from the line before. The points on
+// it are therefore off it by at most the sum of these distances.
 std::size_t EndOfPiece(const domain::Workcell& workcell, const JointPath& path, std::size_t first) {
   const Pose start = ToolAt(workcell, path[first]);
   Vector3 line = ToolAt(workcell, path[first + 1]).translation() - start.translation();
+  double off_line = 0;
   std::size_t last = first + 1;
   for (; last + 1 < path.size(); ++last) {
     const Pose next = ToolAt(workcell, path[last + 1]);
     const Vector3 way = next.translation() - start.translation();
-    const bool goes_on = way.norm() > line.norm() &&
-                         way.cross(line).norm() < kOnLine * line.norm() &&
+    off_line += way.cross(line).norm() / line.norm();
+    const bool goes_on = way.norm() > line.norm() && off_line < kOnLine &&
                          next.linear().isApprox(start.linear(), kOnLine) &&
                          (path[last + 1] - path[first]).cwiseAbs().maxCoeff() < kLongestPiece;
     if (!goes_on) break;

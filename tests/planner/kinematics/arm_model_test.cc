@@ -87,6 +87,7 @@ Heft HeftOfArm(const Arm& arm, const JointVector& q) {
 constexpr const char* kWithExtras = R"(
   <link name="camera"><inertial><origin xyz="0.01 0 0.02" rpy="0.3 0.1 0"/><mass value="0.8"/>
     <inertia ixx="0.002" ixy="0" ixz="0" iyy="0.003" iyz="0" izz="0.004"/></inertial>
+    <visual><geometry><mesh filename="camera.dae"/></geometry></visual>
     <collision><geometry><box size="0.05 0.04 0.03"/></geometry></collision></link>
   <joint name="camera" type="fixed"><parent link="forearm"/><child link="camera"/>
     <origin xyz="0.1 0.05 0.07" rpy="0.2 0.4 -0.9"/></joint>
@@ -115,6 +116,7 @@ TEST(ArmModel, KeepsTheShapesOfFixedLinksInPlace) {
   const auto& shapes = arm.model().links[3].collisions;
   ASSERT_EQ(shapes.size(), without.model().links[3].collisions.size() + 1);
   EXPECT_LT((shapes.back().X_LinkShape.translation() - Vector3(0.1, 0.05, 0.07)).norm(), 1e-12);
+  EXPECT_EQ(arm.model().links[3].meshes.size(), 1u) << "a mesh that is not read is noted";
 }
 
 TEST(ArmModel, TheFlangeIsTheTipOfTheFile) {
