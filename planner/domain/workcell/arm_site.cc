@@ -58,7 +58,7 @@ class StandingArm {
     constexpr int kHeights = 4;
     for (const double yaw : {0.0, std::numbers::pi / 2}) {
       for (int i = 0; i <= kHeights; ++i) {
-        const double z = kLow + (high - kLow) * i / kHeights;
+        const double z = std::lerp(kLow, high, static_cast<double>(i) / kHeights);
         if (PosturesAt({x, y, z}, yaw).empty()) return false;
       }
     }

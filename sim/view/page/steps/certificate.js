@@ -176,17 +176,19 @@ function boundTable(group) {
 function costsOf(group) {
   const costs = group.costs.filter((cost) => cost.cost > 1e-3 * group.costs[0].cost);
   if (costs.length === 0) return [];
-  const rows = costs.map(
-      (cost) => element(
-          'tr', {},
-          element(
-              'th', {scope: 'row'}, cost.name,
-              ...(cost.meaning ? [element('small', {}, cost.meaning)] : [])),
-          element('td', {}, rangeText(cost.range, cost.unit)),
-          element(
-              'td', {class: 'bar'},
-              element('i', {style: `width: ${(100 * cost.cost) / costs[0].cost}%`})),
-          element('td', {}, quantityText(cost.cost, group.unit))));
+  const rows = costs.flatMap((cost) => [
+    element(
+        'tr', {}, element('th', {scope: 'row'}, cost.name),
+        element('td', {}, rangeText(cost.range, cost.unit)),
+        element(
+            'td', {class: 'bar'},
+            element('i', {style: `width: ${(100 * cost.cost) / costs[0].cost}%`})),
+        element('td', {}, quantityText(cost.cost, group.unit))),
+    ...(cost.meaning ? [element(
+                           'tr', {class: 'meaning'},
+                           element('td', {colspan: 4}, cost.meaning))] :
+                       []),
+  ]);
   const heads = ['error', 'range', '', 'cost'].map(
       (name) => element('th', {scope: 'col'}, name));
   return [element(
