@@ -8,7 +8,7 @@ set -euo pipefail
 root=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")
 source "$root/.ci/setup"
 program=$root/build/release/bin/assay
-first_build="the first build takes 3 to 7 minutes on two cores"
+first_build="the first build takes 5 to 8 minutes on two cores"
 
 usage() { sed -n '2,/^[^#]/s/^# \?//p' "$root/run.sh"; }
 verbs() { sed -n 's/^ *\.name = "\(.*\)",$/\1/p' "$root"/sim/cli/*/*.cc; }

@@ -68,8 +68,9 @@ BENCHMARK(ForceSensing)
     ->Arg(10)
     ->Unit(benchmark::kMillisecond);
 
-// The figures of PO-PRP, the strongest planner that could be built, on another machine of this
-// kind: seconds from end to end, seconds of its search, and state-action pairs of its policy.
+// The figures of PO-PRP, the strongest contingent planner among those that could be compiled. They
+// were measured on another machine of this kind: seconds from end to end, seconds of the search,
+// and state-action pairs of the policy.
 struct PublishedFigure {
   const char* problem;
   double seconds = 0;

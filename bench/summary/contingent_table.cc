@@ -18,7 +18,7 @@ constexpr const char* kAbout = R"(# Contingent planning beside PO-PRP
 
 The time of `assay` is the processor time of reading, grounding and planning, the median of the passes. A plan is a tree with shared sub-plans. Its nodes are actions, which act or sense, and branches. Afterwards a checker runs each tree in all worlds that the initial knowledge allows. The checker shares no inference with the planner.
 
-PO-PRP (Muise, Belle, McIlraith: *Computing Contingent Plans via Fully Observable Non-Deterministic Planning*, 2014) is the strongest planner that could be built. It was not run here: its figures were measured on another machine of this kind (two cores, shared). Its time is from end to end. Its policy consists of state-action pairs. `refused` means that PO-PRP does not accept the problem. An empty cell means that no figure is known.
+PO-PRP (Muise, Belle, McIlraith: *Computing Contingent Plans via Fully Observable Non-Deterministic Planning*, 2014) is the strongest contingent planner among those that could be compiled. It was not run here: its figures were measured on another machine of this kind (two cores, shared). Its time is from end to end. Its policy consists of state-action pairs. `refused` means that PO-PRP does not accept the problem. An empty cell means that no figure is known.
 
 )";
 

@@ -1,11 +1,22 @@
 #include "planner/assembly/certified_plan.h"
 
+#include <functional>
 #include <utility>
 
 #include "planner/assembly/resolvers.h"
 #include "planner/assembly/travel/travel_plan.h"
+#include "planner/assembly/travel/work_judge.h"
 
 namespace assay::assembly {
+namespace {
+
+domain::Problem WithoutErrors(domain::Problem problem) {
+  for (domain::Part& part : problem.parts) part.error = {};
+  problem.gripper_error = {};
+  return problem;
+}
+
+}  // namespace
 
 plan::PlanResult MakeCertifiedPlan(const domain::Problem& problem,
                                    const constraint_posting::PlannerOptions& planner,
@@ -18,14 +29,21 @@ plan::PlanResult MakeCertifiedPlan(const domain::Problem& problem,
   const std::optional<plan::Reason> obstruction =
       AddTravels(problem, {}, result.plan, uncertainty.propagation);
   if (!obstruction) return result;
-  // If a travel has no path before looks and squeezes are inserted, it has none afterwards either.
-  uncertainty.can_be_executed = [&, propagation = uncertainty.propagation](plan::Plan instance) {
-    return !AddTravels(problem, {}, instance, propagation);
-  };
-  result = constraint_posting::MakeCertifiedPlan(problem, planner, uncertainty);
-  if (result.outcome == Outcome::kFound &&
-      !AddTravels(problem, {}, result.plan, uncertainty.propagation))
-    return result;
+  WorkJudge judge(problem);
+  uncertainty.judge = std::ref(judge);
+  // Looks and squeezes that are inserted later make errors smaller. So a travel that has no path
+  // with the errors at the start may have one afterwards.
+  const domain::Problem exact = WithoutErrors(problem);
+  for (const domain::Problem* errors : {&problem, &exact}) {
+    uncertainty.can_be_executed = [&](plan::Plan instance) {
+      return !AddTravels(*errors, {}, instance, uncertainty.propagation);
+    };
+    result = constraint_posting::MakeCertifiedPlan(problem, planner, uncertainty);
+    if (result.outcome == Outcome::kFound &&
+        !AddTravels(problem, {}, result.plan, uncertainty.propagation)) {
+      return result;
+    }
+  }
   result.outcome = Outcome::kBudget;
   result.plan = {};
   result.obstruction = obstruction;

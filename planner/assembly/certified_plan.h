@@ -9,9 +9,10 @@ namespace assay::assembly {
 
 // Makes a plan as constraint_posting::MakeCertifiedPlan does, and adds the travels that the plan
 // needs (AddTravels). If no resolvers are given, the resolvers are those that the problem names. If
-// no travels are found for the best plan instance, the best instance with travels is returned. If
-// none of the first UncertaintyOptions::instances instances has travels, the outcome is kBudget,
-// and the result names the obstruction.
+// no travels are found for the best plan instance, the best instance with travels is returned,
+// among those whose straight lines the arm can follow (WorkJudge). If none of the first
+// UncertaintyOptions::instances of these has travels, the outcome is kBudget, and the result names
+// the obstruction of the first plan.
 plan::PlanResult MakeCertifiedPlan(const domain::Problem& problem,
                                    const constraint_posting::PlannerOptions& planner,
                                    constraint_posting::UncertaintyOptions uncertainty);

@@ -105,7 +105,7 @@ Prepared With(const UnmetGoals& unmet, const std::vector<Insertion>& insertions)
   return prepared;
 }
 
-// Returns looks at one of the two parts, and looks at both.
+// Returns the insertions of one look at either part, and those of two looks, one at each part.
 std::vector<std::vector<Insertion>> LooksAtPartsOf(const UnmetGoals& unmet,
                                                    const domain::Mating& mating) {
   std::vector<std::vector<Insertion>> looks;

@@ -62,8 +62,9 @@ const Vector3& FarthestAlong(const Vector3& direction, const ConvexHull& hull) {
                                    [&](const Vector3& vertex) { return direction.dot(vertex); });
 }
 
-// Returns the direction of the widest empty slab among those normal to a facet and that of the
-// nearest points, whose difference is zero if GJK says that the hulls overlap. GJK may stop short
+// Returns the direction of the widest empty slab of two kinds: the slabs normal to a facet, and the
+// slab normal to `difference`, the difference of GJK's nearest points. The difference is zero if
+// GJK says that the hulls overlap, and then there is no slab of the second kind. GJK may stop short
 // where facets are nearly parallel, or say that hulls overlap where they do not. A slab normal to a
 // facet is no wider than the distance of any point of the other hull from the facet's plane.
 Vector3 WidestSlab(const RoundedHull& a, const RoundedHull& b, const Pose& X_AB,
@@ -91,12 +92,18 @@ Vector3 WidestSlab(const RoundedHull& a, const RoundedHull& b, const Pose& X_AB,
 
 }  // namespace
 
-RoundedHull::RoundedHull(ConvexHull core, double radius) : core_(std::move(core)), radius_(radius) {
+RoundedHull::RoundedHull(std::span<const Vector3> points, double radius)
+    : RoundedHull(HullOf(points), radius) {}
+
+RoundedHull::RoundedHull(ConvexHull core, double radius)
+    : core_(std::make_shared<const ConvexHull>(std::move(core))),
+      vertices_(&core_->vertices),
+      radius_(radius) {
   ASSAY_CHECK(radius >= 0);
   Eigen::AlignedBox3d bounds;
-  for (const Vector3& vertex : core_.vertices) bounds.extend(vertex);
+  for (const Vector3& vertex : core_->vertices) bounds.extend(vertex);
   center_ = bounds.center();
-  for (const Vector3& vertex : core_.vertices) {
+  for (const Vector3& vertex : core_->vertices) {
     ball_radius_ = std::max(ball_radius_, (vertex - center_).norm() + radius);
   }
   prepared_ = std::make_shared<const Prepared>();

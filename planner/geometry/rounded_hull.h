@@ -6,21 +6,21 @@
 #include <vector>
 
 #include "planner/geometry/coordinates.h"
-#include "planner/geometry/hull.h"
 
 namespace assay::geometry {
+
+struct ConvexHull;
 
 // All points within `radius` of a convex polyhedron, prepared for many distance queries. Rounded
 // hulls form conservative models of convex bodies in motion.
 class RoundedHull {
  public:
   // The points must span three dimensions (checked), and radius >= 0, in metres.
-  explicit RoundedHull(std::span<const Vector3> points, double radius = 0)
-      : RoundedHull(HullOf(points), radius) {}
+  explicit RoundedHull(std::span<const Vector3> points, double radius = 0);
   explicit RoundedHull(ConvexHull core, double radius = 0);
 
-  const ConvexHull& core() const { return core_; }  // the polyhedron without the radius
-  const std::vector<Vector3>& vertices() const { return core_.vertices; }
+  const ConvexHull& core() const { return *core_; }  // the polyhedron without the radius
+  const std::vector<Vector3>& vertices() const { return *vertices_; }
   double radius() const { return radius_; }
 
   // A ball that contains the rounded hull.
@@ -31,7 +31,8 @@ class RoundedHull {
   const Prepared& prepared() const { return *prepared_; }
 
  private:
-  ConvexHull core_;
+  std::shared_ptr<const ConvexHull> core_;
+  const std::vector<Vector3>* vertices_ = nullptr;  // of the core
   double radius_ = 0;
   Vector3 center_ = Vector3::Zero();
   double ball_radius_ = 0;

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "planner/kinematics/arm_model.h"
 #include "planner/kinematics/branched_chain.h"
 #include "planner/kinematics/lee_ziegler.h"
 
@@ -39,9 +38,13 @@ Arm::Arm(RobotModel model) : model_(std::move(model)), geometry_(GeometryOf(mode
   }
 }
 
-Arm Arm::FromUrdf(const std::filesystem::path& file, const ArmEnds& ends,
+Arm Arm::FromUrdf(const std::filesystem::path& file, const ArmInFile& arm,
                   std::span<const std::filesystem::path> packages) {
-  return Arm(ArmModel(ReadUrdf(file, UrdfContents::kBodies, packages), ends.base, ends.flange));
+  return FromModel(ReadUrdf(file, UrdfContents::kBodies, packages), arm);
+}
+
+Arm Arm::FromModel(const RobotModel& model, const ArmInFile& arm) {
+  return Arm(ArmModel(WithLocked(model, arm.locked), arm.base, arm.flange));
 }
 
 std::array<Pose, 7> Arm::LinkPoses(const JointVector& q) const {

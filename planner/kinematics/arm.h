@@ -10,27 +10,33 @@
 
 #include "planner/geometry/coordinates.h"
 #include "planner/kinematics/arm_geometry.h"
+#include "planner/kinematics/arm_model.h"
 #include "planner/kinematics/arm_solver.h"
 #include "planner/kinematics/urdf_model.h"
 
 namespace assay::kinematics {
 
-// The links between which an arm lies in its URDF file. Empty names are found if there is only one
-// choice (SerialChain::FromModel).
-struct ArmEnds {
+// Which links and joints of a URDF file are the arm.
+struct ArmInFile {
+  // The links between which the arm lies. Empty names are found if there is only one choice
+  // (SerialChain::FromModel).
   std::string base = {};
   std::string flange = {};
+  // The arm has six other joints.
+  LockedJoints locked = {};
 };
 
-// An arm with six revolute joints.
+// An arm with six revolute joints that move.
 class Arm {
  public:
   // Reads an arm from a URDF file. Links that are fixed to each other become one link, so that the
   // arm has a base and six moving links. `packages` are folders with meshes (ReadUrdf). Throws
-  // InputError if the file is not URDF, if the joints between base and flange are not six revolute
-  // ones, if other joints move, or if the flange cannot move in all directions.
-  static Arm FromUrdf(const std::filesystem::path& file, const ArmEnds& ends = {},
+  // InputError if the file is not URDF, if the joints between base and flange that are not locked
+  // are not six revolute ones, if other joints move, or if the flange cannot move in all
+  // directions.
+  static Arm FromUrdf(const std::filesystem::path& file, const ArmInFile& arm = {},
                       std::span<const std::filesystem::path> packages = {});
+  static Arm FromModel(const RobotModel& model, const ArmInFile& arm = {});
 
   // The base and the six moving links, each in the frame of its joint. The last link has the
   // flange's frame.

@@ -1,11 +1,19 @@
 #include "planner/kinematics/arm_model.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <Eigen/SVD>
 #include <algorithm>
+#include <functional>
+#include <numbers>
+#include <numeric>
 #include <optional>
+#include <utility>
 #include <vector>
+
+#include "planner/kinematics/branched_chain.h"
+#include "planner/kinematics/fixed_links.h"
 
 namespace assay::kinematics {
 namespace {
@@ -26,23 +34,6 @@ Pose WithoutRounding(const Pose& pose) {
   return exact;
 }
 
-// The two bodies as one, with the first one's frame.
-Inertial Joined(const Inertial& a, const Inertial& b) {
-  const double mass = a.mass + b.mass;
-  if (mass == 0) return a;
-  Inertial joined{.mass = mass, .inertia = Matrix3::Zero()};
-  const Vector3 center =
-      (a.mass * a.X_LinkCenter.translation() + b.mass * b.X_LinkCenter.translation()) / mass;
-  joined.X_LinkCenter.translation() = center;
-  for (const Inertial* body : {&a, &b}) {
-    const Matrix3 R = body->X_LinkCenter.linear();
-    const Vector3 d = body->X_LinkCenter.translation() - center;
-    joined.inertia += R * body->inertia * R.transpose() +
-                      body->mass * (d.squaredNorm() * Matrix3::Identity() - d * d.transpose());
-  }
-  return joined;
-}
-
 // Puts the links of a model together to a base and six moving links.
 class ArmBuilder {
  public:
@@ -57,9 +48,15 @@ class ArmBuilder {
 
   RobotModel Build(LinkId flange) {
     for (std::size_t i = 0; i < model_.links.size(); ++i) {
-      if (places_[i]) AddLink(model_.links[i], *places_[i]);
+      if (!places_[i]) continue;
+      AddFixedLink(model_.links[i], places_[i]->X_BodyLink, arm_.links[places_[i]->body]);
     }
     SetFlange(places_[static_cast<std::size_t>(flange.index())]->X_BodyLink);
+    for (auto link = arm_.links.begin() + 1; link != arm_.links.end(); ++link) {
+      if (link->inertial) continue;
+      throw InputError(link->place, fmt::format("link '{}' has no mass", link->name),
+                       "an element 'inertial' in each link that moves");
+    }
     return std::move(arm_);
   }
 
@@ -124,23 +121,6 @@ class ArmBuilder {
     }
   }
 
-  void AddLink(const Link& link, const Placement& place) {
-    Link& body = arm_.links[place.body];
-    for (Visual visual : link.visuals) {
-      visual.X_LinkShape = place.X_BodyLink * visual.X_LinkShape;
-      body.visuals.push_back(std::move(visual));
-    }
-    for (Collision collision : link.collisions) {
-      collision.X_LinkShape = place.X_BodyLink * collision.X_LinkShape;
-      body.collisions.push_back(std::move(collision));
-    }
-    body.meshes.insert(body.meshes.end(), link.meshes.begin(), link.meshes.end());
-    if (!link.inertial) return;
-    Inertial inertial = *link.inertial;
-    inertial.X_LinkCenter = place.X_BodyLink * inertial.X_LinkCenter;
-    body.inertial = body.inertial ? Joined(*body.inertial, inertial) : inertial;
-  }
-
   // Gives the last link the flange's frame. The last joint turns about the flange's origin then.
   void SetFlange(const Pose& X_LastFlange) {
     Joint& last = arm_.joints.back();
@@ -164,24 +144,111 @@ class ArmBuilder {
   RobotModel arm_;
 };
 
+// Returns the mean magnitude of the determinant of the Jacobian of an arm with six joints, over
+// some postures.
+double MeanDeterminant(const SerialChain& chain) {
+  double sum = 0;
+  ChainVector q = ChainVector::Zero(6);
+  for (int posture = 0; posture < kTriedPostures; ++posture) {
+    for (int joint = 0; joint < 6; ++joint) q[joint] += 0.7 + 0.4 * joint;
+    const Eigen::Matrix<double, 6, 6> jacobian = chain.Jacobian(q);
+    sum += std::abs(jacobian.determinant());
+  }
+  return sum / kTriedPostures;
+}
+
+bool FlangeIsOnLastAxis(const SerialChain& chain) {
+  const JointAxis& last = chain.axis(5);
+  const Vector3 flange = chain.X_BaseTipAtZero().translation();
+  return (flange - last.point).cross(last.direction).norm() < kFileTolerance;
+}
+
+// Returns multiples of 30 degrees within the limits, or else the middle of the range.
+std::vector<double> LockedValues(const JointLimits& limits) {
+  std::vector<double> values;
+  for (const int steps : {0, 1, -1, 2, -2, 3, -3}) {
+    const double value = steps * std::numbers::pi / 6;
+    if (value >= limits.lower && value <= limits.upper) values.push_back(value);
+  }
+  if (values.empty()) values.push_back(std::midpoint(limits.lower, limits.upper));
+  return values;
+}
+
+// A way to lock a joint, and what is good about it.
+struct RatedLocking {
+  LockedJoints locked;
+  bool tells_apart = false;
+  double determinant = 0;
+};
+
+std::vector<std::string> RevoluteJoints(const RobotModel& model) {
+  std::vector<std::string> names;
+  for (const Joint& joint : model.joints) {
+    if (joint.type == JointType::kRevolute) names.push_back(joint.name);
+  }
+  return names;
+}
+
 }  // namespace
+
+RobotModel WithLocked(RobotModel model, const LockedJoints& locked) {
+  for (const auto& [name, value] : locked) {
+    const JointId id = model.FindJoint(name);
+    if (id.IsNone() || model.joint(id).type != JointType::kRevolute) {
+      model.Fail(fmt::format("has no revolute joint '{}', which the workcell locks", name),
+                 fmt::format("{}", fmt::join(RevoluteJoints(model), ", ")));
+    }
+    Joint& joint = model.joints[static_cast<std::size_t>(id.index())];
+    if (value < joint.limits.lower || value > joint.limits.upper) {
+      throw InputError(
+          joint.place,
+          fmt::format("joint '{}' is locked at {:.6g} rad, outside its limits", name, value),
+          fmt::format("{:.6g} to {:.6g} rad", joint.limits.lower, joint.limits.upper));
+    }
+    joint.X_ParentJoint = joint.X_ParentChild(value);
+    joint.type = JointType::kFixed;
+    joint.limits = {};
+  }
+  return model;
+}
+
+std::vector<LockedJoints> Lockings(const RobotModel& model, const std::string& base,
+                                   const std::string& flange) {
+  RobotModel exact = model;
+  for (Joint& joint : exact.joints) joint.X_ParentJoint = WithoutRounding(joint.X_ParentJoint);
+  const SerialChain chain = SerialChain::FromModel(exact, base, flange);
+  if (chain.size() == 6) return {{}};
+  std::vector<RatedLocking> rated;
+  for (int joint = 0; joint < chain.size(); ++joint) {
+    const ChainJoint& one = chain.joints()[static_cast<std::size_t>(joint)];
+    for (const double value : LockedValues(one.limits)) {
+      const SerialChain rest = chain.Locked(joint, value);
+      const double determinant = MeanDeterminant(rest);
+      if (determinant < kSingularDeterminant || !FlangeIsOnLastAxis(rest)) continue;
+      rated.push_back({{{one.name, value}}, BranchedChain(rest).TellsAllApart(), determinant});
+    }
+  }
+  std::ranges::stable_sort(rated, std::greater(), [](const RatedLocking& locking) {
+    return std::pair(locking.tells_apart, locking.determinant);
+  });
+  std::vector<LockedJoints> lockings;
+  for (RatedLocking& locking : rated) lockings.push_back(std::move(locking.locked));
+  return lockings;
+}
 
 RobotModel ArmModel(const RobotModel& model, const std::string& base, const std::string& flange) {
   const SerialChain chain = SerialChain::FromModel(model, base, flange);
-  if (chain.size() != 6) {
-    model.Fail(fmt::format("has {} revolute joints between base and flange", chain.size()), "six");
+  if (chain.size() == 7) {
+    model.Fail("has seven revolute joints between base and flange",
+               "six, and the value of a seventh one that does not move (key 'locked' of a "
+               "workcell's robot)");
   }
   return ArmBuilder(model, chain).Build(chain.links().back());
 }
 
 SerialChain MovableChain(const RobotModel& arm) {
   SerialChain chain = SerialChain::FromModel(arm);
-  ChainVector q = ChainVector::Zero(6);
-  for (int posture = 0; posture < kTriedPostures; ++posture) {
-    for (int joint = 0; joint < 6; ++joint) q[joint] += 0.7 + 0.4 * joint;
-    const Eigen::Matrix<double, 6, 6> jacobian = chain.Jacobian(q);
-    if (std::abs(jacobian.determinant()) > kSingularDeterminant) return chain;
-  }
+  if (MeanDeterminant(chain) > kSingularDeterminant) return chain;
   arm.Fail("the axes let the flange move in fewer than six ways, in every posture",
            "an arm whose flange can move in all directions");
 }

@@ -244,19 +244,33 @@ class Converter {
       Fail(fmt::format("joint '{}' has an axis without direction", joint.name));
     }
     joint.axis.normalize();
-    joint.mimics = parsed.mimic != nullptr;
+    if (parsed.mimic) {
+      joint.mimics = parsed.mimic->joint_name;
+      joint.multiplier = parsed.mimic->multiplier;
+    }
     joint.limits = LimitsOf(parsed);
     return joint;
   }
 
+  // The fingers of a gripper move as far as each other.
+  void RequireSameMotion(const urdf::Joint& parsed) const {
+    const bool is_finger = parsed.type == urdf::Joint::PRISMATIC;
+    if (is_finger && std::abs(parsed.mimic->multiplier) == 1 && parsed.mimic->offset == 0) return;
+    Fail(fmt::format("joint '{}' mimics '{}'", parsed.name, parsed.mimic->joint_name),
+         "only prismatic joints of fingers that move as far as the other (multiplier 1 or -1, no "
+         "offset)");
+  }
+
   JointType TypeOf(const urdf::Joint& parsed) const {
-    if (parsed.mimic && !only_axes_) Fail(fmt::format("joint '{}' mimics another", parsed.name));
+    if (parsed.mimic && !only_axes_) RequireSameMotion(parsed);
     if (parsed.type == urdf::Joint::FIXED) return JointType::kFixed;
     if (parsed.type == urdf::Joint::REVOLUTE) return JointType::kRevolute;
     if (parsed.type == urdf::Joint::CONTINUOUS && only_axes_) return JointType::kRevolute;
     if (parsed.type == urdf::Joint::PRISMATIC) return JointType::kPrismatic;
-    Fail(fmt::format("joint '{}' has a type that is not supported", parsed.name),
-         "fixed, revolute, prismatic");
+    const bool is_endless = parsed.type == urdf::Joint::CONTINUOUS;
+    Fail(fmt::format("joint '{}' {}", parsed.name,
+                     is_endless ? "is continuous" : "has a type that is not supported"),
+         is_endless ? "revolute, with limits" : "fixed, revolute, prismatic");
   }
 
   JointLimits LimitsOf(const urdf::Joint& parsed) const {

@@ -110,7 +110,8 @@ struct Joint {
   Pose X_ParentJoint = Pose::Identity();  // the child's frame in the parent's at joint value 0
   Vector3 axis = Vector3::UnitZ();        // unit vector in the child's frame; unused if fixed
   JointLimits limits = {};                // zeros if fixed
-  bool mimics = false;                    // moved by another joint; only with UrdfContents::kAxes
+  std::string mimics = {};                // the joint that moves it; empty if it moves by itself
+  double multiplier = 1;                  // of the value of the joint that moves it
   FilePlace place = {};
 
   // Returns the pose of the child's frame in the parent's at a joint value. A fixed joint ignores
@@ -151,7 +152,8 @@ enum class UrdfContents {
 // Such a mesh that is only drawn is noted.
 //
 // With kAxes, more files are accepted. All meshes are noted and none is read. An inertia that no
-// body has is left out. Joints may mimic others. Continuous joints are revolute, with limits of two
+// body has is left out. Any joint may mimic another; else only prismatic joints may, and only with
+// the same distance. Continuous joints are revolute, with limits of two
 // turns either way. Velocity and effort may be 0, for unknown.
 RobotModel ReadUrdf(const std::filesystem::path& file,
                     UrdfContents contents = UrdfContents::kBodies,

@@ -224,7 +224,8 @@ double Midpoint(const Interval& a) {
   if (a == kWholeLine) return 0;
   if (a.low == -kInfinity) return -Midpoint(-a);
   if (a.high == kInfinity) {
-    // The result grows with a's low end, so that repeated halving makes progress.
+    // The result is greater than twice the low end, so that repeated bisection reaches large
+    // numbers soon.
     return a.low < 0 ? 0 : std::min(2 * a.low + 1, kLargest);
   }
   const double sum = a.low + a.high;

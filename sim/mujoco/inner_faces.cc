@@ -54,7 +54,8 @@ struct PlacedPieces {
   }
 };
 
-// Returns the point of the facet's plane that is moved into the facet, if it is outside.
+// Projects `p` onto the plane of the facet, and returns the projected point. If this point is
+// outside of the facet, it is first moved to the facet's border.
 Vector3 OnFacet(const ContactSolid& solid, int facet, Vector3 p) {
   p -= solid.PlaneOf(facet).Above(p) * solid.hull.facets[facet].normal;
   for (const Plane& border : solid.borders[facet]) {

@@ -20,8 +20,8 @@ struct Edge {
   bool FacesTowards(const Vector3& eye) const { return normal.dot(eye - from) > 0; }
 };
 
-// A body that is not in the simulation. The edges of its faces that face the camera are drawn, so
-// that it looks like a body and does not hide anything.
+// The drawing of a body at a pose that need not be its true pose. The edges of its faces that face
+// the camera are drawn, so that it looks like a body and does not hide anything.
 struct Ghost {
   std::vector<Edge> edges = {};  // world frame, metres
   Colour colour;

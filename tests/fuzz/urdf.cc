@@ -4,7 +4,7 @@
 
 #include "planner/base/check.h"
 #include "planner/kinematics/arm.h"
-#include "planner/kinematics/gripper.h"
+#include "planner/kinematics/grippers/gripper.h"
 #include "planner/kinematics/inverse/chain_inverse.h"
 #include "tests/fuzz/reader_input.h"
 

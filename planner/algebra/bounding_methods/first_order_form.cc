@@ -8,7 +8,8 @@
 
 namespace assay::algebra {
 
-// The rest allows for an end of the interval that lies a rounding error beyond t = 1 or -1.
+// By rounding, an end of the range may lie slightly beyond t = 1 or t = -1. The member `rest` of
+// the result covers this difference.
 FirstOrderForm FirstOrderForm::OfVariable(int variable, const Interval& range) {
   const double centre = Midpoint(range);
   const double radius = std::max(range.high - centre, centre - range.low);

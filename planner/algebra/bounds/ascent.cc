@@ -83,8 +83,9 @@ class Ascent {
     return false;
   }
 
-  // Returns true if the step gains too little to be visible in the value. The step is taken
-  // nevertheless, because it brings the slopes nearer to zero than the value can show.
+  // Returns true if the step gains so little that the rounded value does not show the gain. The
+  // ascent then ends with this step. The step is still worth taking, because it brings the slopes
+  // nearer to zero.
   bool IsLast(const std::vector<double>& step, const std::vector<double>& slope) const {
     double gain = 0;
     for (std::size_t i = 0; i < step.size(); ++i) gain += step[i] * slope[i] / 2;

@@ -118,7 +118,7 @@ class Ladder {
     Learn(probe);
   }
 
-  // Finds a point for the first bounding methods with little work.
+  // Finds, with little work, a point that the first bounding methods can use.
   static void FindFirstPoint(Probe& probe) {
     const Maximization& problem = probe.problem();
     if (problem.slacks.empty()) {

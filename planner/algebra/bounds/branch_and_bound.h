@@ -15,7 +15,8 @@ inline constexpr double kNarrowest = 1e-13;
 struct StopRule {
   double gap = 0;                // ends when bound and best point differ by at most this
   std::int64_t evaluations = 0;  // the greatest count of the probe's evaluations
-  // The search ends when the bound is below the limit, or the best value is not.
+  // The search ends when the upper bound is below this limit, or when a value that is at least the
+  // limit was found.
   double limit = std::numeric_limits<double>::quiet_NaN();
 
   bool IsMet(double upper_bound, double best_value) const;

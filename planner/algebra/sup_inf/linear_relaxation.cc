@@ -149,8 +149,9 @@ void LinearRelaxation::TieToKept(ColumnId column, const Factors& factors) {
   TieToKept(column, sup_of_negative, -1, kept_column);
 }
 
-// The column stands for R*K, where side * R is at most each of the forms f, and `kept` stands for
-// K. Multiplies both sides by K, which reverses the inequality where K is negative.
+// The column stands for R * K, and `kept` stands for K. The inequality side * R <= f is true for
+// each form f. Adds this inequality multiplied by K: side * R * K <= f * K. If K is negative, adds
+// the reverse inequality.
 void LinearRelaxation::TieToKept(ColumnId column, const LeastOf& sup_of_rest, int side,
                                  ColumnId kept) {
   const numeric::Rational sign(SignOf(RangeOf(kept)));

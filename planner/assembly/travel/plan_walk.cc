@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "planner/assembly/travel/work_lines.h"
 #include "planner/motion/collision/collision_scene.h"
 #include "planner/uncertainty/error_sets/tool_error_box.h"
 #include "planner/uncertainty/preconditions/certify.h"
@@ -73,7 +74,7 @@ std::vector<PartId> PlanWalk::PartsAtWork(StepId id) const {
 bool PlanWalk::IsGuarded(StepId id) const {
   if (id.IsNone()) return false;
   const plan::PlannedStep& step = plan_.step(id);
-  return step.action.kind->Needs(domain::Need::kHolding) && !step.strategy;
+  return assembly::IsGuarded(step.action) && !step.strategy;
 }
 
 std::vector<StepId> PlanWalk::Steps() const {

@@ -112,9 +112,9 @@ bool HasWays(const plan::Plan& plan) {
 
 std::vector<plan::Flaw> FlawsOfTravels(const domain::Problem& problem, const plan::Plan& plan) {
   std::vector<plan::Flaw> flaws;
-  PlanWalk walk(
-      problem, plan,
-      ClaimsWays(plan) ? uncertainty::Propagation::kSound : uncertainty::Propagation::kPaper);
+  PlanWalk walk(problem, plan,
+                HasSoundCertificates(plan) ? uncertainty::Propagation::kSound
+                                           : uncertainty::Propagation::kPaper);
   const bool has_ways = HasWays(plan);
   std::optional<JointVector> posture = problem.workcell->home();
   for (const StepId id : walk.Steps()) {

@@ -65,6 +65,10 @@ std::optional<plan::Reason> AddTravels(const domain::Problem& problem, const Tra
     walk.ComeTo(id);
     TravelSearch search(walk, id, posture);
     std::optional<TravelSearch::Found> found = search.GoUsually();
+    if (propagation == uncertainty::Propagation::kSound &&
+        (!found || !found->certainty.IsComplete())) {
+      if (auto certain = search.SearchCertain(effort)) found = std::move(certain);
+    }
     if (!found) {
       auto result = search.Search(effort);
       if (const auto* why = std::get_if<plan::Reason>(&result)) {

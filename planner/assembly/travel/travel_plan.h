@@ -15,10 +15,11 @@ namespace assay::assembly {
 // part are clear of everything on it, and the arm is clear on the straight lines of the work.
 // Otherwise a path between the same poses of the tool is searched for.
 //
-// Everything stays clear wherever parts and the arm's joints are within their errors. If no such
-// way is found, the arm's errors are ignored, and the step does not count as proved. Postures
-// follow the executor's choice (FollowPath). In paper mode no preconditions about the arm are
-// added.
+// Everything stays clear wherever parts and the arm's joints are within their errors. If this is
+// not proved of the usual travel, a path of which it is proved is searched for, to any posture. If
+// no such way is found, the arm's errors are ignored, and the step does not count as proved.
+// Postures follow the executor's choice (FollowPath). In paper mode no preconditions about the arm
+// are added.
 //
 // Returns the obstruction of a travel for which no path is found. Returns none if all steps can be
 // reached.

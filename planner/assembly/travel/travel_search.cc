@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "planner/geometry/pose.h"
 #include "planner/motion/paths/obstruction_situation.h"
@@ -22,26 +23,12 @@ using motion::MotionRules;
 using motion::Obstruction;
 using motion::SwayAlong;
 
-// metres between the postures that are checked on straight lines
-constexpr double kLineStep = 0.02;
 // the greatest clearance that is claimed for a path, in metres
 constexpr double kFurthestClearance = 0.1;
 constexpr double kAccuracy = 5e-4;  // the accuracy of the claimed clearance, in metres
-constexpr double kSameOrientation = 1e-9;
+// the greatest number of postures at the end of a travel of which everything is to be proved
+constexpr std::size_t kMostCertainEnds = 8;
 constexpr char kNotStraight[] = "the arm cannot follow the next straight line from this pose";
-
-bool IsTurned(const domain::Workcell& workcell, const Pose& X_WorldTool, const JointVector& q) {
-  return geometry::AngleBetween(motion::ToolAt(workcell, q).linear(), X_WorldTool.linear()) >
-         kSameOrientation;
-}
-
-// Appends a straight line to a pose of the tool from the last posture of the path. Returns false if
-// the arm cannot follow it.
-bool AppendLine(const domain::Workcell& workcell, const Pose& X_WorldTool, JointPath& path) {
-  const auto line = motion::FollowLine(workcell, path.back(), X_WorldTool.translation(), kLineStep);
-  if (line.path) path.insert(path.end(), line.path->q.begin() + 1, line.path->q.end());
-  return line.path.has_value();
-}
 
 // Returns bounds that hold on the lines of both.
 motion::Sway Both(const motion::Sway& a, const motion::Sway& b) {
@@ -73,9 +60,11 @@ TravelSearch::TravelSearch(const PlanWalk& walk, plan::StepId id, const JointVec
 std::optional<TravelSearch::Found> TravelSearch::GoUsually() {
   JointPath rise = {from_};
   if (!Rise(rise)) return std::nullopt;
-  const motion::TravelResult over = motion::PlanTravel(
-      walk_.problem(), surroundings_,
-      {.from = rise.back(), .X_WorldTool = Above(), .corners = Corners(), .line_step = kLineStep});
+  const motion::TravelResult over = motion::PlanTravel(walk_.problem(), surroundings_,
+                                                       {.from = rise.back(),
+                                                        .X_WorldTool = Above(),
+                                                        .corners = Corners(),
+                                                        .line_step = kWorkLineStep});
   const auto* path = std::get_if<JointPath>(&over);
   if (path == nullptr) return std::nullopt;
   const plan::Travel travel = {*path, clearance_, true};
@@ -86,28 +75,48 @@ std::optional<TravelSearch::Found> TravelSearch::GoUsually() {
 }
 
 std::variant<TravelSearch::Found, plan::Reason> TravelSearch::Search(const TravelEffort& effort) {
+  return SearchFor(Aim::kFree, effort);
+}
+
+std::optional<TravelSearch::Found> TravelSearch::SearchCertain(const TravelEffort& effort) {
+  if (!ArePartsNearTheirPlaces()) return std::nullopt;
+  auto result = SearchFor(Aim::kCertain, effort);
+  auto* const found = std::get_if<Found>(&result);
+  return found != nullptr ? std::optional(std::move(*found)) : std::nullopt;
+}
+
+std::variant<TravelSearch::Found, plan::Reason> TravelSearch::SearchFor(
+    Aim aim, const TravelEffort& effort) {
   in_the_way_ = NotReached(
       "no configuration of the arm reaches this pose and can follow the next straight line");
+  std::optional<plan::Reason> why;  // there is no path to a posture from which the arm can work
+  std::vector<JointVector> ends = motion::PosturesAt(workcell_, route_.poised, from_);
+  // A joint that turns more than once has many postures that are alike.
+  if (aim == Aim::kCertain) ends.resize(std::min<std::size_t>(ends.size(), kMostCertainEnds));
   int tried = 0;
-  for (const JointVector& end : motion::PosturesAt(workcell_, route_.poised, from_)) {
+  for (const JointVector& end : ends) {
     std::optional<Way> way = WayBy({{from_, end}, clearance_, false});
     if (!way || !IsFree(way->AllOfWork(), AtWork({}))) continue;
+    if (aim == Aim::kCertain && !MayBeCertain(*way)) continue;
     if (tried++ == effort.destinations) break;
-    motion::PathResult result = FindPath(
-        scene_,
-        {.from = from_, .to = end, .rules = OnTheWay(*way, clearance_), .budget = effort.budget});
+    const MotionRules rules = OnTheWay(*way, clearance_);
+    motion::PathResult result =
+        FindPath(scene_, {.from = from_,
+                          .to = end,
+                          .rules = aim == Aim::kCertain ? InSpiteOf({}, rules) : rules,
+                          .budget = aim == Aim::kCertain ? effort.certain : effort.budget});
     if (auto* path = std::get_if<JointPath>(&result)) {
       way->over = *path;
       // The search has tested shorter pieces of the path. A pair of bodies that comes near to the
       // clearance may be decided on the shorter pieces, but not on the whole path.
       const auto certainty = CertaintyOf(*way, clearance_);
-      if (!certainty) continue;
+      if (!certainty || (aim == Aim::kCertain && !certainty->IsComplete())) continue;
       return Found{{*path, ClearanceOf(*way), false}, way->after(), *certainty};
     }
     const auto& failure = std::get<motion::PathFailure>(result);
-    in_the_way_ = Obstructed(failure.what, failure.obstruction);
+    why = Obstructed(failure.what, failure.obstruction);
   }
-  return in_the_way_;
+  return why ? *why : in_the_way_;
 }
 
 std::optional<Way> TravelSearch::WayBy(const plan::Travel& travel) {
@@ -116,12 +125,18 @@ std::optional<Way> TravelSearch::WayBy(const plan::Travel& travel) {
   in_the_way_ = NotReached(kNotStraight);
   if (travel.is_usual && !Rise(way.rise)) return std::nullopt;
   if (comes_down && !AppendLine(workcell_, route_.poised, way.down)) return std::nullopt;
-  way.work = {{way.down.back()}};
-  if (!Work(way.work)) return std::nullopt;
+  auto work = FollowWork(workcell_, route_, is_guarded_, way.down.back());
+  if (!work) return std::nullopt;
+  way.work = std::move(*work);
   way.sway_of_rise = SwayAlong(workcell_, way.rise, walk_.doubt_left());
   way.sway = SwayAlong(workcell_, way.down, doubt_);
   for (const JointPath& section : way.work) Take(section, way.sway);
   return way;
+}
+
+bool TravelSearch::MayBeCertain(const Way& way) {
+  const WayCertainty certainty = {Both(way.sway_of_rise, way.sway), kTravelClearance};
+  return certainty.Reaches() && AreLinesFreeInSpiteOf(ErrorsOf(way), way);
 }
 
 std::optional<WayCertainty> TravelSearch::CertaintyOf(const Way& way, double clearance) {
@@ -168,35 +183,6 @@ Pose TravelSearch::Above() const {
 
 bool TravelSearch::Rise(JointPath& path) const {
   return !walk_.rises() || AppendLine(workcell_, plan::AtSafeHeight(workcell_, walk_.left()), path);
-}
-
-// Returns the farthest pose to which a guarded move may lead the tool beyond its work.
-Pose TravelSearch::Beyond() const {
-  const Pose& work = route_.to_work.back();
-  const Vector3 way = work.translation() - route_.poised.translation();
-  return geometry::Translation(workcell_.rules().guarded_travel * way.normalized()) * work;
-}
-
-// Follows the straight lines of the work, including the end of a guarded move. Where a strategy
-// has turned the tool, a new section begins at the nearest posture. The motion in between is
-// checked elsewhere.
-bool TravelSearch::Work(std::vector<JointPath>& sections) {
-  std::vector<Pose> poses = route_.to_work;
-  if (is_guarded_) {
-    poses.push_back(Beyond());
-    poses.push_back(route_.to_work.back());
-  }
-  poses.insert(poses.end(), route_.away.begin(), route_.away.end());
-  for (const Pose& pose : poses) {
-    if (!IsTurned(workcell_, pose, sections.back().back())) {
-      if (!AppendLine(workcell_, pose, sections.back())) return false;
-      continue;
-    }
-    const auto q = motion::NearestPosture(workcell_, pose, sections.back().back());
-    if (!q) return false;
-    sections.push_back({*q});
-  }
-  return true;
 }
 
 // Returns the corners of the executor's path from the pose above the work on.

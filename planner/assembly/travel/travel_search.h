@@ -8,6 +8,7 @@
 
 #include "planner/assembly/travel/plan_walk.h"
 #include "planner/assembly/travel/way_conditions.h"
+#include "planner/assembly/travel/work_lines.h"
 #include "planner/motion/collision/motion_check.h"
 #include "planner/motion/collision/sway.h"
 
@@ -22,6 +23,8 @@ struct TravelEffort {
   int destinations = 4;
   // the greatest number of postures visited in each search (motion::PathRequest)
   std::int64_t budget = 100'000;
+  // the same, where a travel is known and one of which everything is proved is searched for
+  std::int64_t certain = 2'000;
 };
 
 // A travel with its own straight lines and the straight lines of the work after it.
@@ -29,8 +32,7 @@ struct Way {
   motion::JointPath rise;  // straight up from the posture after the previous step
   motion::JointPath over;  // the travel's path
   motion::JointPath down;  // straight down to the approach pose
-  // straight lines from the approach pose on; the tool keeps its orientation in each section
-  std::vector<motion::JointPath> work = {};
+  WorkLines work = {};
   motion::Sway sway_of_rise = {};
   motion::Sway sway = {};  // on the way down and on the straight lines of the work
 
@@ -64,6 +66,8 @@ class TravelSearch {
 
   // Searches for a path around the obstacles. Returns the reason if there is none.
   std::variant<Found, plan::Reason> Search(const TravelEffort& effort);
+  // Searches for a travel about which everything is proved.
+  std::optional<Found> SearchCertain(const TravelEffort& effort);
 
   // Returns the travel with its straight lines. Returns none if the arm cannot follow them;
   // in_the_way() then gives the reason.
@@ -92,10 +96,12 @@ class TravelSearch {
     ArmErrors of_rest;
   };
 
+  enum class Aim { kFree, kCertain };
+  std::variant<Found, plan::Reason> SearchFor(Aim aim, const TravelEffort& effort);
+  // Returns whether everything about the way is proved, but for its travel.
+  bool MayBeCertain(const Way& way);
   geometry::Pose Above() const;
   bool Rise(motion::JointPath& path) const;
-  bool Work(std::vector<motion::JointPath>& sections);
-  geometry::Pose Beyond() const;
   std::vector<geometry::Vector3> Corners() const;
 
   void Take(const motion::JointPath& line, motion::Sway& sway) const;

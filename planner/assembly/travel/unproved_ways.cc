@@ -31,7 +31,7 @@ std::optional<UnprovedWay> UnprovedIn(StepId id, const Way& way, double clearanc
 
 std::vector<UnprovedWay> UnprovedWays(const domain::Problem& problem, const plan::Plan& plan) {
   std::vector<UnprovedWay> unproved;
-  if (!ClaimsWays(plan)) return unproved;
+  if (!HasSoundCertificates(plan)) return unproved;
   PlanWalk walk(problem, plan, uncertainty::Propagation::kSound);
   kinematics::JointVector posture = problem.workcell->home();
   for (const StepId id : walk.Steps()) {

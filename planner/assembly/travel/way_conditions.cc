@@ -8,6 +8,7 @@
 #include "planner/algebra/bounds/bounds.h"
 #include "planner/algebra/expression/text.h"
 #include "planner/plan/certificates/condition_table.h"
+#include "planner/plan/certificates/coverage.h"
 
 namespace assay::assembly {
 namespace {
@@ -48,6 +49,13 @@ std::vector<plan::CertifiedPrecondition> WayConditions(const WayCertainty& certa
 
 bool IsWayCondition(plan::Condition condition) {
   return condition->needed_by == plan::NeededBy::kWay;
+}
+
+bool HasSoundCertificates(const plan::Plan& plan) {
+  return !plan::IsAsPublished(plan) &&
+         std::ranges::any_of(plan.steps, [](const plan::PlannedStep& step) {
+           return step.certificate != plan::Certificate{};
+         });
 }
 
 bool ClaimsWays(const plan::Plan& plan) {

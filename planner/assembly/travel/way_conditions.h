@@ -16,6 +16,7 @@ struct WayCertainty {
   double kept = 0;
 
   bool Reaches() const { return sway.is_bounded && sway.room > 0; }
+  bool IsComplete() const { return Reaches() && kept > 0; }
 };
 
 // Returns the proved preconditions of a step about the arm (sound mode): kReach and kWayClear of
@@ -30,6 +31,9 @@ inline plan::Circumstance WayOf(plan::StepId step) {
 bool IsWayCondition(plan::Condition condition);
 // Returns whether the certificates of a plan claim anything about the arm's ways.
 bool ClaimsWays(const plan::Plan& plan);
+// Returns whether a plan says anything about errors as sound plans do, so that it has to say which
+// ways are proved.
+bool HasSoundCertificates(const plan::Plan& plan);
 // Removes from a certificate all claims about ways, and the statements that such claims are
 // missing.
 void RemoveWayConditions(plan::Certificate& certificate);

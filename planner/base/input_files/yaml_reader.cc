@@ -249,8 +249,9 @@ void DocumentNode::YamlReader::Begin(Kind kind, const YAML::Mark& mark) {
   open_.push_back({.node = &Make(kind, last_)});
 }
 
-// The parent gets the node only when the node ends. yaml-cpp takes a list without an end for a key,
-// and its own error, which comes first, is clearer than that of AddKey.
+// Adds the node to its parent only when the node ends. yaml-cpp mistakes a list that is not closed
+// for a key. If such a list were added when it begins, AddKey would report a wrong key. As it is,
+// yaml-cpp reports the missing end of the list first, which is the clearer error.
 void DocumentNode::YamlReader::End() {
   const Open& last = open_.back();
   DocumentNode& node = *last.node;

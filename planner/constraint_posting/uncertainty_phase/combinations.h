@@ -6,7 +6,8 @@
 
 namespace assay::constraint_posting {
 
-// An item that may be combined with items of other subjects.
+// An item that concerns one subject. For example, a remedy concerns one part. A combination has at
+// most one item of each subject.
 struct Combinable {
   int group = 0;    // lower groups are preferred
   int subject = 0;  // the number of the item's subject

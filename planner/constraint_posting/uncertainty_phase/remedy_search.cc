@@ -132,7 +132,7 @@ std::vector<Combinable> RemedySearch::Items() const {
   return items;
 }
 
-// Returns the steps with the chosen remedies applied.
+// Returns the plan's steps with the chosen remedies inserted.
 RemedySearch::Mended RemedySearch::With(const std::vector<int>& chosen) const {
   Mended mended = {.steps = steps_.WithoutAny()};
   AugmentedStep target = steps_[step_];

@@ -27,17 +27,18 @@ class RemedySearch {
   RemedySearch(UncertaintyTask& task, const AugmentedSteps& steps, int step, const Unmet& unmet,
                Obstacles noted);
 
-  // The steps with remedies.
+  // The plan's steps, in which remedies are inserted.
   struct Mended {
     AugmentedSteps steps;
     int step = 0;  // the index of the step whose goals the remedies prove
   };
 
-  // Returns the steps with remedies that prove all goals of the step. Strategies take long to find,
-  // so they are tried only where nothing else proves the goals.
+  // Returns the plan's steps with remedies inserted, such that all goals of the step for which the
+  // search was made are proved. Strategies take long to find, so they are tried only where nothing
+  // else proves the goals.
   std::optional<Mended> Proving();
-  // Returns the steps with the remedies that bring the step nearest to being proved without moving
-  // parts. It must be called after Proving.
+  // Returns the plan's steps with those remedies inserted that bring the same step nearest to being
+  // proved. Remedies that move parts are left out. It must be called after Proving.
   std::optional<Mended> Nearing();
 
   // the number of combinations that were tried to prove the step

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "planner/algebra/bounds/bounds.h"
+#include "planner/constraint_posting/objection.h"
 #include "planner/constraint_posting/resolvers/resolver.h"
 #include "planner/plan/data/plan.h"
 
@@ -31,6 +32,8 @@ struct UncertaintyOptions {
   // Called for each plan instance of the first phase before it is augmented. An instance that
   // cannot be executed is skipped. Without a function, all instances can be executed.
   std::function<bool(const plan::Plan&)> can_be_executed = {};
+  // Judges the actions of instances before the uncertainty phase does. May be empty.
+  Judge judge = {};
 
   // Returns the conditions that some remedy may absorb.
   std::vector<plan::Condition> Absorbable() const;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -56,7 +57,10 @@ class CertifiedPlanning {
     InstanceJudge judge(task_, {errors, by_place, anywhere}, if_unproved);
     PlannerOptions first_phase = planner_;
     first_phase.snapshots = task_.options.snapshots;
-    first_phase.judge = std::ref(judge);
+    first_phase.judge = [&](std::span<const plan::Action> actions) {
+      Judgement judgement = task_.options.judge ? task_.options.judge(actions) : Judgement{};
+      return judgement.objections.empty() ? judge(actions) : judgement;
+    };
     std::int64_t refused = 0;
     first_phase.accept = [&](const plan::Plan& instance) {
       if (!CanBeExecuted(instance)) return ++refused >= task_.options.instances;
@@ -69,6 +73,7 @@ class CertifiedPlanning {
   // Returns the best of the first instances, with any number of errors.
   plan::PlanResult AmongTheFirst() {
     PlannerOptions first_phase = planner_;
+    first_phase.judge = task_.options.judge;
     std::int64_t considered = 0;
     first_phase.accept = [&](const plan::Plan& instance) {
       if (CanBeExecuted(instance)) best_.Consider(instance);

@@ -82,9 +82,11 @@ class KnowledgeBase {
   // Returns true if the relations do not contradict the state's knowledge.
   bool CanLast(const std::vector<InitialRelation>& relations, KnowledgeState state);
   // Applies the update rules until they change nothing more. Returns the rule that fails, or null.
-  // A rule fails in three cases: a relation or a bound contradicts the knowledge after the rule,
-  // the rule leaves no alternative of the `lasting` relations, or it is undecided whether the rule
-  // happens.
+  // A rule fails in three cases: a relation or a bound contradicts the knowledge after the rule;
+  // the rule leaves no alternative of the `lasting` relations; or it is undecided whether the
+  // rule's condition holds, because more may be known than the state says
+  // (KnowledgeQueries::MayHold). A rule K(c) with a `c` that is simply unknown does not fail: it
+  // does not apply.
   const GroundEffect* ApplyUpdates(KnowledgeState& state,
                                    const std::vector<InitialRelation>& lasting = {});
   [[noreturn]] void FailRestless(const GroundEffect& update, std::size_t rounds) const;

@@ -18,7 +18,8 @@ std::string JoinedTexts(const std::vector<T>& items, const char* separator,
   return fmt::format("{}", fmt::join(texts, separator));
 }
 
-// A type applies to all names before it, so a semicolon ends a list after a name without a type.
+// In `a, b: t`, the type t applies to both names. After a name without a type, a semicolon
+// therefore ends the list: otherwise the type of a later name would apply to this name, too.
 std::string NamesText(const std::vector<TypedName>& names, const char* mark) {
   std::string text;
   for (std::size_t i = 0; i < names.size(); ++i) {

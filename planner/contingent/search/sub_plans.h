@@ -49,7 +49,7 @@ class SubPlans {
   // Entries without such an atom are in without_atom_.
   std::vector<std::vector<int>> by_atom_;
   std::vector<int> without_atom_;
-  // The entry that serves a state, for states where it has been found.
+  // For each state for which a sub-plan was found or added: the index of the sub-plan's entry.
   std::unordered_map<StateId, int> entry_of_state_;
   // indexed by state: the number of entries that have been tried
   std::unordered_map<StateId, int> looked_at_;

@@ -46,8 +46,9 @@ Answer Greatest(const auto& answers) {
   return greatest;
 }
 
-// Becoming true wins over becoming false. Asserted relations and bounds describe the world after
-// these changes.
+// An action changes a world in four passes. First atoms become open, then false, then true, while
+// numbers get their values. An atom that becomes both false and true is therefore true. In the last
+// pass, asserted relations and bounds describe the world after these changes.
 constexpr int kPasses = 4;
 
 // Removes duplicates, which arise when different paths lead to the same sum.

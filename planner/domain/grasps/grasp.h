@@ -8,7 +8,7 @@
 #include "planner/domain/parts/feature.h"
 #include "planner/domain/resting/stable_pose.h"
 #include "planner/geometry/coordinates.h"
-#include "planner/kinematics/gripper.h"
+#include "planner/kinematics/grippers/gripper.h"
 
 namespace assay::domain {
 

@@ -4,7 +4,7 @@
 
 #include "planner/domain/parts/part_model.h"
 #include "planner/geometry/coordinates.h"
-#include "planner/kinematics/gripper.h"
+#include "planner/kinematics/grippers/gripper.h"
 
 namespace assay::domain {
 

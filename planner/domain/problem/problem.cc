@@ -30,7 +30,7 @@ GraspSearch GraspsIn(const Workcell& workcell) {
 Problem WorkedBy(const Problem& problem, RobotId robot) {
   Problem other = problem;
   other.workcell = problem.workcell->WorkedBy(robot);
-  if (other.workcell->robot().gripper_file != problem.workcell->robot().gripper_file) {
+  if (other.workcell->robot().gripper_in_file != problem.workcell->robot().gripper_in_file) {
     FindGraspsAnew(other);
   }
   return other;

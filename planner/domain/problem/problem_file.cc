@@ -206,7 +206,8 @@ void ProblemFile::ReadSensing(const Value& root) {
   }
 }
 
-// Without this key, the goals that one resolver does not prove are handed to the next resolver.
+// Reads the resolvers that the planner may use. Without this key, it may use all of them. Their
+// order in the file has no meaning: the planner tries them in the order of ResolverKind.
 void ProblemFile::ReadResolvers(const Value& root) {
   problem_.resolvers = {ResolverKind::kSensing, ResolverKind::kSqueezing,
                         ResolverKind::kFineMotion};

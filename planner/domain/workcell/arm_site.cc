@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "planner/domain/workcell/floor.h"
@@ -27,14 +29,45 @@ constexpr double kLeastHalf = 0.10;  // half the side of the smallest square
 constexpr double kMostHalf = 0.30;
 constexpr double kLowest = 1.05;  // how far the arm may stand below the table's top
 constexpr double kLowerStep = 0.15;
-constexpr double kTableGap = 0.05;  // between the base's shapes and the table
+constexpr double kTableGap = 0.05;     // between the base's shapes and the table
+constexpr double kLimitMargin = 0.05;  // radians that joints stay away from their limits
 
-// An arm at its place, with its tool straight down.
+using WorkingConfiguration = std::optional<kinematics::Indicators>;
+
+// Returns the configurations of an arm; nothing, which is any, if they cannot be told apart.
+std::vector<WorkingConfiguration> WorkingConfigurations(const kinematics::Arm& arm) {
+  using namespace kinematics;
+  if (!arm.IndicatorsTellAllApart()) return {std::nullopt};
+  std::vector<WorkingConfiguration> configurations;
+  for (const Shoulder shoulder : {Shoulder::kRight, Shoulder::kLeft}) {
+    for (const Elbow elbow : {Elbow::kAbove, Elbow::kBelow}) {
+      for (const Wrist wrist : {Wrist::kNoFlip, Wrist::kFlip}) {
+        configurations.push_back(Indicators{shoulder, elbow, wrist});
+      }
+    }
+  }
+  return configurations;
+}
+
+double HeightOfLowestJoint(const kinematics::Arm& arm, const Pose& X_WorldBase,
+                           const JointVector& q) {
+  double lowest = std::numeric_limits<double>::infinity();
+  const auto X_BaseLinks = arm.LinkPoses(q);
+  for (std::size_t link = 1; link < X_BaseLinks.size(); ++link) {
+    lowest = std::min(lowest, (X_WorldBase * X_BaseLinks[link]).translation().z());
+  }
+  return lowest;
+}
+
+// An arm at its place, in one configuration, with its tool straight down.
 class StandingArm {
  public:
   StandingArm(const kinematics::Arm& arm, const kinematics::Gripper& gripper,
-              const Pose& X_WorldBase)
-      : arm_(arm), X_FlangeTool_(gripper.X_FlangeTool()), X_WorldBase_(X_WorldBase) {}
+              const Pose& X_WorldBase, const WorkingConfiguration& configuration)
+      : arm_(arm),
+        X_FlangeTool_(gripper.X_FlangeTool()),
+        X_WorldBase_(X_WorldBase),
+        configuration_(configuration) {}
 
   const Pose& X_WorldBase() const { return X_WorldBase_; }
 
@@ -45,12 +78,26 @@ class StandingArm {
                              geometry::RotationX(std::numbers::pi);
     std::vector<JointVector> postures;
     const Pose X_BaseFlange = X_WorldBase_.inverse() * X_WorldTool * X_FlangeTool_.inverse();
-    for (const auto& solution : arm_.Inverse(X_BaseFlange)) {
-      if (const auto q = arm_.NearestInRange(solution.q, JointVector::Zero())) {
-        postures.push_back(*q);
-      }
+    const auto add = [&](const JointVector& solution) {
+      const auto q = arm_.NearestInRange(solution, JointVector::Zero());
+      if (q && IsAwayFromLimits(*q)) postures.push_back(*q);
+    };
+    if (configuration_) {
+      const auto q = arm_.Inverse(X_BaseFlange, *configuration_, JointVector::Zero());
+      if (q) add(*q);
+    } else {
+      for (const auto& solution : arm_.Inverse(X_BaseFlange)) add(solution.q);
     }
     return postures;
+  }
+
+  bool IsAwayFromLimits(const JointVector& q) const {
+    for (std::size_t i = 0; i < 6; ++i) {
+      const auto& [lower, upper, velocity, effort] = arm_.limits()[i];
+      const double angle = q[static_cast<Eigen::Index>(i)];
+      if (angle < lower + kLimitMargin || angle > upper - kLimitMargin) return false;
+    }
+    return true;
   }
 
   // Returns whether the tool reaches points from `high` down to the table, turned either way.
@@ -65,19 +112,11 @@ class StandingArm {
     return true;
   }
 
-  double HeightOfLowestJoint(const JointVector& q) const {
-    double lowest = std::numeric_limits<double>::infinity();
-    const auto X_BaseLinks = arm_.LinkPoses(q);
-    for (std::size_t link = 1; link < X_BaseLinks.size(); ++link) {
-      lowest = std::min(lowest, (X_WorldBase_ * X_BaseLinks[link]).translation().z());
-    }
-    return lowest;
-  }
-
  private:
   const kinematics::Arm& arm_;
   Pose X_FlangeTool_;
   Pose X_WorldBase_;
+  WorkingConfiguration configuration_;
 };
 
 bool ReachesSquare(const StandingArm& arm, double middle, double half, double high) {
@@ -103,17 +142,19 @@ void FindLargerSquare(const StandingArm& arm, ArmSite& site) {
   }
 }
 
+constexpr double kLowered = 0.05;  // metres by which a joint may be lower than it needs to be
+
 // Returns the posture with the least turns of the joints, among those in which no joint is much
 // lower than it needs to be.
-JointVector HomeOf(const StandingArm& arm, const ArmSite& site) {
-  constexpr double kLowered = 0.05;  // metres
+JointVector HomeOf(const kinematics::Arm& arm, const StandingArm& standing, const ArmSite& site) {
   std::vector<JointVector> postures =
-      arm.PosturesAt({site.middle.x(), site.middle.y(), site.safe_height}, 0);
+      standing.PosturesAt({site.middle.x(), site.middle.y(), site.safe_height}, 0);
+  const auto height = [&](const JointVector& q) {
+    return HeightOfLowestJoint(arm, site.X_WorldBase, q);
+  };
   double highest = -std::numeric_limits<double>::infinity();
-  for (const JointVector& q : postures) highest = std::max(highest, arm.HeightOfLowestJoint(q));
-  std::erase_if(postures, [&](const JointVector& q) {
-    return arm.HeightOfLowestJoint(q) < highest - kLowered;
-  });
+  for (const JointVector& q : postures) highest = std::max(highest, height(q));
+  std::erase_if(postures, [&](const JointVector& q) { return height(q) < highest - kLowered; });
   return *std::ranges::min_element(postures, {}, [](const JointVector& q) { return q.norm(); });
 }
 
@@ -123,23 +164,46 @@ double FrontOf(const kinematics::Arm& arm) {
   return -UndersideOf(arm.model().links.front(), forward_is_down).value_or(0);
 }
 
-}  // namespace
-
-std::optional<ArmSite> FindArmSite(const kinematics::Arm& arm, const kinematics::Gripper& gripper) {
+// Finds the place of an arm that works in one configuration.
+std::optional<ArmSite> FindSite(const kinematics::Arm& arm, const kinematics::Gripper& gripper,
+                                const WorkingConfiguration& configuration) {
   const double height = -UndersideOf(arm.model().links.front(), Pose::Identity()).value_or(0);
   ArmSite site;
   for (const double safe_height : kSafeHeights) {
     site.safe_height = safe_height;
     for (double lower = 0; lower < kLowest; lower += kLowerStep) {
-      FindLargerSquare({arm, gripper, geometry::Translation(0, 0, height - lower)}, site);
+      FindLargerSquare({arm, gripper, geometry::Translation(0, 0, height - lower), configuration},
+                       site);
     }
     if (site.half_side > 0) break;
   }
   if (site.half_side == 0) return std::nullopt;
-  const StandingArm standing(arm, gripper, site.X_WorldBase);
-  site.home = HomeOf(standing, site);
+  const StandingArm standing(arm, gripper, site.X_WorldBase, configuration);
+  site.home = HomeOf(arm, standing, site);
   site.table_edge = std::min(site.middle.x() - site.half_side, FrontOf(arm) + kTableGap);
   return site;
+}
+
+}  // namespace
+
+std::optional<ArmSite> FindArmSite(const kinematics::Arm& arm, const kinematics::Gripper& gripper) {
+  std::optional<ArmSite> best;
+  double lowest = 0;
+  for (const WorkingConfiguration& configuration : WorkingConfigurations(arm)) {
+    const std::optional<ArmSite> site = FindSite(arm, gripper, configuration);
+    if (!site) continue;
+    const double height = HeightOfLowestJoint(arm, site->X_WorldBase, site->home);
+    const auto rank = [](const ArmSite& one) { return std::pair(one.safe_height, one.half_side); };
+    const bool is_better =
+        !best || rank(*site) > rank(*best) ||
+        (rank(*site) == rank(*best) &&
+         (height > lowest + kLowered ||
+          (height > lowest - kLowered && site->home.norm() < best->home.norm())));
+    if (!is_better) continue;
+    best = site;
+    lowest = height;
+  }
+  return best;
 }
 
 }  // namespace assay::domain

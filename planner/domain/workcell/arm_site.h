@@ -4,7 +4,7 @@
 
 #include "planner/geometry/coordinates.h"
 #include "planner/kinematics/arm.h"
-#include "planner/kinematics/gripper.h"
+#include "planner/kinematics/grippers/gripper.h"
 
 namespace assay::domain {
 
@@ -21,10 +21,11 @@ struct ArmSite {
   double table_edge = 0;  // the x of the table's edge beside the base
 };
 
-// Finds a place for an arm with a gripper. The arm stands on the plane of the table's top, or lower
-// if its square is larger then, and the square is as large as the arm reaches. At home, the tool
-// points straight down over the middle of the square, at the safe height, and no joint is low above
-// the table. Returns none if there is no square of 20 cm.
+// Finds a place for an arm with a gripper. The arm stands at the height of the table's top, or
+// lower if its square becomes larger when it stands lower. The square is as large as the arm
+// reaches in one configuration, with its joints away from their limits. At home, the tool points
+// straight down over the middle of the square, at the safe height, and no joint is low above the
+// table. Returns none if there is no square of 20 cm.
 std::optional<ArmSite> FindArmSite(const kinematics::Arm& arm, const kinematics::Gripper& gripper);
 
 }  // namespace assay::domain

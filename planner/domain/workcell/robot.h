@@ -1,13 +1,12 @@
 #pragma once
 
-#include <filesystem>
 #include <memory>
 #include <string>
 
 #include "planner/base/id.h"
 #include "planner/geometry/coordinates.h"
 #include "planner/kinematics/arm.h"
-#include "planner/kinematics/gripper.h"
+#include "planner/kinematics/grippers/gripper.h"
 
 namespace assay::domain {
 
@@ -18,7 +17,7 @@ struct Robot {
   std::string name;  // empty where the workcell has only one
   std::shared_ptr<const kinematics::Arm> arm;
   std::shared_ptr<const kinematics::Gripper> gripper;
-  std::filesystem::path gripper_file;
+  kinematics::GripperInFile gripper_in_file = {};
   geometry::Pose X_WorldBase = geometry::Pose::Identity();
   kinematics::JointVector home = kinematics::JointVector::Zero();  // where the arm starts and ends
   kinematics::JointVector joint_acceleration =

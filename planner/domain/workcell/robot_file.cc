@@ -19,8 +19,9 @@ class RobotFile {
   Robot Read(const std::string& name, const Value& robot, const Value& gripper) const;
 
  private:
-  static kinematics::ArmEnds ReadEnds(const Value& robot);
-  std::vector<std::filesystem::path> ReadPackages(const Value& robot) const;
+  kinematics::ArmInFile ReadArm(const Value& robot) const;
+  kinematics::GripperInFile ReadGripper(const Value& gripper) const;
+  std::vector<std::filesystem::path> ReadPackages(const Value& model) const;
   JointVector ReadJoints(const Value& value) const;
   JointVector ReadHome(const Value& home, const kinematics::Arm& arm) const;
   JointVector ReadAcceleration(const Value& acceleration) const;
@@ -31,14 +32,14 @@ class RobotFile {
 };
 
 Robot RobotFile::Read(const std::string& name, const Value& robot, const Value& gripper) const {
-  gripper.AllowOnly({"urdf"});
+  gripper.AllowOnly({"urdf", "flange", "pads", "packages"});
   Robot read;
   read.name = name;
-  read.gripper_file = Beside(gripper.At("urdf"));
+  read.gripper_in_file = ReadGripper(gripper);
   read.arm = std::make_shared<const kinematics::Arm>(
-      kinematics::Arm::FromUrdf(Beside(robot.At("urdf")), ReadEnds(robot), ReadPackages(robot)));
-  read.gripper =
-      std::make_shared<const kinematics::Gripper>(kinematics::Gripper::FromUrdf(read.gripper_file));
+      kinematics::Arm::FromUrdf(Beside(robot.At("urdf")), ReadArm(robot), ReadPackages(robot)));
+  read.gripper = std::make_shared<const kinematics::Gripper>(
+      kinematics::Gripper::FromUrdf(read.gripper_in_file, ReadPackages(gripper)));
   const Value base = robot.At("base");
   base.AllowOnly({"columns"});
   read.X_WorldBase = ReadColumns(base.At("columns"), units_);
@@ -47,21 +48,44 @@ Robot RobotFile::Read(const std::string& name, const Value& robot, const Value& 
   return read;
 }
 
-kinematics::ArmEnds RobotFile::ReadEnds(const Value& robot) {
-  const std::optional<Value> links = robot.Find("links");
-  if (!links) return {};
-  links->AllowOnly({"base", "flange"});
-  const auto name = [&](const char* key) {
-    const std::optional<Value> link = links->Find(key);
-    return link ? link->Text() : std::string();
-  };
-  return {name("base"), name("flange")};
+kinematics::ArmInFile RobotFile::ReadArm(const Value& robot) const {
+  kinematics::ArmInFile arm;
+  if (const auto links = robot.Find("links")) {
+    links->AllowOnly({"base", "flange"});
+    if (const auto base = links->Find("base")) arm.base = base->Text();
+    if (const auto flange = links->Find("flange")) arm.flange = flange->Text();
+  }
+  if (const auto locked = robot.Find("locked")) {
+    for (const auto& [joint, value] : locked->Entries()) {
+      arm.locked[joint.Text()] = value.Number() * units_.angle.factor;
+    }
+  }
+  return arm;
 }
 
-// Reads the folders in which the packages of a robot's meshes lie.
-std::vector<std::filesystem::path> RobotFile::ReadPackages(const Value& robot) const {
+kinematics::GripperInFile RobotFile::ReadGripper(const Value& gripper) const {
+  kinematics::GripperInFile read{.file = Beside(gripper.At("urdf"))};
+  if (const auto flange = gripper.Find("flange")) read.flange = flange->Text();
+  const std::optional<Value> pads = gripper.Find("pads");
+  if (!pads) return read;
+  for (const auto& [link, pad] : pads->Entries()) {
+    pad.AllowOnly({"center", "size"});
+    const std::vector<double> center = pad.At("center").Numbers(3);
+    const std::vector<double> size = pad.At("size").Numbers(2);
+    if (!(size[0] > 0 && size[1] > 0)) {
+      pad.At("size").Fail(fmt::format("a pad of {} by {}", size[0], size[1]), "positive lengths");
+    }
+    read.pads[link.Text()] = {
+        .center = units_.length.factor * geometry::Vector3(center[0], center[1], center[2]),
+        .size = units_.length.factor * geometry::Vector2(size[0], size[1])};
+  }
+  return read;
+}
+
+// Reads the folders in which the packages of the meshes of an arm or a gripper lie.
+std::vector<std::filesystem::path> RobotFile::ReadPackages(const Value& model) const {
   std::vector<std::filesystem::path> folders;
-  const std::optional<Value> packages = robot.Find("packages");
+  const std::optional<Value> packages = model.Find("packages");
   if (!packages) return folders;
   for (const Value& path : packages->Items()) {
     folders.push_back((folder_ / path.Text()).lexically_normal());
@@ -118,14 +142,15 @@ std::vector<Robot> ReadRobots(const Value& workcell, const Units& units,
   const std::optional<Value> robots = workcell.Find("robots");
   if (!robots) {
     const Value robot = workcell.At("robot");
-    robot.AllowOnly({"urdf", "links", "packages", "base", "home", "acceleration"});
+    robot.AllowOnly({"urdf", "links", "locked", "packages", "base", "home", "acceleration"});
     return {file.Read("", robot, workcell.At("gripper"))};
   }
   workcell.AllowOnly({"format", "description", "units", "robots", "table", "tables", "rules",
                       "placements", "places", "sensors", "verifications", "recoveries"});
   std::vector<Robot> read;
   for (const auto& [key, robot] : robots->Entries()) {
-    robot.AllowOnly({"urdf", "links", "packages", "base", "home", "acceleration", "gripper"});
+    robot.AllowOnly(
+        {"urdf", "links", "locked", "packages", "base", "home", "acceleration", "gripper"});
     read.push_back(file.Read(ReadName(key, "a robot"), robot, robot.At("gripper")));
   }
   if (read.empty()) robots->Fail("no robots", "one or more, by their names");

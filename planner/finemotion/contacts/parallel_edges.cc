@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "planner/finemotion/forward_projections/meeting.h"
-#include "planner/geometry/convex/nearest_point.h"
+#include "planner/numeric/nearest_point.h"
 
 namespace assay::finemotion {
 
@@ -131,7 +131,7 @@ template <int K>
 bool IsApart(const SweptEdge& edge, const EdgePart& part, const SweptValues<1>* until,
              const MotionStretch& stretch) {
   const Hull<K> hull(edge, part, until, stretch);
-  return geometry::NearestPoint<K, 2, Hull<K>>(hull, kMeetingTolerance).IsApart();
+  return numeric::NearestPoint<K, 2, Hull<K>>(hull, kMeetingTolerance).IsApart();
 }
 
 // Returns whether the edges may touch in the stretch, decided for the whole stretch or for each of

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "planner/finemotion/contacts/generalized_point.h"
-#include "planner/geometry/convex/zonotope.h"
+#include "planner/geometry/zonotopes/zonotope.h"
 
 namespace assay::finemotion {
 

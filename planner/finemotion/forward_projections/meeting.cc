@@ -6,7 +6,7 @@
 
 #include "planner/base/check.h"
 #include "planner/finemotion/forward_projections/projection_image.h"
-#include "planner/geometry/convex/nearest_point.h"
+#include "planner/numeric/nearest_point.h"
 
 namespace assay::finemotion {
 
@@ -105,14 +105,14 @@ Meeting Meet(const ForwardProjection& projection, const PrimitiveContact& contac
   ProjectionImage image(projection, contact);
   image.ForgetZeros();
   const double margin = WithPoints(image, [&]<int K>(const ImagePoints<K>& points) {
-    return geometry::NearestPoint<K, 1, ImagePoints<K>>(points, tolerance).Distance();
+    return numeric::NearestPoint<K, 1, ImagePoints<K>>(points, tolerance).Distance();
   });
   return {.meets = margin == 0, .margin = margin};
 }
 
 bool Meets(const ProjectionImage& image, double tolerance) {
   return WithPoints(image, [&]<int K>(const ImagePoints<K>& points) {
-    return !geometry::NearestPoint<K, 1, ImagePoints<K>>(points, tolerance).IsApart();
+    return !numeric::NearestPoint<K, 1, ImagePoints<K>>(points, tolerance).IsApart();
   });
 }
 

@@ -10,8 +10,9 @@ namespace assay::finemotion {
 // Returns the outer surface of the union of the part's boxes.
 Polyhedron OutsideOf(const domain::PartModel& model);
 
-// A mating as fine motion sees it. The tip is a frame in the middle of the held feature that enters
-// first (Mating::features). In the mated pose, its axes are the axes of the fixed part.
+// A mating as fine motion sees it. The tip is a frame at the front end of that mating feature of
+// the held part (Mating::features) which is farthest ahead: in the middle of the end of a shaft, or
+// in the middle of the mouth of a hole. In the mated pose, its axes are the axes of the fixed part.
 struct MatingGeometry {
   Pose X_HeldTip = Pose::Identity();
   // The moving part about its tip, the fixed part, and the critical points between them. Both parts

@@ -35,7 +35,9 @@ class Starts {
   Vector3 LowestCorner(const Vector3& turn) const;
   Pose Entered(const Start& start) const;
   // Returns how far the part can be beyond the entry at this pose, in metres along the way in, with
-  // `multiple` times the errors. Turns count with levers of at most `lever` metres.
+  // `multiple` times the errors. An error of rotation moves a corner by the angle times the
+  // corner's distance from the tip. If this distance is more than `lever` metres, `lever` takes its
+  // place.
   double Deepest(const Pose& X_StationaryMoving, double multiple, double lever) const;
 
   const Passage& passage_;

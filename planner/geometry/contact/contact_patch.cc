@@ -10,8 +10,9 @@ namespace {
 
 constexpr double kSamePoint = 1e-6;  // m
 // A facet is left out if the cosine of the angle between the facet and the plane is less than this.
-// The part of such a facet that is near the plane is at the edge of another facet. Rounding must
-// not decide whether this part is considered.
+// Such a facet is steep, or faces away from the plane. A steep facet is near the plane only along
+// an edge. This edge also belongs to another facet, which is less steep and is not left out. With a
+// limit of 0, rounding would decide whether a steep facet is left out.
 constexpr double kSteep = 1e-3;
 // The first direction, in turns between two directions. It is not a simple fraction, so that the
 // corners of a regular polygon are not equally far in a direction.

@@ -11,8 +11,8 @@ namespace assay::kinematics {
 // their drawings.
 inline constexpr double kClassTolerance = 1e-3;
 
-// What the geometry of six axes says about the solutions of the inverse kinematics, the easiest
-// first.
+// The kinds of arms with six axes, by how their inverse kinematics is solved. The kinds that are
+// solved most easily come first.
 enum class ArmKind {
   kConcurrent,  // three successive axes meet in one point: closed form
   kParallel,    // three successive axes are parallel: closed form

@@ -20,9 +20,10 @@ constexpr double kRefined = 1e-13;      // an error that needs no refinement
 constexpr double kSameSolution = 1e-6;  // rad
 constexpr double kNearSolution = 1e-5;  // rad
 constexpr double kNearlySolved = 0.05;  // greatest error of the class's solution for such an arm
-// The distance of two near solutions from the place where they would coincide is about the square
-// root of the deviation. At such solutions, the Jacobian's least singular value is below this
-// multiple of it.
+// Let an arm deviate by d from its class (ArmClass::deviation). Two of its solutions that are near
+// to each other are then at a distance of about the square root of d from the place where they
+// would coincide. At such solutions, the least singular value of the Jacobian is below
+// kSingularMotion times the square root of d.
 constexpr double kSingularMotion = 20;
 // Beside a singular pose, more joint values than this can reach the pose to within the error.
 constexpr double kBeyondLimit = 1e-9;  // rad
@@ -214,8 +215,8 @@ std::vector<SixAngles> ChainInverse::SolveInClosedForm(const Pose& X_BaseTip,
   return solutions;
 }
 
-// The solutions of the class and of the arm as it is correspond, but where two of them are near to
-// each other.
+// Near each solution of the class there is exactly one solution of the arm, except where two
+// solutions are near to each other.
 std::vector<SixAngles> ChainInverse::SolveFromClosedForm(const Pose& X_BaseTip,
                                                          const SixAngles& reference) const {
   const NewtonLimits limits = {.start_error = kNearlySolved};

@@ -25,11 +25,12 @@ constexpr double kLeastCosine2 = 0.98;
 constexpr std::size_t kMostSharp = 60;
 constexpr int kRounds = 5;
 
-// A table of three pairs of numbers has eight products, one for each choice. The index of a product
-// has one bit for each pair. The products of opposite corners of a face of this cube are equal, and
-// so are those of all four diagonals of the cube.
+// Three pairs of numbers have eight products with one number of each pair. The index of a product
+// has one bit for each pair, so the eight products are the corners of a cube. On a face of the
+// cube, two opposite corners have the same product as the other two corners. The two corners of a
+// space diagonal have the same product for all four space diagonals.
 struct Minor {
-  int a, b, c, d;  // product a times product b equals product c times product d
+  int a, b, c, d;  // corner a times corner b equals corner c times corner d
 };
 constexpr std::array<Minor, 9> kMinors = {{{0, 3, 1, 2},
                                            {4, 7, 5, 6},
@@ -67,7 +68,7 @@ void AddProduct(const Vector4& f, const Vector4& g, double sign, Matrix9& N, int
   }
 }
 
-// Returns half the angle whose functions have the squares and the product (c^2, c s, s^2).
+// Returns half an angle from three monomials (c^2, c s, s^2) of its cosine c and its sine s.
 double HalfAngle(const Eigen::Vector3d& squares) {
   return std::abs(squares[0]) > std::abs(squares[2]) ? std::atan2(squares[1], squares[0])
                                                      : std::atan2(squares[2], squares[1]);
@@ -192,7 +193,8 @@ class Eliminator {
     add(c, d, -1);
   }
 
-  // Vanishes if the entries are products of squares and products. The combination is arbitrary.
+  // Vanishes if the vector consists of the nine monomials (elimination.h) of some angles. The
+  // factors of the sum are arbitrary.
   static double Misfit(const Vector9& z) {
     const double middle = z[4] * z[4];
     return (z[0] * z[8] - middle) + 0.62 * (z[2] * z[6] - middle) + 0.31 * (z[1] * z[7] - middle) -

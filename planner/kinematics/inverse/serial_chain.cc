@@ -100,7 +100,7 @@ class ChainFinder {
 
 void RequireRevolute(const Joint& joint) {
   const bool prismatic = joint.type == JointType::kPrismatic;
-  if (!prismatic && !joint.mimics) return;
+  if (!prismatic && joint.mimics.empty()) return;
   throw InputError(joint.place,
                    fmt::format("joint '{}' is between base and tip and {}", joint.name,
                                prismatic ? "is prismatic" : "mimics another joint"),

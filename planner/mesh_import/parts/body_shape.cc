@@ -153,7 +153,8 @@ class StackSplitter {
 std::vector<BodyShape> ShapesOf(const TriangleMesh& body) {
   BodyShape shape = BestStack(body);
   const bool is_simple = shape.is_stack && shape.stack.Count() <= kFewPosts;
-  // One convex piece is simpler than a stack of many layers, as it is for a ball.
+  // A body that is nearly convex, such as a ball, becomes one convex piece. As a stack it would
+  // have many layers.
   const bool is_convex = !is_simple && IsNearlyConvex(body);
   if (is_convex && shape.is_stack) {
     shape.is_stack = false;

@@ -75,6 +75,8 @@ class CollisionScene {
   const Body& body(BodyId id) const { return bodies_[static_cast<std::size_t>(id.index())]; }
   const std::vector<BodyPair>& pairs() const { return pairs_; }
 
+  // Returns whether the body is a link of the acting robot's arm.
+  bool IsOfArm(BodyId id) const { return id.index() < arm_bodies_; }
   // Returns whether the body is the hand, the fingers or the held part.
   bool IsCarried(BodyId id) const;
   bool IsOfAnotherRobot(BodyId id) const;

@@ -56,7 +56,8 @@ std::vector<MotionCheck::WatchedPair> MotionCheck::WatchedPairs() {
   std::vector<WatchedPair> watched;
   for (const BodyPair& pair : scene_.pairs()) {
     const bool carried = scene_.IsCarried(pair.second);
-    if (carried && rules_.bodies == MotionRules::Bodies::kArm) continue;
+    const bool is_at_work = carried && !scene_.IsOfArm(pair.first);
+    if (is_at_work && rules_.bodies == MotionRules::Bodies::kArm) continue;
     if (rules_.bodies == MotionRules::Bodies::kRobots && !scene_.IsOfAnotherRobot(pair.first)) {
       continue;
     }

@@ -40,7 +40,7 @@ struct MotionRules {
   std::vector<domain::PartId> at_work = {};
   enum class Bodies {
     kAll,
-    kArm,     // without what the arm carries, which is tested at its work elsewhere
+    kArm,     // the arm, and what it carries against the arm; the rest is tested at its work
     kRobots,  // arm and what it carries, but only against the workcell's other robots
   };
   Bodies bodies = Bodies::kAll;

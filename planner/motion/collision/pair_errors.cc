@@ -187,8 +187,9 @@ double PairErrors::DistanceIn(const ErrorVector& half, const LinkPoses& X_BaseLi
   return least - by_joints * (1 + half[kToolTurn] + half[kToolSpin]);
 }
 
-// Seen from the tool, only the joints between the tool and the body move the body. Errors rotate
-// the direction of this displacement, which changes it by at most twice its length.
+// Seen from the tool, only the joints between the tool and the body move the body. Errors also
+// rotate the direction of this motion. A rotated vector differs from the vector by at most twice
+// the vector's length.
 double PairErrors::GreatestMotion(const JointVector& turn) const {
   const double motion = scene_->GreatestMotion(pair_, turn);
   if (!is_seen_from_tool_ || greatest_.isZero(0)) return motion;

@@ -25,14 +25,14 @@ struct CheckReport {
 // Checks a plan from the scenario alone, with its own model of what the actions do and its own
 // geometry: it shares no code with the planner and trusts no label. It simulates the linearizations
 // of the ordering, up to `most_linearizations`, and always the order of execution. Goals must hold
-// at the end of each. Only the form of strategies is checked (FlawsOfForm), and only which kinds of
-// preconditions certificates cover (coverage.h). planner/assembly/plan_check.h replays the
-// strategies, too, and planner/uncertainty/preconditions/certify.h computes certificates anew.
+// at the end of each. Of strategies, only the form is checked (FlawsOfForm). Of certificates, it is
+// only checked which kinds of preconditions they cover (coverage.h). planner/assembly/plan_check.h
+// replays the strategies, too, and planner/verify computes certificates anew and compares them.
 CheckReport Check(const domain::Problem& problem, const Plan& plan, int most_linearizations);
 
-// Returns the flaws of the certificates: each must cover what its step needs. If one step has a
-// certificate, all must have one. The plan's list of effects that no precondition covers must be
-// the true list.
+// Returns which certificates lack something. Each certificate must have every kind of precondition
+// that its step needs. If one step has a certificate, all must have one. The plan's list of effects
+// that no precondition covers must be the true list. The proofs are not checked here.
 std::vector<Flaw> FlawsOfCoverage(const domain::Problem& problem, const Plan& plan);
 
 }  // namespace assay::plan

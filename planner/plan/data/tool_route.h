@@ -19,11 +19,12 @@ struct ToolRoute {
 };
 
 // Returns the route of a step. X_WorldPart is the pose of the part whose place the action states
-// (PlacedPart). An action that leaves the part at this place does not use X_WorldPart.
+// (PlacedPart). An action that puts a part down (domain::Leaves::kAtPlace) leads to Action::place
+// instead, and does not use X_WorldPart.
 //
-// The last line to a part and the first line away from it are along the tool's axis, as long as the
-// workcell's approach distance. A held part is lifted and put down by the same length, straight up
-// and down. It is mated along the mating vector.
+// The last line to a part and the first line away from it go along the tool's axis. Each of them
+// has the length of the workcell's approach distance. A held part is lifted straight up and put
+// down straight down, on lines of the same length. It is mated along the mating vector.
 ToolRoute RouteOf(const domain::Problem& problem, const PlannedStep& step, const Pose& X_WorldPart);
 
 // Returns the route of an action. `strategy` executes a mating. If it is null, the mating is a

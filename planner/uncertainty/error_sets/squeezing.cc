@@ -108,7 +108,8 @@ class Closing {
 
   bool is_straight() const { return std::abs(up_.z()) == 1; }
 
-  // Notes what both pads surely touch, if they do not lie wholly on their faces.
+  // Notes the area that both pads surely touch opposite each other, if the pads close on two faces
+  // of the part and do not lie wholly on these faces.
   void NotePatch(const UncertainWorld& world, PartId part, const plan::Hold& hold) {
     const domain::PartModel& model = *world.problem().part(part).model;
     const Vector2 pad(pad_x_, pad_z_);

@@ -8,7 +8,7 @@
 #include "planner/geometry/collision.h"
 #include "planner/geometry/polygon.h"
 #include "planner/geometry/solids/mass_properties.h"
-#include "planner/kinematics/gripper.h"
+#include "planner/kinematics/grippers/gripper.h"
 #include "planner/uncertainty/error_sets/axis_angle.h"
 #include "planner/uncertainty/error_sets/possible_masses.h"
 #include "planner/uncertainty/error_sets/squeezing.h"
@@ -115,8 +115,9 @@ class ClosingConditions {
   }
 
   // Returns the toppling ratio about an edge, for a pad that pushes along `way`, to within `turn`
-  // radians. The pad pushes with the force that the friction of the table takes. A pad that is not
-  // upright exerts a vertical force, too, which adds to the friction or lifts the part.
+  // radians. The pad pushes with the force that is needed to overcome the friction of the table.
+  // A pad that is not upright exerts a vertical force, too, which adds to the friction or lifts the
+  // part.
   double RatioAbout(const TippingEdge& edge, const Vector3& way, double turn, double height) const {
     const double level = way.head<2>().norm();
     const double vertical = std::abs(way.z());

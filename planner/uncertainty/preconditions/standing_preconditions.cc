@@ -8,7 +8,7 @@
 #include "planner/geometry/box.h"
 #include "planner/geometry/collision.h"
 #include "planner/geometry/solids/mass_properties.h"
-#include "planner/kinematics/gripper.h"
+#include "planner/kinematics/grippers/gripper.h"
 #include "planner/plan/certificates/pushing.h"
 #include "planner/uncertainty/error_sets/axis_angle.h"
 #include "planner/uncertainty/error_sets/possible_masses.h"

@@ -19,7 +19,8 @@ std::vector<Sample> DesignCorners(TriedStep& step, std::uint64_t seed, std::int6
 // Corners with the least expected margins come first, and none is repeated.
 std::vector<Sample> LikelyCorners(TriedStep& step, std::int64_t count);
 
-// Returns points that fill the box evenly, shared out among the step's aims.
+// Returns points that fill the box evenly. They are divided among the claims that the attempts at
+// the step try to violate (TriedStep::aims).
 std::vector<Sample> EvenPoints(TriedStep& step, std::uint64_t seed, std::int64_t count);
 
 // Returns the samples with the least margin of each claim, the least first. Claims without width

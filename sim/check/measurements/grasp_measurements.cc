@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "planner/geometry/box.h"
-#include "planner/kinematics/gripper.h"
+#include "planner/kinematics/grippers/gripper.h"
 #include "planner/plan/certificates/condition_table.h"
 #include "sim/check/measurements/fit.h"
 #include "sim/check/measurements/measurement.h"

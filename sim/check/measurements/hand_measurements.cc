@@ -8,7 +8,7 @@
 #include "planner/geometry/collision.h"
 #include "planner/geometry/hull.h"
 #include "planner/geometry/pose.h"
-#include "planner/kinematics/gripper.h"
+#include "planner/kinematics/grippers/gripper.h"
 #include "planner/plan/certificates/condition_table.h"
 #include "sim/check/measurements/fit.h"
 #include "sim/check/measurements/measurement.h"

@@ -6,7 +6,7 @@
 #include "planner/base/check.h"
 #include "planner/domain/parts/part_model.h"
 #include "planner/geometry/collision.h"
-#include "planner/kinematics/gripper.h"
+#include "planner/kinematics/grippers/gripper.h"
 #include "planner/plan/certificates/pushing.h"
 
 namespace assay::check {

@@ -11,15 +11,15 @@ namespace assay::check {
 // happen.
 struct StepEvents {
   plan::StepId step;
-  // Snapshot where the step before ended, or where the execution started.
+  // Snapshot at the moment when the step before ended, or when the execution started.
   const execution::Snapshot* begun = nullptr;
   const execution::Snapshot* poised = nullptr;  // snapshot before the first attempt
-  // Snapshot of the first attempt, where the tool acts.
+  // Snapshot at the moment when, in the first attempt, the tool has come to where it acts.
   const execution::Snapshot* reached = nullptr;
-  // Snapshot of the first attempt, after gripper or sensor acted.
+  // Snapshot at the moment when, in the first attempt, the gripper or the sensor has acted.
   const execution::Snapshot* acted = nullptr;
   const execution::Snapshot* end = nullptr;
-  // Snapshot where the execution broke off before the step's end.
+  // Snapshot at the moment when the execution broke off before the step's end.
   const execution::Snapshot* stopped = nullptr;
   const execution::LookRecord* look = nullptr;
   std::optional<bool> resisted = {};  // whether the first attempt's guarded move met resistance

@@ -66,10 +66,18 @@ class NoiselessExecution {
   std::vector<double> penetrations_;  // by StepId, metres
 };
 
+// Returns by how much the timestep changes what is observed. If another case of a precondition
+// decides it then, whose prediction differs, their margins are compared.
+double ChangeFrom(const Claim& fine, const Claim& coarse) {
+  const bool is_same_case =
+      fine.predicted.low == coarse.predicted.low && fine.predicted.high == coarse.predicted.high;
+  return is_same_case ? coarse.observed - fine.observed : coarse.margin - fine.margin;
+}
+
 void AddComponent(const Claim& coarse, const std::vector<Claim>& fine, StepNoiseFloor& gate) {
   if (!coarse.dimension) return;
   const auto same = std::ranges::find_if(fine, [&](const Claim& c) { return IsSame(c, coarse); });
-  const double change = same == fine.end() ? 0 : coarse.observed - same->observed;
+  const double change = same == fine.end() ? 0 : ChangeFrom(*same, coarse);
   const bool of_set = coarse.about != Claimed::kPrecondition;
   gate.components.push_back({coarse.about, coarse.name, of_set ? coarse.observed : 0, change});
 }

@@ -61,28 +61,37 @@ struct MissingForPhysics {
 };
 
 // Returns why a workcell cannot have the arm, or nothing if it can.
-std::string ReasonAgainstWorkcell(const ArmRequest& request) {
+std::string ReasonAgainstWorkcell(const ArmRequest& request,
+                                  const kinematics::LockedJoints& locked) {
   try {
-    kinematics::Arm::FromUrdf(request.file, {request.base, request.tip}, request.packages);
+    kinematics::Arm::FromUrdf(request.file, {request.base, request.tip, locked}, request.packages);
     return "";
   } catch (const InputError& error) {
     return error.what();
   }
 }
 
+std::string LockedText(const kinematics::LockedJoints& locked) {
+  std::string text;
+  for (const auto& [joint, value] : locked) {
+    text += fmt::format("    locked: {{{}: {:.6g}}}  # degrees\n", joint, value / kDegree);
+  }
+  return text;
+}
+
 std::string WorkcellText(const ArmRequest& request, const SerialChain& chain,
-                         const std::string& reason) {
+                         const kinematics::LockedJoints& locked, const std::string& reason) {
   if (!reason.empty()) return fmt::format("A workcell refuses this arm:\n  {}\n", reason);
   return fmt::format(
       "Write into a workcell (lengths in metres in the world, whose origin is on the table's top; "
       "joint values in the workcell's unit of angles):\n"
       "  robot:\n"
       "    urdf: {}\n"
-      "    links: {{base: {}, flange: {}}}\n"
+      "    links: {{base: {}, flange: {}}}\n{}"
       "    base: {{columns: [[1, 0, 0], [0, 1, 0], [0, 0, 1], [-0.15, 0, 0.70]]}}\n"
       "    home: [0, 0, 0, 0, 0, 0]  # a posture with the tool straight down over the table\n"
       "    acceleration: [150, 150, 150, 300, 300, 300]  # of each joint, per second squared\n",
-      request.file.filename().string(), chain.base(), chain.tip());
+      request.file.filename().string(), chain.base(), chain.tip(), LockedText(locked));
 }
 
 std::string JointTable(const SerialChain& chain) {
@@ -178,7 +187,11 @@ Report ReportOnArm(const ArmRequest& request) {
   const SerialChain chain = SerialChain::FromModel(model, request.base, request.tip);
   const ArmSurvey survey = Survey(chain, request.poses, request.seed);
   const MissingForPhysics missing(model, chain);
-  const std::string reason = ReasonAgainstWorkcell(request);
+  const std::vector<kinematics::LockedJoints> lockings =
+      kinematics::Lockings(model, request.base, request.tip);
+  const kinematics::LockedJoints locked =
+      lockings.empty() ? kinematics::LockedJoints() : lockings.front();
+  const std::string reason = ReasonAgainstWorkcell(request, locked);
   Json json = {{"robot", model.name},
                {"base", chain.base()},
                {"tip", chain.tip()},
@@ -189,9 +202,10 @@ Report ReportOnArm(const ArmRequest& request) {
                      {"speeds", missing.speeds},
                      {"efforts", missing.efforts}};
   json["workcell_refuses"] = reason;
+  if (!locked.empty()) json["locked"] = locked;
   return {.text = fmt::format("robot {} from link {} to link {}\n\n{}\n{}{}{}", model.name,
                               chain.base(), chain.tip(), JointTable(chain), SolutionsText(survey),
-                              missing.Text(), WorkcellText(request, chain, reason)),
+                              missing.Text(), WorkcellText(request, chain, locked, reason)),
           .json = std::make_shared<const Json>(std::move(json)),
           .holds = survey.pose_error < 1e-9 && survey.not_returned == 0};
 }

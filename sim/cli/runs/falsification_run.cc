@@ -180,7 +180,8 @@ class FalsificationReport {
       if (inconclusive <= kOften * all) continue;
       text += fmt::format(
           "{} of the {} attempts on step {} ({:.0f} %) are inconclusive: the observation was "
-          "closer to its bound than the noise floor\n",
+          "outside of its prediction by no more than the gate, or the violation was not "
+          "confirmed\n",
           counts.inconclusive, counts.Total(), plan_.step(id).executed, 100 * inconclusive / all);
     }
     return text;

@@ -51,21 +51,25 @@ recoveries:
 // Returns a text as YAML, whatever characters it has.
 std::string Quoted(const std::string& text) { return nlohmann::json(text).dump(); }
 
-std::string LinksText(const OwnArm& arm) {
+std::string LinksText(const OwnArm& own) {
+  const auto& [base, flange, locked] = own.arm;
   std::string text;
-  if (!arm.base.empty() || !arm.flange.empty()) {
-    text +=
-        fmt::format("  links: {{base: {}, flange: {}}}\n", Quoted(arm.base), Quoted(arm.flange));
+  if (!base.empty() || !flange.empty()) {
+    text += fmt::format("  links: {{base: {}, flange: {}}}\n", Quoted(base), Quoted(flange));
   }
-  if (!arm.packages.empty()) {
-    text += fmt::format("  packages: {}\n", nlohmann::json(arm.packages).dump());
+  for (const auto& [joint, value] : locked) {
+    text += fmt::format("  locked: {{{}: {:.6g}}}  # this joint of seven does not move\n",
+                        Quoted(joint), value * 180 / std::numbers::pi);
+  }
+  if (!own.packages.empty()) {
+    text += fmt::format("  packages: {}\n", nlohmann::json(own.packages).dump());
   }
   return text;
 }
 
 }  // namespace
 
-std::string WorkcellText(const OwnArm& arm, const domain::ArmSite& site) {
+std::string WorkcellText(const OwnArm& own, const domain::ArmSite& site) {
   constexpr double kBeyond = 0.15;   // metres of table around the square
   constexpr double kMostStep = 0.1;  // metres between placements
   const geometry::Vector3 base = site.X_WorldBase.translation();
@@ -82,8 +86,8 @@ std::string WorkcellText(const OwnArm& arm, const domain::ArmSite& site) {
       "  acceleration: [150, 150, 150, 300, 300, 300]  # per second squared\n\n"
       "gripper: {{urdf: {}}}\n\n"
       "table: {{x: [{:.3f}, {:.3f}], y: [-{:.3f}, {:.3f}], thickness: 0.04}}\n",
-      arm.name, Quoted(arm.urdf), LinksText(arm), base.x(), base.y(), base.z(),
-      fmt::join(home, ", "), Quoted(arm.gripper), site.table_edge, site.middle.x() + side + kBeyond,
+      own.name, Quoted(own.urdf), LinksText(own), base.x(), base.y(), base.z(),
+      fmt::join(home, ", "), Quoted(own.gripper), site.table_edge, site.middle.x() + side + kBeyond,
       side + kBeyond, side + kBeyond);
   return text + fmt::format(kUsualRules, fmt::arg("safe_height", site.safe_height),
                             fmt::arg("low_x", site.middle.x() - side),

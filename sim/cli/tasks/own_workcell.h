@@ -13,13 +13,12 @@ struct OwnArm {
   std::string name;
   std::string urdf;
   std::string gripper;
-  std::string base;  // names of links; may be empty
-  std::string flange;
+  kinematics::ArmInFile arm;  // names of links may be empty
   std::vector<std::string> packages = {};  // folders with packages of meshes
 };
 
 // Returns the text of a workcell file for an arm at its site. Its rules and its error bounds are
 // values to begin with.
-std::string WorkcellText(const OwnArm& arm, const domain::ArmSite& site);
+std::string WorkcellText(const OwnArm& own, const domain::ArmSite& site);
 
 }  // namespace assay::cli

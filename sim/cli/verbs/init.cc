@@ -6,6 +6,7 @@
 #include <cctype>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <system_error>
 #include <utility>
 #include <vector>
@@ -30,8 +31,15 @@ namespace fs = std::filesystem;
 struct Options {
   fs::path folder;
   fs::path robot;  // a URDF file; empty for the arm that comes with the program
-  kinematics::ArmEnds ends;
+  kinematics::ArmInFile arm;
   std::vector<fs::path> packages;
+};
+
+// The user's arm, and where it stands.
+struct StandingArm {
+  std::string name;
+  kinematics::ArmInFile arm;
+  domain::ArmSite site;
 };
 
 constexpr const char* kScenario = "plate-on-stud.yaml";
@@ -81,30 +89,51 @@ std::string PathFrom(const fs::path& folder, const fs::path& to) {
       fs::absolute(folder).lexically_normal());
 }
 
+// Finds where the arm stands. Of an arm with seven joints, the joint that is best to lock is locked
+// at the first value with which no other one gives a much larger square. Solutions that could be
+// told apart stay so.
+StandingArm PlaceArm(const Options& options, const kinematics::Gripper& gripper) {
+  const kinematics::RobotModel model =
+      kinematics::ReadUrdf(options.robot, kinematics::UrdfContents::kBodies, options.packages);
+  constexpr double kMuchLarger = 1.3;
+  std::optional<StandingArm> best;
+  bool best_tells_apart = false;
+  for (const kinematics::LockedJoints& locked :
+       kinematics::Lockings(model, options.arm.base, options.arm.flange)) {
+    kinematics::ArmInFile in_file = options.arm;
+    in_file.locked = locked;
+    const bool is_other_joint = best && !locked.contains(best->arm.locked.begin()->first);
+    if (is_other_joint) continue;
+    const auto arm = kinematics::Arm::FromModel(model, in_file);
+    if (best && best_tells_apart && !arm.IndicatorsTellAllApart()) break;
+    const auto site = domain::FindArmSite(arm, gripper);
+    if (!site || (best && site->half_side < kMuchLarger * best->site.half_side)) continue;
+    best = {arm.model().name, in_file, *site};
+    best_tells_apart = arm.IndicatorsTellAllApart();
+  }
+  if (best) return *best;
+  throw InputError({options.robot.string()},
+                   "the arm reaches no square of 20 cm with its tool straight down",
+                   "a longer arm, because the gripper reaches below its flange");
+}
+
 // Adds a workcell with the user's arm, and puts the parts of the scenario where the arm reaches.
 void UseOwnArm(const Options& options, Files& files) {
   const fs::path gripper = scenario::ModelsOfTheProgram() / "grippers/parallel-jaw/gripper.urdf";
-  const auto arm = kinematics::Arm::FromUrdf(options.robot, options.ends, options.packages);
-  const auto site = domain::FindArmSite(arm, kinematics::Gripper::FromUrdf(gripper));
-  if (!site) {
-    throw InputError({options.robot.string()},
-                     "the arm reaches no square of 20 cm with its tool straight down",
-                     "a longer arm, because the gripper reaches below its flange");
-  }
+  const StandingArm standing = PlaceArm(options, kinematics::Gripper::FromUrdf(gripper));
   const std::string name = WorkcellName(options.robot);
   const fs::path folder = fs::path("models/workcells") / name;
-  OwnArm own = {.name = arm.model().name,
+  OwnArm own = {.name = standing.name,
                 .urdf = PathFrom(options.folder / folder, options.robot),
                 .gripper = PathFrom(options.folder / folder, gripper),
-                .base = options.ends.base,
-                .flange = options.ends.flange};
+                .arm = standing.arm};
   for (const fs::path& package : options.packages) {
     own.packages.push_back(PathFrom(options.folder / folder, package));
   }
-  files.emplace_back(folder / "workcell.yaml", WorkcellText(own, *site));
+  files.emplace_back(folder / "workcell.yaml", WorkcellText(own, standing.site));
   const auto scenario = std::ranges::find(files, fs::path(kScenario), &Files::value_type::first);
-  const double x = 1e3 * site->middle.x();
-  const double y = 0.7e3 * site->half_side;
+  const double x = 1e3 * standing.site.middle.x();
+  const double y = 0.7e3 * standing.site.half_side;
   ReplaceIn("workcell: puma762-table", "workcell: " + name, scenario->second);
   ReplaceIn("at: [600, 50]", fmt::format("at: [{:.0f}, {:.0f}]", x, y), scenario->second);
   ReplaceIn("at: [500, -200]", fmt::format("at: [{:.0f}, {:.0f}]", x, -y), scenario->second);
@@ -148,8 +177,8 @@ Execution Declare(CLI::App& command) {
       ->required();
   command.add_option("--robot", options->robot,
                      "URDF file of your own arm, for which a workcell is written");
-  command.add_option("--base", options->ends.base, "link of this file at which the arm begins");
-  command.add_option("--flange", options->ends.flange,
+  command.add_option("--base", options->arm.base, "link of this file at which the arm begins");
+  command.add_option("--flange", options->arm.flange,
                      "link of this file at which the arm ends: the gripper is mounted there");
   command.add_option("--packages", options->packages,
                      "folders in which packages with the meshes of this file lie");

@@ -89,11 +89,13 @@ Element DrawingKey() {
   key.Set("class", "key").Set("aria-label", "How to read the drawings");
   Element& item = key.Add("li").Set("class", "drawn");
   item.Add(ErrorChart(example));
-  item.Add("span",
-           "The wide bar is the predicted range, and the pale bars beside it are the noise floor. "
-           "The line goes from the least to the greatest observed value. Its box has the middle "
-           "half of the values, with a gap at the median. Each row has its own axis. A dashed bar "
-           "is not proved, so nothing is claimed about it.");
+  item.Add(
+      "span",
+      "The wide bar is the predicted range. The pale bars beside it are as long as the gate, "
+      "the change of the quantity when the timestep is halved. The line goes from the least to "
+      "the greatest observed value. Its box has the middle half of the values, with a gap at "
+      "the median. Each row has its own axis. A dashed bar is not proved, so nothing is claimed "
+      "about it.");
   return key;
 }
 

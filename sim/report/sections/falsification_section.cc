@@ -110,7 +110,7 @@ Element Example(const Subject& subject, const CellFindings& cell,
       .Add(StandingWords(Standing::kViolated))
       .Text(fmt::format(": {} of {}", example.name, example.action));
   box.Add("p", fmt::format("{}. Observed: {}. Predicted: {}. The observation is outside by {}; the "
-                           "noise floor is {}.",
+                           "gate is {}.",
                            subject.NameOf(cell), QuantityText(example.observed, example.dimension),
                            IntervalText({example.low, example.high}, example.dimension),
                            QuantityText(-example.margin, example.dimension),

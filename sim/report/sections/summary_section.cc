@@ -145,12 +145,13 @@ Element MarkKey() {
   Element key("ul");
   key.Set("class", "key").Set("aria-label", "What the marks mean");
   AddKey(key, Standing::kContained, "the observation is within the prediction");
-  AddKey(key, Standing::kWithinResolution,
-         "outside by less than the noise floor, the error that the engine itself makes; no sign of "
-         "a wrong prediction");
+  AddKey(
+      key, Standing::kWithinResolution,
+      "outside by no more than the gate, the change of the quantity when the timestep is halved; "
+      "no sign of a wrong prediction");
   AddKey(key, Standing::kInconclusive,
-         "outside by more than the noise floor, but not confirmed with half the timestep");
-  AddKey(key, Standing::kViolated, "outside by more than the noise floor, and confirmed");
+         "outside by more than the gate, but not confirmed with half the timestep");
+  AddKey(key, Standing::kViolated, "outside by more than the gate, and confirmed");
   AddKey(key, Standing::kNotClaimed, "an assumption that the planner left unproved did not hold");
   return key;
 }

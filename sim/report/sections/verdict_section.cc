@@ -84,12 +84,13 @@ Element Verdicts(const Subject& subject) {
     section.Add("p", "No certificate has been compared with a trial yet.");
     return section;
   }
-  section.Add("p",
-              "The verdict on a step's certificate is the verdict on its worst claim. If this "
-              "claim is within the engine’s resolution, so is the certificate, which is no sign of "
-              "a wrong prediction. The margin is the distance to the nearer end of the predicted "
-              "range, and is negative outside of it. The gate is the noise floor, that is, the "
-              "error that the engine itself makes.");
+  section.Add(
+      "p",
+      "The verdict on a step's certificate is the verdict on its worst claim. If this "
+      "claim is within the engine’s resolution, so is the certificate, which is no sign of "
+      "a wrong prediction. The margin is the distance to the nearer end of the predicted "
+      "range, and is negative outside of it. The gate is the change of the quantity when the "
+      "timestep is halved.");
   for (const CellFindings* cell : subject.in_full) section.Add(CellTable(subject, *cell));
   if (subject.left_out() > 0) {
     section

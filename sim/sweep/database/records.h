@@ -35,7 +35,7 @@ struct CellRecord {
   int errors = 0;  // steps with a precondition that is not proved
   bool proved = false;
   // Why there are no trials, one reason per line: constraints that cannot hold together, limits of
-  // the planner, or errors without noise.
+  // the planner, or claims that are violated or cannot be tested in the execution without noise.
   std::string conflict;
   std::string plan;  // the contents of plan.json on one line
   check::NoiseFloor gate = {};

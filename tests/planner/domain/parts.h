@@ -6,7 +6,7 @@
 #include "planner/base/input_files/document.h"
 #include "planner/domain/parts/part_file.h"
 #include "planner/domain/parts/part_model.h"
-#include "planner/kinematics/gripper.h"
+#include "planner/kinematics/grippers/gripper.h"
 
 // The parts and the gripper of this repository, for tests.
 namespace assay::domain {

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "planner/geometry/convex/zonotope.h"
+#include "planner/geometry/zonotopes/zonotope.h"
 
 namespace assay::geometry {
 

@@ -145,5 +145,73 @@ TEST(ArmModel, RightAnglesOfAFileMayBeRounded) {
   }
 }
 
+const std::string kIiwa7 = ASSAY_SOURCE_DIR "/models/robots/iiwa7/iiwa7.urdf";
+
+// The other six joints move as in the chain of seven.
+TEST(LockedJoints, KeepTheirValues) {
+  const SerialChain chain = SerialChain::FromModel(ReadUrdf(kIiwa7));
+  ASSERT_EQ(chain.size(), 7);
+  RandomStream random(4, "locked");
+  // Without joint 4, the elbow, the arm is singular. Without joint 7, the flange is off its last
+  // axis.
+  for (const int joint : {0, 1, 2, 4, 5}) {
+    const double value = random.Uniform(-1.5, 1.5);
+    const std::string& name = chain.joints()[static_cast<std::size_t>(joint)].name;
+    const Arm arm = Arm::FromUrdf(kIiwa7, {.locked = {{name, value}}});
+    for (int i = 0; i < 20; ++i) {
+      ChainVector all(7);
+      for (double& angle : all) angle = random.Uniform(-1.5, 1.5);
+      all[joint] = value;
+      JointVector q;
+      for (int k = 0; k < 6; ++k) q[k] = all[k < joint ? k : k + 1];
+      EXPECT_LT((arm.Forward(q).matrix() - chain.Forward(all).matrix()).norm(), 1e-9) << name;
+    }
+  }
+}
+
+TEST(LockedJoints, AreChosenSoThatSolutionsCanBeToldApart) {
+  const RobotModel model = ReadUrdf(kIiwa7);
+  const std::vector<LockedJoints> lockings = Lockings(model, "", "");
+  EXPECT_TRUE(Arm::FromModel(model, {.locked = lockings.front()}).IndicatorsTellAllApart());
+  bool told_apart = true;
+  for (const LockedJoints& locked : lockings) {
+    const bool is = Arm::FromModel(model, {.locked = locked}).IndicatorsTellAllApart();
+    EXPECT_TRUE(told_apart || !is) << "the best come first";
+    told_apart = is;
+  }
+  EXPECT_EQ(Lockings(ReadUrdf(kUr5e), "", ""), std::vector<LockedJoints>{{}});
+}
+
+TEST(ArmModel, LinksThatMoveNeedMasses) {
+  const auto without = [&] {
+    std::string text = Ur5eWith("</robot>", "</robot>");
+    const std::size_t link = text.find("<inertial>", text.find("<link name=\"forearm\""));
+    const std::string end = "</inertial>";
+    text.erase(link, text.find(end, link) + end.size() - link);
+    return text;
+  };
+  try {
+    Arm::FromUrdf(Written(without()));
+    FAIL() << "accepted";
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), testing::HasSubstr("link 'forearm' has no mass"));
+  }
+}
+
+TEST(LockedJoints, AreNamedInErrors) {
+  const auto message = [](const LockedJoints& locked) -> std::string {
+    try {
+      Arm::FromUrdf(kIiwa7, {.locked = locked});
+      return "";
+    } catch (const InputError& error) {
+      return error.what();
+    }
+  };
+  EXPECT_THAT(message({}), testing::HasSubstr("seven revolute joints"));
+  EXPECT_THAT(message({{"a9", 0}}), testing::HasSubstr("no revolute joint 'a9'"));
+  EXPECT_THAT(message({{"a4", 3}}), testing::HasSubstr("outside its limits"));
+  EXPECT_THAT(message({{"a3", 0}}), "");
+}
+
 }  // namespace
 }  // namespace assay::kinematics::arm_model_test

@@ -461,7 +461,7 @@ INSTANTIATE_TEST_SUITE_P(
         WrongArm{"sliding_joint", "<joint name=\"elbow\" type=\"revolute\">",
                  "<joint name=\"elbow\" type=\"prismatic\">", "has 2 revolute joints"},
         WrongArm{"endless_joint", "<joint name=\"waist\" type=\"revolute\">",
-                 "<joint name=\"waist\" type=\"continuous\">", "type that is not supported"},
+                 "<joint name=\"waist\" type=\"continuous\">", "is continuous"},
         WrongArm{"branch", "<parent link=\"wrist_bend\"/>", "<parent link=\"wrist_roll\"/>",
                  "has 4 revolute joints"},
         WrongArm{"finger", "</robot>",

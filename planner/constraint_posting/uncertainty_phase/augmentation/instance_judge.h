@@ -36,7 +36,8 @@ class InstanceJudge {
   Judgement operator()(std::span<const plan::Action> actions);
 
  private:
-  // A judged sequence of first actions of instances.
+  // A sequence of actions with which instances may begin, and the judgement on it. The sequence is
+  // that of a shorter beginning, followed by `last`.
   struct Beginning {
     plan::Action last = {};
     std::optional<Augmentation> augmentation = {};  // none if there are too many objections

@@ -2,8 +2,8 @@ import * as three from 'three';
 
 import {edgesOf, meshOf, setPose} from './stage.js';
 
-// Translucent bodies at poses that a plan would need and that are not possible. Bodies that collide
-// there have the colour of what is wrong.
+// Translucent bodies in the situation that a reason is about. In this situation a constraint fails,
+// or a way of the arm is not proved. Bodies that collide there have the colour of what is wrong.
 export class Ghosts {
   constructor(data) {
     this.data = data;

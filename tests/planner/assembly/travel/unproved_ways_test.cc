@@ -7,6 +7,8 @@
 #include <string>
 
 #include "planner/assembly/certified_plan.h"
+#include "planner/assembly/travel/travel_check.h"
+#include "planner/assembly/travel/way_conditions.h"
 #include "planner/plan/certificates/condition_table.h"
 #include "tests/planner/constraint_posting/scenarios.h"
 
@@ -61,6 +63,18 @@ TEST(UnprovedWays, AreNoneInTheFiguresOfThePaper) {
     const domain::Problem problem = constraint_posting::LoadScenario(name);
     EXPECT_THAT(UnprovedWays(problem, PlanFor(problem)), IsEmpty()) << name;
   }
+}
+
+// Of an arm whose solutions cannot be told apart, nothing is proved about its ways. The plan then
+// claims nothing about them, and is checked with the same errors with which it was made.
+TEST(UnprovedWays, AreAllWaysOfAPlanThatClaimsNone) {
+  const domain::Problem problem = constraint_posting::LoadScenario("spar-fig15");
+  plan::Plan plan = PlanFor(problem);
+  ASSERT_THAT(FlawsOfTravels(problem, plan), IsEmpty());
+  for (plan::PlannedStep& step : plan.steps) RemoveWayConditions(step.certificate);
+  EXPECT_THAT(FlawsOfTravels(problem, plan), IsEmpty());
+  plan.steps[0].travel->clearance += 1;
+  EXPECT_FALSE(FlawsOfTravels(problem, plan).empty());
 }
 
 // Without claims about ways, there is nothing that could be unproved.

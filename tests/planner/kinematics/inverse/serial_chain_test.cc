@@ -140,7 +140,7 @@ TEST(UrdfContents, OnlyAxesNeedNoMeshes) {
   const RobotModel model = Read(ArmText());
   EXPECT_EQ(model.link(model.FindLink("link2")).meshes.front().file, "package://arm/2.dae");
   EXPECT_FALSE(model.link(model.FindLink("link2")).meshes.front().for_collision);
-  EXPECT_TRUE(model.joint(model.FindJoint("finger2")).mimics);
+  EXPECT_FALSE(model.joint(model.FindJoint("finger2")).mimics.empty());
   EXPECT_THROW(ReadUrdf(ScratchFile("chain.urdf")), InputError);
 }
 

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "planner/geometry/hull.h"
 #include "planner/geometry/solids/mass_properties.h"
 #include "tests/oracle/random_pose.h"
 

@@ -34,7 +34,7 @@ TEST(InitTest, WritesWhatRunsAsItIs) {
 
 // Every arm that a workcell takes gets a workcell in which it assembles the template's parts.
 TEST(InitTest, WritesAWorkcellForTheUsersArm) {
-  for (const std::string name : {"puma762", "ur5e", "irb120", "kr6-r900"}) {
+  for (const std::string name : {"puma762", "ur5e", "irb120", "kr6-r900", "puma560", "iiwa7"}) {
     const Folder folder;
     const std::string robot =
         fmt::format("{}/models/robots/{}/{}.urdf", ASSAY_SOURCE_DIR, name, name);

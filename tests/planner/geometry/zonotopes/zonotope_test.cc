@@ -1,4 +1,4 @@
-#include "planner/geometry/convex/zonotope.h"
+#include "planner/geometry/zonotopes/zonotope.h"
 
 #include <gtest/gtest.h>
 

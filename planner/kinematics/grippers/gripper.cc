@@ -1,4 +1,4 @@
-#include "planner/kinematics/gripper.h"
+#include "planner/kinematics/grippers/gripper.h"
 
 #include <fmt/format.h>
 
@@ -138,6 +138,12 @@ void Gripper::ReadFingers(LinkId left, LinkId right) {
 }
 
 Gripper Gripper::FromUrdf(const std::filesystem::path& file) { return Gripper(ReadUrdf(file)); }
+
+Gripper Gripper::FromUrdf(const GripperInFile& gripper,
+                          std::span<const std::filesystem::path> packages) {
+  const RobotModel model = ReadUrdf(gripper.file, UrdfContents::kBodies, packages);
+  return Gripper(gripper.pads.empty() ? model : ParallelGripperModel(model, gripper));
+}
 
 std::vector<Box> Gripper::FingerBoxes(double opening) const {
   ASSAY_CHECK(opening >= -kOpeningTolerance && opening <= max_opening_ + kOpeningTolerance,

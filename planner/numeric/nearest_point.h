@@ -6,7 +6,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace assay::geometry {
+namespace assay::numeric {
 
 // Computes the distance of a convex set from 0. In the coordinates from kEqual on, only positive
 // values count. The distance is thus the least norm in the set + { 0 } x { not negative } x ... .
@@ -188,4 +188,4 @@ class NearestPoint {
   Point projections_;
 };
 
-}  // namespace assay::geometry
+}  // namespace assay::numeric

@@ -1,4 +1,4 @@
-#include "planner/kinematics/gripper.h"
+#include "planner/kinematics/grippers/gripper.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

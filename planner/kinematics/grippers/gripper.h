@@ -1,9 +1,11 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
 #include <vector>
 
 #include "planner/geometry/coordinates.h"
+#include "planner/kinematics/grippers/gripper_model.h"
 #include "planner/kinematics/urdf_model.h"
 
 namespace assay::geometry {
@@ -27,6 +29,10 @@ class Gripper {
   // must be boxes. Each finger must have a box named `pad`, and the inner faces of the pads must
   // meet in the tool's origin at joint values 0.
   static Gripper FromUrdf(const std::filesystem::path& file);
+  // Reads a parallel gripper with other links, whose pads are named (ParallelGripperModel).
+  // `packages` are folders with meshes (ReadUrdf).
+  static Gripper FromUrdf(const GripperInFile& gripper,
+                          std::span<const std::filesystem::path> packages = {});
 
   Gripper(const Gripper& other);
   Gripper(Gripper&& other) noexcept;
