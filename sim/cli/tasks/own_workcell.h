@@ -13,7 +13,7 @@ struct OwnArm {
   std::string name;
   std::string urdf;
   std::string gripper;
-  kinematics::ArmInFile arm;  // names of links may be empty
+  kinematics::ArmInFile arm;               // names of links may be empty
   std::vector<std::string> packages = {};  // folders with packages of meshes
 };
 

@@ -63,7 +63,8 @@ TEST_P(Arms, ReachTheirSquares) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Shipped, Arms, testing::Values("puma762", "ur5e", "irb120", "kr6-r900", "puma560"));
+INSTANTIATE_TEST_SUITE_P(Shipped, Arms,
+                         testing::Values("puma762", "ur5e", "irb120", "kr6-r900", "puma560"));
 
 }  // namespace
 }  // namespace assay::domain::arm_site_test
