@@ -35,13 +35,6 @@ motion::Sway Both(const motion::Sway& a, const motion::Sway& b) {
   return {a.is_bounded && b.is_bounded, a.turn.cwiseMax(b.turn), std::min(a.room, b.room)};
 }
 
-std::optional<Obstruction> FindObstruction(MotionCheck& check, const JointPath& path) {
-  for (std::size_t i = 0; i + 1 < path.size(); ++i) {
-    if (auto obstruction = check.FindObstruction(path[i], path[i + 1])) return obstruction;
-  }
-  return std::nullopt;
-}
-
 }  // namespace
 
 TravelSearch::TravelSearch(const PlanWalk& walk, plan::StepId id, const JointVector& from)

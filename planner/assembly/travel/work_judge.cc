@@ -14,12 +14,9 @@ bool IsFree(const motion::CollisionScene& scene, const WorkLines& lines) {
   const motion::MotionRules rules{.clearance = kTravelClearance,
                                   .bodies = motion::MotionRules::Bodies::kArm};
   motion::MotionCheck check(scene, rules);
-  for (const motion::JointPath& line : lines) {
-    for (std::size_t i = 0; i + 1 < line.size(); ++i) {
-      if (check.FindObstruction(line[i], line[i + 1])) return false;
-    }
-  }
-  return true;
+  return std::ranges::none_of(lines, [&](const motion::JointPath& line) {
+    return FindObstruction(check, line).has_value();
+  });
 }
 
 bool AnyPostureWorks(const domain::Problem& problem, const plan::Action& action) {

@@ -49,6 +49,14 @@ std::optional<WorkLines> FollowWork(const domain::Workcell& workcell, const plan
   return sections;
 }
 
+std::optional<motion::Obstruction> FindObstruction(motion::MotionCheck& check,
+                                                   const motion::JointPath& path) {
+  for (std::size_t i = 0; i + 1 < path.size(); ++i) {
+    if (auto obstruction = check.FindObstruction(path[i], path[i + 1])) return obstruction;
+  }
+  return std::nullopt;
+}
+
 bool AppendLine(const domain::Workcell& workcell, const Pose& X_WorldTool,
                 motion::JointPath& path) {
   const auto line =

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "planner/domain/problem/problem.h"
+#include "planner/motion/collision/motion_check.h"
 #include "planner/motion/paths/path_search.h"
 #include "planner/plan/data/tool_route.h"
 
@@ -25,6 +26,10 @@ bool IsGuarded(const plan::Action& action);
 // Returns none if the arm cannot follow.
 std::optional<WorkLines> FollowWork(const domain::Workcell& workcell, const plan::ToolRoute& route,
                                     bool is_guarded, const kinematics::JointVector& poised);
+
+// Returns the first obstruction of a path, or none if all of it is free.
+std::optional<motion::Obstruction> FindObstruction(motion::MotionCheck& check,
+                                                   const motion::JointPath& path);
 
 // Appends a straight line to a pose of the tool from the last posture of the path. Returns false if
 // the arm cannot follow it.

@@ -1,28 +1,16 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <fstream>
-#include <sstream>
 
 #include "sim/check/noise_floor/measure_noise_floor.h"
 #include "sim/check/trial_verdicts/trial.h"
 #include "sim/noise/error_box.h"
 #include "sim/noise/sampling.h"
+#include "tests/scenario_in.h"
 #include "tests/sim/check/certified.h"
 
 namespace assay::check::other_arms_test {
 namespace {
-
-// Returns a scenario with another workcell, whose arm is not like the Puma.
-domain::Problem ScenarioIn(const std::string& workcell, const std::string& name) {
-  const std::string file = ASSAY_SOURCE_DIR "/scenarios/" + name + ".yaml";
-  const std::string usual = "workcell: puma762-table";
-  std::stringstream text;
-  text << std::ifstream(file).rdbuf();
-  std::string scenario = text.str();
-  scenario.replace(scenario.find(usual), usual.size(), "workcell: " + workcell);
-  return domain::ReadProblem(Document::Parse(scenario, file), ASSAY_SOURCE_DIR "/models");
-}
 
 class OtherArms : public ::testing::TestWithParam<const char*> {};
 

@@ -65,8 +65,8 @@ TEST(UnprovedWays, AreNoneInTheFiguresOfThePaper) {
   }
 }
 
-// Of an arm whose solutions cannot be told apart, nothing is proved about its ways. The plan then
-// claims nothing about them, and is checked with the same errors with which it was made.
+// A plan for an arm whose solutions cannot be told apart claims nothing about the arm's ways. Such
+// a plan is checked with the same errors with which it was made.
 TEST(UnprovedWays, AreAllWaysOfAPlanThatClaimsNone) {
   const domain::Problem problem = constraint_posting::LoadScenario("spar-fig15");
   plan::Plan plan = PlanFor(problem);

@@ -3,27 +3,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <fstream>
-#include <sstream>
 
 #include "planner/assembly/certified_plan.h"
 #include "planner/assembly/travel/work_lines.h"
-#include "planner/domain/problem/problem_file.h"
 #include "planner/motion/paths/travel.h"
+#include "tests/scenario_in.h"
 
 namespace assay::assembly::work_judge_test {
 namespace {
-
-// Returns a figure of Spar in the workcell of another arm.
-domain::Problem FigureIn(const std::string& figure, const std::string& workcell) {
-  const std::string file = ASSAY_SOURCE_DIR "/scenarios/" + figure + ".yaml";
-  const std::string usual = "workcell: puma762-table";
-  std::stringstream text;
-  text << std::ifstream(file).rdbuf();
-  std::string scenario = text.str();
-  scenario.replace(scenario.find(usual), usual.size(), "workcell: " + workcell);
-  return domain::ReadProblem(Document::Parse(scenario, file), ASSAY_SOURCE_DIR "/models");
-}
 
 // Returns whether some posture of the arm follows the lines of the action's work. Nothing is in the
 // way of this arm.
@@ -37,7 +24,7 @@ bool CanFollow(const domain::Problem& problem, const plan::Action& action) {
 
 // The arm cannot execute the first plan. Another one is found.
 TEST(WorkJudge, LeadsToAPlanThatTheArmCanExecute) {
-  const domain::Problem problem = FigureIn("spar-fig13", "ur5e-table");
+  const domain::Problem problem = ScenarioIn("ur5e-table", "spar-fig13");
   const plan::PlanResult result = MakeCertifiedPlan(problem, {}, {});
   ASSERT_EQ(result.outcome, Outcome::kFound);
   WorkJudge judge(problem);
@@ -51,7 +38,7 @@ TEST(WorkJudge, LeadsToAPlanThatTheArmCanExecute) {
 
 // A place out of reach is objected to, and the objection names the part.
 TEST(WorkJudge, ObjectsToWorkOutOfReach) {
-  const domain::Problem problem = FigureIn("spar-fig15", "ur5e-table");
+  const domain::Problem problem = ScenarioIn("ur5e-table", "spar-fig15");
   const plan::PlanResult result = MakeCertifiedPlan(problem, {}, {});
   ASSERT_EQ(result.outcome, Outcome::kFound);
   WorkJudge judge(problem);

@@ -102,7 +102,7 @@ TEST(ParallelGripperModel, OnlyPadsComeToTheMiddle) {
   }
 }
 
-// The same gripper on a plate that is turned and shifted.
+// A gripper that is mounted on a turned and shifted plate has the same shapes in its tool frame.
 TEST(ParallelGripperModel, FollowsTheFlange) {
   const auto file = Wsg50With("</robot>", R"(<link name="plate"/>
     <joint name="plate" type="fixed"><parent link="base"/><child link="plate"/>
