@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "planner/kinematics/branched_chain.h"
+#include "planner/kinematics/derived_inertia.h"
 #include "planner/kinematics/fixed_links.h"
 
 namespace assay::kinematics {
@@ -54,8 +55,13 @@ class ArmBuilder {
     SetFlange(places_[static_cast<std::size_t>(flange.index())]->X_BodyLink);
     for (auto link = arm_.links.begin() + 1; link != arm_.links.end(); ++link) {
       if (link->inertial) continue;
-      throw InputError(link->place, fmt::format("link '{}' has no mass", link->name),
-                       "an element 'inertial' in each link that moves");
+      link->inertial = DerivedInertial(*link);
+      link->inertial_is_derived = true;
+      if (link->inertial) continue;
+      throw InputError(
+          link->place,
+          fmt::format("link '{}' has neither a mass nor a collision shape", link->name),
+          "an element 'inertial' or 'collision' in each link that moves");
     }
     return std::move(arm_);
   }

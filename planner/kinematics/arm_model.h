@@ -28,8 +28,9 @@ std::vector<LockedJoints> Lockings(const RobotModel& model, const std::string& b
 // become one link, with the shapes, meshes, masses and inertias of all. The base has the frame of
 // `base`, and the last link that of `flange`. The other links have the frames of their joints.
 // Empty names are found (SerialChain::FromModel). Throws InputError if the joints between base and
-// flange are not six revolute ones, if other joints move, if a link that moves has no mass, or if
-// the flange's origin is not on axis 6.
+// flange are not six revolute ones, if other joints move, if a link that moves has neither a mass
+// nor a collision shape, or if the flange's origin is not on axis 6. A link that moves and has no
+// mass gets one from its collision shapes (DerivedInertial).
 //
 // Angles of the file within 1e-5 rad of a multiple of a right angle are taken as this multiple,
 // because files round pi / 2 to 1.5708.

@@ -28,6 +28,7 @@ void AddFixedLink(const Link& link, const Pose& X_BodyLink, Link& body) {
     body.collisions.push_back(std::move(collision));
   }
   body.meshes.insert(body.meshes.end(), link.meshes.begin(), link.meshes.end());
+  body.fits.insert(body.fits.end(), link.fits.begin(), link.fits.end());
   if (!link.inertial) return;
   Inertial inertial = *link.inertial;
   inertial.X_LinkCenter = X_BodyLink * inertial.X_LinkCenter;

@@ -11,7 +11,7 @@
 
 #include "planner/base/input_files/input_error.h"
 #include "planner/base/input_files/input_file.h"
-#include "planner/kinematics/link_mesh.h"
+#include "planner/kinematics/meshes/link_mesh.h"
 #include "planner/kinematics/xml_outline.h"
 
 namespace assay::kinematics {
@@ -44,6 +44,7 @@ class ErrorCollector : public console_bridge::OutputHandler {
 constexpr double kLeastExtent = 1e-6;
 constexpr double kMostLength = 100;
 constexpr double kMostAngle = 4 * std::numbers::pi;
+constexpr double kTurn = 2 * std::numbers::pi;
 constexpr double kMostMass = 1e5;
 constexpr double kMostVelocity = 1e3;
 constexpr double kMostEffort = 1e6;
@@ -128,13 +129,16 @@ class Converter {
     if (parsed.inertial) link.inertial = InertialOf(*parsed.inertial, parsed.name);
     for (const urdf::VisualSharedPtr& visual : parsed.visual_array) {
       if (NotesMesh(visual->geometry, false, link)) continue;
-      link.visuals.push_back({visual->name, ToPose(visual->origin),
-                              ConvertShape(visual->geometry, parsed.name), ColorOf(*visual)});
+      for (Shape& shape : ConvertShape(visual->geometry, MeshUse::kDrawing, link)) {
+        link.visuals.push_back(
+            {visual->name, ToPose(visual->origin), std::move(shape), ColorOf(*visual)});
+      }
     }
     for (const urdf::CollisionSharedPtr& collision : parsed.collision_array) {
       if (NotesMesh(collision->geometry, true, link)) continue;
-      link.collisions.push_back({collision->name, ToPose(collision->origin),
-                                 ConvertShape(collision->geometry, parsed.name)});
+      for (Shape& shape : ConvertShape(collision->geometry, MeshUse::kCollision, link)) {
+        link.collisions.push_back({collision->name, ToPose(collision->origin), std::move(shape)});
+      }
     }
     return link;
   }
@@ -154,12 +158,20 @@ class Converter {
     return FindMesh(mesh.filename, mesh_places_.urdf, mesh_places_.packages);
   }
 
-  HullShape ConvertMesh(const urdf::Mesh& mesh, const std::string& link) const {
-    if (const auto file = FileOf(mesh)) return {ReadMeshHull(*file, ToVector(mesh.scale))};
+  std::vector<Shape> ConvertMesh(const urdf::Mesh& mesh, MeshUse use, Link& link) const {
+    if (const auto file = FileOf(mesh)) {
+      const LinkMesh read = ReadLinkMesh(*file, ToVector(mesh.scale), use);
+      if (use == MeshUse::kCollision) {
+        link.fits.push_back({mesh.filename, read.pieces.size(), read.volume_ratio});
+      }
+      std::vector<Shape> shapes;
+      for (const auto& piece : read.pieces) shapes.push_back(HullShape{piece});
+      return shapes;
+    }
     const bool is_unknown = !IsReadableMesh(mesh.filename);
-    Fail(fmt::format("link '{}' has the collision mesh '{}', {}", link, mesh.filename,
+    Fail(fmt::format("link '{}' has the collision mesh '{}', {}", link.name, mesh.filename,
                      is_unknown ? "whose format is not read" : "and there is no such file"),
-         is_unknown ? "STL or OBJ files"
+         is_unknown ? "STL, OBJ or DAE files"
                     : "a path from the file's folder, or a package in one of the folders around it "
                       "or in one that the workcell names (packages)");
   }
@@ -204,21 +216,23 @@ class Converter {
     return inertial;
   }
 
-  Shape ConvertShape(const urdf::GeometrySharedPtr& parsed, const std::string& link) const {
+  // Returns several shapes for a mesh with dents, else one.
+  std::vector<Shape> ConvertShape(const urdf::GeometrySharedPtr& parsed, MeshUse use,
+                                  Link& link) const {
     if (const auto* box = dynamic_cast<const urdf::Box*>(parsed.get())) {
-      return BoxShape{Extent(ToVector(box->dim), link)};
+      return {BoxShape{Extent(ToVector(box->dim), link.name)}};
     }
     if (const auto* cylinder = dynamic_cast<const urdf::Cylinder*>(parsed.get())) {
-      Extent({cylinder->radius, cylinder->radius, cylinder->length}, link);
-      return CylinderShape{cylinder->radius, cylinder->length};
+      Extent({cylinder->radius, cylinder->radius, cylinder->length}, link.name);
+      return {CylinderShape{cylinder->radius, cylinder->length}};
     }
     if (const auto* sphere = dynamic_cast<const urdf::Sphere*>(parsed.get())) {
-      return SphereShape{Extent(Vector3::Constant(sphere->radius), link).x()};
+      return {SphereShape{Extent(Vector3::Constant(sphere->radius), link.name).x()}};
     }
     if (const auto* mesh = dynamic_cast<const urdf::Mesh*>(parsed.get())) {
-      return ConvertMesh(*mesh, link);
+      return ConvertMesh(*mesh, use, link);
     }
-    Fail(fmt::format("link '{}' has a shape that is not supported", link),
+    Fail(fmt::format("link '{}' has a shape that is not supported", link.name),
          "box, cylinder, sphere, mesh");
   }
 
@@ -265,38 +279,38 @@ class Converter {
     if (parsed.mimic && !only_axes_) RequireSameMotion(parsed);
     if (parsed.type == urdf::Joint::FIXED) return JointType::kFixed;
     if (parsed.type == urdf::Joint::REVOLUTE) return JointType::kRevolute;
-    if (parsed.type == urdf::Joint::CONTINUOUS && only_axes_) return JointType::kRevolute;
+    if (parsed.type == urdf::Joint::CONTINUOUS) return JointType::kRevolute;
     if (parsed.type == urdf::Joint::PRISMATIC) return JointType::kPrismatic;
-    const bool is_endless = parsed.type == urdf::Joint::CONTINUOUS;
-    Fail(fmt::format("joint '{}' {}", parsed.name,
-                     is_endless ? "is continuous" : "has a type that is not supported"),
-         is_endless ? "revolute, with limits" : "fixed, revolute, prismatic");
+    Fail(fmt::format("joint '{}' has a type that is not supported", parsed.name),
+         "fixed, revolute, continuous, prismatic");
   }
 
   JointLimits LimitsOf(const urdf::Joint& parsed) const {
     const bool endless = parsed.type == urdf::Joint::CONTINUOUS;
     if (!parsed.limits && !endless) Fail(fmt::format("joint '{}' has no limits", parsed.name));
     auto [lower, upper, effort, velocity] = parsed.limits ? *parsed.limits : urdf::JointLimits{};
-    if (endless) std::tie(lower, upper) = std::pair(-kMostAngle, kMostAngle);
+    if (endless) std::tie(lower, upper) = std::pair(-kTurn, kTurn);
     const bool is_revolute = parsed.type != urdf::Joint::PRISMATIC;
     const char* const unit = is_revolute ? "rad" : "m";
     const double most = is_revolute ? kMostAngle : kMostLength;
     const bool is_range = lower < upper && lower >= -most && upper <= most;
-    const bool is_power = IsPower(velocity, kMostVelocity) && IsPower(effort, kMostEffort);
+    const bool is_power = IsPower(velocity, kMostVelocity, only_axes_) &&
+                          IsPower(effort, kMostEffort, only_axes_ || is_revolute);
     if (!is_range || !is_power) {
       Fail(
           fmt::format("joint '{0}' has lower {2} {1}, upper {3} {1}, velocity {4} {1}/s, "
                       "effort {5} {6}",
                       parsed.name, unit, lower, upper, velocity, effort, is_revolute ? "N m" : "N"),
-          fmt::format("lower below upper, both from {1:.4g} {0} to {2:.4g} {0}; velocity and "
-                      "effort positive, at most {3} {0}/s and {4} {5}",
-                      unit, -most, most, kMostVelocity, kMostEffort, is_revolute ? "N m" : "N"));
+          fmt::format("lower below upper, both from {1:.4g} {0} to {2:.4g} {0}; velocity positive, "
+                      "at most {3} {0}/s; effort positive{6}, at most {4} {5}",
+                      unit, -most, most, kMostVelocity, kMostEffort, is_revolute ? "N m" : "N",
+                      is_revolute ? ", or 0 if it is unknown" : ""));
     }
     return {lower, upper, velocity, effort};
   }
 
-  bool IsPower(double value, double most) const {
-    return (value > 0 || (only_axes_ && value == 0)) && value <= most;
+  static bool IsPower(double value, double most, bool may_be_unknown) {
+    return (value > 0 || (may_be_unknown && value == 0)) && value <= most;
   }
 
   const XmlOutline& outline_;

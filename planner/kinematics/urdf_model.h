@@ -43,7 +43,7 @@ struct CylinderShape {
 struct SphereShape {
   double radius = 0;
 };
-// The convex hull of a mesh.
+// The convex hull of a mesh, or of a piece of it.
 struct HullShape {
   std::shared_ptr<const geometry::ConvexHull> hull;
 };
@@ -75,6 +75,13 @@ struct MeshReference {
   bool for_collision = false;
 };
 
+// How well the convex pieces of a collision mesh fit it.
+struct MeshFit {
+  std::string file;  // as in the URDF file
+  std::size_t pieces = 1;
+  std::optional<double> volume_ratio = {};  // pieces to mesh; none if the mesh is not closed
+};
+
 struct Inertial {
   double mass = 0;                        // kg
   Pose X_LinkCenter = Pose::Identity();   // the centre of mass and the axes of `inertia`
@@ -85,9 +92,11 @@ struct Link {
   std::string name;
   JointId parent_joint = JointId::None();  // None for the root
   std::optional<Inertial> inertial = {};   // nothing for a massless frame
+  bool inertial_is_derived = false;        // from the collision shapes (derived_inertia.h)
   std::vector<Visual> visuals = {};
   std::vector<Collision> collisions = {};
   std::vector<MeshReference> meshes = {};  // those that are not read (ReadUrdf)
+  std::vector<MeshFit> fits = {};          // of the collision meshes that are read
   FilePlace place = {};
 };
 
@@ -147,14 +156,15 @@ enum class UrdfContents {
 // impossible: missing joint limits, a negative mass, an inertia that no body has, a shape without
 // extent, or lengths over 100 m.
 //
-// A mesh in an STL or OBJ file becomes its convex hull. `packages` are folders in which packages of
-// meshes lie (FindMesh). A mesh for collision that is not found or has another format is an error.
+// A mesh in an STL, OBJ or COLLADA file becomes its convex hull, or several convex pieces (ReadLinkMesh).
+// Continuous joints are revolute, with limits of one turn either way. An effort of 0 of a revolute
+// joint stands for an unknown one. `packages` are folders in which packages of meshes lie
+// (FindMesh). A mesh for collision that is not found or has another format is an error.
 // Such a mesh that is only drawn is noted.
 //
 // With kAxes, more files are accepted. All meshes are noted and none is read. An inertia that no
 // body has is left out. Any joint may mimic another; else only prismatic joints may, and only with
-// the same distance. Continuous joints are revolute, with limits of two
-// turns either way. Velocity and effort may be 0, for unknown.
+// the same distance. Velocities may be 0, for unknown.
 RobotModel ReadUrdf(const std::filesystem::path& file,
                     UrdfContents contents = UrdfContents::kBodies,
                     std::span<const std::filesystem::path> packages = {});

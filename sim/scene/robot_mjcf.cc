@@ -11,7 +11,6 @@
 #include "planner/geometry/hull.h"
 #include "planner/geometry/pose.h"
 #include "sim/scene/piece_mjcf.h"
-#include "sim/scene/servo_gains.h"
 
 namespace assay::scene {
 namespace {
@@ -222,14 +221,13 @@ std::string CollisionClass(const Robot& robot) { return robot.Prefix() + "collis
 void AddRobot(const Robot& robot, const GripperRules& rules, XmlElement& asset,
               XmlElement& worldbody) {
   const RobotModel& model = robot.arm->model();
-  ASSAY_CHECK(model.joints.size() == kServoGains.size());
   const RobotWriter writer(robot, model, "arm/", rules, asset);
   XmlElement* body = &writer.AddRoot(robot.X_WorldBase, worldbody);
   for (std::size_t i = 0; i < model.joints.size(); ++i) {
     body = &writer.AddMoved(model.joints[i], *body);
     writer.AddJoint(model.joints[i], *body)
-        .Set("armature", kServoGains[i].armature)
-        .Set("damping", kServoGains[i].damping);
+        .Set("armature", robot.servos[i].armature)
+        .Set("damping", robot.servos[i].damping);
   }
   AddGripper(robot, rules, asset, *body);
 }
@@ -246,7 +244,7 @@ void AddFingerCoupling(const Robot& robot, XmlElement& equality) {
 void AddServos(const Robot& robot, const GripperRules& rules, XmlElement& actuator) {
   const RobotModel& model = robot.arm->model();
   for (std::size_t i = 0; i < model.joints.size(); ++i) {
-    AddServo(robot.Prefix() + "arm/" + model.joints[i].name, kServoGains[i].stiffness,
+    AddServo(robot.Prefix() + "arm/" + model.joints[i].name, robot.servos[i].stiffness,
              actuator.Add("general"));
   }
   for (const char* name : kFingers) {

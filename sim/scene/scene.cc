@@ -24,6 +24,14 @@ ArmAddresses FindArm(const Model& model, const domain::Robot& robot) {
   return arm;
 }
 
+JointVector EffortsOf(const kinematics::Arm& arm) {
+  JointVector efforts;
+  for (std::size_t i = 0; i < 6; ++i) {
+    efforts[static_cast<Eigen::Index>(i)] = arm.limits()[i].effort;
+  }
+  return efforts;
+}
+
 JointVector Gather(std::span<const double> values, const std::array<int, 6>& addresses) {
   JointVector gathered;
   for (std::size_t i = 0; i < addresses.size(); ++i) gathered[i] = values[addresses[i]];
@@ -84,6 +92,8 @@ Scene::RobotAddresses Scene::FindRobot(const domain::Robot& robot) const {
           .force_sensor = model_.SensorAddress(model_.Sensor(wrist + "/force")),
           .torque_sensor = model_.SensorAddress(model_.Sensor(wrist + "/torque")),
           .max_opening = robot.gripper->max_opening(),
+          .servos = robot.servos,
+          .efforts = EffortsOf(*robot.arm),
           .home = robot.home};
 }
 

@@ -66,6 +66,9 @@ class Scene {
   const mujoco::Model& model() const { return model_; }
   const SceneOptions& options() const { return options_; }
   const ArmAddresses& arm() const { return acting().arm; }
+  const kinematics::ArmServos& servos() const { return acting().servos; }
+  // Returns the greatest torques of the arm's motors, N m. 0 stands for unknown.
+  const JointVector& efforts() const { return acting().efforts; }
 
   // Returns a simulation at the start of the problem: all arms are held at their homes by their
   // servos, grippers are open, and parts are at their initial poses.
@@ -175,6 +178,8 @@ class Scene {
     int force_sensor = 0;   // index in sensordata
     int torque_sensor = 0;  // index in sensordata
     double max_opening = 0;
+    kinematics::ArmServos servos;
+    JointVector efforts = JointVector::Zero();
     JointVector home = JointVector::Zero();
   };
 

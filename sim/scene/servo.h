@@ -14,9 +14,9 @@ struct Load {
 };
 
 // The joint servos of the arm, which use computed torque control. They apply the torques of the
-// arm's dynamics and add position and velocity feedback. The feedback is as stiff as the arm's
-// motors behind their gears. A load of 1.2 kg that the servos do not know of moves the tool by less
-// than 0.05 mm.
+// arm's dynamics and add position and velocity feedback. The torque of a motor does not exceed its
+// limit, apart from the damping of the change of velocity within one timestep. A load of 1.2 kg
+// that the servos do not know of moves the tool by less than 0.05 mm.
 class JointServo {
  public:
   explicit JointServo(const Scene& scene);
@@ -27,9 +27,12 @@ class JointServo {
                const JointVector& qdd = JointVector::Zero(), const Load& load = {}) const;
 
  private:
+  void LimitTorques(mujoco::Data& data) const;
+
   ArmAddresses arm_;
   mujoco::BodyId hand_;
-  JointVector lag_ = JointVector::Zero();  // damping over stiffness of each joint, seconds
+  kinematics::ArmServos servos_;
+  JointVector efforts_;  // N m; 0 for unknown
 };
 
 }  // namespace assay::scene

@@ -17,6 +17,7 @@ ContingentPlan Exhaustive(KnowledgeSpace& space) {
     plan.guarantee = found.repeats ? Guarantee::kIfFair : Guarantee::kLeastDepth;
   } else {
     plan.outcome = found.is_complete ? Outcome::kNone : Outcome::kBudget;
+    plan.doubt = found.doubt;
   }
   return plan;
 }

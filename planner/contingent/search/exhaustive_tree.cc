@@ -79,9 +79,9 @@ class ExhaustiveTreeSearch {
       if (DepthOf(initial_) <= depth) return {.tree = LeastDeepTree()};
     }
     if (DepthOf(initial_) < kFar) return {.tree = LeastDeepTree(), .is_complete = true};
-    ExhaustiveTree result{.tree = RepeatingTree(), .is_complete = true};
-    result.repeats = result.tree.has_value();
-    return result;
+    if (auto tree = RepeatingTree()) return {.tree = std::move(tree), .repeats = true};
+    if (!LeadsToTheGoal(Repeats::kAll)) return {.is_complete = true};
+    return {.doubt = "it may have repeats of which this planner cannot show that they end"};
   }
 
  private:
@@ -172,15 +172,28 @@ class ExhaustiveTreeSearch {
 
   // ---- Repeats
 
-  // Repeatedly removes the states from which transitions among the remaining states cannot reach
+  // The branches that may be repeated until one of their outcomes comes.
+  enum class Repeats {
+    kFair,  // those of which IsFair says that every outcome comes some time
+    kAll,
+  };
+
+  // Returns whether there is a tree with such repeats, whose size is not limited. The function
+  // repeatedly removes the states from which transitions among the remaining states cannot reach
   // the goal. `choice_` then contains the remaining states, each with the transition that leads
   // nearest to the goal.
-  std::optional<PlanTree> RepeatingTree() {
+  bool LeadsToTheGoal(Repeats repeats) {
+    choice_.clear();
     for (std::size_t before = 0; before != choice_.size() || before == 0;) {
       before = choice_.size();
-      ChooseByDistance(before == 0);
-      if (!choice_.contains(initial_)) return std::nullopt;
+      ChooseByDistance(repeats, before == 0);
+      if (!choice_.contains(initial_)) return false;
     }
+    return true;
+  }
+
+  std::optional<PlanTree> RepeatingTree() {
+    if (!LeadsToTheGoal(Repeats::kFair)) return std::nullopt;
     const Made root = MakeRepeating(initial_, 0);
     if (root.node.IsNone()) return std::nullopt;
     return PlanTree{nodes_.nodes(), root.node};
@@ -189,7 +202,7 @@ class ExhaustiveTreeSearch {
   // Searches breadth first from the goals, by transitions all of whose outcomes may stay. A fair
   // transition leads nearer if one of its outcomes is nearer. Any other transition leads nearer if
   // all outcomes are nearer.
-  void ChooseByDistance(bool may_all_stay) {
+  void ChooseByDistance(Repeats repeats, bool may_all_stay) {
     std::unordered_map<StateId, std::vector<std::pair<StateId, int>>> leading_to;
     std::unordered_map<StateId, std::vector<std::size_t>> missing;
     for (std::size_t s = 0; s < space_.size(); ++s) {
@@ -201,7 +214,8 @@ class ExhaustiveTreeSearch {
         const bool stays =
             may_all_stay || std::all_of(outcomes.begin(), outcomes.end(),
                                         [&](StateId o) { return choice_.contains(o); });
-        missing[state].push_back(IsFair(state, transitions[t]) ? 1 : outcomes.size());
+        const bool is_fair = repeats == Repeats::kAll || IsFair(state, transitions[t]);
+        missing[state].push_back(is_fair ? 1 : outcomes.size());
         if (!stays) continue;
         for (const StateId o : outcomes) leading_to[o].emplace_back(state, static_cast<int>(t));
       }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
 #include "planner/contingent/knowledge/knowledge_space.h"
 #include "planner/contingent/plan_tree/plan_tree.h"
@@ -13,8 +14,10 @@ struct ExhaustiveTree {
   // for ever. There is then no plan without repeats.
   bool repeats = false;
   // True if all reachable states have been visited. Without a tree, this proves that there is no
-  // plan.
+  // plan, with or without repeats.
   bool is_complete = false;
+  // Says why nothing is proved, although all reachable states have been visited.
+  std::string doubt = {};
 };
 
 // Finds the plan tree of least depth, which is the number of actions on its longest path. The

@@ -6,6 +6,7 @@
 #include "planner/base/id.h"
 #include "planner/geometry/coordinates.h"
 #include "planner/kinematics/arm.h"
+#include "planner/kinematics/dynamics/servo_gains.h"
 #include "planner/kinematics/grippers/gripper.h"
 
 namespace assay::domain {
@@ -22,6 +23,7 @@ struct Robot {
   kinematics::JointVector home = kinematics::JointVector::Zero();  // where the arm starts and ends
   kinematics::JointVector joint_acceleration =
       kinematics::JointVector::Zero();  // the greatest of each joint, rad/s^2
+  kinematics::ArmServos servos = {};
 
   // Returns the prefix that distinguishes names that belong to this robot from those of other
   // robots: "left/", or nothing if it is the only robot.

@@ -4,6 +4,8 @@
 #include <fmt/ranges.h>
 
 #include "planner/domain/problem/name.h"
+#include "planner/domain/workcell/servo_file.h"
+#include "planner/kinematics/dynamics/servo_tuning.h"
 
 namespace assay::domain {
 namespace {
@@ -45,6 +47,9 @@ Robot RobotFile::Read(const std::string& name, const Value& robot, const Value& 
   read.X_WorldBase = ReadColumns(base.At("columns"), units_);
   read.home = ReadHome(robot.At("home"), *read.arm);
   read.joint_acceleration = ReadAcceleration(robot.At("acceleration"));
+  const std::optional<Value> servos = robot.Find("servos");
+  read.servos = servos ? ReadServos(Beside(*servos), *read.arm)
+                       : TunedServos(kinematics::LoadsOf(*read.arm, *read.gripper));
   return read;
 }
 
@@ -142,15 +147,16 @@ std::vector<Robot> ReadRobots(const Value& workcell, const Units& units,
   const std::optional<Value> robots = workcell.Find("robots");
   if (!robots) {
     const Value robot = workcell.At("robot");
-    robot.AllowOnly({"urdf", "links", "locked", "packages", "base", "home", "acceleration"});
+    robot.AllowOnly(
+        {"urdf", "links", "locked", "packages", "base", "home", "acceleration", "servos"});
     return {file.Read("", robot, workcell.At("gripper"))};
   }
   workcell.AllowOnly({"format", "description", "units", "robots", "table", "tables", "rules",
                       "placements", "places", "sensors", "verifications", "recoveries"});
   std::vector<Robot> read;
   for (const auto& [key, robot] : robots->Entries()) {
-    robot.AllowOnly(
-        {"urdf", "links", "locked", "packages", "base", "home", "acceleration", "gripper"});
+    robot.AllowOnly({"urdf", "links", "locked", "packages", "base", "home", "acceleration",
+                     "servos", "gripper"});
     read.push_back(file.Read(ReadName(key, "a robot"), robot, robot.At("gripper")));
   }
   if (read.empty()) robots->Fail("no robots", "one or more, by their names");

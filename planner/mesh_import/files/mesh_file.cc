@@ -9,6 +9,7 @@
 
 #include "planner/base/input_files/input_error.h"
 #include "planner/base/input_files/input_file.h"
+#include "planner/mesh_import/files/collada.h"
 #include "planner/mesh_import/files/obj_mesh.h"
 #include "planner/mesh_import/files/stl.h"
 
@@ -43,7 +44,7 @@ double MetresIn(MeshUnit unit) {
 }
 
 TriangleMesh ReadMeshFile(const std::filesystem::path& file) {
-  const std::string text = ReadInput(file, "an STL or OBJ file", kMostMeshBytes);
+  const std::string text = ReadInput(file, "a file with a mesh", kMostMeshBytes);
   std::string ending = file.extension().string();
   std::ranges::transform(ending, ending.begin(),
                          [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
@@ -55,8 +56,10 @@ TriangleMesh ReadMeshFile(const std::filesystem::path& file) {
     std::vector<int> all(mesh.triangles.size());
     std::iota(all.begin(), all.end(), 0);
     mesh = SubMesh(mesh, all);  // vertices of points and lines are not part of the surface
+  } else if (ending == ".dae") {
+    mesh = ReadCollada(text, file.string());
   } else {
-    throw InputError({file.string()}, "its name does not tell its format", ".stl or .obj");
+    throw InputError({file.string()}, "its name does not tell its format", ".stl, .obj or .dae");
   }
   if (mesh.triangles.empty()) throw InputError({file.string()}, "it has no triangles", "a surface");
   return mesh;

@@ -15,7 +15,8 @@ double MetresIn(MeshUnit unit);
 
 inline constexpr std::size_t kMostMeshBytes = std::size_t{64} << 20;
 
-// Reads an STL or OBJ file, by its ending, in the units of the file. Throws InputError.
+// Reads an STL or OBJ file in the units of the file, or a COLLADA file (.dae) in metres. The ending
+// of its name tells the format. Throws InputError.
 TriangleMesh ReadMeshFile(const std::filesystem::path& file);
 
 // Returns the unit in which parts of this size (the diagonal of the bounding box, a number of the

@@ -22,6 +22,19 @@ JointState Between(const Knot& a, const Knot& b, double time) {
           .qd = 6 * u * v * slope + v * (1 - 3 * u) * a.state.qd + u * (1 - 3 * v) * b.state.qd};
 }
 
+// Returns the acceleration of this cubic.
+JointVector AccelerationBetween(const Knot& a, const Knot& b, double share) {
+  const double h = b.time - a.time;
+  const JointVector slope = (b.state.q - a.state.q) / h;
+  return ((6 - 12 * share) * slope - (4 - 6 * share) * a.state.qd - (2 - 6 * share) * b.state.qd) /
+         h;
+}
+
+int LooksBetween(const JointVector& from, const JointVector& to) {
+  constexpr double kTurnPerLook = 0.05;  // radians
+  return 1 + static_cast<int>(std::ceil((to - from).cwiseAbs().maxCoeff() / kTurnPerLook));
+}
+
 // A trapezoid of velocity over time, in shares of a motion's way.
 struct Trapezoid {
   double cruise = 0;    // 1/s
@@ -69,6 +82,30 @@ JointState JointTrajectory::At(double time) const {
   if (after == knots_.begin()) return knots_.front().state;
   if (after == knots_.end()) return knots_.back().state;
   return Between(*(after - 1), *after, time);
+}
+
+std::vector<JointMotion> JointTrajectory::Instants() const {
+  std::vector<JointMotion> instants;
+  for (std::size_t i = 0; i + 1 < knots_.size(); ++i) {
+    const Knot& a = knots_[i];
+    const Knot& b = knots_[i + 1];
+    const int looks = LooksBetween(a.state.q, b.state.q);
+    for (int look = 0; look <= looks; ++look) {
+      const double share = static_cast<double>(look) / looks;
+      const JointState state = At(a.time + share * (b.time - a.time));
+      instants.push_back({state.q, state.qd, AccelerationBetween(a, b, share)});
+    }
+  }
+  return instants;
+}
+
+JointTrajectory JointTrajectory::SlowedDown(double factor) const {
+  std::vector<Knot> knots = knots_;
+  for (Knot& knot : knots) {
+    knot.time *= factor;
+    knot.state.qd /= factor;
+  }
+  return JointTrajectory(std::move(knots));
 }
 
 JointRates RatesOf(const domain::Workcell& workcell) {

@@ -3,10 +3,12 @@
 #include <vector>
 
 #include "planner/domain/workcell/workcell.h"
+#include "planner/kinematics/dynamics/arm_dynamics.h"
 #include "planner/motion/paths/joint_path.h"
 
 namespace assay::motion {
 
+using kinematics::JointMotion;
 using kinematics::JointState;
 using kinematics::JointVector;
 
@@ -23,6 +25,12 @@ class JointTrajectory {
   double duration() const { return knots_.back().time; }  // seconds
   const std::vector<Knot>& knots() const { return knots_; }
   JointState At(double time) const;  // before and after the motion: the states at its ends
+
+  // Returns the motion at its knots and between them, such that no joint turns by more than 0.05
+  // rad in between. Accelerations jump at knots, so both accelerations of a knot are given.
+  std::vector<JointMotion> Instants() const;
+  // Returns the same motion, evenly slowed down by this factor (1 or greater).
+  JointTrajectory SlowedDown(double factor) const;
 
  private:
   std::vector<Knot> knots_;

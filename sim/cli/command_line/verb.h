@@ -43,6 +43,7 @@ extern const Verb kReplay;
 extern const Verb kReport;
 extern const Verb kRun;
 extern const Verb kSweep;
+extern const Verb kTune;
 extern const Verb kView;
 
 std::span<const Verb* const> Verbs();  // in the order of the help

@@ -11,6 +11,7 @@
 #include "planner/kinematics/arm.h"
 #include "planner/kinematics/inverse/arm_survey.h"
 #include "sim/cli/options/quantity.h"
+#include "sim/cli/plan_output/arm_notes.h"
 #include "sim/cli/plan_output/table.h"
 
 namespace assay::cli {
@@ -60,14 +61,19 @@ struct MissingForPhysics {
   }
 };
 
-// Returns why a workcell cannot have the arm, or nothing if it can.
-std::string ReasonAgainstWorkcell(const ArmRequest& request,
-                                  const kinematics::LockedJoints& locked) {
+// What becomes of the arm in a workcell.
+struct WorkcellAnswer {
+  std::string reason;  // why a workcell cannot have it; empty if it can
+  std::string notes;   // ArmNotes
+};
+
+WorkcellAnswer AskWorkcell(const ArmRequest& request, const kinematics::LockedJoints& locked) {
   try {
-    kinematics::Arm::FromUrdf(request.file, {request.base, request.tip, locked}, request.packages);
-    return "";
+    const auto arm = kinematics::Arm::FromUrdf(request.file, {request.base, request.tip, locked},
+                                               request.packages);
+    return {.reason = "", .notes = ArmNotes(arm.model())};
   } catch (const InputError& error) {
-    return error.what();
+    return {.reason = error.what(), .notes = ""};
   }
 }
 
@@ -191,7 +197,7 @@ Report ReportOnArm(const ArmRequest& request) {
       kinematics::Lockings(model, request.base, request.tip);
   const kinematics::LockedJoints locked =
       lockings.empty() ? kinematics::LockedJoints() : lockings.front();
-  const std::string reason = ReasonAgainstWorkcell(request, locked);
+  const auto [reason, notes] = AskWorkcell(request, locked);
   Json json = {{"robot", model.name},
                {"base", chain.base()},
                {"tip", chain.tip()},
@@ -203,9 +209,9 @@ Report ReportOnArm(const ArmRequest& request) {
                      {"efforts", missing.efforts}};
   json["workcell_refuses"] = reason;
   if (!locked.empty()) json["locked"] = locked;
-  return {.text = fmt::format("robot {} from link {} to link {}\n\n{}\n{}{}{}", model.name,
+  return {.text = fmt::format("robot {} from link {} to link {}\n\n{}\n{}{}{}{}", model.name,
                               chain.base(), chain.tip(), JointTable(chain), SolutionsText(survey),
-                              missing.Text(), WorkcellText(request, chain, locked, reason)),
+                              missing.Text(), notes, WorkcellText(request, chain, locked, reason)),
           .json = std::make_shared<const Json>(std::move(json)),
           .holds = survey.pose_error < 1e-9 && survey.not_returned == 0};
 }

@@ -7,6 +7,7 @@
 
 #include "planner/domain/actions/actions.h"
 #include "sim/cli/options/quantity.h"
+#include "sim/cli/plan_output/arm_notes.h"
 #include "sim/cli/plan_output/table.h"
 
 namespace assay::cli {
@@ -98,7 +99,7 @@ Report ReportOn(const domain::Workcell& workcell) {
   report.text =
       fmt::format("workcell {}: gripper opens {:.1f} mm, {} placements\n\n{}", workcell.name(),
                   1000 * opening, workcell.placements().size(), table.Text()) +
-      OperationsText(operations);
+      OperationsText(operations) + ArmNotes(workcell.arm().model());
   report.json = std::make_shared<const Json>(Json{
       {"workcell", workcell.name()},
       {"max_opening", opening},

@@ -5,7 +5,6 @@
 
 #include "planner/geometry/solids/mass_properties.h"
 #include "sim/execution/control/straight_line.h"
-#include "sim/scene/servo_gains.h"
 
 namespace assay::execution {
 namespace {
@@ -139,7 +138,8 @@ void SoftArm::Linearize() {
     JointVector turned = q;
     turned[joint] += kTurn;
     jacobian.col(joint) = TwistBetween(X_FixedTip, tip_at(turned)) / kTurn;
-    flexibility(joint, joint) = 1 / scene::kServoGains[static_cast<std::size_t>(joint)].stiffness;
+    flexibility(joint, joint) =
+        1 / workcell.robot().servos[static_cast<std::size_t>(joint)].stiffness;
   }
   jacobian_.compute(jacobian);
   compliance_ = jacobian * flexibility * jacobian.transpose() / law_.softness;

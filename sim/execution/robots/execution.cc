@@ -11,6 +11,7 @@
 #include "planner/domain/parts/part_model.h"
 #include "planner/geometry/solids/mass_properties.h"
 #include "planner/motion/paths/carrying.h"
+#include "planner/motion/paths/torque_limits.h"
 #include "sim/execution/control/straight_line.h"
 
 namespace assay::execution {
@@ -67,12 +68,25 @@ Trace EmptyTrace(const domain::Problem& problem) {
   return trace;
 }
 
-// Returns the trajectory, slowed down as far as a part in the hand requires.
-JointTrajectory AsCarried(const JointTrajectory& asked, const domain::Problem& problem,
-                          const WorldModel& world) {
-  if (world.held().IsNone()) return asked;
-  const Vector3& center = problem.part(world.held()).model->mass().center;
-  return motion::Carrying(asked, *problem.workcell, world.hold().X_PartTool.inverse() * center);
+// Returns the trajectory, slowed down as far as a part in the hand and the arm's motors require.
+// Returns nothing if the motors cannot carry the weight.
+std::optional<JointTrajectory> AsCarried(const JointTrajectory& asked,
+                                         const domain::Problem& problem, const WorldModel& world) {
+  const domain::Robot& robot = problem.workcell->robot();
+  if (world.held().IsNone()) return motion::WithinTorques(asked, robot, std::nullopt);
+  const geometry::MassProperties& mass = problem.part(world.held()).model->mass();
+  const Pose X_ToolPart = world.hold().X_PartTool.inverse();
+  const kinematics::Inertial held = {
+      .mass = mass.mass,
+      .X_LinkCenter = X_ToolPart * geometry::Translation(mass.center),
+      .inertia = mass.inertia};
+  return motion::WithinTorques(motion::Carrying(asked, *problem.workcell, X_ToolPart * mass.center),
+                               robot, held);
+}
+
+Failure TooHeavy() {
+  return {TrialOutcome::kOverload,
+          "the motors of the arm cannot carry the weight of the arm and of what it holds"};
 }
 
 }  // namespace
@@ -156,7 +170,9 @@ Progress Execution::TakeUpHandError(const Pose& error) {
 // The arm has the commanded state at the beginning of each timestep. At the end of the timestep,
 // the arm is therefore where the trajectory is one timestep later.
 Progress Execution::Follow(const JointTrajectory& asked) {
-  const JointTrajectory trajectory = AsCarried(asked, problem_, world_);
+  const std::optional<JointTrajectory> carried = AsCarried(asked, problem_, world_);
+  if (!carried) return TooHeavy();
+  const JointTrajectory& trajectory = *carried;
   const Commands commands = [&](double time) { return RobotCommand{.arm = trajectory.At(time)}; };
   ForgetKinematics();
   double time = 0;

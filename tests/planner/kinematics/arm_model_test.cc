@@ -182,19 +182,33 @@ TEST(LockedJoints, AreChosenSoThatSolutionsCanBeToldApart) {
   EXPECT_EQ(Lockings(ReadUrdf(kUr5e), "", ""), std::vector<LockedJoints>{{}});
 }
 
-TEST(ArmModel, LinksThatMoveNeedMasses) {
-  const auto without = [&] {
-    std::string text = Ur5eWith("</robot>", "</robot>");
-    const std::size_t link = text.find("<inertial>", text.find("<link name=\"forearm\""));
-    const std::string end = "</inertial>";
-    text.erase(link, text.find(end, link) + end.size() - link);
-    return text;
-  };
+// Erases the elements of this name in a link of a URDF file.
+void EraseElements(const std::string& link, const std::string& element, std::string& text) {
+  const std::string end = "</" + element + ">";
+  while (true) {
+    const std::size_t begin = text.find("<link name=\"" + link + "\"");
+    const std::size_t at = text.find("<" + element, begin);
+    if (at > text.find("</link>", begin)) return;
+    text.erase(at, text.find(end, at) + end.size() - at);
+  }
+}
+
+TEST(ArmModel, ALinkWithoutAMassGetsThatOfItsShapes) {
+  std::string text = Ur5eWith("</robot>", "</robot>");
+  EraseElements("forearm", "inertial", text);
+  const Arm arm = Arm::FromUrdf(Written(text));
+  const Link& forearm = arm.model().link(arm.model().FindLink("forearm"));
+  EXPECT_TRUE(forearm.inertial_is_derived);
+  ASSERT_TRUE(forearm.inertial);
+  EXPECT_GT(forearm.inertial->mass, 1);
+  EXPECT_LT(forearm.inertial->mass, 10);
+  EXPECT_FALSE(arm.model().links[1].inertial_is_derived);
+  EraseElements("forearm", "collision", text);
   try {
-    Arm::FromUrdf(Written(without()));
+    Arm::FromUrdf(Written(text));
     FAIL() << "accepted";
   } catch (const InputError& error) {
-    EXPECT_THAT(error.what(), testing::HasSubstr("link 'forearm' has no mass"));
+    EXPECT_THAT(error.what(), testing::HasSubstr("neither a mass nor a collision shape"));
   }
 }
 

@@ -460,8 +460,6 @@ INSTANTIATE_TEST_SUITE_P(
                  "<joint name=\"elbow\" type=\"fixed\">", "has 5 revolute joints"},
         WrongArm{"sliding_joint", "<joint name=\"elbow\" type=\"revolute\">",
                  "<joint name=\"elbow\" type=\"prismatic\">", "has 2 revolute joints"},
-        WrongArm{"endless_joint", "<joint name=\"waist\" type=\"revolute\">",
-                 "<joint name=\"waist\" type=\"continuous\">", "is continuous"},
         WrongArm{"branch", "<parent link=\"wrist_bend\"/>", "<parent link=\"wrist_roll\"/>",
                  "has 4 revolute joints"},
         WrongArm{"finger", "</robot>",
@@ -476,6 +474,20 @@ INSTANTIATE_TEST_SUITE_P(
         WrongArm{"no_lengths", "<origin xyz=\"0.650 0.190 0\"/>", "<origin xyz=\"0 0 0\"/>",
                  "in fewer than six ways"}),
     [](const testing::TestParamInfo<WrongArm>& wrong) { return std::string(wrong.param.name); });
+
+TEST(ArmFile, AnEndlessJointTurnsOnceEitherWay) {
+  const Arm arm = Arm::FromUrdf(
+      WriteUrdf("endless.urdf", PumaWith("<joint name=\"waist\" type=\"revolute\">",
+                                         "<joint name=\"waist\" type=\"continuous\">")));
+  EXPECT_EQ(arm.limits()[0].lower, -2 * kPi);
+  EXPECT_EQ(arm.limits()[0].upper, 2 * kPi);
+}
+
+TEST(ArmFile, AnEffortOfZeroIsUnknown) {
+  const Arm arm = Arm::FromUrdf(
+      WriteUrdf("unknown.urdf", PumaWith("effort=\"2000\"", "effort=\"0\"")));
+  EXPECT_EQ(arm.limits()[0].effort, 0);
+}
 
 // Arms that miss Lee and Ziegler's convention are solved as chains.
 TEST(ArmFile, OtherArmsAreChains) {

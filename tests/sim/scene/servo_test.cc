@@ -41,6 +41,30 @@ TEST_P(ServoAt, ALoadMovesTheToolByLessThanATwentiethOfAMillimetre) {
   }
 }
 
+// A push aside turns joint 1. The motor resists up to its limit of 2000 N m, and no more.
+TEST_P(ServoAt, AMotorResistsUpToItsLimit) {
+  for (const double share : {0.9, 1.5}) {
+    mujoco::Data pushed = scene.Start();
+    const JointVector q = JointsFor(*problem.workcell, ToolDown(0.7, 0, 0.3));
+    scene.SetArm(pushed, q);
+    const Vector3 arm =
+        scene.ToolPose(pushed).translation() - problem.workcell->X_WorldBase().translation();
+    const double force = share * scene.efforts()[0] / arm.head<2>().norm();
+    for (double t = 0; t < 0.1; t += dt) {
+      for (auto& applied : pushed.qfrc_applied()) applied = 0;
+      servo.Command(pushed, {q, JointVector::Zero()});
+      pushed.AddForce(scene.hand(), scene.ToolPose(pushed).translation(), {0, force, 0});
+      pushed.Step();
+    }
+    const double turned = std::abs(scene.ArmPosition(pushed)[0] - q[0]);
+    if (share < 1) {
+      EXPECT_LT(turned, 2 * force * arm.norm() / scene.servos()[0].stiffness);
+    } else {
+      EXPECT_GT(turned, 0.05);
+    }
+  }
+}
+
 TEST_P(ServoAt, APushDiesOut) {
   const JointVector q = JointsFor(*problem.workcell, ToolDown(0.6, 0.1, 0.2));
   scene.SetArm(data, q);

@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "planner/geometry/coordinates.h"
 
@@ -22,13 +23,23 @@ std::optional<std::filesystem::path> FindMesh(const std::string& name,
                                               const std::filesystem::path& urdf,
                                               std::span<const std::filesystem::path> packages);
 
-// Returns whether the hulls of such files can be read. They end in .stl or .obj.
+// Returns whether the hulls of such files can be read. They end in .stl, .obj or .dae.
 bool IsReadableMesh(const std::string& name);
 
-// Returns the convex hull of the corners of an STL or OBJ file. `scale` leads from the numbers of
-// the file to metres. Throws InputError if the file cannot be read, is larger than 100 m, or spans
-// no space.
-std::shared_ptr<const geometry::ConvexHull> ReadMeshHull(const std::filesystem::path& file,
-                                                         const geometry::Vector3& scale);
+// What a mesh of a link is for. One that is drawn becomes its hull. One for collisions is cut into
+// convex pieces where its hull is much larger than the solid (mesh_pieces.h).
+enum class MeshUse { kDrawing, kCollision };
+
+// The convex pieces of a mesh.
+struct LinkMesh {
+  std::vector<std::shared_ptr<const geometry::ConvexHull>> pieces;
+  // The volume of the pieces, divided by that of the mesh. None if the mesh is not closed.
+  std::optional<double> volume_ratio;
+};
+
+// Reads an STL, OBJ or COLLADA file. `scale` leads from the numbers of the file to metres. Throws InputError
+// if the file cannot be read, is larger than 100 m, or spans no space.
+LinkMesh ReadLinkMesh(const std::filesystem::path& file, const geometry::Vector3& scale,
+                      MeshUse use);
 
 }  // namespace assay::kinematics

@@ -1,4 +1,4 @@
-#include "planner/kinematics/link_mesh.h"
+#include "planner/kinematics/meshes/link_mesh.h"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -104,6 +104,28 @@ TEST(LinkMesh, ALinkHasTheHullOfItsMeshInMetres) {
   }
 }
 
+// The dent is a pyramid whose height is 0.4 of the cube's.
+TEST(LinkMesh, SaysHowWellTheHullFits) {
+  const RobotFolder robot;
+  const std::string mesh = "package://arm_description/meshes/link.obj";
+  const RobotModel model = ReadUrdf(robot.Robot(mesh, mesh));
+  ASSERT_THAT(model.links.front().fits, SizeIs(1));
+  const MeshFit& fit = model.links.front().fits.front();
+  EXPECT_EQ(fit.file, mesh);
+  EXPECT_EQ(fit.pieces, 1U);
+  ASSERT_TRUE(fit.volume_ratio);
+  EXPECT_NEAR(*fit.volume_ratio, 1 / (1 - 0.4 / 3), 1e-9);
+}
+
+TEST(LinkMesh, TheVolumeOfAnOpenMeshIsUnknown) {
+  const RobotFolder robot;
+  std::string open = kDentedCube;
+  open.erase(open.find("f 8 5 9"));
+  robot.Write("open.obj", open);
+  EXPECT_FALSE(ReadLinkMesh(robot.folder() / "open.obj", Vector3::Ones(), MeshUse::kCollision)
+                   .volume_ratio);
+}
+
 TEST(LinkMesh, MeshesAreFoundInPackagesBesideTheFileAndInNamedFolders) {
   const RobotFolder robot;
   const fs::path mesh = robot.folder() / "arm_description/meshes/link.obj";
@@ -124,13 +146,13 @@ TEST(LinkMesh, AMissingCollisionMeshIsAnErrorWithItsPlaceAndRemedy) {
   EXPECT_THAT(ErrorOf(robot.Robot(mesh, "package://other/link.stl")),
               AllOf(HasSubstr("arm.urdf:2:"), HasSubstr("package://other/link.stl"),
                     HasSubstr("packages")));
-  EXPECT_THAT(ErrorOf(robot.Robot(mesh, "package://arm_description/meshes/link.dae")),
-              HasSubstr("STL or OBJ"));
+  EXPECT_THAT(ErrorOf(robot.Robot(mesh, "package://arm_description/meshes/link.step")),
+              HasSubstr("STL, OBJ or DAE"));
 }
 
 TEST(LinkMesh, AMeshThatIsOnlyDrawnMayHaveAnyFormat) {
   const RobotFolder robot;
-  const RobotModel model = ReadUrdf(robot.Robot("package://arm_description/link.dae",
+  const RobotModel model = ReadUrdf(robot.Robot("package://arm_description/link.step",
                                                 "package://arm_description/meshes/link.obj"));
   EXPECT_THAT(model.links.front().visuals, SizeIs(0));
   ASSERT_THAT(model.links.front().meshes, SizeIs(1));
@@ -141,9 +163,12 @@ TEST(LinkMesh, AFlatOrHugeMeshIsRefused) {
   const RobotFolder robot;
   robot.Write("flat.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
   robot.Write("huge.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 200\nf 1 2 3\nf 1 2 4\n");
-  EXPECT_THROW(ReadMeshHull(robot.folder() / "flat.obj", Vector3::Ones()), InputError);
-  EXPECT_THROW(ReadMeshHull(robot.folder() / "huge.obj", Vector3::Ones()), InputError);
-  EXPECT_NO_THROW(ReadMeshHull(robot.folder() / "huge.obj", Vector3::Constant(0.001)));
+  const auto read = [&](const char* name, double scale) {
+    return ReadLinkMesh(robot.folder() / name, Vector3::Constant(scale), MeshUse::kCollision);
+  };
+  EXPECT_THROW(read("flat.obj", 1), InputError);
+  EXPECT_THROW(read("huge.obj", 1), InputError);
+  EXPECT_NO_THROW(read("huge.obj", 0.001));
 }
 
 }  // namespace
