@@ -15,8 +15,8 @@ namespace {
 
 constexpr char kServos[] = "oscillation of the servos while a part is carried";
 constexpr char kStuck[] =
-    "a part so heavy that friction at its support keeps it from turning until its faces lie flat "
-    "on the pads";
+    "a part so heavy that friction at its support stops its turn before its faces lie flat on the "
+    "pads";
 constexpr char kPushes[] = "pads that slip, and an arm that lags, under the pushes of a strategy";
 
 constexpr char kBeside[] =
