@@ -27,7 +27,8 @@ constexpr int kTurns = 12;
 // budget.
 constexpr int kMostOfOneTurn = 2;
 
-// Returns the labels that bound the number of actions (LeastActions).
+// Returns the labels of grasps and positions from which LeastActions computes its lower bound on
+// the number of actions.
 LabelGeometry Geometry(const Problem& problem, const GeometricRelations& relations) {
   LabelGeometry geometry;
   for (std::size_t p = 0; p < problem.parts.size(); ++p) {

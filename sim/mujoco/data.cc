@@ -86,9 +86,9 @@ std::span<const double> Data::sensordata() const {
 //
 // The engine moves a free body along the tangent of the arc on which the arm carries it. A part
 // that is held by friction therefore wanders outward in the pads by J' qd dt / 2 each second, which
-// is half a millimetre on a way across the table. Therefore half a step of acceleration is added to
-// every position. Contacts are then evaluated in the middle of the way to the next position, as in
-// the leapfrog scheme, and the first-order error vanishes.
+// is half a millimetre on a way across the table. Every position therefore also moves by dt / 2
+// times the change of its velocity in the step. Contacts are then evaluated in the middle of the
+// way to the next position, as in the leapfrog scheme, and the first-order error vanishes.
 void Data::EndStep() {
   std::ranges::copy(qvel(), gain_.begin());
   mj_step2(own_model_.get(), data_.get());

@@ -16,9 +16,9 @@ struct NamedColor {
   Color color;
 };
 
-// The workcell's "overhead-camera" as a sensor of colours. The eyes look at the believed pose of a
-// part. For each colour the sensor computes the share of the part's pixels that pass the colour's
-// filter, over all eyes together.
+// The workcell's "overhead-camera" as a sensor of colours. Its four cameras (OverheadEyes) look at
+// the believed pose of a part. For each colour the sensor computes the share of the part's pixels
+// that pass the colour's filter, over the pictures of all four cameras together.
 //
 // Its promise holds for a part that has one of the colours and is within the search window, with
 // lamps of 0.5 to 1.5 times the scene's brightness. The sensor then returns the part's colour or

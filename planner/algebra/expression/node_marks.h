@@ -7,8 +7,9 @@
 
 namespace assay::algebra {
 
-// Marks of the nodes that one walk over a pool has met, and the places that it gave to them. The
-// memory is reused by the next walk, so that a walk takes no time for nodes that it does not meet.
+// Marks of the nodes that one walk over a pool has met, and the index that the walk has given to
+// each of them. The memory is reused by the next walk, so that a walk takes no time for nodes that
+// it does not meet.
 class NodeMarks {
  public:
   // Begins a walk, for which no node has been met.
@@ -24,7 +25,7 @@ class NodeMarks {
   // Returns true if the walk meets the node for the first time.
   bool Meet(int index) { return std::exchange(met_by_[index], walk_) != walk_; }
 
-  // The place of a node that the walk has met.
+  // The index that the walk has given to a node.
   int& place(int index) { return places_[index]; }
 
  private:

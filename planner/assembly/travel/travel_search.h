@@ -14,7 +14,7 @@
 
 namespace assay::assembly {
 
-// The least distance in metres between two bodies on travels, beyond all errors.
+// The least distance in metres that two bodies keep on travels, whatever the errors are.
 inline constexpr double kTravelClearance = 0.005;
 
 // How much is searched for one travel.
@@ -27,7 +27,8 @@ struct TravelEffort {
   std::int64_t certain = 2'000;
 };
 
-// A travel with its own straight lines and the straight lines of the work after it.
+// The postures of the arm on a travel, and on the straight lines of the work to which the travel
+// leads.
 struct Way {
   motion::JointPath rise;  // straight up from the posture after the previous step
   motion::JointPath over;  // the travel's path
@@ -45,8 +46,8 @@ struct Way {
   }
 };
 
-// The search for one travel, with the straight lines of the step after it. The walk must outlive
-// the search.
+// The search for one travel, and for the straight lines of the work to which it leads. The walk
+// must outlive the search.
 class TravelSearch {
  public:
   // The walk must have come to the step. `from` are the joint values after the step before.

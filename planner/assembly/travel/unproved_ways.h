@@ -10,8 +10,8 @@
 
 namespace assay::assembly {
 
-// A way of the arm, with the straight lines of the work after it, for which kReach or kWayClear of
-// plan::condition is not proved.
+// A way of the arm for which kReach or kWayClear of plan::condition is not proved. The way includes
+// the straight lines of the work to which it leads.
 struct UnprovedWay {
   plan::StepId step;  // the step to whose work the way leads; None: the way home
   plan::Condition condition;

@@ -27,7 +27,8 @@ struct Constraint {
   bool operator==(const Constraint&) const = default;
 };
 
-// A real or imagined hold by a robot of a part that rests or is mated.
+// A hold that is considered: a robot takes a part, puts it down or mates it with this grasp and
+// position. The hold need not be possible.
 struct HoldOption {
   int robot = 0;
   domain::PartId part;                                 // the part in the hand

@@ -20,13 +20,14 @@ class CertifiedPlanning {
                     const UncertaintyOptions& options)
       : planner_(planner), relations_(problem), task_(problem, options), best_(task_) {}
 
-  // An error is a step that is not proved. The first plan instances show which steps fail wherever
-  // the parts are. Later searches look for plans in which all other steps are proved.
+  // A number of errors in this class is the number of steps of a plan that are not proved (Spar's
+  // error count). The first plan instances show which steps fail wherever the parts are. Later
+  // searches look for plans in which all other steps are proved.
   plan::PlanResult Run() {
     plan::PlanResult result = AmongTheFirst();
     if (!best_.exists()) return Answer(std::move(result));
     // If a step fails with all grasps that are available, another grasp may still prove it: a grasp
-    // that parts block in these instances. The first search therefore accepts no errors.
+    // that parts block in these instances. The first search therefore accepts no unproved step.
     Search(0, {}, result);
     const std::vector<Subject> anywhere = best_.FailingAnywhere();
     const int least = std::max(best_.certain_errors(), static_cast<int>(anywhere.size()));
@@ -40,7 +41,7 @@ class CertifiedPlanning {
   }
 
  private:
-  // Searches with this number of errors if the best plan has more.
+  // Searches for a plan in which at most `errors` steps are not proved, if the best plan has more.
   void Search(int errors, const std::vector<Subject>& anywhere, plan::PlanResult& result) {
     for (const IfUnproved way : {IfUnproved::kObjectAtOnce, IfUnproved::kObject}) {
       if (errors < best_.errors()) Join(WithErrors(errors, anywhere, way), result);
@@ -70,7 +71,7 @@ class CertifiedPlanning {
     return MakePlan(task_.problem, relations_, first_phase);
   }
 
-  // Returns the best of the first instances, with any number of errors.
+  // Returns the best of the first instances, with any number of unproved steps.
   plan::PlanResult AmongTheFirst() {
     PlannerOptions first_phase = planner_;
     first_phase.judge = task_.options.judge;

@@ -27,20 +27,20 @@ struct AugmentedPlanInstance {
 AugmentedPlanInstance Augment(const domain::Problem& problem, const plan::Plan& instance,
                               const UncertaintyOptions& options);
 
-// Runs both phases. The plan instances of the first phase are augmented one after another until one
-// has no errors. If there is none, the result has the fewest errors, then the fewest actions of the
-// first phase, and then the smallest violation. Beyond the paper, the first phase is asked for
-// further plans, not only for further instances of one plan. An instance that surely has errors,
-// whatever the remedies, waits until all instances are known. Then the waiting instances that could
-// still become the best are augmented, the most promising first. Some instances could become the
-// best only by a smaller violation. Few of these are augmented.
+// Runs both phases. The plan instances of the first phase are augmented one after another until all
+// steps of one are proved. If there is none, the result has the fewest unproved steps, then the
+// fewest actions of the first phase, and then the smallest violation. Beyond the paper, the first
+// phase is asked for further plans, not only for further instances of one plan. An instance that
+// surely has unproved steps, whatever the remedies, waits until all instances are known. Then the
+// waiting instances that could still become the best are augmented, the most promising first. Some
+// instances could become the best only by a smaller violation. Few of these are augmented.
 //
-// After that, further searches are made if an instance with fewer errors than the best is possible.
-// The first phase searches for a plan with no errors, then with one error, and so on. During these
-// searches, this phase judges each action as it is chosen (objection.h). An unproved precondition
-// leads to another grasp, place or order, or becomes the goal that a part be moved out of the way.
-// The paper's two phases cannot do this ("Satisfying Uncertainty-Reduction Goals", on a part among
-// others). planner.accept and planner.judge must be empty.
+// After that, further searches are made if an instance with fewer unproved steps than the best is
+// possible. The first phase searches for a plan without unproved steps, then with one, and so on.
+// During these searches, this phase judges each action as it is chosen (objection.h). An unproved
+// precondition leads to another grasp, place or order, or becomes the goal that a part be moved out
+// of the way. The paper's two phases cannot do this ("Satisfying Uncertainty-Reduction Goals", on a
+// part among others). planner.accept and planner.judge must be empty.
 plan::PlanResult MakeCertifiedPlan(const domain::Problem& problem, const PlannerOptions& planner,
                                    const UncertaintyOptions& options);
 

@@ -54,10 +54,11 @@ class KnowledgeSpace {
   // StepsFrom returned every step that any plan can take.
   const std::string& doubt();
 
-  // Returns the steps from a state, in the order of the task. If a formula of Kw can branch, this
-  // branch is the only step. Its truth is known from then on at run time, so an immediate branch
-  // loses nothing, unless something asks that a fact is not known. A branch on a function's value
-  // is optional, because a run-time variable can use the value without knowing it.
+  // Returns the steps from a state, in the order of the task. If Kw has a formula on which the plan
+  // can branch, this branch is the only step. The truth of the formula is known from then on at run
+  // time, so an immediate branch loses nothing, unless something asks that a fact is not known. A
+  // branch on a function's value is optional, because a run-time variable can use the value without
+  // knowing it.
   const std::vector<Step>& StepsFrom(StateId id);
   // Returns the transition of the step at this index in StepsFrom, which must have been called for
   // the state. Returns null if the step cannot be taken or changes nothing.

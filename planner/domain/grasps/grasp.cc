@@ -145,7 +145,8 @@ class PairSearch {
     double high = 0;
     double length() const { return high - low; }
   };
-  // An edge of the faces that is ahead, and how far across it the pads may reach.
+  // An edge of the faces that looks ahead in the approach direction, and how far the pads may reach
+  // in the direction of the edge's outward normal.
   struct EdgeAhead {
     Vector2 outward;
     double ahead = 0;        // outward . approach.z
@@ -232,8 +233,8 @@ class PairSearch {
     return most;
   }
 
-  // Returns the edges of the faces that are ahead. Across each of them, pads reach over at most
-  // half of what the part has beyond the middle of the faces.
+  // Returns the edges of the faces that look ahead in the approach direction. Measured along an
+  // edge's outward normal from the middle of the faces, the pads may reach half as far as the part.
   std::vector<EdgeAhead> EdgesAhead(const Approach& approach) const {
     const Polygon& outline = room_.outline();
     std::vector<EdgeAhead> edges;
@@ -253,7 +254,7 @@ class PairSearch {
   }
 
   // Returns the center, moved back against the approach, so that the pads end before the part does.
-  // The hand can then take a part from a table that is there.
+  // If the part stands with one of these edges on a table, the pads then do not reach the table.
   Vector2 HeldBack(const Vector2& center, const Approach& approach,
                    const std::vector<EdgeAhead>& edges) const {
     double back = 0;

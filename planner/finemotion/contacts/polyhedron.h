@@ -5,7 +5,6 @@
 
 #include "planner/geometry/coordinates.h"
 
-
 namespace assay::finemotion {
 
 using geometry::Pose;
@@ -73,7 +72,8 @@ struct Polyhedron {
   std::vector<OuterEdge> edges;
   std::vector<OuterVertex> vertices;
   // Cylinders that stand for polygons with many sides. Features marked `is_round` belong to these
-  // polygons: they are part of the shape, and its contacts are those of the cylinders.
+  // polygons. They bound the shape, but make no contacts of their own: the cylinders make the
+  // contacts.
   std::vector<RoundShaft> shafts = {};
   std::vector<RoundHole> holes = {};
 };

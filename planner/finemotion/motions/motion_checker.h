@@ -18,7 +18,7 @@ inline constexpr double kBeyondLadder = 8;  // the scale if no enlargement of kL
 enum class Margins {
   kNone,   // the first contact that is found with the errors as they are
   kLeast,  // all contacts at the least enlargement of the errors with a contact
-  kAll,    // all contacts at all enlargements, by rising scale, with their geometry
+  kAll,    // all contacts at all enlargements, in ascending order of scale, with their geometry
 };
 
 // A motion of a strategy, and whether it is certain.
@@ -37,7 +37,7 @@ struct CertainMotion {
 double FrictionLimitOf(const CertainMotion& motion);
 
 // Checks motions of one part among the features of another, wherever errors can take the part.
-// Contacts are linearized where the motion leads.
+// Contacts are linearized at the pose at which the motion ends without errors.
 class MotionChecker {
  public:
   struct Options {

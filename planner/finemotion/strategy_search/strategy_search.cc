@@ -38,7 +38,8 @@ struct Attempt {
   SequenceSearch::Effort effort = SequenceSearch::Effort::kGuided;
   int round = 0;        // the round that draws the starts
   double multiple = 1;  // factor of the attempt's errors for which a sequence is searched for
-  double enlarged = 1;  // factor from the wanted errors to the attempt's errors
+  // The attempt's errors, divided by the errors that the strategy is to absorb.
+  double enlarged = 1;
   double asked() const { return 1 / enlarged; }
 };
 
@@ -173,7 +174,9 @@ class StrategySearch {
     best_.obstacle->scale = trying.attempt.multiple * trying.attempt.enlarged;
   }
 
-  // Returns the plan for a sequence, with its numbers as multiples of the wanted errors.
+  // Returns the plan for a sequence. `absorbed` is a factor of the attempt's errors. The plan's own
+  // `absorbed` and the scales of its unwanted contacts are factors of the errors that the strategy
+  // is to absorb.
   FineMotionPlan PlanOf(const Sequence& sequence, double absorbed, Trying& trying) const {
     const Attempt& attempt = trying.attempt;
     FineMotionPlan plan;
@@ -205,8 +208,8 @@ class StrategySearch {
     return absorbed;
   }
 
-  // Adds all motions, checked with the errors that are absorbed, but with no more than the wanted
-  // ones.
+  // Adds all motions. They are checked with the absorbed errors or with the errors that the
+  // strategy is to absorb, whichever are smaller.
   void AddMotions(const Sequence& sequence, double absorbed, Trying& trying,
                   FineMotionPlan& plan) const {
     const double asked = trying.attempt.asked();

@@ -9,10 +9,11 @@ namespace {
 
 // The six joints as a cycle that starts behind the three special axes.
 struct JointCycle {
-  std::array<int, 3> special;     // joints of the special axes
-  std::array<int, 3> others;      // the other joints, in the order of the cycle
-  std::array<JointAxis, 3> axes;  // of the others, moved where the cycle passes the end
-  Pose inverse;                   // of the motion
+  std::array<int, 3> special;  // joints of the special axes
+  std::array<int, 3> others;   // the other joints, in the order of the cycle
+  // Axes of the others. Axes of joints before the special ones are transformed by `inverse`.
+  std::array<JointAxis, 3> axes;
+  Pose inverse;  // of the motion
 
   // Turn(special) = D^-1, where D is this product of the others' turns.
   Pose Others(const SixAngles& q) const {

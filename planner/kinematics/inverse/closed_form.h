@@ -14,10 +14,9 @@ using ClosedFormSolutions = BoundedList<SixAngles, 8>;
 // up to vectors that do not solve the equations exactly. The caller tests them. Three axes meet in
 // arm.centre (SolveConcurrent) or are parallel (SolveParallel).
 //
-// The product is read as a cycle. The other three joints are taken in its order: first those behind
-// the special three, then, after the end of the chain, those before them. Axes for which the cycle
-// passes the end are moved by the inverse of `motion`. One formula then serves special axes at any
-// place of the chain.
+// The product is read as a cycle. The other three joints are taken in its order: first the joints
+// behind the special three, and then the joints before them, whose axes are transformed by the
+// inverse of `motion`. One formula then serves special axes at any place of the chain.
 ClosedFormSolutions SolveConcurrent(const SixAxes& axes, const ArmClass& arm, const Pose& motion,
                                     const SixAngles& reference);
 ClosedFormSolutions SolveParallel(const SixAxes& axes, const ArmClass& arm, const Pose& motion,

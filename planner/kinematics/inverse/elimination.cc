@@ -253,7 +253,10 @@ class Eliminator {
     }
   }
 
-  // The matrix has the rank 8 at every angle, because both sides of the equation are motions.
+  // At every angle the matrix has at most the rank 8, so that there is a vector that it maps to 0.
+  // The reason is that both sides of the equation in elimination.h are motions, and that the dual
+  // quaternion of every motion satisfies Study's condition. One combination of the nine linear
+  // equations says only that this condition holds, so it holds for all angles.
   std::vector<Sample> SamplesAt(const std::vector<double>& angles) const {
     std::vector<Sample> samples(angles.size());
     for (std::size_t first = 0; first < angles.size(); first += kAngleBatch) {

@@ -13,9 +13,9 @@ struct RepairedMesh {
 };
 
 // Makes closed bodies of a mesh in metres. It does only what cannot change the shape by more than
-// rounding, and closes planar openings: it welds vertices, drops triangles without a side, orients
-// triangles consistently and outward, and separates bodies that only touch. Throws InputError, with
-// the triangle, for everything else.
+// rounding, and closes planar openings: it welds vertices, drops triangles of which two corners are
+// now one vertex, orients triangles consistently and outward, and separates bodies that only touch.
+// Throws InputError, with the triangle, for everything else.
 RepairedMesh Repair(TriangleMesh mesh);
 
 }  // namespace assay::mesh_import

@@ -11,7 +11,8 @@ constexpr double kHighestChamfer = 0.45;   // share of the height
 constexpr double kThinnestSolid = 1e-4;    // metres, as a part file permits
 constexpr double kGreatestChamfer = 0.02;  // metres, as a part file permits
 
-// The columns of one mesh, of which tapered ends are taken away as chamfers.
+// Builds the stack of one mesh from its columns. Small tapered columns at a free end of a straight
+// column become a chamfer of this column.
 class StackBuilder {
  public:
   StackBuilder(const std::vector<Column>& columns, const ColumnRules& rules)

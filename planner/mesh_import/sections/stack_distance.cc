@@ -42,7 +42,8 @@ std::vector<Vector2> RingCorners(const Contour& contour, double inward) {
   return moved.Outline(kCircleSides);
 }
 
-// Returns points of both curves of a tapered post, in the directions of all of their corners.
+// Returns points of the lower and of the upper contour of a tapered post. Each contour has a point
+// in the direction, seen from its center, of every corner of both contours.
 std::pair<WallRing, WallRing> TaperRings(const Post& post) {
   std::vector<double> angles;
   for (const Contour* contour : {&post.at_low, &post.at_high}) {

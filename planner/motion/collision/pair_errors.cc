@@ -110,12 +110,14 @@ void PairErrors::ReachFromTool(const Body& body) {
   reach_[kToolTurn] = reach_[kToolSpin] = reach + tool.norm();
 }
 
-// An error moves points that the others have moved, which makes their levers longer.
+// An error also moves points that other errors have already moved away from the error's axis. The
+// last factor covers these longer levers.
 double PairErrors::GreatestDisplacement() const {
   return greatest_.dot(reach_) * (1 + greatest_[kToolTurn] + greatest_[kToolSpin]);
 }
 
-// The tool spins about its own axis before it turns about the vertical. Its origin stays.
+// Applies two errors in this order: first the spin about the tool's axis, then the turn about the
+// vertical. Both axes go through the tool's origin, so neither error moves the origin.
 Pose PairErrors::FlangeWith(const ErrorVector& errors, const Pose& X_BaseFlange) const {
   const domain::Workcell& workcell = scene_->workcell();
   const Pose X_BaseTool = X_BaseFlange * workcell.gripper().X_FlangeTool();
@@ -138,8 +140,9 @@ LinkPoses PairErrors::PosesWith(const ErrorVector& errors, const JointVector& q,
   return poses;
 }
 
-// Each error moves the body after those before it have moved it. The joints move it within the
-// tool's frame.
+// The errors move the body one after another: first the joints within the tool's frame, then the
+// spin, then the turn about the vertical. Each error therefore has levers that the errors before it
+// have made longer.
 ErrorVector PairErrors::DisplacementIn(const ErrorVector& half, const LinkPoses& X_BaseLink) const {
   ErrorVector displacement = half.cwiseProduct(reach_);
   if (half[kToolTurn] == 0 && half[kToolSpin] == 0) return displacement;

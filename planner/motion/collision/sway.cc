@@ -24,8 +24,9 @@ constexpr double kLeastDoubt = 1e-6;  // least half width of any error: rounding
 constexpr double kInflation = 1.2;    // factor on a guess at the turns of joints
 constexpr int kGuesses = 5;           // number of guesses, each computed from the last one
 constexpr double kWidestCell = 0.25;  // greatest turn of a joint in a cell, radians
-// A cell that turns the joints more than the errors do is halved along the line if M adds more than
-// this share to the joints' differences.
+// M (SwayAlong) may enlarge the bound on the joints' differences from their planned values by at
+// most this share. If M enlarges the bound by more, the cell is halved along the line, unless the
+// errors turn the joints at least as much as the line does.
 constexpr double kLengthened = 0.05;
 // Postures are on one straight line if the tool is off it by less: metres, and entries of a
 // rotation matrix. The errors of each cell are larger (kLeastDoubt).

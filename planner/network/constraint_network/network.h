@@ -35,9 +35,10 @@ class Network {
  public:
   // ---- Constraints with a consistency check -----------------------------------------------
   // kFound: a labeling remains, and the constraint holds from then on. kNone: it is proved that no
-  // labeling would remain. kBudget: not decided. After kNone and kBudget label sets, arcs and the
-  // witness are unchanged. A search takes one unit of the budget for each node of the search tree.
-  // Without a budget it continues until the answer is known.
+  // labeling would remain. kBudget: not decided. If the answer is kNone or kBudget, the label sets,
+  // the arcs and the witness (the last labeling) are as before. A search takes one unit of the
+  // budget for each node of the search tree. Without a budget it continues until the answer is
+  // known.
 
   // The paper's member(Variable, Labels), for a variable that is already a node.
   Outcome Restrict(NodeId node, const LabelSet& allowed);

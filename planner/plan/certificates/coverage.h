@@ -19,8 +19,8 @@ inline constexpr std::string_view kNotPublished = "the paper's propagation does 
 // Returns whether any certificate of the plan gives kNotPublished as a reason.
 bool IsAsPublished(const Plan& plan);
 
-// Returns whether a step needs kinds with this NeededBy. `strategy` is null if no strategy executes
-// the step.
+// Returns whether a step needs the kinds of preconditions that the table marks with `who`
+// (condition_table.h). `strategy` is null if no strategy executes the step.
 bool Needs(NeededBy who, const Action& action, const Strategy* strategy);
 
 // Returns the kinds that a step needs, in the order of the list.

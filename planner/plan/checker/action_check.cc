@@ -30,8 +30,9 @@ constexpr double kDegree = M_PI / 180;
 
 }  // namespace
 
-// The work of an action. The part is at X_WorldPart when the pads close or open, and the hand moves
-// it along `motion` before that.
+// The work of an action. The part is at X_WorldPart when the pads close or open. In a mating, the
+// hand moves the part along `motion` before the pads open. In all other actions there is no such
+// motion.
 struct Handling {
   PartId part;
   Hold hold;  // without meaning if the hand does nothing

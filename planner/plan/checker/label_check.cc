@@ -43,7 +43,8 @@ std::vector<std::string> LabelsOf(const domain::Part& part, const Place& place) 
   return labels;
 }
 
-// Returns whether the label is, or looks like, one of those that the part's model gives.
+// Returns whether the label is "initial", or begins with the part's initial, as the labels that the
+// part's model gives do (BP1).
 bool IsOfModel(const domain::Part& part, const std::string& label) {
   return label == kInitial || label.starts_with(part.model->initial());
 }

@@ -66,7 +66,8 @@ struct StrategyMotion {
   // multiple of the motion's length.
   double beyond = 0;
   bool slides = false;  // in a crevice: all but the motion's direction is force-controlled to zero
-  // The unwanted contacts within the tried enlargements, by rising scale.
+  // The unwanted contacts that happen with one of the tried factors on all errors, in ascending
+  // order of UnwantedContact::scale.
   std::vector<UnwantedContact> unwanted = {};
 };
 

@@ -8,9 +8,9 @@ namespace assay::uncertainty {
 
 inline constexpr double kRightAngle = std::numbers::pi / 2;
 
-// Returns the world's vertical in the tool's axes. Its components say how an error that is a
-// rotation about the vertical is shared among those axes. Components below 1e-12 are rounding and
-// count as 0.
+// Returns the world's vertical in the tool's axes. If an error is a rotation about the vertical,
+// each component says which share of the rotation is about that axis. Components below 1e-12 are
+// rounding and count as 0.
 Vector3 VerticalInTool(const Pose& X_WorldTool);
 
 // These functions split an error of rotation by at most `angle` into a twist about a second axis

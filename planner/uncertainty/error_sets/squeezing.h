@@ -30,8 +30,8 @@ namespace assay::uncertainty {
 //   - Until the second pad touches, the first one pushes the part. It may turn the part further
 //     where the centre of mass is not behind the pad (TurnOfPush).
 //   - A part that is turned may roll about the closing direction (RollOfPart).
-//   - In a tool that leans, each of the tool's axes takes a share of the rotation about the
-//     vertical.
+//   - In a tool that leans, a rotation about the vertical has a component about each of the tool's
+//     axes.
 HeldError ClosePads(UncertainWorld& world, PartId part, const plan::Hold& hold,
                     const ManipulatorError& draw);
 

@@ -22,13 +22,13 @@ geometry::Polygon OnFaceOf(const domain::Face& face, const plan::Hold& hold, dou
 // Returns whether both pads lie wholly on faces. `pad` is half their extents.
 bool LieOnFaces(const domain::PartModel& model, const plan::Hold& hold, const Vector2& pad);
 
-// Returns what a pad touches of the face that it lies on, in the tool's x and z, inside a rectangle
-// with half the extents `within` about the middle of the pads.
+// Returns the area, in the tool's x and z, in which the pad on this side touches its face. The area
+// is inside the rectangle about the middle of the pads whose half extents are `within`.
 geometry::Patches TouchedPatch(const domain::PartModel& model, const plan::Hold& hold, double side,
                                const Vector2& within);
 
-// Returns what both pads touch, opposite each other, of the two faces between them, in the tool's x
-// and z. It is inside a rectangle with half the extents `within` about the middle of the pads. If
+// Returns the area, in the tool's x and z, in which both pads touch a face, opposite each other.
+// The area is inside the rectangle about the middle of the pads whose half extents are `within`. If
 // the part is displaced along the pads by at most the difference between the pads' half extents and
 // `within`, it surely touches with all of this area.
 geometry::Patches OppositePatch(const domain::PartModel& model, const plan::Hold& hold,

@@ -30,8 +30,8 @@ PossibleFrame FrameOf(const UncertainWorld& world, const Pose& planned, const Re
   return {planned, PossiblePose(planned, error), Magnitude(world.RangeOf(error.theta))};
 }
 
-// Searches for the plane that leaves the widest gap between two bodies beyond what displacements
-// may take. The first plane that leaves enough ends the search.
+// Searches for the plane for which the gap between two bodies is widest after the possible
+// displacements are subtracted. The first plane that leaves enough ends the search.
 class WidestGap {
  public:
   WidestGap(const Body& from, const Body& to, const Vector3& displacement, double enough)

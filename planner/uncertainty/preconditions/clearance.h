@@ -90,8 +90,8 @@ struct Clearance {
 
 // Requires that a plane keeps the two bodies apart. The candidates are planes along the faces of
 // each body, and planes along an edge of each; one of these separates any two convex bodies that
-// are apart. The plane with the widest gap beyond the possible displacements is chosen. Nothing is
-// required where no error is great enough to close the gap.
+// are apart. The plane is chosen for which the gap is widest after the possible displacements are
+// subtracted. Nothing is required where no error is great enough to close the gap.
 void RequireApart(const Body& a, const Body& b, const Clearance& clearance,
                   Preconditions& conditions);
 

@@ -65,7 +65,9 @@ class GraspConditions {
     }
     const auto height = [&](const Vector3& corner) { return (X_WorldTool_ * corner).z(); };
     const double lowest = height(*std::ranges::min_element(corners, {}, height));
-    // The hand's rotation lifts and lowers corners by no more than it moves them.
+    // The height of a corner changes by at most as much as the error of the hand's rotation moves
+    // the corner. Corners that are higher than the lowest one by more than twice the greatest of
+    // these bounds never become the lowest.
     const auto moves = [&](const Vector3& corner) {
       return corner.head<2>().norm() * Magnitude(world_.problem().gripper_error.theta);
     };

@@ -23,8 +23,8 @@ struct ContactSpan {
 // 100 to settle.
 inline constexpr double kLeastDwell = 0.03;  // seconds
 
-// Returns the spans with short losses removed: a contact that is lost for less than kLeastDwell and
-// made again counts as there in between. Each span must begin where the one before it ends.
+// Returns the spans without short losses of contacts. If a contact is lost and is made again after
+// less than kLeastDwell, it counts as not lost. Each span must begin where the one before it ends.
 std::vector<ContactSpan> Bridged(const std::vector<ContactSpan>& spans);
 
 // A contact state that a trial was in.

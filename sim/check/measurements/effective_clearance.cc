@@ -49,7 +49,8 @@ MatedPair PairIn(mujoco::Data data, const std::string& fixed, const std::string&
           model.DofAddress(model.Joint(held))};
 }
 
-// A weld to the resting hand holds the fixed part as well as one to the world.
+// The fixed part is welded to the resting hand. This weld holds the part as firmly as a weld to the
+// world would.
 MatedPair PairInScene(const Problem& problem, const Mating& mating) {
   const scene::Scene scene(problem, {.grasp = scene::GraspMode::kWeld});
   mujoco::Data data = scene.Start();

@@ -79,8 +79,9 @@ std::vector<MeasuredMargin> PassingClear(const MeasuredStep& step) {
   return measured;
 }
 
-// A wrist that yields makes room that is not there before the walls push, so the certified margin
-// cannot be expected of the observed value.
+// The certified margin includes the distance by which a compliant wrist yields to the walls. Here
+// the shaft is measured as if no wall had pushed it yet. With a compliant wrist the observed margin
+// may therefore be smaller than the certified one.
 std::vector<MeasuredMargin> InsideWalls(const MeasuredStep& step, double FitMargins::*margin) {
   if (step.events().poised == nullptr) return {};
   const FitMargins margins =

@@ -15,8 +15,8 @@ struct MeasuredMargin {
   // In SI units of the condition's dimension; negative if one of them does not hold.
   double observed = 0;
   // True if the observed value must be at least the certificate's margin. It is false for
-  // clearances between bodies: their margin is certified for some corners only. Nothing is
-  // certified about corners that no error can bring near, so bodies may come nearer to each other
+  // clearances between bodies: their margin is certified for some corners only. The certificate
+  // leaves out corners if a bound shows that no error closes their gap. This gap may be smaller
   // than the margin.
   bool is_at_least_the_margin = true;
   // True if the certificate counts on a wrist that yields and on bevelled edges. Simulated arms and

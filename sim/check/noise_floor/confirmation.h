@@ -19,8 +19,8 @@ scene::SceneOptions Finer(scene::SceneOptions options);
 // If the engine's error is of first order in the timestep, half the timestep halves the error. The
 // limit for a timestep of 0 then differs from the finer value by as much as the finer value differs
 // from the coarse one (Richardson extrapolation). This difference is the engine's error in this
-// very case, and it is subtracted. The observed value of the finer execution counts even if the
-// finer execution makes no claim about this value. If the finer execution does not observe the
+// very case, and it is subtracted. The observed value of the finer execution counts even if nothing
+// is claimed about this value in the finer execution. If the finer execution does not observe the
 // claim at all, the claim is inconclusive, unless the finer execution violates another claim. An
 // execution does not observe a claim if the execution ends too early, or if the event that is to be
 // observed does not happen.

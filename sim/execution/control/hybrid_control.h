@@ -46,12 +46,12 @@ class HybridControl {
   StrategyEnd Run(const MotionObserver& observer = {});
 
  private:
-  // A straight way, as a twist about the tip in the fixed part's axes (metres and radians). Rates
-  // are in ways per second.
+  // A straight way, as a twist about the tip in the fixed part's axes (metres and radians). A rate
+  // is the fraction of the way that the tip covers in one second.
   struct Way {
     Vector6 twist = Vector6::Zero();
-    double rate = 0;          // greatest rate, ways / s
-    double acceleration = 0;  // ways / s^2
+    double rate = 0;          // greatest rate, 1/s
+    double acceleration = 0;  // 1/s^2
 
     Way At(double pace) const { return {twist, pace * rate, acceleration}; }
   };

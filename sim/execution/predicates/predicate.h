@@ -51,8 +51,8 @@ class Predicate {
   virtual std::optional<bool> IsTrueIn(const HiddenWorld&, const Roles&) const {
     return std::nullopt;
   }
-  // Removes the kinds of the part for which the predicate's value is not `wanted`. Keeps all kinds
-  // if the predicate does not depend on them.
+  // Removes those possible hidden properties of a part with which the predicate would not have the
+  // value `wanted`. Removes nothing if the predicate does not depend on them.
   virtual void Narrow(HiddenKinds&, bool /*wanted*/) const {}
 };
 

@@ -19,7 +19,8 @@ class Quantity {
   virtual std::optional<Reading> Observed(const Readings& readings, const Roles& roles) const = 0;
   // Adds `by` to the reading, which must exist.
   virtual void Shift(Readings& readings, const Roles& roles, double by) const = 0;
-  // Removes the kinds of the part for which the quantity is outside the interval.
+  // Removes those possible hidden properties of a part with which the quantity would be outside the
+  // interval.
   virtual void Narrow(HiddenKinds& kinds, const Interval& within) const = 0;
 };
 

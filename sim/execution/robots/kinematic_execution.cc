@@ -38,8 +38,9 @@ double Execution::KinematicUntil() const {
                                                                              : NextForces(now);
 }
 
-// A timestep that ends after the engine's forces were due is followed by another timestep, which
-// has these forces. Near bodies that it would touch, the robot moves by timesteps for a while.
+// Only a full timestep of the engine computes the forces. If they have become due within the last
+// timestep, this function does not move the robot, and the caller executes a full timestep. If the
+// robot would touch a body, it moves by full timesteps until the forces are next due.
 double Execution::MoveKinematically(const Commands& commands, double time, double end) {
   const double shortest = options_.kinematic_step;
   const double start = data_.time();
