@@ -50,8 +50,7 @@ class AssimpReader : public ColladaLibrary {
     importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE,
                                 aiPrimitiveType_POINT | aiPrimitiveType_LINE);
     importer.SetPropertyInteger(AI_CONFIG_PP_RVC_FLAGS, kDropped);
-    const aiScene* scene =
-        importer.ReadFileFromMemory(text.data(), text.size(), kSteps, "dae");
+    const aiScene* scene = importer.ReadFileFromMemory(text.data(), text.size(), kSteps, "dae");
     ColladaSurface surface;
     if (scene == nullptr) {
       surface.error = importer.GetErrorString();

@@ -45,6 +45,7 @@ hidden("libopencv-imgcodecs-dev libopencv-imgproc-dev" -DASSAY_FOUND_opencv_imgc
 hidden("libwebp-dev" -DASSAY_FOUND_webpmux=)
 hidden("libfcl-dev libccd-dev" -DASSAY_FOUND_ccd=)
 hidden("libompl-dev" -DASSAY_FOUND_ompl=)
+hidden("libassimp-dev" -DASSAY_FOUND_assimp=)
 hidden("esbuild" -DESBUILD=)
 hidden("libjs-three" -DTHREE_JS=)
 # Read from where the packages are asked for, so that none is forgotten.

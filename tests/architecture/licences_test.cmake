@@ -15,6 +15,7 @@ set(allowed
   "libccd"              # BSD-3-Clause
   "libwebp(mux)?"       # BSD-3-Clause
   "libompl"             # BSD-3-Clause
+  "libassimp"           # BSD-3-Clause
   "liburdfdom_model"    # BSD-3-Clause
   "libconsole_bridge"   # BSD-3-Clause
   "libfmt"              # MIT

@@ -33,7 +33,7 @@ foreach(package IN ITEMS assay assay-dev)
 endforeach()
 
 # Linked, linked by modules, opened at run time; and what programs of one's own are built with.
-foreach(needed IN ITEMS libmujoco libopencv-imgproc libwebpmux3 libompl libosmesa6)
+foreach(needed IN ITEMS libmujoco libopencv-imgproc libwebpmux3 libompl libassimp libosmesa6)
   if(NOT assay_depends MATCHES "${needed}")
     message(SEND_ERROR "assay does not depend on ${needed}: ${assay_depends}")
   endif()

@@ -40,10 +40,10 @@ enum class Wanted {
 // Plans at the knowledge level (Petrick and Bacchus 2002). Each visit of a knowledge state takes
 // one unit of the budget.
 //
-// The outcome kNone is a proof. It says that no tree reaches the goal in all worlds, with or without
-// repeats. If the search left out a step that might have been possible, or if a tree might have
-// repeats of which the planner cannot show that they end (exhaustive_tree.h), nothing is proved. The
-// outcome is then kBudget, and the doubt gives the reason.
+// The outcome kNone is a proof. It says that no tree reaches the goal in all worlds, with or
+// without repeats. If the search left out a step that might have been possible, or if a tree might
+// have repeats of which the planner cannot show that they end (exhaustive_tree.h), nothing is
+// proved. The outcome is then kBudget, and the doubt gives the reason.
 //
 // Throws InputError if init contradicts itself, and if update rules do not come to rest
 // (knowledge_base.h).

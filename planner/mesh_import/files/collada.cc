@@ -9,11 +9,10 @@ namespace assay::mesh_import {
 namespace {
 
 const ColladaLibrary& Assimp() {
-  static const ColladaLibrary& library =
-      Open<ColladaLibrary>({.file = "libassay_assimp.so",
-                            .entry = "AssayColladaLibrary",
-                            .needed_for = "COLLADA files",
-                            .debian_packages = "libassimp5"});
+  static const ColladaLibrary& library = Open<ColladaLibrary>({.file = "libassay_assimp.so",
+                                                               .entry = "AssayColladaLibrary",
+                                                               .needed_for = "COLLADA files",
+                                                               .debian_packages = "libassimp5"});
   return library;
 }
 

@@ -64,7 +64,7 @@ RepairedMesh Repair(TriangleMesh mesh) {
     if (count > 0) repaired.repairs.push_back(fmt::format(fmt::runtime(sentence), count));
   };
   const double size = mesh.Size();
-  note(Weld(mesh, kWeld * size), "{} triangles without a side were dropped.");
+  note(Weld(mesh, kWeld * size), "{} triangles with a side of no length were dropped.");
   if (mesh.triangles.empty()) throw InputError({mesh.file}, "it has no triangles", "a surface");
   note(OrientConsistently(mesh), "{} triangles were turned to agree with their neighbours.");
   const Closing closing = CloseOpenings(mesh, kPlanar * size);

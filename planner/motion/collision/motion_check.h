@@ -28,8 +28,8 @@ struct MotionRules {
   JointVector sway = JointVector::Zero();
   plan::ToolErrorBox tool = {};
   // Postures that are prescribed, such as the ends of straight lines. In these postures, the load
-  // of the arm may be nearer to a body than the clearance. In the rest of the motion, the load may
-  // come almost as near to this body as in these postures. If errors may bring the load to the body
+  // of the arm may be nearer to a body than the clearance. In the rest of the motion, the load keeps
+  // at least nine tenths of its least distance from this body in these postures. If errors may bring the load to the body
   // in these postures, the errors of this pair are left out in the rest of the motion, too.
   std::vector<JointVector> given = {};
   // If this is set, the load keeps at least this distance, in metres, from every body in spite of

@@ -21,8 +21,8 @@ namespace assay::uncertainty {
 //   - Pads that close from above on a side that is round about the vertical leave the part's turn,
 //     and its axis comes midway between them. The first pad may push the part along itself by the
 //     pads' friction times its push, or twice as far.
-//   - The friction of the surface that the part stands on does not keep it from turning until its
-//     faces lie flat.
+//   - The friction of the surface that the part stands on does not stop its turn before its faces
+//     lie flat on the pads.
 //   - The part turns about a point on the line through the middle of the pads in the direction in
 //     which they close: both pads move equally. The point lies between the pads, or up to the
 //     centre of mass if the pads' friction is too small for the support's. The grasped point slips
