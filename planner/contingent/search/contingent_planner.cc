@@ -4,11 +4,12 @@
 
 #include "planner/contingent/search/exhaustive_tree.h"
 #include "planner/contingent/search/first_tree.h"
+#include "planner/contingent/search/hopeless_world.h"
 
 namespace assay::contingent {
 namespace {
 
-ContingentPlan Exhaustive(KnowledgeSpace& space) {
+ContingentPlan Exhaustive(const GroundTask& task, KnowledgeSpace& space) {
   ContingentPlan plan;
   ExhaustiveTree found = FindExhaustiveTree(space);
   if (found.tree) {
@@ -16,13 +17,14 @@ ContingentPlan Exhaustive(KnowledgeSpace& space) {
     plan.tree = std::move(*found.tree);
     plan.guarantee = found.repeats ? Guarantee::kIfFair : Guarantee::kLeastDepth;
   } else {
-    plan.outcome = found.is_complete ? Outcome::kNone : Outcome::kBudget;
-    plan.doubt = found.doubt;
+    const bool is_proved = found.is_complete || (!found.doubt.empty() && HasHopelessWorld(task));
+    plan.outcome = is_proved ? Outcome::kNone : Outcome::kBudget;
+    if (!is_proved) plan.doubt = found.doubt;
   }
   return plan;
 }
 
-ContingentPlan First(KnowledgeSpace& space) {
+ContingentPlan First(const GroundTask& task, KnowledgeSpace& space) {
   FirstTree found = FindFirstTree(space);
   ContingentPlan plan;
   if (found.tree) {
@@ -30,14 +32,14 @@ ContingentPlan First(KnowledgeSpace& space) {
     plan.tree = std::move(*found.tree);
     return plan;
   }
-  return found.is_proof_of_none ? plan : Exhaustive(space);
+  return found.is_proof_of_none ? plan : Exhaustive(task, space);
 }
 
 }  // namespace
 
 ContingentPlan MakePlan(const GroundTask& task, Wanted wanted, Budget& budget) {
   KnowledgeSpace space(task, budget);
-  ContingentPlan plan = wanted == Wanted::kFirst ? First(space) : Exhaustive(space);
+  ContingentPlan plan = wanted == Wanted::kFirst ? First(task, space) : Exhaustive(task, space);
   plan.states = static_cast<std::int64_t>(space.size());
   if (plan.outcome == Outcome::kNone && !space.doubt().empty()) {
     plan.outcome = Outcome::kBudget;

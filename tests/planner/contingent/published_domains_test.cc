@@ -215,5 +215,20 @@ TEST(Plans, RepeatNothingThatStaysAsItIs) {
   EXPECT_EQ(PlanFor(task, Wanted::kLeastDepth).outcome, Outcome::kNone);
 }
 
+// A throw shows either side of the coin, unless the coin is stuck. The planner cannot show that
+// repeated throws end with heads, because the throw has a condition.
+TEST(Plans, AreNotExcludedIfRepeatsMayEnd) {
+  const std::string domain =
+      "domain coin predicates: heads, stuck\n"
+      "action throw effects: K(!stuck) => del(Kf, heads); add(Kw, heads)\n";
+  const GroundTask free = GroundText(
+      domain, "problem coin domain coin init: add(Kf, !heads); add(Kf, !stuck) goal: K(heads)");
+  EXPECT_NE(PlanFor(free, Wanted::kFirst).outcome, Outcome::kNone);
+  const GroundTask maybe =
+      GroundText(domain, "problem coin domain coin init: add(Kf, !heads) goal: K(heads)");
+  const ContingentPlan plan = PlanFor(maybe, Wanted::kFirst);
+  EXPECT_EQ(plan.outcome, Outcome::kNone) << "the coin may be stuck";
+}
+
 }  // namespace
 }  // namespace assay::contingent::published_domains_test

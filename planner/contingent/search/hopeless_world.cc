@@ -1,0 +1,85 @@
+#include "planner/contingent/search/hopeless_world.h"
+
+#include <optional>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "planner/contingent/grounding/ground_query.h"
+#include "planner/contingent/world_sets/world_progression.h"
+
+namespace assay::contingent {
+namespace {
+
+constexpr std::int64_t kMostInitialWorlds = 1000;
+constexpr std::size_t kMostStates = 20'000;   // in all searches together
+constexpr std::size_t kMostOpenWorlds = 256;  // which an action may lead to
+
+// The search from single worlds, in each of which everything is known.
+class WorldSearch {
+ public:
+  WorldSearch(const GroundTask& task, const NumberMarks& marks)
+      : task_(task), progression_(task, marks, false, kMostOpenWorlds) {}
+
+  // Returns whether a sequence of actions reaches the goal from the world, or nothing if it cannot
+  // tell.
+  std::optional<bool> ReachesGoal(const World& initial) {
+    std::set<World> met;
+    Worlds open;
+    History start{.worlds = {initial}, .sensed = {}, .values_sensed = {}};
+    progression_.Update(start);
+    if (!Add(std::move(start.worlds), met, open)) return std::nullopt;
+    while (!open.empty()) {
+      const History here{.worlds = {open.back()}, .sensed = {}, .values_sensed = {}};
+      open.pop_back();
+      if (progression_.Ask(task_.goal, here) != Answer::kNo) return true;
+      for (const GroundAction& action : task_.actions) {
+        if (progression_.Ask(action.precondition, here) == Answer::kNo) continue;
+        History next = here;
+        progression_.Apply(action.effects, next);
+        progression_.Update(next);
+        if (!Add(std::move(next.worlds), met, open)) return std::nullopt;
+      }
+    }
+    return false;
+  }
+
+ private:
+  // Adds worlds that were not met before. Facts that a world leaves open are decided either way.
+  // Returns false if there are too many worlds.
+  bool Add(Worlds worlds, std::set<World>& met, Worlds& open) {
+    for (std::size_t atom = 0; atom < task_.atoms.size(); ++atom) {
+      progression_.SplitBy(AtomId(atom), worlds);
+      if (worlds.size() > kMostOpenWorlds) return false;
+    }
+    const bool is_doubtful =
+        progression_.HasMadeTooMany() || progression_.CouldNotTell() || progression_.IsRestless();
+    if (is_doubtful) return false;
+    for (World& world : worlds) {
+      if (!met.insert(world).second) continue;
+      if (++states_ > kMostStates) return false;
+      open.push_back(std::move(world));
+    }
+    return true;
+  }
+
+  const GroundTask& task_;
+  WorldProgression progression_;
+  std::size_t states_ = 0;
+};
+
+}  // namespace
+
+bool HasHopelessWorld(const GroundTask& task) {
+  if (!IsMonotone(task) || !task.function_of_slot.empty()) return false;
+  const NumberMarks marks(task, PlanTree{});
+  WorldSearch search(task, marks);
+  for (const World& world : EnumerateWorlds(task, marks, kMostInitialWorlds, 1).worlds) {
+    const std::optional<bool> reaches = search.ReachesGoal(world);
+    if (!reaches) return false;
+    if (!*reaches) return true;
+  }
+  return false;
+}
+
+}  // namespace assay::contingent
