@@ -44,7 +44,7 @@ class ErrorCollector : public console_bridge::OutputHandler {
 constexpr double kLeastExtent = 1e-6;
 constexpr double kMostLength = 100;
 constexpr double kMostAngle = 4 * std::numbers::pi;
-constexpr double kTurn = 2 * std::numbers::pi;
+constexpr double kEndlessAngle = 2 * std::numbers::pi;  // limit of a continuous joint
 constexpr double kMostMass = 1e5;
 constexpr double kMostVelocity = 1e3;
 constexpr double kMostEffort = 1e6;
@@ -289,7 +289,7 @@ class Converter {
     const bool endless = parsed.type == urdf::Joint::CONTINUOUS;
     if (!parsed.limits && !endless) Fail(fmt::format("joint '{}' has no limits", parsed.name));
     auto [lower, upper, effort, velocity] = parsed.limits ? *parsed.limits : urdf::JointLimits{};
-    if (endless) std::tie(lower, upper) = std::pair(-kTurn, kTurn);
+    if (endless) std::tie(lower, upper) = std::pair(-kEndlessAngle, kEndlessAngle);
     const bool is_revolute = parsed.type != urdf::Joint::PRISMATIC;
     const char* const unit = is_revolute ? "rad" : "m";
     const double most = is_revolute ? kMostAngle : kMostLength;

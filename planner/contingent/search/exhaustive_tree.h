@@ -9,7 +9,7 @@
 namespace assay::contingent {
 
 struct ExhaustiveTree {
-  std::optional<PlanTree> tree;
+  std::optional<PlanTree> tree = {};
   // True if the tree has repeats. Such a tree reaches the goal if no outcome of sensing is avoided
   // for ever. There is then no plan without repeats.
   bool repeats = false;

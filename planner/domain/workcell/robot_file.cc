@@ -12,6 +12,15 @@ namespace {
 
 using kinematics::JointVector;
 
+// Returns the servo gains in the file beside a URDF file: ur5e.servos.yaml beside ur5e.urdf. If
+// there is no such file, the gains are derived.
+kinematics::ArmServos ServosBeside(std::filesystem::path urdf, const Robot& robot) {
+  const std::filesystem::path file = urdf.replace_extension(".servos.yaml");
+  std::error_code error;
+  if (std::filesystem::exists(file, error)) return ReadServos(file, *robot.arm);
+  return TunedServos(kinematics::LoadsOf(*robot.arm, *robot.gripper));
+}
+
 // Reads robots. The paths in their descriptions are relative to one folder.
 class RobotFile {
  public:
@@ -47,9 +56,7 @@ Robot RobotFile::Read(const std::string& name, const Value& robot, const Value& 
   read.X_WorldBase = ReadColumns(base.At("columns"), units_);
   read.home = ReadHome(robot.At("home"), *read.arm);
   read.joint_acceleration = ReadAcceleration(robot.At("acceleration"));
-  const std::optional<Value> servos = robot.Find("servos");
-  read.servos = servos ? ReadServos(Beside(*servos), *read.arm)
-                       : TunedServos(kinematics::LoadsOf(*read.arm, *read.gripper));
+  read.servos = ServosBeside(Beside(robot.At("urdf")), read);
   return read;
 }
 
@@ -147,16 +154,15 @@ std::vector<Robot> ReadRobots(const Value& workcell, const Units& units,
   const std::optional<Value> robots = workcell.Find("robots");
   if (!robots) {
     const Value robot = workcell.At("robot");
-    robot.AllowOnly(
-        {"urdf", "links", "locked", "packages", "base", "home", "acceleration", "servos"});
+    robot.AllowOnly({"urdf", "links", "locked", "packages", "base", "home", "acceleration"});
     return {file.Read("", robot, workcell.At("gripper"))};
   }
   workcell.AllowOnly({"format", "description", "units", "robots", "table", "tables", "rules",
                       "placements", "places", "sensors", "verifications", "recoveries"});
   std::vector<Robot> read;
   for (const auto& [key, robot] : robots->Entries()) {
-    robot.AllowOnly({"urdf", "links", "locked", "packages", "base", "home", "acceleration",
-                     "servos", "gripper"});
+    robot.AllowOnly(
+        {"urdf", "links", "locked", "packages", "base", "home", "acceleration", "gripper"});
     read.push_back(file.Read(ReadName(key, "a robot"), robot, robot.At("gripper")));
   }
   if (read.empty()) robots->Fail("no robots", "one or more, by their names");

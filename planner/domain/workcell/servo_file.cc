@@ -40,7 +40,8 @@ ServoGains ReadGains(const Value& value) {
 
 // Returns a number to three significant digits, without an exponent.
 std::string Rounded(double value) {
-  return fmt::format("{:g}", std::stod(fmt::format("{:.3g}", value)));
+  const double rounded = std::stod(fmt::format("{:.3g}", value));
+  return rounded < 1000 ? fmt::format("{:g}", rounded) : fmt::format("{:.0f}", rounded);
 }
 
 }  // namespace

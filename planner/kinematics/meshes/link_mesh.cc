@@ -28,8 +28,6 @@ using mesh_import::TriangleMesh;
 constexpr std::string_view kPackage = "package://";
 constexpr std::string_view kFile = "file://";
 constexpr double kMostExtent = 100;  // metres
-constexpr double kThinnest = 1e-5;   // metres
-constexpr double kSamePoint = 1e-6;  // metres; nearer corners count as one
 
 bool IsFile(const fs::path& path) {
   std::error_code error;
@@ -104,9 +102,9 @@ bool IsReadableMesh(const std::string& name) {
 LinkMesh ReadLinkMesh(const fs::path& file, const Vector3& scale, MeshUse use) {
   TriangleMesh mesh = mesh_import::ReadMeshFile(file);
   ScaleTo(scale, mesh);
-  if (!geometry::SpanSpace(mesh.vertices, kThinnest)) {
+  if (!geometry::SpanSpace(mesh.vertices, kThinnestSolid)) {
     throw InputError({.file = file.string()}, "a mesh without extent in some direction",
-                     fmt::format("a mesh that is at least {} mm thick", 1e3 * kThinnest));
+                     fmt::format("a mesh that is at least {} mm thick", 1e3 * kThinnestSolid));
   }
   LinkMesh read;
   double volume = 0;

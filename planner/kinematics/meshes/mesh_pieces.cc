@@ -15,8 +15,6 @@ using geometry::ConvexHull;
 using geometry::Vector3;
 using Surface = std::vector<SurfaceTriangle>;
 
-constexpr double kSamePoint = 1e-6;  // metres
-constexpr double kThinnest = 1e-5;   // metres
 constexpr double kLeastGain = 0.05;  // of the volume of the whole hull
 constexpr std::size_t kMostPieces = 8;
 constexpr std::array kCuts = {0.25, 0.5, 0.75};  // shares of a piece's extent
@@ -29,14 +27,21 @@ std::vector<Vector3> PointsOf(const Surface& surface) {
   return points;
 }
 
+// Returns how far below the plane a coordinate is, or 0 if it nearly lies in the plane.
+double DepthBelow(double at, double coordinate) {
+  const double distance = at - coordinate;
+  return std::abs(distance) <= kSamePoint ? 0 : distance;
+}
+
 // Adds the part of a triangle that has `sign` times its coordinate at most `sign` times `at`.
+// Corners that nearly lie in the plane count as lying in it.
 void AddBelow(const SurfaceTriangle& triangle, int axis, double at, double sign, Surface& part) {
   std::vector<Vector3> polygon;
   for (std::size_t i = 0; i < 3; ++i) {
     const Vector3& a = triangle[i];
     const Vector3& b = triangle[(i + 1) % 3];
-    const double below_a = sign * (at - a[axis]);
-    const double below_b = sign * (at - b[axis]);
+    const double below_a = sign * DepthBelow(at, a[axis]);
+    const double below_b = sign * DepthBelow(at, b[axis]);
     if (below_a >= 0) polygon.push_back(a);
     if (below_a * below_b < 0) {
       Vector3 crossing = a + below_a / (below_a - below_b) * (b - a);
@@ -61,7 +66,7 @@ struct Piece {
 // Returns none if the surface spans no space.
 std::optional<Piece> PieceOf(Surface surface) {
   const std::vector<Vector3> points = PointsOf(surface);
-  if (points.size() < 4 || !geometry::SpanSpace(points, kThinnest)) return std::nullopt;
+  if (points.size() < 4 || !geometry::SpanSpace(points, kThinnestSolid)) return std::nullopt;
   Piece piece{.surface = std::move(surface), .hull = geometry::HullOf(points, kSamePoint)};
   piece.volume = geometry::Volume(piece.hull);
   return piece;
@@ -77,6 +82,14 @@ std::optional<Cut> CutAt(const Piece& piece, int axis, double at) {
   Surface low;
   Surface high;
   for (const SurfaceTriangle& triangle : piece.surface) {
+    const bool is_in_plane = std::ranges::all_of(
+        triangle, [&](const Vector3& corner) { return DepthBelow(at, corner[axis]) == 0; });
+    if (is_in_plane) {
+      // The solid is behind the triangle.
+      const Vector3 normal = (triangle[1] - triangle[0]).cross(triangle[2] - triangle[0]);
+      (normal[axis] > 0 ? low : high).push_back(triangle);
+      continue;
+    }
     AddBelow(triangle, axis, at, 1, low);
     AddBelow(triangle, axis, at, -1, high);
   }
@@ -96,7 +109,8 @@ std::optional<Cut> BestCut(const Piece& piece, double least_gain) {
     for (const double share : kCuts) {
       const double at = std::lerp(bounds.min()[axis], bounds.max()[axis], share);
       std::optional<Cut> cut = CutAt(piece, axis, at);
-      if (cut && cut->gain >= (best ? best->gain : least_gain)) best = std::move(cut);
+      const bool is_better = cut && (best ? cut->gain > best->gain : cut->gain >= least_gain);
+      if (is_better) best = std::move(cut);
     }
   }
   return best;

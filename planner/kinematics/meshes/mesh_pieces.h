@@ -7,6 +7,9 @@
 
 namespace assay::kinematics {
 
+inline constexpr double kSamePoint = 1e-6;      // metres; nearer corners count as one
+inline constexpr double kThinnestSolid = 1e-5;  // metres
+
 // The corners of a triangle of a surface.
 using SurfaceTriangle = std::array<geometry::Vector3, 3>;
 
@@ -15,7 +18,7 @@ using SurfaceTriangle = std::array<geometry::Vector3, 3>;
 // the solid, as long as a cut makes the volume of all pieces smaller by a twentieth of that of the
 // hull, and up to eight pieces. The surface need not be closed: the pieces contain all triangles.
 //
-// Points closer than a micrometre count as one. The surface must span space (checked).
+// The surface must span space by kThinnestSolid (checked).
 std::vector<geometry::ConvexHull> ConvexPiecesOf(const std::vector<SurfaceTriangle>& surface);
 
 }  // namespace assay::kinematics

@@ -88,10 +88,11 @@ ExitCode Execute(const Options& options) {
       fmt::format("servo gains that `assay tune` derives for {}", arm.model().name), arm, servos);
   std::string text = fmt::format("robot {}\n\n{}\n{}", arm.model().name,
                                  TableText(arm, loads, servos), TooWeakText(arm, loads));
-  text += options.output.empty()
-              ? fmt::format("A file for the key `servos` of a workcell's robot:\n\n{}", file)
-              : fmt::format("{} is a file for the key `servos` of a workcell's robot.\n",
-                            options.output.string());
+  text +=
+      options.output.empty()
+          ? fmt::format("Write this into {}:\n\n{}",
+                        fs::path(options.robot).replace_extension(".servos.yaml").string(), file)
+          : fmt::format("wrote {}\n", options.output.string());
   PrintAndWrite(text, [&] {
     if (!options.output.empty()) WriteFile(options.output, file);
   });
@@ -118,7 +119,7 @@ const Verb kTune = {
     .name = "tune",
     .summary = "derives the gains of an arm's servos in the simulation",
     .page = "sim/arms.md",
-    .example = "assay tune models/robots/ur5e/ur5e.urdf -o servos.yaml",
+    .example = "assay tune models/robots/ur5e/ur5e.urdf -o ur5e.servos.yaml",
     .declare = tune_verb::Declare,
 };
 

@@ -9,6 +9,7 @@
 
 #include "planner/base/stop.h"
 #include "planner/domain/parts/part_model.h"
+#include "planner/geometry/pose.h"
 #include "planner/geometry/solids/mass_properties.h"
 #include "planner/motion/paths/carrying.h"
 #include "planner/motion/paths/torque_limits.h"

@@ -222,7 +222,7 @@ TEST(Plans, AreNotExcludedIfRepeatsMayEnd) {
       "domain coin predicates: heads, stuck\n"
       "action throw effects: K(!stuck) => del(Kf, heads); add(Kw, heads)\n";
   const GroundTask free = GroundText(
-      domain, "problem coin domain coin init: add(Kf, !heads); add(Kf, !stuck) goal: K(heads)");
+      domain, "problem coin domain coin init: add(Kf, !heads), add(Kf, !stuck) goal: K(heads)");
   EXPECT_NE(PlanFor(free, Wanted::kFirst).outcome, Outcome::kNone);
   const GroundTask maybe =
       GroundText(domain, "problem coin domain coin init: add(Kf, !heads) goal: K(heads)");

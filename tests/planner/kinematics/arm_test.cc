@@ -484,8 +484,8 @@ TEST(ArmFile, AnEndlessJointTurnsOnceEitherWay) {
 }
 
 TEST(ArmFile, AnEffortOfZeroIsUnknown) {
-  const Arm arm = Arm::FromUrdf(
-      WriteUrdf("unknown.urdf", PumaWith("effort=\"2000\"", "effort=\"0\"")));
+  const Arm arm =
+      Arm::FromUrdf(WriteUrdf("unknown.urdf", PumaWith("effort=\"2000\"", "effort=\"0\"")));
   EXPECT_EQ(arm.limits()[0].effort, 0);
 }
 

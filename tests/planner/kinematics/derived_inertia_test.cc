@@ -15,7 +15,7 @@ constexpr double kPi = std::numbers::pi;
 
 Link With(const Shape& shape, const Pose& X_LinkShape = Pose::Identity()) {
   Link link{.name = "link"};
-  link.collisions.push_back({.X_LinkShape = X_LinkShape, .shape = shape});
+  link.collisions.push_back({.name = "", .X_LinkShape = X_LinkShape, .shape = shape});
   return link;
 }
 
@@ -53,8 +53,9 @@ TEST(DerivedInertia, OfRoundShapesIsAsInTables) {
 // Two halves of a box are the whole box.
 TEST(DerivedInertia, OfSeveralShapesIsThatOfAll) {
   Link halves = With(BoxShape{{0.1, 0.2, 0.2}}, geometry::Translation(0, 0, -0.1));
-  halves.collisions.push_back(
-      {.X_LinkShape = geometry::Translation(0, 0, 0.1), .shape = BoxShape{{0.1, 0.2, 0.2}}});
+  halves.collisions.push_back({.name = "",
+                               .X_LinkShape = geometry::Translation(0, 0, 0.1),
+                               .shape = BoxShape{{0.1, 0.2, 0.2}}});
   const auto both = DerivedInertial(halves);
   const auto whole = DerivedInertial(With(BoxShape{{0.1, 0.2, 0.4}}));
   EXPECT_NEAR(both->mass, whole->mass, 1e-12);

@@ -137,7 +137,7 @@ INSTANTIATE_TEST_SUITE_P(
         WrongFile{"vast_inertia", "iyy=\"4\"", "iyy=\"1e300\"", "an inertia that is too large"},
         WrongFile{"vast_range", "upper=\"2\"", "upper=\"101\"", "from -100 m to 100 m"},
         WrongFile{"vast_speed", "velocity=\"3\"", "velocity=\"1e9\"",
-                  "at most 1000 m/s and 1000000 N"},
+                  "at most 1000 m/s; effort positive, at most 1000000 N"},
         WrongFile{"not_utf8", "name=\"two\"", "name=\"\xff\"", "0xff", "1:14: "},
         WrongFile{"no_limits", "<limit lower=\"-1\" upper=\"2\" velocity=\"3\" effort=\"4\"/>", "",
                   "limits"}),

@@ -84,7 +84,7 @@ TEST(MeshFile, BinaryErrorsNameTheTriangle) {
 
 TEST(MeshFile, WrongFilesAreRefused) {
   EXPECT_THAT(MessageOfReading([] { ReadMeshFile(Written("a.step", "x")); }),
-              HasSubstr(".stl or .obj"));
+              HasSubstr(".stl, .obj or .dae"));
   EXPECT_THAT(MessageOfReading([] { ReadMeshFile(Written("empty.obj", "")); }),
               HasSubstr("it has no triangles"));
   EXPECT_THAT(MessageOfReading([] { ReadMeshFile("missing.obj"); }), HasSubstr("missing.obj"));

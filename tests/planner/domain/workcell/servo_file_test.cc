@@ -37,7 +37,8 @@ std::string ErrorOf(const std::string& text) {
 std::string Text() {
   kinematics::ArmServos servos;
   for (std::size_t i = 0; i < 6; ++i) {
-    servos[i] = {.armature = 0.123456 * (i + 1), .stiffness = 812345.0 * (i + 1), .damping = 7000};
+    const double number = 1 + static_cast<double>(i);
+    servos[i] = {.armature = 0.123456 * number, .stiffness = 812345 * number, .damping = 7000};
   }
   return ServosText("a \"test\"", Puma(), servos);
 }

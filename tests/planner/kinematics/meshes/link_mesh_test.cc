@@ -122,8 +122,8 @@ TEST(LinkMesh, TheVolumeOfAnOpenMeshIsUnknown) {
   std::string open = kDentedCube;
   open.erase(open.find("f 8 5 9"));
   robot.Write("open.obj", open);
-  EXPECT_FALSE(ReadLinkMesh(robot.folder() / "open.obj", Vector3::Ones(), MeshUse::kCollision)
-                   .volume_ratio);
+  EXPECT_FALSE(
+      ReadLinkMesh(robot.folder() / "open.obj", Vector3::Ones(), MeshUse::kCollision).volume_ratio);
 }
 
 TEST(LinkMesh, MeshesAreFoundInPackagesBesideTheFileAndInNamedFolders) {

@@ -92,7 +92,8 @@ TEST(ConvexPieces, AChannelIsCutExactly) {
 TEST(ConvexPieces, ContainTheSolid) {
   RandomStream random(kSeed, "mesh pieces");
   for (int i = 0; i < 30; ++i) {
-    Prism star{.height = random.Uniform(0.2, 2)};
+    Prism star;
+    star.height = random.Uniform(0.2, 2);
     const int tips = 3 + random.Index(5);
     star.corners.push_back(Vector2::Zero());
     for (int k = 0; k < 2 * tips; ++k) {

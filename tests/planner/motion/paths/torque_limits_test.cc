@@ -50,7 +50,8 @@ JointVector GreatestTorques(const JointTrajectory& way, const domain::Robot& rob
 TEST(TorqueLimits, AMotionTakesNoMoreThanTheMotorsHave) {
   RandomStream random(kSeed, "torque limits");
   const JointVector home = Clutter().workcell->home();
-  const JointRates rates = RatesOf(*Clutter().workcell);
+  JointRates rates = RatesOf(*Clutter().workcell);
+  rates.acceleration *= 4;
   int slowed = 0;
   for (int i = 0; i < 20; ++i) {
     JointVector turn;

@@ -19,7 +19,7 @@ TEST(TuneTest, DerivesTheGainsOfTheModels) {
     const Folder folder;
     const Ended ended = Assay({"tune", RobotFile(name, name + ".urdf"), "-o", folder / "servos"});
     EXPECT_EQ(ended.code, 0) << name << ended.err;
-    EXPECT_EQ(TextOf(folder / "servos"), TextOf(RobotFile(name, "servos.yaml"))) << name;
+    EXPECT_EQ(TextOf(folder / "servos"), TextOf(RobotFile(name, name + ".servos.yaml"))) << name;
     EXPECT_THAT(ended.out, HasSubstr("kg m^2"));
   }
 }
