@@ -232,6 +232,10 @@ bool CollisionScene::IsOfAnotherRobot(BodyId id) const {
   return others_begin_ <= id.index() && id.index() < others_end_;
 }
 
+bool CollisionScene::IsOfRobot(BodyId id) const {
+  return IsOfArm(id) || (IsCarried(id) && body(id).identity.part.IsNone());
+}
+
 bool CollisionScene::IsCarried(BodyId id) const {
   return body(id).link == kFlange && id.index() >= arm_bodies_;
 }

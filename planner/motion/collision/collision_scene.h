@@ -77,6 +77,8 @@ class CollisionScene {
 
   // Returns whether the body is a link of the acting robot's arm.
   bool IsOfArm(BodyId id) const { return id.index() < arm_bodies_; }
+  // Returns whether the body is a link of that arm, its hand, or a finger.
+  bool IsOfRobot(BodyId id) const;
   // Returns whether the body is the hand, the fingers or the held part.
   bool IsCarried(BodyId id) const;
   bool IsOfAnotherRobot(BodyId id) const;

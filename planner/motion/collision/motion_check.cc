@@ -62,8 +62,10 @@ std::vector<MotionCheck::WatchedPair> MotionCheck::WatchedPairs() {
       continue;
     }
     const PairErrors errors(scene_, pair, rules_.sway, rules_.tool);
+    const bool is_own = scene_.IsOfRobot(pair.first) && scene_.IsOfRobot(pair.second);
+    const double clearance = is_own ? std::min(kOwnClearance, rules_.clearance) : rules_.clearance;
     WatchedPair& added =
-        watched.emplace_back(WatchedPair{pair, errors, rules_.clearance + errors.shift(), kFar});
+        watched.emplace_back(WatchedPair{pair, errors, clearance + errors.shift(), kFar});
     if (carried) HeedGivenPostures(added);
   }
   return watched;

@@ -17,9 +17,14 @@ struct Upright {
   double tilt = 0;                      // greatest angle from the world's z, radians
 };
 
+// The clearance of the arm's links, the hand and the fingers from each other, metres. The links of
+// some wrists are never farther from each other than a few millimetres.
+inline constexpr double kOwnClearance = 0.005;
+
 // The rules that a motion must obey everywhere on its way.
 struct MotionRules {
-  // Least distance of every pair of bodies beyond their errors (Body::error), metres, >= 0.
+  // Least distance of every pair of bodies beyond their errors (Body::error), metres, >= 0. The
+  // arm's links, and the hand, need no more than kOwnClearance from each other.
   double clearance = 0.01;
   std::optional<Upright> upright = {};
   // Errors of the joints, in radians, and of the tool, which may occur at once. Everything keeps
@@ -28,9 +33,10 @@ struct MotionRules {
   JointVector sway = JointVector::Zero();
   plan::ToolErrorBox tool = {};
   // Postures that are prescribed, such as the ends of straight lines. In these postures, the load
-  // of the arm may be nearer to a body than the clearance. In the rest of the motion, the load keeps
-  // at least nine tenths of its least distance from this body in these postures. If errors may bring the load to the body
-  // in these postures, the errors of this pair are left out in the rest of the motion, too.
+  // of the arm may be nearer to a body than the clearance. In the rest of the motion, the load
+  // keeps at least nine tenths of its least distance from this body in these postures. If errors
+  // may bring the load to the body in these postures, the errors of this pair are left out in the
+  // rest of the motion, too.
   std::vector<JointVector> given = {};
   // If this is set, the load keeps at least this distance, in metres, from every body in spite of
   // all errors, in the given postures too. A body that may come nearer in a given posture obstructs

@@ -50,8 +50,8 @@ JointVector GreatestTorques(const JointTrajectory& way, const domain::Robot& rob
 TEST(TorqueLimits, AMotionTakesNoMoreThanTheMotorsHave) {
   RandomStream random(kSeed, "torque limits");
   const JointVector home = Clutter().workcell->home();
+  const JointVector acceleration = Clutter().workcell->joint_acceleration();
   JointRates rates = RatesOf(*Clutter().workcell);
-  rates.acceleration *= 4;
   int slowed = 0;
   for (int i = 0; i < 20; ++i) {
     JointVector turn;
@@ -59,6 +59,7 @@ TEST(TorqueLimits, AMotionTakesNoMoreThanTheMotorsHave) {
     JointVector efforts;
     efforts << 60, 320, 120, 30, 25, 20;
     const domain::Robot robot = WithMotors(random.Uniform(1, 2) * efforts);
+    rates.acceleration = random.Uniform(0.2, 4) * acceleration;
     const JointTrajectory asked = SynchronizedMove(home, home + turn, rates);
     const auto way = WithinTorques(asked, robot, Load());
     ASSERT_TRUE(way) << "seed " << kSeed << ", case " << i;
