@@ -6,7 +6,7 @@
 
 #include "planner/base/random.h"
 #include "planner/domain/problem/problem_file.h"
-#include "planner/motion/collision/collision_scene.h"
+#include "planner/motion/collision/motion_check.h"
 
 namespace assay::motion {
 
@@ -43,11 +43,14 @@ inline JointVector RandomPosture(const kinematics::Arm& arm, RandomStream& rando
   return q;
 }
 
-// Returns whether every pair of bodies keeps the clearance at one posture.
+// Returns whether every pair of bodies keeps the clearance at one posture. The arm's own links and
+// the hand keep the lower clearance of a robot's own bodies.
 inline bool IsClear(const CollisionScene& scene, const JointVector& q, double clearance) {
   const LinkPoses X_BaseLink = scene.arm().LinkPoses(q);
   return std::ranges::all_of(scene.pairs(), [&](const BodyPair& pair) {
-    return scene.Separation(pair, X_BaseLink, clearance) >= clearance;
+    const bool is_own = scene.IsOfRobot(pair.first) && scene.IsOfRobot(pair.second);
+    const double needed = is_own ? std::min(kOwnClearance, clearance) : clearance;
+    return scene.Separation(pair, X_BaseLink, needed) >= needed;
   });
 }
 

@@ -4,6 +4,7 @@
 
 #include "planner/geometry/pose.h"
 #include "tests/planner/motion/arm_scene.h"
+#include "tests/scenario_in.h"
 
 namespace assay::motion::motion_check_test {
 namespace {
@@ -53,6 +54,20 @@ TEST(MotionCheck, WhatIsInTheWayIsThere) {
     EXPECT_LE(scene.Separation(obstruction->pair, X_BaseLink, 1), 0.01 + MotionCheck::kUndecided);
   }
   EXPECT_GT(obstructed, 10);
+}
+
+// Wrist links 1 and 3 of the UR5e are always less than 10 mm from each other.
+TEST(MotionCheck, AnArmNeedNotKeepItsOwnLinksFarFromEachOther) {
+  const domain::Problem problem = ScenarioIn("ur5e-table", "spar-fig13");
+  const JointVector home = problem.workcell->home();
+  const CollisionScene scene(problem, {.opening = 0.05});
+  MotionCheck check(scene, {.clearance = 0.015});
+  EXPECT_FALSE(check.FindObstruction(home, home));
+  const LinkPoses X_BaseLink = scene.arm().LinkPoses(home);
+  EXPECT_TRUE(std::ranges::any_of(scene.pairs(), [&](const BodyPair& pair) {
+    return scene.IsOfRobot(pair.first) && scene.IsOfRobot(pair.second) &&
+           scene.Separation(pair, X_BaseLink, 0.015) < 0.015;
+  }));
 }
 
 // A motion and its reverse are equally free.
@@ -198,7 +213,7 @@ TEST(MotionCheck, RestIsAMotionOfNothing) {
   RandomStream random(85, "rest");
   for (int i = 0; i < 200; ++i) {
     const JointVector q = RandomPosture(scene.arm(), random);
-    EXPECT_EQ(check.FindObstruction(q, q).has_value(), scene.Nearest(q).distance < 0.02);
+    EXPECT_EQ(check.FindObstruction(q, q).has_value(), !IsClear(scene, q, 0.02));
   }
 }
 
