@@ -156,10 +156,10 @@ enum class UrdfContents {
 // impossible: missing joint limits, a negative mass, an inertia that no body has, a shape without
 // extent, or lengths over 100 m.
 //
-// A mesh in an STL, OBJ or COLLADA file becomes its convex hull, or several convex pieces (ReadLinkMesh).
-// Continuous joints are revolute, with limits of one turn either way. An effort of 0 of a revolute
-// joint stands for an unknown one. `packages` are folders in which packages of meshes lie
-// (FindMesh). A mesh for collision that is not found or has another format is an error.
+// A mesh in an STL, OBJ or COLLADA file becomes its convex hull, or several convex pieces
+// (ReadLinkMesh). Continuous joints are revolute, with limits of one turn either way. An effort of
+// 0 of a revolute joint stands for an unknown one. `packages` are folders in which packages of
+// meshes lie (FindMesh). A mesh for collision that is not found or has another format is an error.
 // Such a mesh that is only drawn is noted.
 //
 // With kAxes, more files are accepted. All meshes are noted and none is read. An inertia that no
