@@ -49,11 +49,12 @@ class AssimpReader : public ColladaLibrary {
     importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, true);
     importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE,
                                 aiPrimitiveType_POINT | aiPrimitiveType_LINE);
+    importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
     importer.SetPropertyInteger(AI_CONFIG_PP_RVC_FLAGS, kDropped);
     const aiScene* scene = importer.ReadFileFromMemory(text.data(), text.size(), kSteps, "dae");
     ColladaSurface surface;
-    if (scene == nullptr) {
-      surface.error = importer.GetErrorString();
+    if (scene == nullptr || (scene->mFlags & AI_SCENE_FLAGS_INCOMPLETE) != 0) {
+      surface.error = scene == nullptr ? importer.GetErrorString() : "it has no meshes";
       return surface;
     }
     for (unsigned i = 0; i < scene->mNumMeshes; ++i) {

@@ -15,8 +15,9 @@ struct Load {
 
 // The joint servos of the arm, which use computed torque control. They apply the torques of the
 // arm's dynamics and add position and velocity feedback. The torque of a motor does not exceed its
-// limit, apart from the damping of the change of velocity within one timestep. A load of 1.2 kg
-// that the servos do not know of moves the tool by less than 0.05 mm.
+// limit, apart from the damping of the change of velocity within one timestep. With the
+// gains of the Puma 762, a load of 1.2 kg that the servos do not know of moves the tool by less
+// than 0.05 mm.
 class JointServo {
  public:
   explicit JointServo(const Scene& scene);

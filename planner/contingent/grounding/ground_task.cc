@@ -1,7 +1,9 @@
 #include "planner/contingent/grounding/ground_task.h"
 
 #include <fmt/format.h>
+
 #include <fmt/ranges.h>
+#include <algorithm>
 
 #include <cmath>
 
@@ -9,6 +11,19 @@ namespace assay::contingent {
 
 // Rules that only add to Kf come to rest within one round for each atom.
 std::size_t MostRoundsOf(const GroundTask& task) { return 1000 + task.atoms.size(); }
+
+bool TellsSomething(const GroundTask& task) {
+  const auto is_asserted = [](const GroundChange& change) {
+    return change.kind == GroundChange::Kind::kRelate || change.kind == GroundChange::Kind::kNarrow;
+  };
+  const auto tells = [&](const GroundEffect& effect) {
+    return std::ranges::any_of(effect.changes, is_asserted);
+  };
+  return std::ranges::any_of(task.updates, tells) ||
+         std::ranges::any_of(task.actions, [&](const GroundAction& action) {
+           return std::ranges::any_of(action.effects, tells);
+         });
+}
 
 std::set<FormulaId> SensedFormulas(const GroundTask& task) {
   std::set<FormulaId> sensed(task.initial.sensed.begin(), task.initial.sensed.end());

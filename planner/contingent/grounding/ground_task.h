@@ -188,6 +188,9 @@ struct GroundTask {
   FilePlace goal_place;
 };
 
+// Returns true if the task asserts Kx or bounds, which say something about the present world.
+bool TellsSomething(const GroundTask& task);
+
 // Returns the formulas that init, an action or an update rule adds to Kw.
 std::set<FormulaId> SensedFormulas(const GroundTask& task);
 

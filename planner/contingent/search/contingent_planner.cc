@@ -17,7 +17,8 @@ ContingentPlan Exhaustive(const GroundTask& task, KnowledgeSpace& space) {
     plan.tree = std::move(*found.tree);
     plan.guarantee = found.repeats ? Guarantee::kIfFair : Guarantee::kLeastDepth;
   } else {
-    const bool is_proved = found.is_complete || (!found.doubt.empty() && HasHopelessWorld(task));
+    const bool is_proved =
+        found.is_complete || (!found.doubt.empty() && HasHopelessWorld(task, space.budget()));
     plan.outcome = is_proved ? Outcome::kNone : Outcome::kBudget;
     if (!is_proved) plan.doubt = found.doubt;
   }

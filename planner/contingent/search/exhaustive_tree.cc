@@ -38,20 +38,6 @@ std::unordered_set<AtomId> ConditionallyChanged(const GroundTask& task) {
   return atoms;
 }
 
-// Returns true if the task asserts Kx or bounds, which say something about the present world.
-bool TellsSomething(const GroundTask& task) {
-  const auto is_asserted = [](const GroundChange& change) {
-    return change.kind == GroundChange::Kind::kRelate || change.kind == GroundChange::Kind::kNarrow;
-  };
-  const auto tells = [&](const GroundEffect& effect) {
-    return std::ranges::any_of(effect.changes, is_asserted);
-  };
-  return std::ranges::any_of(task.updates, tells) ||
-         std::ranges::any_of(task.actions, [&](const GroundAction& action) {
-           return std::ranges::any_of(action.effects, tells);
-         });
-}
-
 class ExhaustiveTreeSearch {
  public:
   explicit ExhaustiveTreeSearch(KnowledgeSpace& space)
@@ -81,7 +67,9 @@ class ExhaustiveTreeSearch {
     if (DepthOf(initial_) < kFar) return {.tree = LeastDeepTree(), .is_complete = true};
     if (auto tree = RepeatingTree()) return {.tree = std::move(tree), .repeats = true};
     if (!LeadsToTheGoal(Repeats::kAll)) return {.is_complete = true};
-    return {.doubt = "it may have repeats of which this planner cannot show that they end"};
+    return {.doubt =
+                "a plan may have repeats of which this planner cannot show that they end, or more "
+                "than 2,000 steps above each other"};
   }
 
  private:

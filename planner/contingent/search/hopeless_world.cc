@@ -1,11 +1,16 @@
 #include "planner/contingent/search/hopeless_world.h"
 
+#include <cstdint>
+#include <map>
 #include <optional>
 #include <set>
 #include <utility>
 #include <vector>
 
 #include "planner/contingent/grounding/ground_query.h"
+#include "planner/contingent/knowledge/number_marks.h"
+#include "planner/contingent/plan_tree/plan_tree.h"
+#include "planner/contingent/world_sets/initial_worlds.h"
 #include "planner/contingent/world_sets/world_progression.h"
 
 namespace assay::contingent {
@@ -18,19 +23,22 @@ constexpr std::size_t kMostOpenWorlds = 256;  // which an action may lead to
 // The search from single worlds, in each of which everything is known.
 class WorldSearch {
  public:
-  WorldSearch(const GroundTask& task, const NumberMarks& marks)
-      : task_(task), progression_(task, marks, false, kMostOpenWorlds) {}
+  WorldSearch(const GroundTask& task, const NumberMarks& marks, Budget& budget)
+      : task_(task), budget_(budget), progression_(task, marks, false, kMostOpenWorlds) {
+    for (std::size_t i = 0; i < task.formulas.size(); ++i) sensed_.insert(FormulaId(i));
+    for (std::size_t i = 0; i < task.functions.size(); ++i) values_sensed_[FunctionId(i)] = 0;
+  }
 
   // Returns whether a sequence of actions reaches the goal from the world, or nothing if it cannot
   // tell.
   std::optional<bool> ReachesGoal(const World& initial) {
     std::set<World> met;
     Worlds open;
-    History start{.worlds = {initial}, .sensed = {}, .values_sensed = {}};
+    History start = KnownWorld(initial);
     progression_.Update(start);
     if (!Add(std::move(start.worlds), met, open)) return std::nullopt;
     while (!open.empty()) {
-      const History here{.worlds = {open.back()}, .sensed = {}, .values_sensed = {}};
+      const History here = KnownWorld(open.back());
       open.pop_back();
       if (progression_.Ask(task_.goal, here) != Answer::kNo) return true;
       for (const GroundAction& action : task_.actions) {
@@ -45,6 +53,11 @@ class WorldSearch {
   }
 
  private:
+  // Returns the history in which everything has been sensed.
+  History KnownWorld(const World& world) const {
+    return {.worlds = {world}, .sensed = sensed_, .values_sensed = values_sensed_};
+  }
+
   // Adds worlds that were not met before. Facts that a world leaves open are decided either way.
   // Returns false if there are too many worlds.
   bool Add(Worlds worlds, std::set<World>& met, Worlds& open) {
@@ -57,24 +70,28 @@ class WorldSearch {
     if (is_doubtful) return false;
     for (World& world : worlds) {
       if (!met.insert(world).second) continue;
-      if (++states_ > kMostStates) return false;
+      if (++states_ > kMostStates || !budget_.Spend()) return false;
       open.push_back(std::move(world));
     }
     return true;
   }
 
   const GroundTask& task_;
+  Budget& budget_;
+  std::set<FormulaId> sensed_;
+  std::map<FunctionId, double> values_sensed_;
   WorldProgression progression_;
   std::size_t states_ = 0;
 };
 
 }  // namespace
 
-bool HasHopelessWorld(const GroundTask& task) {
-  if (!IsMonotone(task) || !task.function_of_slot.empty()) return false;
+bool HasHopelessWorld(const GroundTask& task, Budget& budget) {
+  if (!IsMonotone(task) || TellsSomething(task) || !task.function_of_slot.empty()) return false;
   const NumberMarks marks(task, PlanTree{});
-  WorldSearch search(task, marks);
-  for (const World& world : EnumerateWorlds(task, marks, kMostInitialWorlds, 1).worlds) {
+  WorldSearch search(task, marks, budget);
+  const Worlds initial = EnumerateWorlds(task, marks, kMostInitialWorlds, 1).worlds;
+  for (const World& world : std::set<World>(initial.begin(), initial.end())) {
     const std::optional<bool> reaches = search.ReachesGoal(world);
     if (!reaches) return false;
     if (!*reaches) return true;

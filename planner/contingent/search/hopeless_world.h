@@ -1,5 +1,6 @@
 #pragma once
 
+#include "planner/base/budget.h"
 #include "planner/contingent/grounding/ground_task.h"
 
 namespace assay::contingent {
@@ -10,7 +11,8 @@ namespace assay::contingent {
 // true.
 //
 // Returns false if there is no such world, if numbers are involved, if more knowledge could do harm
-// (IsMonotone), or if there are too many worlds or states to tell.
-bool HasHopelessWorld(const GroundTask& task);
+// (IsMonotone), if effects assert something (a world that contradicts it would be ruled out), or if
+// there are too many worlds or states to tell. Each state takes one unit of the budget.
+bool HasHopelessWorld(const GroundTask& task, Budget& budget);
 
 }  // namespace assay::contingent

@@ -14,11 +14,13 @@ using kinematics::JointVector;
 
 // Returns the servo gains in the file beside a URDF file: ur5e.servos.yaml beside ur5e.urdf. If
 // there is no such file, the gains are derived.
-kinematics::ArmServos ServosBeside(std::filesystem::path urdf, const Robot& robot) {
+kinematics::ArmServos ServosBeside(std::filesystem::path urdf, const Robot& robot,
+                                   const kinematics::LockedJoints& locked) {
+  const auto derive = [&] { return TunedServos(kinematics::LoadsOf(*robot.arm, *robot.gripper)); };
   const std::filesystem::path file = urdf.replace_extension(".servos.yaml");
   std::error_code error;
-  if (std::filesystem::exists(file, error)) return ReadServos(file, *robot.arm);
-  return TunedServos(kinematics::LoadsOf(*robot.arm, *robot.gripper));
+  const bool is_there = std::filesystem::exists(file, error) || error;
+  return is_there ? ReadServos(file, *robot.arm, locked, derive) : derive();
 }
 
 // Reads robots. The paths in their descriptions are relative to one folder.
@@ -47,8 +49,9 @@ Robot RobotFile::Read(const std::string& name, const Value& robot, const Value& 
   Robot read;
   read.name = name;
   read.gripper_in_file = ReadGripper(gripper);
+  const kinematics::ArmInFile arm = ReadArm(robot);
   read.arm = std::make_shared<const kinematics::Arm>(
-      kinematics::Arm::FromUrdf(Beside(robot.At("urdf")), ReadArm(robot), ReadPackages(robot)));
+      kinematics::Arm::FromUrdf(Beside(robot.At("urdf")), arm, ReadPackages(robot)));
   read.gripper = std::make_shared<const kinematics::Gripper>(
       kinematics::Gripper::FromUrdf(read.gripper_in_file, ReadPackages(gripper)));
   const Value base = robot.At("base");
@@ -56,7 +59,7 @@ Robot RobotFile::Read(const std::string& name, const Value& robot, const Value& 
   read.X_WorldBase = ReadColumns(base.At("columns"), units_);
   read.home = ReadHome(robot.At("home"), *read.arm);
   read.joint_acceleration = ReadAcceleration(robot.At("acceleration"));
-  read.servos = ServosBeside(Beside(robot.At("urdf")), read);
+  read.servos = ServosBeside(Beside(robot.At("urdf")), read, arm.locked);
   return read;
 }
 

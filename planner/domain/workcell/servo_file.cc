@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -38,7 +39,7 @@ ServoGains ReadGains(const Value& value) {
   return gains;
 }
 
-// Returns a number to three significant digits, without an exponent.
+// Returns a number to three significant digits. Large numbers have no exponent.
 std::string Rounded(double value) {
   const double rounded = std::stod(fmt::format("{:.3g}", value));
   return rounded < 1000 ? fmt::format("{:g}", rounded) : fmt::format("{:.0f}", rounded);
@@ -46,7 +47,9 @@ std::string Rounded(double value) {
 
 }  // namespace
 
-ArmServos ReadServos(const std::filesystem::path& file, const Arm& arm) {
+ArmServos ReadServos(const std::filesystem::path& file, const Arm& arm,
+                     const kinematics::LockedJoints& locked,
+                     const std::function<ArmServos()>& derive) {
   const Document document = Document::Load(file);
   document.RequireFormat("assay-servos/1");
   const Value& root = document.root();
@@ -55,9 +58,16 @@ ArmServos ReadServos(const std::filesystem::path& file, const Arm& arm) {
   const Value joints = root.At("joints");
   std::vector<std::string> names;
   for (std::size_t i = 0; i < 6; ++i) names.push_back(arm.model().joints[i].name);
-  joints.AllowOnly(names);
-  ArmServos servos;
-  for (std::size_t i = 0; i < servos.size(); ++i) servos[i] = ReadGains(joints.At(names[i]));
+  std::vector<std::string> allowed = names;
+  for (const auto& [joint, value] : locked) allowed.push_back(joint);
+  joints.AllowOnly(allowed);
+  const bool lacks_some =
+      std::ranges::any_of(names, [&](const std::string& name) { return !joints.Find(name); });
+  ArmServos servos = lacks_some && !locked.empty() ? derive() : ArmServos();
+  for (std::size_t i = 0; i < servos.size(); ++i) {
+    const bool keeps_derived = !locked.empty() && !joints.Find(names[i]);
+    if (!keeps_derived) servos[i] = ReadGains(joints.At(names[i]));
+  }
   return servos;
 }
 

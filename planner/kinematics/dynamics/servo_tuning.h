@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+
 #include "planner/kinematics/arm.h"
 #include "planner/kinematics/dynamics/servo_gains.h"
 #include "planner/kinematics/grippers/gripper.h"
@@ -18,9 +20,9 @@ struct JointLoad {
 std::array<JointLoad, 6> LoadsOf(const Arm& arm, const Gripper& gripper);
 
 // Returns servo gains for joints with these loads:
-// - A force at the tool turns each joint so little that the tool yields by at most 1.3 micrometres
-//   per newton. Parts in the hand reach up to 0.25 m from the axes of the wrist, so no lever counts
-//   as less.
+// - A force at the tool turns a joint so little that the tool yields by at most 1.3 micrometres per
+//   newton because of this joint. Parts in the hand reach up to 0.25 m from the axes of the wrist,
+//   so no lever counts as less.
 // - The armature is so great that no vibration of the arm is faster than 200 rad/s, in any posture.
 //   Faster ones would need shorter timesteps. (The square of the fastest frequency is the greatest
 //   eigenvalue of the stiffness divided by the inertia, and the inertia is at least the armature.)

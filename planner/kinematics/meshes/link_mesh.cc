@@ -29,6 +29,9 @@ constexpr std::string_view kPackage = "package://";
 constexpr std::string_view kFile = "file://";
 constexpr double kMostExtent = 100;  // metres
 
+// Larger meshes are not cut, because that would take seconds.
+constexpr std::size_t kMostTrianglesToCut = 20'000;
+
 bool IsFile(const fs::path& path) {
   std::error_code error;
   return fs::is_regular_file(path, error);
@@ -53,6 +56,11 @@ void ScaleTo(const Vector3& scale, TriangleMesh& mesh) {
     vertex = vertex.cwiseProduct(scale);
     greatest = std::max(greatest, vertex.cwiseAbs().maxCoeff());
   }
+  if (scale.prod() < 0) {  // a mirrored mesh would be inside out
+    for (mesh_import::Triangle& triangle : mesh.triangles) {
+      std::swap(triangle.corners[1], triangle.corners[2]);
+    }
+  }
   if (greatest <= kMostExtent) return;
   throw InputError({.file = mesh.file}, fmt::format("a mesh that reaches {:.4g} m", greatest),
                    fmt::format("at most {} m; a URDF file scales meshes to metres", kMostExtent));
@@ -67,9 +75,8 @@ std::vector<SurfaceTriangle> SurfaceOf(const TriangleMesh& mesh) {
   return surface;
 }
 
-// Returns the volume inside of a mesh, or none if it is not closed.
-std::optional<double> VolumeInside(TriangleMesh mesh) {
-  mesh_import::Weld(mesh, kSamePoint);
+// Returns the volume inside of a welded mesh, or none if it is not closed.
+std::optional<double> VolumeInside(const TriangleMesh& mesh) {
   bool is_closed = true;
   mesh_import::ForEachEdge(mesh_import::EdgeUsesOf(mesh), [&](const auto& uses) {
     is_closed = is_closed && mesh_import::Excess(uses) == 0;
@@ -77,6 +84,11 @@ std::optional<double> VolumeInside(TriangleMesh mesh) {
   const double volume = std::abs(mesh.Volume());
   if (!is_closed || volume == 0) return std::nullopt;
   return volume;
+}
+
+bool HasDeepDents(const ConvexHull& hull, double inside) {
+  const double volume = geometry::Volume(hull);
+  return volume - inside >= kLeastCutGain * volume;
 }
 
 }  // namespace
@@ -106,18 +118,20 @@ LinkMesh ReadLinkMesh(const fs::path& file, const Vector3& scale, MeshUse use) {
     throw InputError({.file = file.string()}, "a mesh without extent in some direction",
                      fmt::format("a mesh that is at least {} mm thick", 1e3 * kThinnestSolid));
   }
+  mesh_import::Weld(mesh, kSamePoint);
+  std::vector<ConvexHull> hulls = {geometry::HullOf(mesh.vertices, kSamePoint)};
+  const std::optional<double> inside = VolumeInside(mesh);
+  if (use == MeshUse::kCollision && inside && HasDeepDents(hulls.front(), *inside) &&
+      mesh.triangles.size() <= kMostTrianglesToCut) {
+    hulls = ConvexPiecesOf(SurfaceOf(mesh));
+  }
   LinkMesh read;
   double volume = 0;
-  const auto add = [&](ConvexHull hull) {
+  for (ConvexHull& hull : hulls) {
     volume += geometry::Volume(hull);
     read.pieces.push_back(std::make_shared<const ConvexHull>(std::move(hull)));
-  };
-  if (use == MeshUse::kCollision) {
-    for (ConvexHull& piece : ConvexPiecesOf(SurfaceOf(mesh))) add(std::move(piece));
-  } else {
-    add(geometry::HullOf(mesh.vertices, kSamePoint));
   }
-  if (const auto inside = VolumeInside(std::move(mesh))) read.volume_ratio = volume / *inside;
+  if (inside) read.volume_ratio = volume / *inside;
   return read;
 }
 

@@ -2,8 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 #include "planner/base/input_files/input_error.h"
 #include "planner/base/module.h"
+#include "planner/mesh_import/files/stl.h"
 
 namespace assay::mesh_import {
 namespace {
@@ -23,6 +26,10 @@ TriangleMesh ReadCollada(std::string_view text, const std::string& file_name) {
   if (!surface.error.empty()) {
     throw InputError({file_name}, fmt::format("is no COLLADA file: {}", surface.error),
                      "a COLLADA file with triangles or polygons");
+  }
+  if (surface.triangles.size() > kMostTriangles) {
+    throw InputError({file_name}, fmt::format("has {} triangles", surface.triangles.size()),
+                     fmt::format("at most {}", kMostTriangles));
   }
   TriangleMesh mesh{.file = file_name, .vertices = std::move(surface.vertices), .triangles = {}};
   for (const std::array<int, 3>& corners : surface.triangles) {

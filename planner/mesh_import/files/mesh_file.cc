@@ -53,15 +53,16 @@ TriangleMesh ReadMeshFile(const std::filesystem::path& file) {
     mesh = ReadStl(text, file.string());
   } else if (ending == ".obj") {
     mesh = ReadObjMesh(text, file.string());
-    std::vector<int> all(mesh.triangles.size());
-    std::iota(all.begin(), all.end(), 0);
-    mesh = SubMesh(mesh, all);  // vertices of points and lines are not part of the surface
   } else if (ending == ".dae") {
     mesh = ReadCollada(text, file.string());
   } else {
     throw InputError({file.string()}, "its name does not tell its format", ".stl, .obj or .dae");
   }
   if (mesh.triangles.empty()) throw InputError({file.string()}, "it has no triangles", "a surface");
+  // Vertices of points and lines are not part of the surface.
+  std::vector<int> all(mesh.triangles.size());
+  std::iota(all.begin(), all.end(), 0);
+  mesh = SubMesh(mesh, all);
   return mesh;
 }
 

@@ -16,6 +16,8 @@ constexpr std::size_t kMostBodies = 100;
 
 MeshUnit UnitOf(const std::vector<TriangleMesh>& meshes, const ImportOptions& options) {
   if (options.unit) return *options.unit;
+  // A COLLADA file names its unit.
+  if (std::filesystem::path(meshes.front().file).extension() == ".dae") return MeshUnit::kMetre;
   Eigen::AlignedBox3d bounds;
   for (const TriangleMesh& mesh : meshes) bounds.extend(mesh.Bounds());
   const double size = bounds.diagonal().norm();

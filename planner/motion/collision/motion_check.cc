@@ -101,7 +101,7 @@ bool MotionCheck::LowerToCertainClearance(WatchedPair& watched) const {
     return LookAt(rules_.given[i], given_[i], 0, tried) == Verdict::kFree;
   };
   const auto given = std::views::iota(std::size_t{0}, given_.size());
-  for (double kept = rules_.clearance; kept > least; kept *= kStep) {
+  for (double kept = watched.clearance - watched.errors.shift(); kept > least; kept *= kStep) {
     tried.clearance = kept + watched.errors.shift();
     if (!std::ranges::all_of(given, is_clear_in)) continue;
     watched.clearance = tried.clearance - kRoom;

@@ -11,6 +11,9 @@ using kinematics::ArmDynamics;
 constexpr double kGravity = 9.81;  // m/s^2
 // The share of the torques that a motion may use. The servos need the rest.
 constexpr double kShare = 0.95;
+// The least speed, as a share of the speed that is asked for. Motors that need a lower one are too
+// weak.
+constexpr double kLeastSpeed = 0.05;
 
 ArmDynamics DynamicsOf(const domain::Robot& robot,
                        const std::optional<kinematics::Inertial>& held) {
@@ -50,7 +53,7 @@ std::optional<JointTrajectory> WithinTorques(const JointTrajectory& trajectory,
       squared_speed = std::min(squared_speed, SquaredSpeed(torques[j], still[j], kShare * effort));
     }
   }
-  if (squared_speed <= 0) return std::nullopt;
+  if (squared_speed < kLeastSpeed * kLeastSpeed) return std::nullopt;
   return trajectory.SlowedDown(1 / std::sqrt(squared_speed));
 }
 

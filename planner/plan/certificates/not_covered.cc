@@ -13,7 +13,10 @@
 namespace assay::plan {
 namespace {
 
-constexpr char kServos[] = "oscillation of the servos while a part is carried";
+constexpr char kServos[] =
+    "motors that are too weak for the arm and the part, and oscillation of the servos, while a "
+    "part "
+    "is carried";
 constexpr char kStuck[] =
     "a part so heavy that friction at its support stops its turn before its faces lie flat on the "
     "pads";

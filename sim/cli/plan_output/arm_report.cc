@@ -53,10 +53,12 @@ struct MissingForPhysics {
     const auto add = [&](const char* what, const std::vector<std::string>& names) {
       if (!names.empty()) text += fmt::format("  {}: {}\n", what, fmt::join(names, ", "));
     };
-    add("links without a possible mass and inertia", inertias);
+    add("links without a possible mass and inertia (derived from collision shapes if there are "
+        "any)",
+        inertias);
     add("links without a collision shape", collision_shapes);
     add("joints without a speed", speeds);
-    add("joints without a torque", efforts);
+    add("joints without a torque (not limited)", efforts);
     return text.empty() ? "Nothing is missing for physics.\n" : "Missing for physics:\n" + text;
   }
 };

@@ -82,6 +82,12 @@ Json ArrayOf(const std::vector<Named>& list, std::string Named::*name) {
   return names;
 }
 
+std::string NotesOnArms(const domain::Workcell& workcell) {
+  std::string text;
+  for (const domain::Robot& robot : workcell.robots()) text += ArmNotes(robot.arm->model());
+  return text;
+}
+
 }  // namespace
 
 Report ReportOn(const domain::Workcell& workcell) {
@@ -99,7 +105,7 @@ Report ReportOn(const domain::Workcell& workcell) {
   report.text =
       fmt::format("workcell {}: gripper opens {:.1f} mm, {} placements\n\n{}", workcell.name(),
                   1000 * opening, workcell.placements().size(), table.Text()) +
-      OperationsText(operations) + ArmNotes(workcell.arm().model());
+      OperationsText(operations) + NotesOnArms(workcell);
   report.json = std::make_shared<const Json>(Json{
       {"workcell", workcell.name()},
       {"max_opening", opening},

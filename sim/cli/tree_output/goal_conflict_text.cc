@@ -10,7 +10,7 @@ namespace assay::cli {
 
 std::string Text(const contingent::GroundTask& task, const contingent::GoalConflict& conflict) {
   std::string text = fmt::format(
-      "There is no plan. No tree of these actions without repeats is sure to reach {}:\n",
+      "There is no plan. No tree of these actions, with or without repeats, is sure to reach {}:\n",
       conflict.parts.size() == 1 ? "this part of the goal" : "these parts of the goal");
   for (const contingent::GroundQuery& part : conflict.parts) {
     text += "  " + TextOf(task, part) + "\n";

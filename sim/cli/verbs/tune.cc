@@ -1,8 +1,10 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <array>
 #include <filesystem>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "planner/base/input_files/input_error.h"
@@ -46,6 +48,10 @@ Gripper ReadGripper(const Options& options) {
                                                    : options.gripper);
 }
 
+std::string EffortText(double effort) {
+  return effort == 0 ? "unknown" : fmt::format("{:g}", effort);
+}
+
 std::string TableText(const Arm& arm, const std::array<kinematics::JointLoad, 6>& loads,
                       const ArmServos& servos) {
   Table table({{"joint"},
@@ -61,7 +67,7 @@ std::string TableText(const Arm& arm, const std::array<kinematics::JointLoad, 6>
     const kinematics::ServoGains& gains = servos[i];
     table.Add({arm.model().joints[i].name, fmt::format("{:.3f}", load.lever),
                fmt::format("{:.3f}", load.inertia), fmt::format("{:.1f}", load.weight),
-               fmt::format("{:g}", arm.limits()[i].effort), fmt::format("{:.2f}", gains.armature),
+               EffortText(arm.limits()[i].effort), fmt::format("{:.2f}", gains.armature),
                fmt::format("{:.0f}", gains.stiffness), fmt::format("{:.0f}", gains.damping)});
   }
   return table.Text();

@@ -86,7 +86,7 @@ std::optional<JointTrajectory> AsCarried(const JointTrajectory& asked,
 }
 
 Failure TooHeavy() {
-  return {TrialOutcome::kOverload,
+  return {TrialOutcome::kTooHeavy,
           "the motors of the arm cannot carry the weight of the arm and of what it holds"};
 }
 

@@ -6,12 +6,13 @@
 namespace assay::execution {
 
 std::string_view Name(TrialOutcome outcome) {
-  static constexpr std::array<std::string_view, 25> kNames = {
-      "succeeded",       "unreachable",  "overload",   "engine-warning", "not-found",
-      "operator-called", "jammed",       "wedged",     "wrong-contact",  "timeout",
-      "dropped",         "stopped",      "uncertain",  "endless",        "false-claim",
-      "collided",        "grasp-failed", "not-seated", "misaligned",     "not-located",
-      "not-released",    "not-at-rest",  "spilled",    "fallen",         "missed"};
+  static constexpr std::array<std::string_view, 26> kNames = {
+      "succeeded",   "unreachable",     "overload",     "too-heavy",  "engine-warning",
+      "not-found",   "operator-called", "jammed",       "wedged",     "wrong-contact",
+      "timeout",     "dropped",         "stopped",      "uncertain",  "endless",
+      "false-claim", "collided",        "grasp-failed", "not-seated", "misaligned",
+      "not-located", "not-released",    "not-at-rest",  "spilled",    "fallen",
+      "missed"};
   return kNames[static_cast<std::size_t>(outcome)];
 }
 

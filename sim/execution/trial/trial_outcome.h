@@ -11,6 +11,7 @@ enum class TrialOutcome {
   // The execution was not completed.
   kUnreachable,     // the arm cannot follow a way that the plan asks for
   kOverload,        // the wrist felt more force than allowed, and the arm stopped
+  kTooHeavy,        // the arm's motors cannot carry the weight of the arm and of what it holds
   kEngineWarning,   // the engine's numbers cannot be trusted, so the trial proves nothing
   kNotFound,        // a sensor did not see the part that it was to find
   kOperatorCalled,  // a person takes over: the plan says so, or no recovery mended an error

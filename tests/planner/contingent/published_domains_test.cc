@@ -230,5 +230,17 @@ TEST(Plans, AreNotExcludedIfRepeatsMayEnd) {
   EXPECT_EQ(plan.outcome, Outcome::kNone) << "the coin may be stuck";
 }
 
+// The action `tell` shows that the world without p and r, in which nothing leads to the goal, is
+// none of those that are possible.
+TEST(Plans, AreNotExcludedByAWorldThatAnActionRulesOut) {
+  const GroundTask task = GroundText(
+      "domain told predicates: p, s, r, heads\n"
+      "action tell effects: add(Kx, p | r)\n"
+      "action throw effects: del(Kf, heads); add(Kw, heads)\n",
+      "problem told domain told init: add(Kx, p | s), add(Kf, !r), add(Kf, !heads) "
+      "goal: K(p) & K(heads)");
+  EXPECT_NE(PlanFor(task, Wanted::kFirst).outcome, Outcome::kNone);
+}
+
 }  // namespace
 }  // namespace assay::contingent::published_domains_test

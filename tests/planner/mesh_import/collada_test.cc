@@ -60,6 +60,13 @@ std::string ErrorOf(const std::string& text) {
   return "";
 }
 
+TEST(Collada, AFileWithoutSurfacesIsRefused) {
+  std::string text = Pyramid(1, "Z_UP");
+  const std::string instance = "<instance_geometry url=\"#pyramid\"/>";
+  text.erase(text.find(instance), instance.size());
+  EXPECT_THAT(ErrorOf(text), HasSubstr("wrong.dae"));
+}
+
 TEST(Collada, SaysThatAFileIsWrong) {
   const std::string text = Pyramid(1, "Z_UP");
   EXPECT_THAT(ErrorOf("solid"), HasSubstr("wrong.dae: is no COLLADA file"));

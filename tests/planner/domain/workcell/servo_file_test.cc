@@ -19,10 +19,14 @@ const kinematics::Arm& Puma() {
   return arm;
 }
 
-kinematics::ArmServos Read(const std::string& text) {
+kinematics::ArmServos Read(const std::string& text, const kinematics::LockedJoints& locked = {}) {
   const std::filesystem::path file = ScratchFile("servos.yaml");
   std::ofstream(file) << text;
-  return ReadServos(file, Puma());
+  return ReadServos(file, Puma(), locked, [] {
+    kinematics::ArmServos derived;
+    derived.fill({.armature = 1, .stiffness = 2, .damping = 3});
+    return derived;
+  });
 }
 
 std::string ErrorOf(const std::string& text) {
@@ -43,6 +47,13 @@ std::string Text() {
   return ServosText("a \"test\"", Puma(), servos);
 }
 
+std::string With(const std::string& from, const std::string& to) {
+  std::string text = Text();
+  const std::size_t at = text.find(from);
+  EXPECT_NE(at, std::string::npos) << from;
+  return at == std::string::npos ? text : text.replace(at, from.size(), to);
+}
+
 TEST(ServoFile, KeepsThreeDigits) {
   const kinematics::ArmServos servos = Read(Text());
   EXPECT_DOUBLE_EQ(servos[0].armature, 0.123);
@@ -51,11 +62,12 @@ TEST(ServoFile, KeepsThreeDigits) {
   EXPECT_DOUBLE_EQ(servos[3].damping, 7000);
 }
 
-std::string With(const std::string& from, const std::string& to) {
-  std::string text = Text();
-  const std::size_t at = text.find(from);
-  EXPECT_NE(at, std::string::npos) << from;
-  return at == std::string::npos ? text : text.replace(at, from.size(), to);
+// The file was written for an arm in which the first joint was locked, and now a seventh one is.
+TEST(ServoFile, ServesAnArmWithAnotherLockedJoint) {
+  const std::string first = Puma().model().joints[0].name;
+  const kinematics::ArmServos servos = Read(With(first, "seventh"), {{"seventh", 0.5}});
+  EXPECT_DOUBLE_EQ(servos[0].stiffness, 2);
+  EXPECT_DOUBLE_EQ(servos[1].stiffness, 1620000);
 }
 
 TEST(ServoFile, SaysWhatIsWrong) {

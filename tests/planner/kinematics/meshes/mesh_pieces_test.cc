@@ -126,5 +126,72 @@ TEST(ConvexPieces, ContainTheSolid) {
   }
 }
 
+// A solid of the cubes of a grid. Its surface has the faces between full and empty cubes.
+class GridSolid {
+ public:
+  GridSolid(double share, RandomStream& random) {
+    for (bool& cube : full_) cube = random.Uniform() < share;
+  }
+  bool IsFull(int x, int y, int z) const {
+    const auto inside = [](int i) { return i >= 0 && i < kSide; };
+    return inside(x) && inside(y) && inside(z) &&
+           full_[static_cast<std::size_t>((x * kSide + y) * kSide + z)];
+  }
+  bool Contains(const Vector3& p) const {
+    return IsFull(static_cast<int>(std::floor(p.x())), static_cast<int>(std::floor(p.y())),
+                  static_cast<int>(std::floor(p.z())));
+  }
+  Surface SurfaceOf() const {
+    Surface surface;
+    for (int i = 0; i < kSide * kSide * kSide; ++i) {
+      const std::array<int, 3> cube = {i / kSide / kSide, i / kSide % kSide, i % kSide};
+      if (!IsFull(cube[0], cube[1], cube[2])) continue;
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        for (const int side : {-1, 1}) AddFace(cube, axis, side, surface);
+      }
+    }
+    return surface;
+  }
+  static constexpr int kSide = 5;
+
+ private:
+  void AddFace(const std::array<int, 3>& cube, std::size_t axis, int side, Surface& surface) const {
+    std::array<int, 3> next = cube;
+    next[axis] += side;
+    if (IsFull(next[0], next[1], next[2])) return;
+    const Vector3 low(cube[0], cube[1], cube[2]);
+    const Vector3 along = Vector3::Unit(static_cast<int>(axis));
+    const Vector3 u = Vector3::Unit(static_cast<int>((axis + 1) % 3));
+    const Vector3 v = Vector3::Unit(static_cast<int>((axis + 2) % 3));
+    const Vector3 a = low + (side > 0 ? along : Vector3::Zero());
+    if (side > 0) {
+      surface.push_back({a, a + u, a + u + v});
+      surface.push_back({a, a + u + v, a + v});
+    } else {
+      surface.push_back({a, a + u + v, a + u});
+      surface.push_back({a, a + v, a + u + v});
+    }
+  }
+
+  std::array<bool, kSide* kSide* kSide> full_ = {};
+};
+
+TEST(ConvexPieces, ContainSolidsWithDentsInAllDirections) {
+  RandomStream random(kSeed, "grid solids");
+  int cut = 0;
+  for (int i = 0; i < 40; ++i) {
+    const GridSolid solid(random.Uniform(0.1, 0.9), random);
+    const auto pieces = ConvexPiecesOf(solid.SurfaceOf());
+    cut += pieces.size() > 1 ? 1 : 0;
+    for (int k = 0; k < 400; ++k) {
+      const Vector3 p(random.Uniform(0, GridSolid::kSide), random.Uniform(0, GridSolid::kSide),
+                      random.Uniform(0, GridSolid::kSide));
+      if (!solid.Contains(p)) continue;
+      EXPECT_TRUE(AnyContains(pieces, p)) << "seed " << kSeed << ", case " << i;
+    }
+  }
+  EXPECT_GT(cut, 5);
+}
+
 }  // namespace
 }  // namespace assay::kinematics::mesh_pieces_test
