@@ -88,7 +88,8 @@ class WorldSearch {
 
 bool HasHopelessWorld(const GroundTask& task, Budget& budget) {
   if (!IsMonotone(task) || TellsSomething(task) || !task.function_of_slot.empty()) return false;
-  const NumberMarks marks(task, PlanTree{});
+  const PlanTree only_goal = {.nodes = {PlanNode()}, .root = NodeId(0)};
+  const NumberMarks marks(task, only_goal);
   WorldSearch search(task, marks, budget);
   const Worlds initial = EnumerateWorlds(task, marks, kMostInitialWorlds, 1).worlds;
   for (const World& world : std::set<World>(initial.begin(), initial.end())) {
