@@ -29,6 +29,15 @@ class WorldSearch {
     for (std::size_t i = 0; i < task.functions.size(); ++i) values_sensed_[FunctionId(i)] = 0;
   }
 
+  // Decides either way what a world leaves open. Returns nothing if there are too many worlds then.
+  std::optional<Worlds> Decided(Worlds worlds) {
+    for (std::size_t atom = 0; atom < task_.atoms.size(); ++atom) {
+      progression_.SplitBy(AtomId(atom), worlds);
+      if (worlds.size() > kMostOpenWorlds) return std::nullopt;
+    }
+    return worlds;
+  }
+
   // Returns whether a sequence of actions reaches the goal from the world, or nothing if it cannot
   // tell.
   std::optional<bool> ReachesGoal(const World& initial) {
@@ -58,17 +67,14 @@ class WorldSearch {
     return {.worlds = {world}, .sensed = sensed_, .values_sensed = values_sensed_};
   }
 
-  // Adds worlds that were not met before. Facts that a world leaves open are decided either way.
-  // Returns false if there are too many worlds.
+  // Adds worlds that were not met before. Returns false if there are too many worlds.
   bool Add(Worlds worlds, std::set<World>& met, Worlds& open) {
-    for (std::size_t atom = 0; atom < task_.atoms.size(); ++atom) {
-      progression_.SplitBy(AtomId(atom), worlds);
-      if (worlds.size() > kMostOpenWorlds) return false;
-    }
+    std::optional<Worlds> decided = Decided(std::move(worlds));
+    if (!decided) return false;
     const bool is_doubtful =
         progression_.HasMadeTooMany() || progression_.CouldNotTell() || progression_.IsRestless();
     if (is_doubtful) return false;
-    for (World& world : worlds) {
+    for (World& world : *decided) {
       if (!met.insert(world).second) continue;
       if (++states_ > kMostStates || !budget_.Spend()) return false;
       open.push_back(std::move(world));
@@ -91,11 +97,15 @@ bool HasHopelessWorld(const GroundTask& task, Budget& budget) {
   const PlanTree only_goal = {.nodes = {PlanNode()}, .root = NodeId(0)};
   const NumberMarks marks(task, only_goal);
   WorldSearch search(task, marks, budget);
-  const Worlds initial = EnumerateWorlds(task, marks, kMostInitialWorlds, 1).worlds;
-  for (const World& world : std::set<World>(initial.begin(), initial.end())) {
-    const std::optional<bool> reaches = search.ReachesGoal(world);
-    if (!reaches) return false;
-    if (!*reaches) return true;
+  const Worlds drawn = EnumerateWorlds(task, marks, kMostInitialWorlds, 1).worlds;
+  for (const World& open : std::set<World>(drawn.begin(), drawn.end())) {
+    const std::optional<Worlds> initial = search.Decided({open});
+    if (!initial) return false;
+    for (const World& world : *initial) {
+      const std::optional<bool> reaches = search.ReachesGoal(world);
+      if (!reaches) return false;
+      if (!*reaches) return true;
+    }
   }
   return false;
 }
