@@ -38,6 +38,11 @@ std::unordered_set<AtomId> ConditionallyChanged(const GroundTask& task) {
   return atoms;
 }
 
+// Returns the number of actions in a transition.
+int CostOf(const Transition& transition) {
+  return transition.step.kind == PlanNode::Kind::kAct ? 1 : 0;
+}
+
 class ExhaustiveTreeSearch {
  public:
   explicit ExhaustiveTreeSearch(KnowledgeSpace& space)
@@ -97,10 +102,6 @@ class ExhaustiveTreeSearch {
     std::sort(next.begin(), next.end());
     next.erase(std::unique(next.begin(), next.end()), next.end());
     return next;
-  }
-
-  static int CostOf(const Transition& transition) {
-    return transition.step.kind == PlanNode::Kind::kAct ? 1 : 0;
   }
 
   int DepthOf(StateId state) const {
