@@ -142,7 +142,7 @@ class ArmBuilder {
     const Pose X_FlangeLast = X_LastFlange.inverse();
     for (Visual& visual : link.visuals) visual.X_LinkShape = X_FlangeLast * visual.X_LinkShape;
     for (Collision& shape : link.collisions) shape.X_LinkShape = X_FlangeLast * shape.X_LinkShape;
-    if (link.inertial) link.inertial->X_LinkCenter = X_FlangeLast * link.inertial->X_LinkCenter;
+    if (link.inertial) link.inertial = Moved(X_FlangeLast, *link.inertial);
   }
 
   const RobotModel& model_;

@@ -44,8 +44,8 @@ struct InertialOfShape {
 std::optional<Inertial> DerivedInertial(const Link& link) {
   std::optional<Inertial> whole;
   for (const Collision& collision : link.collisions) {
-    Inertial inertial = std::visit(InertialOfShape{}, collision.shape);
-    inertial.X_LinkCenter = collision.X_LinkShape * inertial.X_LinkCenter;
+    const Inertial inertial =
+        Moved(collision.X_LinkShape, std::visit(InertialOfShape{}, collision.shape));
     whole = whole ? Joined(*whole, inertial) : inertial;
   }
   return whole;

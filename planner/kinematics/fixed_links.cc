@@ -18,6 +18,11 @@ Inertial Joined(const Inertial& a, const Inertial& b) {
   return joined;
 }
 
+Inertial Moved(const Pose& X_NewBody, Inertial inertial) {
+  inertial.X_LinkCenter = X_NewBody * inertial.X_LinkCenter;
+  return inertial;
+}
+
 void AddFixedLink(const Link& link, const Pose& X_BodyLink, Link& body) {
   for (Visual visual : link.visuals) {
     visual.X_LinkShape = X_BodyLink * visual.X_LinkShape;
@@ -30,8 +35,7 @@ void AddFixedLink(const Link& link, const Pose& X_BodyLink, Link& body) {
   body.meshes.insert(body.meshes.end(), link.meshes.begin(), link.meshes.end());
   body.fits.insert(body.fits.end(), link.fits.begin(), link.fits.end());
   if (!link.inertial) return;
-  Inertial inertial = *link.inertial;
-  inertial.X_LinkCenter = X_BodyLink * inertial.X_LinkCenter;
+  const Inertial inertial = Moved(X_BodyLink, *link.inertial);
   body.inertial = body.inertial ? Joined(*body.inertial, inertial) : inertial;
 }
 

@@ -13,6 +13,7 @@
 #include "planner/base/input_files/input_file.h"
 #include "planner/kinematics/meshes/link_mesh.h"
 #include "planner/kinematics/xml_outline.h"
+#include "planner/mesh_import/files/mesh_file.h"
 
 namespace assay::kinematics {
 namespace {
@@ -154,7 +155,7 @@ class Converter {
 
   // Returns the file of a mesh that can be read.
   std::optional<std::filesystem::path> FileOf(const urdf::Mesh& mesh) const {
-    if (!IsReadableMesh(mesh.filename)) return std::nullopt;
+    if (!mesh_import::IsMeshFile(mesh.filename)) return std::nullopt;
     return FindMesh(mesh.filename, mesh_places_.urdf, mesh_places_.packages);
   }
 
@@ -168,7 +169,7 @@ class Converter {
       for (const auto& piece : read.pieces) shapes.push_back(HullShape{piece});
       return shapes;
     }
-    const bool is_unknown = !IsReadableMesh(mesh.filename);
+    const bool is_unknown = !mesh_import::IsMeshFile(mesh.filename);
     Fail(fmt::format("link '{}' has the collision mesh '{}', {}", link.name, mesh.filename,
                      is_unknown ? "whose format is not read" : "and there is no such file"),
          is_unknown ? "STL, OBJ or DAE files"

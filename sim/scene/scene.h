@@ -5,6 +5,7 @@
 
 #include "planner/domain/problem/problem.h"
 #include "planner/kinematics/arm.h"
+#include "planner/kinematics/dynamics/arm_dynamics.h"
 #include "sim/mujoco/contact.h"
 #include "sim/mujoco/data.h"
 #include "sim/mujoco/model.h"
@@ -17,7 +18,7 @@ using geometry::Pose;
 using geometry::Vector3;
 using kinematics::JointVector;
 
-inline constexpr double kGravity = 9.81;  // m/s^2, the value in the engine
+using kinematics::kGravity;
 
 // A force, newtons, and a torque about a point, newton metres.
 struct Wrench {

@@ -12,12 +12,13 @@ namespace assay::contingent {
 // Rules that only add to Kf come to rest within one round for each atom.
 std::size_t MostRoundsOf(const GroundTask& task) { return 1000 + task.atoms.size(); }
 
+bool IsAsserted(const GroundChange& change) {
+  return change.kind == GroundChange::Kind::kRelate || change.kind == GroundChange::Kind::kNarrow;
+}
+
 bool TellsSomething(const GroundTask& task) {
-  const auto is_asserted = [](const GroundChange& change) {
-    return change.kind == GroundChange::Kind::kRelate || change.kind == GroundChange::Kind::kNarrow;
-  };
   const auto tells = [&](const GroundEffect& effect) {
-    return std::ranges::any_of(effect.changes, is_asserted);
+    return std::ranges::any_of(effect.changes, IsAsserted);
   };
   return std::ranges::any_of(task.updates, tells) ||
          std::ranges::any_of(task.actions, [&](const GroundAction& action) {

@@ -188,6 +188,9 @@ struct GroundTask {
   FilePlace goal_place;
 };
 
+// Returns true for a change that asserts Kx or a bound. It changes what is known, and not the
+// world.
+bool IsAsserted(const GroundChange& change);
 // Returns true if the task asserts Kx or bounds, which say something about the present world.
 bool TellsSomething(const GroundTask& task);
 

@@ -58,11 +58,6 @@ void MergeEqual(Worlds& worlds) {
   worlds.erase(equal.begin(), equal.end());
 }
 
-// Returns true for a change of knowledge that does not change the world.
-bool IsAsserted(const GroundChange& change) {
-  return change.kind == GroundChange::Kind::kRelate || change.kind == GroundChange::Kind::kNarrow;
-}
-
 int PassOf(const GroundChange& change) {
   if (change.kind == GroundChange::Kind::kForget) return 0;
   if (IsAsserted(change)) return 3;

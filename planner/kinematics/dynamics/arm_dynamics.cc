@@ -9,12 +9,6 @@ namespace {
 
 Inertial Massless() { return {.inertia = Matrix3::Zero()}; }
 
-// Returns the inertia of a body whose frame is moved.
-Inertial Moved(const Pose& motion, Inertial inertial) {
-  inertial.X_LinkCenter = motion * inertial.X_LinkCenter;
-  return inertial;
-}
-
 // Returns a gripper at joint values 0 as one body in the flange's frame.
 Inertial InertialOf(const RobotModel& gripper) {
   Inertial whole = Massless();

@@ -7,6 +7,8 @@
 
 namespace assay::kinematics {
 
+inline constexpr double kGravity = 9.81;  // m/s^2, the value in the engine
+
 // The motion of an arm's joints at one instant, in rad, rad/s and rad/s^2.
 struct JointMotion {
   JointVector q = JointVector::Zero();

@@ -35,7 +35,7 @@ double Lever(const Arm& arm, std::size_t i, const std::array<Pose, 7>& X_BaseLin
 
 std::array<JointLoad, 6> LoadsOf(const Arm& arm, const Gripper& gripper) {
   const ArmDynamics weightless(arm, gripper, Vector3::Zero());
-  const ArmDynamics upright(arm, gripper, Vector3(0, 0, -9.81));
+  const ArmDynamics upright(arm, gripper, Vector3(0, 0, -kGravity));
   RandomStream random(1, "servo tuning");
   std::array<JointLoad, 6> loads;
   for (int k = 0; k < kPostures; ++k) {

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <string_view>
 #include <utility>
@@ -102,13 +101,6 @@ std::optional<fs::path> FindMesh(const std::string& name, const fs::path& urdf,
       name.starts_with(kFile) ? fs::path(name.substr(kFile.size())) : urdf.parent_path() / name;
   if (!IsFile(file)) return std::nullopt;
   return file;
-}
-
-bool IsReadableMesh(const std::string& name) {
-  std::string ending = fs::path(name).extension().string();
-  std::ranges::transform(ending, ending.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return ending == ".stl" || ending == ".obj" || ending == ".dae";
 }
 
 LinkMesh ReadLinkMesh(const fs::path& file, const Vector3& scale, MeshUse use) {

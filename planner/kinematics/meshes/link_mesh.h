@@ -23,9 +23,6 @@ std::optional<std::filesystem::path> FindMesh(const std::string& name,
                                               const std::filesystem::path& urdf,
                                               std::span<const std::filesystem::path> packages);
 
-// Returns whether the hulls of such files can be read. They end in .stl, .obj or .dae.
-bool IsReadableMesh(const std::string& name);
-
 // What a mesh of a link is for. A mesh that is drawn becomes its hull. So does a mesh for
 // collisions, unless it is closed, has at most 20,000 triangles, and its hull is much larger than
 // the solid. Then it is cut into convex pieces (mesh_pieces.h).

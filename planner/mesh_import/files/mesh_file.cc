@@ -14,6 +14,22 @@
 #include "planner/mesh_import/files/stl.h"
 
 namespace assay::mesh_import {
+namespace {
+
+// Returns the ending of a file's name in small letters.
+std::string EndingOf(const std::filesystem::path& file) {
+  std::string ending = file.extension().string();
+  std::ranges::transform(ending, ending.begin(),
+                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return ending;
+}
+
+}  // namespace
+
+bool IsMeshFile(const std::filesystem::path& file) {
+  const std::string ending = EndingOf(file);
+  return ending == ".stl" || ending == ".obj" || ending == ".dae";
+}
 
 const char* Name(MeshUnit unit) {
   switch (unit) {
@@ -45,9 +61,7 @@ double MetresIn(MeshUnit unit) {
 
 TriangleMesh ReadMeshFile(const std::filesystem::path& file) {
   const std::string text = ReadInput(file, "a file with a mesh", kMostMeshBytes);
-  std::string ending = file.extension().string();
-  std::ranges::transform(ending, ending.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::string ending = EndingOf(file);
   TriangleMesh mesh;
   if (ending == ".stl") {
     mesh = ReadStl(text, file.string());

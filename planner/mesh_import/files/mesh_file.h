@@ -15,6 +15,10 @@ double MetresIn(MeshUnit unit);
 
 inline constexpr std::size_t kMostMeshBytes = std::size_t{64} << 20;
 
+// Returns whether the ending of a name, in letters of either case, is that of a file that
+// ReadMeshFile reads: .stl, .obj or .dae.
+bool IsMeshFile(const std::filesystem::path& file);
+
 // Reads an STL or OBJ file in the units of the file, or a COLLADA file (.dae) in metres. The ending
 // of its name tells the format. Throws InputError.
 TriangleMesh ReadMeshFile(const std::filesystem::path& file);

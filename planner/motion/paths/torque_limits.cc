@@ -3,12 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "planner/kinematics/fixed_links.h"
+
 namespace assay::motion {
 namespace {
 
 using kinematics::ArmDynamics;
 
-constexpr double kGravity = 9.81;  // m/s^2
 // The share of the torques that a motion may use. The servos need the rest.
 constexpr double kShare = 0.95;
 // The least speed, as a share of the speed that is asked for. Motors that need a lower one are too
@@ -17,12 +18,11 @@ constexpr double kLeastSpeed = 0.05;
 
 ArmDynamics DynamicsOf(const domain::Robot& robot,
                        const std::optional<kinematics::Inertial>& held) {
-  const Vector3 gravity = robot.X_WorldBase.linear().transpose() * Vector3(0, 0, -kGravity);
+  const Vector3 gravity =
+      robot.X_WorldBase.linear().transpose() * Vector3(0, 0, -kinematics::kGravity);
   const ArmDynamics empty(*robot.arm, *robot.gripper, gravity);
   if (!held) return empty;
-  kinematics::Inertial body = *held;
-  body.X_LinkCenter = robot.gripper->X_FlangeTool() * body.X_LinkCenter;
-  return empty.Carrying(body);
+  return empty.Carrying(kinematics::Moved(robot.gripper->X_FlangeTool(), *held));
 }
 
 // Returns the square of the factor of speed at which the torque of a joint reaches its limit.

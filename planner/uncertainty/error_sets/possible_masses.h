@@ -3,10 +3,11 @@
 #include <vector>
 
 #include "planner/domain/problem/problem.h"
+#include "planner/kinematics/dynamics/arm_dynamics.h"
 
 namespace assay::uncertainty {
 
-inline constexpr double kGravity = 9.81;  // m/s^2
+using kinematics::kGravity;
 
 // Returns the mass properties that the part may have, for three clearances: the problem's own, the
 // least and the greatest. Between these clearances, the centre of mass moves on a line that is

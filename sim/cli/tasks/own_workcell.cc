@@ -49,17 +49,17 @@ recoveries:
 )";
 
 // Returns a text as YAML, whatever characters it has.
-std::string Quoted(const std::string& text) { return nlohmann::json(text).dump(); }
+std::string YamlText(const std::string& text) { return nlohmann::json(text).dump(); }
 
 std::string LinksText(const OwnArm& own) {
   const auto& [base, flange, locked] = own.arm;
   std::string text;
   if (!base.empty() || !flange.empty()) {
-    text += fmt::format("  links: {{base: {}, flange: {}}}\n", Quoted(base), Quoted(flange));
+    text += fmt::format("  links: {{base: {}, flange: {}}}\n", YamlText(base), YamlText(flange));
   }
   for (const auto& [joint, value] : locked) {
     text += fmt::format("  locked: {{{}: {:.6g}}}  # this joint of seven does not move\n",
-                        Quoted(joint), value * 180 / std::numbers::pi);
+                        YamlText(joint), value * 180 / std::numbers::pi);
   }
   if (!own.packages.empty()) {
     text += fmt::format("  packages: {}\n", nlohmann::json(own.packages).dump());
@@ -86,9 +86,9 @@ std::string WorkcellText(const OwnArm& own, const domain::ArmSite& site) {
       "  acceleration: [150, 150, 150, 300, 300, 300]  # per second squared\n\n"
       "gripper: {{urdf: {}}}\n\n"
       "table: {{x: [{:.3f}, {:.3f}], y: [-{:.3f}, {:.3f}], thickness: 0.04}}\n",
-      own.name, Quoted(own.urdf), LinksText(own), base.x(), base.y(), base.z(),
-      fmt::join(home, ", "), Quoted(own.gripper), site.table_edge, site.middle.x() + side + kBeyond,
-      side + kBeyond, side + kBeyond);
+      own.name, YamlText(own.urdf), LinksText(own), base.x(), base.y(), base.z(),
+      fmt::join(home, ", "), YamlText(own.gripper), site.table_edge,
+      site.middle.x() + side + kBeyond, side + kBeyond, side + kBeyond);
   return text + fmt::format(kUsualRules, fmt::arg("safe_height", site.safe_height),
                             fmt::arg("low_x", site.middle.x() - side),
                             fmt::arg("high_x", site.middle.x() + side), fmt::arg("half", side),

@@ -19,6 +19,7 @@
 #include "sim/cli/command_line/console.h"
 #include "sim/cli/command_line/usage_error.h"
 #include "sim/cli/command_line/verb.h"
+#include "sim/cli/options/arm_options.h"
 #include "sim/cli/tasks/output_file.h"
 #include "sim/cli/tasks/own_workcell.h"
 #include "sim/scenario/models_folder.h"
@@ -28,11 +29,9 @@ namespace init_verb {
 
 namespace fs = std::filesystem;
 
-struct Options {
+struct Options : ArmOptions {
   fs::path folder;
   fs::path robot;  // a URDF file; empty for the arm that comes with the program
-  kinematics::ArmInFile arm;
-  std::vector<fs::path> packages;
 };
 
 // The user's arm, and where it stands.
@@ -177,11 +176,7 @@ Execution Declare(CLI::App& command) {
       ->required();
   command.add_option("--robot", options->robot,
                      "URDF file of your own arm, for which a workcell is written");
-  command.add_option("--base", options->arm.base, "link of this file at which the arm begins");
-  command.add_option("--flange", options->arm.flange,
-                     "link of this file at which the arm ends: the gripper is mounted there");
-  command.add_option("--packages", options->packages,
-                     "folders in which packages with the meshes of this file lie");
+  AddArmOptions(command, *options);
   return [options] { return Execute(*options); };
 }
 

@@ -12,6 +12,7 @@
 #include "planner/kinematics/dynamics/servo_tuning.h"
 #include "sim/cli/command_line/console.h"
 #include "sim/cli/command_line/verb.h"
+#include "sim/cli/options/arm_options.h"
 #include "sim/cli/plan_output/table.h"
 #include "sim/cli/tasks/output_file.h"
 #include "sim/scenario/models_folder.h"
@@ -24,11 +25,9 @@ using kinematics::Arm;
 using kinematics::ArmServos;
 using kinematics::Gripper;
 
-struct Options {
+struct Options : ArmOptions {
   fs::path robot;    // a URDF file
   fs::path gripper;  // a URDF file; empty for the gripper that comes with the program
-  kinematics::ArmInFile arm;
-  std::vector<fs::path> packages;
   fs::path output;
 };
 
@@ -111,11 +110,7 @@ Execution Declare(CLI::App& command) {
   command.add_option("-o,--output", options->output, "write the gains to this file");
   command.add_option("--gripper", options->gripper,
                      "URDF file of the gripper (default: the gripper that comes with the program)");
-  command.add_option("--base", options->arm.base, "link of this file at which the arm begins");
-  command.add_option("--flange", options->arm.flange,
-                     "link of this file at which the arm ends: the gripper is mounted there");
-  command.add_option("--packages", options->packages,
-                     "folders in which packages with the meshes of this file lie");
+  AddArmOptions(command, *options);
   return [options] { return Execute(*options); };
 }
 

@@ -6,17 +6,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <fstream>
 #include <numbers>
 #include <set>
-#include <sstream>
 
 #include "bench/workloads/reachable_poses.h"
-#include "planner/base/input_files/input_error.h"
 #include "planner/base/random.h"
 #include "planner/geometry/pose.h"
 #include "tests/oracle/forward_kinematics.h"
-#include "tests/scratch_file.h"
+#include "tests/planner/kinematics/puma.h"
 
 namespace assay::kinematics::arm_test {
 namespace {
@@ -27,34 +24,6 @@ constexpr double kPi = std::numbers::pi;
 constexpr double kDegree = kPi / 180;
 constexpr double kTight = 1e-12;  // metres, pose error of a product of a dozen rotations
 constexpr double kPoseTolerance = 1e-9;
-
-const std::filesystem::path kPuma =
-    std::filesystem::path(ASSAY_SOURCE_DIR) / "models/robots/puma762/puma762.urdf";
-
-const Arm& Puma() {
-  static const Arm arm = Arm::FromUrdf(kPuma);
-  return arm;
-}
-
-std::string PumaText() {
-  std::stringstream text;
-  text << std::ifstream(kPuma).rdbuf();
-  return text.str();
-}
-
-std::filesystem::path WriteUrdf(const std::string& name, const std::string& text) {
-  const std::filesystem::path path = ScratchFile(name);
-  std::ofstream(path) << text;
-  return path;
-}
-
-// Returns the Puma's URDF text with one passage replaced. The passage must be there.
-std::string PumaWith(const std::string& from, const std::string& to) {
-  std::string text = PumaText();
-  const std::size_t at = text.find(from);
-  EXPECT_NE(at, std::string::npos) << from;
-  return at == std::string::npos ? text : text.replace(at, from.size(), to);
-}
 
 // Returns the Puma with an offset a3 between elbow and axis 4, like that of the Puma 560.
 Arm ArmWithElbowOffset(double a3) {
@@ -97,26 +66,6 @@ double DistanceToSingularity(const Arm& arm, const JointVector& q) {
   const double reach = g.d4 * std::sin(q23) + g.a3 * std::cos(q23) + g.a2 * std::cos(q[1]);
   const double across = g.d4 * std::cos(q[2]) - g.a3 * std::sin(q[2]);
   return std::min({std::abs(reach), std::abs(across), std::abs(std::sin(q[4]))});
-}
-
-TEST(ArmFile, Puma762Lengths) {
-  const ArmGeometry& g = *Puma().geometry();
-  EXPECT_DOUBLE_EQ(g.a2, 0.650);
-  EXPECT_DOUBLE_EQ(g.a3, 0);
-  EXPECT_DOUBLE_EQ(g.d2, 0.190);
-  EXPECT_DOUBLE_EQ(g.d4, 0.600);
-  EXPECT_DOUBLE_EQ(g.d6, 0.125);
-}
-
-TEST(ArmFile, Puma762LimitsAndSpeeds) {
-  const double lower[6] = {-160, -200, -45, -266, -100, -266};
-  const double upper[6] = {160, 20, 225, 266, 100, 266};
-  const double speed[6] = {90, 90, 90, 180, 180, 180};
-  for (std::size_t i = 0; i < 6; ++i) {
-    EXPECT_NEAR(Puma().limits()[i].lower, lower[i] * kDegree, 1e-12);
-    EXPECT_NEAR(Puma().limits()[i].upper, upper[i] * kDegree, 1e-12);
-    EXPECT_NEAR(Puma().limits()[i].velocity, speed[i] * kDegree, 1e-12);
-  }
 }
 
 TEST(Forward, KnownPoses) {
@@ -431,66 +380,8 @@ TEST(Limits, NoRepresentativeInTheGap) {
   EXPECT_TRUE(Puma().Representatives(Degrees(0, 90, 0, 0, 0, 0)).empty());
 }
 
-struct WrongArm {
-  const char* name;
-  const char* from;
-  const char* to;
-  const char* message;
-};
-
-class WrongArmFile : public testing::TestWithParam<WrongArm> {};
-
-TEST_P(WrongArmFile, IsRefusedByNameAndReason) {
-  const WrongArm& wrong = GetParam();
-  const std::filesystem::path path =
-      WriteUrdf(std::string(wrong.name) + ".urdf", PumaWith(wrong.from, wrong.to));
-  try {
-    Arm::FromUrdf(path);
-    FAIL() << "accepted";
-  } catch (const InputError& error) {
-    EXPECT_THAT(error.what(), testing::HasSubstr(path.string()));
-    EXPECT_THAT(error.what(), testing::HasSubstr(wrong.message));
-  }
-}
-
-INSTANTIATE_TEST_SUITE_P(
-    Cases, WrongArmFile,
-    testing::Values(
-        WrongArm{"fixed_joint", "<joint name=\"elbow\" type=\"revolute\">",
-                 "<joint name=\"elbow\" type=\"fixed\">", "has 5 revolute joints"},
-        WrongArm{"sliding_joint", "<joint name=\"elbow\" type=\"revolute\">",
-                 "<joint name=\"elbow\" type=\"prismatic\">", "has 2 revolute joints"},
-        WrongArm{"branch", "<parent link=\"wrist_bend\"/>", "<parent link=\"wrist_roll\"/>",
-                 "has 4 revolute joints"},
-        WrongArm{"finger", "</robot>",
-                 "<link name=\"x\"/><joint name=\"j\" type=\"prismatic\"><parent link=\"flange\"/>"
-                 "<child link=\"x\"/><limit lower=\"0\" upper=\"1\" effort=\"1\" velocity=\"1\"/>"
-                 "</joint></robot>",
-                 "joint 'j' moves, but is not between base and flange"},
-        WrongArm{"flange_off_axis", "</robot>",
-                 "<link name=\"x\"/><joint name=\"j\" type=\"fixed\"><parent link=\"flange\"/>"
-                 "<child link=\"x\"/><origin xyz=\"0.01 0 0\"/></joint></robot>",
-                 "the flange's origin is 0.01 m off axis 6"},
-        WrongArm{"no_lengths", "<origin xyz=\"0.650 0.190 0\"/>", "<origin xyz=\"0 0 0\"/>",
-                 "in fewer than six ways"}),
-    [](const testing::TestParamInfo<WrongArm>& wrong) { return std::string(wrong.param.name); });
-
-TEST(ArmFile, AnEndlessJointTurnsOnceEitherWay) {
-  const Arm arm = Arm::FromUrdf(
-      WriteUrdf("endless.urdf", PumaWith("<joint name=\"waist\" type=\"revolute\">",
-                                         "<joint name=\"waist\" type=\"continuous\">")));
-  EXPECT_EQ(arm.limits()[0].lower, -2 * kPi);
-  EXPECT_EQ(arm.limits()[0].upper, 2 * kPi);
-}
-
-TEST(ArmFile, AnEffortOfZeroIsUnknown) {
-  const Arm arm =
-      Arm::FromUrdf(WriteUrdf("unknown.urdf", PumaWith("effort=\"2000\"", "effort=\"0\"")));
-  EXPECT_EQ(arm.limits()[0].effort, 0);
-}
-
 // Arms that miss Lee and Ziegler's convention are solved as chains.
-TEST(ArmFile, OtherArmsAreChains) {
+TEST(Inverse, OfOtherArmsIsThatOfChains) {
   const std::array<std::pair<std::string, std::string>, 4> changes = {
       {{"<child link=\"upper_arm\"/>\n    <origin xyz=\"0 0 0\"/>",
         "<child link=\"upper_arm\"/>\n    <origin xyz=\"0.1 0 0\"/>"},
@@ -515,14 +406,6 @@ TEST(ArmFile, OtherArmsAreChains) {
       }
     }
   }
-}
-
-TEST(ArmFile, MissingJointLeavesTwoRoots) {
-  std::string text = PumaText();
-  const std::size_t begin = text.find("<joint name=\"wrist_bend\"");
-  const std::size_t end = text.find("</joint>", begin) + 8;
-  const auto path = WriteUrdf("missing_joint.urdf", text.erase(begin, end - begin));
-  EXPECT_THROW(Arm::FromUrdf(path), InputError);
 }
 
 }  // namespace
