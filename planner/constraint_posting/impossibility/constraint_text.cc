@@ -62,8 +62,10 @@ std::string DescribeMating(const Problem& problem, const Mating& mating, Kind ki
                        FeatureList(mating, Side::kFixed), fixed, held);
   }
   return fmt::format(
-      "the mating vector of {} into {} points down into the friction cone (friction {:.4g})", held,
-      fixed, domain::LeastMatingFriction(problem));
+      "the mating vector of {} into {} points down into the friction cone (friction {:.4g}) and "
+      "ends "
+      "above the table",
+      held, fixed, domain::LeastMatingFriction(problem));
 }
 
 }  // namespace

@@ -41,9 +41,11 @@ std::string GraspsText(const RelaxedProblem& relaxed) {
 std::vector<std::string> Hypotheses(const Problem& problem, const RelaxedProblem& relaxed) {
   const domain::Workcell& workcell = *problem.workcell;
   return {
-      fmt::format("actions: pickup, putdown and assemble along straight lines by {}, in any "
-                  "configuration of the arm; each part is in one hand, rests, or is mated",
-                  RobotsText(problem)),
+      fmt::format(
+          "actions: pickup, putdown and assemble along straight lines by {}, in any "
+          "configuration of the arm; each part is in one hand, rests, or is mated; hand and "
+          "parts stay above the height of the table, also beside it",
+          RobotsText(problem)),
       fmt::format("grasps: {}; between parallel faces, approach directions every {:.4g} deg; on "
                   "round sides, along and across the axis",
                   GraspsText(relaxed), workcell.rules().approach_step * 180 / std::numbers::pi),

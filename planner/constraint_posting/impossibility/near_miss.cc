@@ -220,31 +220,53 @@ class MissSearch {
   bool is_measured_ = false;  // whether the condition limits a quantity
 };
 
+// The stable poses of the fixed part in which a mating fails by one quantity.
+struct FailingPoses {
+  std::vector<std::string> texts = {};                     // each with the quantity
+  std::optional<std::pair<plan::Excess, int>> least = {};  // the least excess, and its stable pose
+
+  void Add(const Part& fixed, int pose, const plan::Excess& excess, const std::string& quantity) {
+    texts.push_back(fmt::format("{} {}", PoseName(fixed, StablePoseId(pose)), quantity));
+    if (!least || excess.value < least->first.value) least = {excess, pose};
+  }
+};
+
 // Returns a reason about the stable poses of the fixed part in which the mating vector is outside
-// the friction cone. For each of them, the text says how far the mating vector leans. The situation
-// is the one in which it leans least.
+// the friction cone, or in which the held part would end below the table. For each of them, the
+// text says by how much. The situation is the one with the least excess.
 std::optional<plan::Reason> FrictionConeMiss(const RelaxedProblem& relaxed,
                                              const Constraint& constraint) {
   const Problem& problem = relaxed.problem();
   const Mating& mating = problem.mating(MatingId(constraint.index));
   const Part& fixed = problem.part(mating.fixed);
   const std::vector<domain::StablePose>& poses = fixed.model->stable_poses();
-  std::vector<std::string> texts;
-  std::optional<std::pair<Limited, int>> least;
-  for (std::size_t i = 0; i < poses.size(); ++i) {
-    const Limited lean = MatingLean(problem, mating, poses[i].X_TablePart);
-    if (lean.excess() <= domain::kRounding) continue;
-    texts.push_back(fmt::format("{} {}", PoseName(fixed, StablePoseId(i)), Degrees(lean.value)));
-    if (!least || lean.value < least->first.value) least = {lean, static_cast<int>(i)};
+  FailingPoses leaning;
+  FailingPoses sunk;
+  for (int i = 0; i < static_cast<int>(poses.size()); ++i) {
+    const geometry::Pose& X_WorldFixed = poses[static_cast<std::size_t>(i)].X_TablePart;
+    const Limited lean = MatingLean(problem, mating, X_WorldFixed);
+    const double depth = -HeightOfMated(problem, mating, X_WorldFixed);
+    if (lean.excess() > domain::kRounding) {
+      leaning.Add(fixed, i, {Dimension::kAngle, lean.value, lean.limit}, Degrees(lean.value));
+    } else if (!EndsAboveTable(problem, mating, X_WorldFixed)) {
+      sunk.Add(fixed, i, {Dimension::kLength, depth, 0}, Millimetres(depth));
+    }
   }
-  if (!least) return std::nullopt;
-  const auto& [lean, position] = *least;
+  std::vector<std::string> texts;
+  if (sunk.least) {
+    texts.push_back(fmt::format("{} would end below the table: {}", problem.part(mating.held).name,
+                                fmt::join(sunk.texts, ", ")));
+  }
+  if (leaning.least) {
+    texts.push_back(fmt::format(
+        "the mating vector into {} may lean at most {} from straight down, and leans: {}",
+        fixed.name, Degrees(leaning.least->first.limit), fmt::join(leaning.texts, ", ")));
+  }
+  if (texts.empty()) return std::nullopt;
+  const auto& [excess, position] = sunk.least ? *sunk.least : *leaning.least;
   plan::Situation situation = MatedAt(relaxed, MatingId(constraint.index), position);
-  situation.excess = plan::Excess{Dimension::kAngle, lean.value, lean.limit};
-  return plan::Reason{
-      fmt::format("the mating vector into {} may lean at most {} from straight down, and leans: {}",
-                  fixed.name, Degrees(lean.limit), fmt::join(texts, ", ")),
-      std::move(situation)};
+  situation.excess = excess;
+  return plan::Reason{fmt::format("{}", fmt::join(texts, "; ")), std::move(situation)};
 }
 
 }  // namespace

@@ -85,6 +85,14 @@ bool AnyNegated(const std::vector<GroundEffect>& effects) {
       effects, [](const GroundEffect& effect) { return HasNegation(effect.condition); });
 }
 
+void AddAskedFor(const GroundTask& task, const GroundQuery& query, std::set<FunctionId>& asked) {
+  if (query.kind == GroundQuery::Kind::kBoundKnown) asked.insert(query.bound.function);
+  if (query.kind == GroundQuery::Kind::kKnown) {
+    asked.insert(task.function_of_atom[query.literal.atom.index()]);
+  }
+  for (const GroundQuery& operand : query.operands) AddAskedFor(task, operand, asked);
+}
+
 // Puts a query of several operands in parentheses, for use beside other operands.
 std::string OperandText(const GroundTask& task, const GroundQuery& operand) {
   const std::string text = TextOf(task, operand);
@@ -104,6 +112,21 @@ bool AsksForIgnorance(const GroundTask& task) {
          std::ranges::any_of(task.actions, [](const GroundAction& action) {
            return HasNegation(action.precondition) || AnyNegated(action.effects);
          });
+}
+
+std::set<FunctionId> FunctionsAskedFor(const GroundTask& task) {
+  std::set<FunctionId> asked;
+  const auto add = [&](const std::vector<GroundEffect>& effects) {
+    for (const GroundEffect& effect : effects) AddAskedFor(task, effect.condition, asked);
+  };
+  AddAskedFor(task, task.goal, asked);
+  add(task.updates);
+  for (const GroundAction& action : task.actions) {
+    AddAskedFor(task, action.precondition, asked);
+    add(action.effects);
+  }
+  asked.erase(FunctionId::None());
+  return asked;
 }
 
 bool HappensByKnowledge(const GroundTask& task) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,10 @@ bool HasBound(const GroundQuery& query);
 // Returns true if anything in the task asks that something is not known. More knowledge can do harm
 // only if this is true.
 bool AsksForIgnorance(const GroundTask& task);
+
+// Returns the functions of whose values anything in the task asks K(f = c), or K of a bound. A
+// run-time variable asks for no value.
+std::set<FunctionId> FunctionsAskedFor(const GroundTask& task);
 
 // Returns true if some effect depends on what is known or not known, so the change of one world
 // depends on the other worlds.

@@ -55,6 +55,10 @@ class KnowledgeBase {
   // Returns the first formula of Kw, or none if Kw is empty. If a conjunction turns out false, none
   // of its literals may become known, but the literals become related.
   FormulaId FormulaToBranch(const KnowledgeState& state) const;
+  // Returns whether the value will be known at run time, and is not known at plan time.
+  bool IsInKv(FunctionId function, const KnowledgeState& state) const {
+    return layout_.IsSensed(state, function);
+  }
   // Returns the functions of Kv whose possible values are listed by Kx.
   std::vector<FunctionId> FunctionsToBranch(const KnowledgeState& state);
   // Returns the values that the function may have: all values except those that are known not to be

@@ -1,5 +1,7 @@
 #include "planner/contingent/knowledge/knowledge_space.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <utility>
 
@@ -19,7 +21,10 @@ PlanNode NodeOf(const Transition& transition, const std::vector<NodeId>& childre
 }
 
 KnowledgeSpace::KnowledgeSpace(const GroundTask& task, Budget& budget)
-    : knowledge_(task), budget_(budget), asks_for_ignorance_(AsksForIgnorance(task)) {}
+    : knowledge_(task),
+      budget_(budget),
+      asks_for_ignorance_(AsksForIgnorance(task)),
+      functions_asked_for_(FunctionsAskedFor(task)) {}
 
 const std::string& KnowledgeSpace::doubt() {
   if (doubt_.empty() && knowledge_.has_doubted()) {
@@ -95,12 +100,27 @@ std::vector<Step> KnowledgeSpace::FindSteps(StateId id) {
   for (const FunctionId function : knowledge_.FunctionsToBranch(from)) {
     steps.push_back({.kind = PlanNode::Kind::kValue, .function = function});
   }
+  DoubtValuesBeyond(steps, from);
   for (std::size_t a = 0; a < task().actions.size(); ++a) {
     if (Surely(task().actions[a].precondition, from)) {
       steps.push_back({.kind = PlanNode::Kind::kAct, .action = ActionId(a)});
     }
   }
   return steps;
+}
+
+void KnowledgeSpace::DoubtValuesBeyond(const std::vector<Step>& branches,
+                                       const KnowledgeState& from) {
+  for (const FunctionId function : functions_asked_for_) {
+    if (!knowledge_.IsInKv(function, from) ||
+        std::ranges::count(branches, function, &Step::function) > 0) {
+      continue;
+    }
+    doubt_ = fmt::format(
+        "a query asks for the sensed value of {}, and the planner branches on a value only if Kx "
+        "lists all values",
+        task().functions[function.index()].text);
+  }
 }
 
 std::optional<Transition> KnowledgeSpace::Try(StateId id, const Step& step) {

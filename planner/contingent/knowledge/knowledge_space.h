@@ -2,6 +2,7 @@
 
 #include <deque>
 #include <optional>
+#include <set>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -81,6 +82,8 @@ class KnowledgeSpace {
   bool AddOutcome(std::optional<KnowledgeState> state, Transition& transition);
   Expansion& ExpansionOf(StateId id);
   std::vector<Step> FindSteps(StateId id);
+  // Records a doubt if a query asks for a sensed value on which no step of the list branches.
+  void DoubtValuesBeyond(const std::vector<Step>& branches, const KnowledgeState& from);
   std::optional<Transition> Try(StateId id, const Step& step);
 
   KnowledgeBase knowledge_;
@@ -89,6 +92,7 @@ class KnowledgeSpace {
   InternTable ids_;
   std::unordered_map<StateId, Expansion> expansions_;
   const bool asks_for_ignorance_;
+  const std::set<FunctionId> functions_asked_for_;
   std::string doubt_;  // the latest doubt, empty if there is none
 };
 

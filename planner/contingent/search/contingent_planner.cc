@@ -9,7 +9,7 @@
 namespace assay::contingent {
 namespace {
 
-ContingentPlan Exhaustive(const GroundTask& task, KnowledgeSpace& space) {
+ContingentPlan Exhaustive(KnowledgeSpace& space) {
   ContingentPlan plan;
   ExhaustiveTree found = FindExhaustiveTree(space);
   if (found.tree) {
@@ -17,15 +17,14 @@ ContingentPlan Exhaustive(const GroundTask& task, KnowledgeSpace& space) {
     plan.tree = std::move(*found.tree);
     plan.guarantee = found.repeats ? Guarantee::kIfFair : Guarantee::kLeastDepth;
   } else {
-    const bool is_proved =
-        found.is_complete || (!found.doubt.empty() && HasHopelessWorld(task, space.budget()));
-    plan.outcome = is_proved ? Outcome::kNone : Outcome::kBudget;
-    if (!is_proved) plan.doubt = found.doubt;
+    const bool is_searched = found.is_complete || !found.doubt.empty();
+    plan.outcome = is_searched ? Outcome::kNone : Outcome::kBudget;
+    plan.doubt = found.doubt;
   }
   return plan;
 }
 
-ContingentPlan First(const GroundTask& task, KnowledgeSpace& space) {
+ContingentPlan First(KnowledgeSpace& space) {
   FirstTree found = FindFirstTree(space);
   ContingentPlan plan;
   if (found.tree) {
@@ -33,19 +32,27 @@ ContingentPlan First(const GroundTask& task, KnowledgeSpace& space) {
     plan.tree = std::move(*found.tree);
     return plan;
   }
-  return found.is_proof_of_none ? plan : Exhaustive(task, space);
+  return found.is_proof_of_none ? plan : Exhaustive(space);
+}
+
+// A world without a way to the goal proves that there is no plan, whatever the search left out.
+void ProveOrDoubt(const GroundTask& task, KnowledgeSpace& space, ContingentPlan& plan) {
+  if (plan.doubt.empty()) plan.doubt = space.doubt();
+  if (plan.doubt.empty()) return;
+  if (HasHopelessWorld(task, space.budget())) {
+    plan.doubt.clear();
+  } else {
+    plan.outcome = Outcome::kBudget;
+  }
 }
 
 }  // namespace
 
 ContingentPlan MakePlan(const GroundTask& task, Wanted wanted, Budget& budget) {
   KnowledgeSpace space(task, budget);
-  ContingentPlan plan = wanted == Wanted::kFirst ? First(task, space) : Exhaustive(task, space);
+  ContingentPlan plan = wanted == Wanted::kFirst ? First(space) : Exhaustive(space);
   plan.states = static_cast<std::int64_t>(space.size());
-  if (plan.outcome == Outcome::kNone && !space.doubt().empty()) {
-    plan.outcome = Outcome::kBudget;
-    plan.doubt = space.doubt();
-  }
+  if (plan.outcome == Outcome::kNone) ProveOrDoubt(task, space, plan);
   return plan;
 }
 

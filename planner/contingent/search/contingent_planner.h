@@ -41,10 +41,11 @@ enum class Wanted {
 // one unit of the budget.
 //
 // The outcome kNone is a proof. It says that no tree reaches the goal in all worlds, with or
-// without repeats. If a tree might have repeats of which the planner cannot show that they end
-// (exhaustive_tree.h), the proof is a world from which no actions lead to the goal
-// (hopeless_world.h). If there is no such world, or if the search left out a step that might have
-// been possible, nothing is proved. The outcome is then kBudget, and the doubt gives the reason.
+// without repeats. If the search left out a tree that might reach the goal, the proof is a world
+// from which no actions lead to the goal (hopeless_world.h). The search leaves out steps that may
+// not be possible, branches on sensed values that Kx does not list, and repeats of which it cannot
+// show that they end (exhaustive_tree.h). If no such world is found, nothing is proved. The outcome
+// is then kBudget, and the doubt gives the reason.
 //
 // Throws InputError if init contradicts itself, and if update rules do not come to rest
 // (knowledge_base.h).

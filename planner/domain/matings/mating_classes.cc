@@ -34,15 +34,20 @@ Limited MatingLean(const Problem& problem, const Mating& mating, const Pose& X_W
 // -v_z >= |v| cos(atan(mu)): the vector points into the cone about the downward direction.
 bool InFrictionCone(const Problem& problem, const Mating& mating, const Pose& X_WorldFixed) {
   return MatingLean(problem, mating, X_WorldFixed).excess() <= kRounding &&
-         MeetsTable(problem, mating, X_WorldFixed);
+         EndsAboveTable(problem, mating, X_WorldFixed);
 }
 
-bool MeetsTable(const Problem& problem, const Mating& mating, const Pose& X_WorldFixed) {
-  if (!mating.ends_on_table) return true;
+double HeightOfMated(const Problem& problem, const Mating& mating, const Pose& X_WorldFixed) {
   double lowest = std::numeric_limits<double>::infinity();
   for (const Vector3& p : problem.part(mating.held).model->corners())
     lowest = std::min(lowest, (X_WorldFixed * mating.X_FixedHeld * p).z());
-  return std::abs(lowest) <= kSeatGap;
+  return lowest;
+}
+
+bool EndsAboveTable(const Problem& problem, const Mating& mating, const Pose& X_WorldFixed) {
+  const double height = HeightOfMated(problem, mating, X_WorldFixed);
+  if (mating.ends_on_table) return std::abs(height) <= kSeatGap;
+  return height >= -problem.workcell->rules().contact_allowance - kRounding;
 }
 
 bool HidesMatingFeatures(const Problem& problem, const Mating& mating, StablePoseId pose_of_fixed) {

@@ -22,12 +22,14 @@ double GreatestMatingFriction(const Problem& problem, const Mating& mating);
 // Returns the angle of the mating vector from straight down. Its limit is the half angle of the
 // friction cone. For a motion that ends on the table, the limit is zero, apart from rounding.
 Limited MatingLean(const Problem& problem, const Mating& mating, const Pose& X_WorldFixed);
-// Returns whether the mating vector is inside the friction cone, and MeetsTable holds.
+// Returns whether the mating vector is inside the friction cone, and EndsAboveTable holds.
 bool InFrictionCone(const Problem& problem, const Mating& mating, const Pose& X_WorldFixed);
-// Returns whether a mating that must end on the table (Mating::ends_on_table) does so: the motion
-// goes straight down, and at its end the held part's lowest point is level with the table. Returns
-// true for other matings.
-bool MeetsTable(const Problem& problem, const Mating& mating, const Pose& X_WorldFixed);
+// Returns the height of the mated part's lowest point above the table, in metres.
+double HeightOfMated(const Problem& problem, const Mating& mating, const Pose& X_WorldFixed);
+// Returns whether the motion ends with the held part above the table, or on it. A mating that must
+// end on the table (Mating::ends_on_table) must do so: the motion goes straight down, and at its
+// end the held part's lowest point is level with the table.
+bool EndsAboveTable(const Problem& problem, const Mating& mating, const Pose& X_WorldFixed);
 // Returns whether a stable pose of the fixed part hides one of its mating features. The
 // far mouth of a through hole may be hidden: the shaft enters at the other one.
 bool HidesMatingFeatures(const Problem& problem, const Mating& mating, StablePoseId pose_of_fixed);

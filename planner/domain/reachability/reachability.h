@@ -17,7 +17,7 @@ enum class GraspCondition : std::uint16_t {
   kOpening = 1,     // the gripper opens wide enough
   kFacesFree = 2,   // the pads' faces are not on the table (Spar, condition 1 of reachable)
   kToolLean = 4,    // the tool points roughly down
-  kTableClear = 8,  // hand and fingers do not go through the table
+  kTableClear = 8,  // hand and fingers stay above the height of the table, also beside it
   kReach = 16,      // the arm goes the action's straight ways, from the safe height and back to
                     // it, within its joint limits, and in one configuration if rules say so
   kMateClear = 32,  // hand and fingers do not go through the fixed part of the mating

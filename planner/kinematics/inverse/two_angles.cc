@@ -44,7 +44,8 @@ class TwoAngleSolver {
     } else if (B_.norm() < kNoInverse) {
       Swap();
       AddSecond(reference_[0], true);
-    } else if (std::max(a, b) < kNoInverse) {
+    } else if (std::min(a, b) < kNoInverse) {
+      if (a < b) Swap();
       SolveSingular();
     } else {
       if (a > b) Swap();
@@ -98,7 +99,8 @@ class TwoAngleSolver {
     Add(q1, std::atan2(u2[1], u2[0]), std::abs(u2.norm() - 1) < kExactError, is_free);
   }
 
-  // Neither A nor B has an inverse. The combination of the equations without q2 gives q1.
+  // B has no inverse. The combination of the equations without q2 gives q1. The quartic equation is
+  // imprecise here if the other matrix is nearly singular, which it is in common poses of the tool.
   void SolveSingular() {
     const int longer = B_.row(0).norm() > B_.row(1).norm() ? 0 : 1;
     const PlaneVector column = B_ * B_.row(longer).transpose().normalized();

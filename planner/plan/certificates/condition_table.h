@@ -121,9 +121,9 @@ inline constexpr ConditionKind kSeat = {"seat",
                                         AbsorbedBy::kFineMotion};
 
 // A plane keeps each piece of the held part, all along the mating motion, apart from each piece of
-// every other part. Shafts in their holes are left out, and so are pieces of the fixed part that
-// lie ahead even at the seat. If a strategy executes the mating, the motion ends where the strategy
-// starts.
+// every other part, and from the table, unless the motion ends on the table. Shafts in their holes
+// are left out, and so are pieces of the fixed part that lie ahead even at the seat. If a strategy
+// executes the mating, the motion ends where the strategy starts.
 inline constexpr ConditionKind kPassingClear = {
     "passing clear",
     "the held part touches nothing before its shafts reach the mouths of their holes",

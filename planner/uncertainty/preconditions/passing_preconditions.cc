@@ -134,6 +134,25 @@ class PassingConditions {
     }
   }
 
+  // Requires that the held part stays above the table on which the fixed part rests. The part is
+  // lowest at the end of the way. The corners that no error brings to the table are left out.
+  void RequireClearOfTable() {
+    if (mating_.ends_on_table) return;
+    const Expression& table = world_.resting(mating_.fixed).displacement[2];
+    const PossibleFrame fixed = BelievedFrameOf(world_, mating_.fixed);
+    const double lowered = DisplacementBetween(world_, way_.end, fixed).z();
+    for (const ConvexHull& of_held : held_model_.pieces()) {
+      const Body body(way_.end, of_held);
+      for (const Body::Point& p : body.Foremost(-Vector3::UnitZ())) {
+        if (p.planned.z() > lowered + body.turned()) continue;
+        conditions_.Less(plan::condition::kPassingClear,
+                         fmt::format("{} passes the table on its way in",
+                                     world_.problem().part(mating_.held).name),
+                         table - body.Possible(p)[2], 0);
+      }
+    }
+  }
+
   std::vector<Precondition> Take() { return conditions_.Take(); }
 
  private:
@@ -174,6 +193,7 @@ std::vector<Precondition> PassingPreconditions(const UncertainWorld& world,
                         : WayToSeat(world, assemble.mating, assemble.hold, X_ToolGrasp);
   PassingConditions conditions(world, assemble.mating, way);
   conditions.RequireClearOfFixed(strategy == nullptr);
+  conditions.RequireClearOfTable();
   for (int p = 0; p < static_cast<int>(world.problem().parts.size()); ++p) {
     const PartId other(p);
     if (other != mating.held && other != mating.fixed) conditions.RequireClearOf(other);

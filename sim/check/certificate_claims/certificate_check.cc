@@ -15,8 +15,6 @@ namespace assay::check {
 namespace {
 
 constexpr double kLeftToTheEngine = 0.1;  // of a margin
-// Metres by which the engine lets a part that rests creep within a step.
-constexpr double kCreep = 2e-5;
 
 // Returns the distance between two poses of a part, in metres. AsLength converts the turn into a
 // length.
@@ -119,7 +117,7 @@ class CertificateCheck {
                         .about = Claimed::kAfter,
                         .name = "leaves " + problem_.part(part).name + " where it is",
                         .dimension = domain::Dimension::kLength,
-                        .predicted = {0, kCreep},
+                        .predicted = {0, kMostCreep},
                         .observed = ShiftBetween(from.truth, to.truth)});
       if (claim.observed > claim.predicted.high) AddPassed(claim);
     }
@@ -129,6 +127,7 @@ class CertificateCheck {
                  const execution::Snapshot& snapshot) {
     for (const plan::ErrorSet& set : sets) {
       const plan::Action& action = plan_.step(step_).action;
+      const bool is_mating = action.kind->leaves == domain::Leaves::kMated;
       for (ObservedError& error : ObservedErrors(problem_, action, set, snapshot)) {
         Add({.step = step_,
              .about = about,
@@ -136,7 +135,8 @@ class CertificateCheck {
              .dimension = error.dimension,
              .predicted = error.predicted,
              .observed = error.observed,
-             .lever = error.lever});
+             .lever = error.lever,
+             .is_of_fixed = is_mating && set.part != action.part});
       }
     }
   }

@@ -46,9 +46,10 @@ struct Claim {
   Interval predicted;
   bool proved = true;  // false: a precondition that the planner could not prove
   double observed = 0;
-  Lever lever = {};   // of the point whose position is observed
-  double margin = 0;  // distance to the nearer end; negative outside
-  double gate = 0;    // a smaller deviation outside means nothing (NoiseFloor); the claim's unit
+  Lever lever = {};          // of the point whose position is observed
+  bool is_of_fixed = false;  // true for the part with which a mating step mates the held part
+  double margin = 0;         // distance to the nearer end; negative outside
+  double gate = 0;  // a smaller deviation outside means nothing (NoiseFloor); the claim's unit
   ClaimVerdict verdict = ClaimVerdict::kContained;
 
   // Returns the SI unit of the claim's numbers, as files name this unit; empty for ratios and

@@ -46,6 +46,17 @@ std::vector<MeasuredMargin> Seat(const MeasuredStep& step) {
                                       .direction = MatingDirection(step, *reached)}));
 }
 
+// Returns the height of the held part's lowest point above the table, `way` from where it was
+// poised.
+double HeightAfter(const Vector3& way, const MeasuredStep& step,
+                   const execution::Snapshot& poised) {
+  double lowest = kInfinity;
+  for (const Vector3& corner : step.problem().part(step.part()).model->corners()) {
+    lowest = std::min(lowest, (step.PartAt(poised) * corner + way).z());
+  }
+  return lowest - poised.table_heights[step.mating().fixed.index()];
+}
+
 // The held part, moved along the mating motion from where it was poised, touches nothing. It is
 // measured against the fixed part until the shafts come to the mouths of their holes, and against
 // other parts to the end.
@@ -76,6 +87,12 @@ std::vector<MeasuredMargin> PassingClear(const MeasuredStep& step) {
                              problem.parts[p].name),
                  nearest, measured);
   }
+  if (mating.ends_on_table) return measured;
+  const double height = HeightAfter(mating.mating_vector.norm() * direction, step, poised);
+  measured.push_back(
+      {.subject = fmt::format("{} passes the table on its way in", problem.part(step.part()).name),
+       .observed = height,
+       .is_at_least_the_margin = false});
   return measured;
 }
 

@@ -10,24 +10,41 @@ using domain::Dimension;
 
 constexpr double kRounding = 1e-9;  // metres or radians, after products of dozens of poses
 
+const ClaimNoiseFloor* Find(Claimed about, const std::string& name, const StepNoiseFloor& gate) {
+  const auto same = std::ranges::find_if(gate.components, [&](const ClaimNoiseFloor& component) {
+    return component.about == about && component.name == name;
+  });
+  return same == gate.components.end() ? nullptr : &*same;
+}
+
+// Returns by how much the fixed part of a mating moved without noise, at most kMostCreep. A
+// certificate says that the fixed part stays. The engine's contacts yield a little along a face on
+// which friction holds a part.
+double CreepOf(const Claim& claim, const StepNoiseFloor& gate) {
+  const ClaimNoiseFloor* const before = Find(Claimed::kBefore, claim.name, gate);
+  const ClaimNoiseFloor* const after = Find(Claimed::kAfter, claim.name, gate);
+  if (!claim.is_of_fixed || claim.about != Claimed::kAfter || !before || !after) return 0;
+  const double most = claim.dimension == Dimension::kAngle ? kMostCreep / gate.arm : kMostCreep;
+  return std::min(std::abs(after->offset - before->offset), most);
+}
+
 // Returns the engine's error that widens a prediction at both ends. Contacts that are not equally
 // deep tilt a part, which moves an origin that is far from the part's body.
 double EitherWay(const Claim& claim, const StepNoiseFloor& gate) {
   if (claim.dimension == Dimension::kLength) {
     const double turn = gate.lag_turn + gate.penetration / claim.lever.arm;
-    return gate.lag + gate.penetration + claim.lever.length * turn + kRounding;
+    return gate.lag + gate.penetration + claim.lever.length * turn + CreepOf(claim, gate) +
+           kRounding;
   }
   if (claim.dimension == Dimension::kAngle) {
-    return gate.lag_turn + gate.penetration / gate.arm + kRounding;
+    return gate.lag_turn + gate.penetration / gate.arm + CreepOf(claim, gate) + kRounding;
   }
   return 0;
 }
 
 double StepSize(const Claim& claim, const StepNoiseFloor& gate) {
-  const auto same = std::ranges::find_if(gate.components, [&](const ClaimNoiseFloor& component) {
-    return component.about == claim.about && component.name == claim.name;
-  });
-  return same == gate.components.end() ? 0 : same->step_size;
+  const ClaimNoiseFloor* const own = Find(claim.about, claim.name, gate);
+  return own == nullptr ? 0 : own->step_size;
 }
 
 }  // namespace

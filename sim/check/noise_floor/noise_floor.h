@@ -30,12 +30,17 @@ struct StepNoiseFloor {
   double lag_turn = 0;
 };
 
+// The greatest distance in metres by which the engine may let a part creep within a step that
+// leaves the part in its place.
+inline constexpr double kMostCreep = 2e-5;
+
 struct NoiseFloor {
   std::vector<StepNoiseFloor> steps = {};  // by StepId; empty: nothing is known but rounding
 
   // Returns the claim with its prediction widened by the known errors of the engine, and with its
   // gate set. Penetration and lag widen the prediction at both ends, also by the turn that they
-  // give to a part whose origin is away from its body (Lever). The effect of the timestep has a
+  // give to a part whose origin is away from its body (Lever). So does the creep of a fixed part
+  // without noise, up to kMostCreep. The effect of the timestep has a
   // sign, and it vanishes in proportion to the timestep or faster. The effect is therefore one to
   // two times the change that half the timestep makes. This change counts as known, and the gate is
   // as large as this change.

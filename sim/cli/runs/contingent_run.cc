@@ -17,7 +17,9 @@
 #include "sim/cli/command_line/progress.h"
 #include "sim/cli/command_line/stopwatch.h"
 #include "sim/cli/picture_output/step_pictures.h"
+#include "sim/cli/plan_output/plan_text.h"
 #include "sim/cli/tasks/output_file.h"
+#include "sim/cli/tasks/planned_problem.h"
 #include "sim/cli/tasks/tree_worlds.h"
 #include "sim/cli/tree_output/contingent_report.h"
 #include "sim/cli/tree_output/goal_conflict_text.h"
@@ -133,6 +135,22 @@ ExitCode RefuseAssembly(const execution::PlannedWorlds& planned, const Contingen
   return ExitCodeOf(planned.assembly.outcome);
 }
 
+// Prints the first plan of an assembly's tree in which the independent checker finds flaws. Returns
+// false if there is none.
+bool PrintedFlaws(const execution::PlannedWorlds& planned, const ContingentRun& run) {
+  for (const assembly::PlanOfWorlds& of_worlds : planned.assembly.plans) {
+    for (const int world : of_worlds.worlds) {
+      const plan::CheckReport check =
+          CheckPlan(planned.worlds[static_cast<std::size_t>(world)], of_worlds.plan);
+      if (check.flaws.empty()) continue;
+      Print(run.json ? plan::JsonText({{"check", ToJson(of_worlds.plan, check)}})
+                     : Text(of_worlds.plan, check));
+      return true;
+    }
+  }
+  return false;
+}
+
 // Reports that no plan was found for a goal of knowledge, as `assay plan` does.
 ExitCode RefuseKnowledge(const ContingentAnswer& answer, const ContingentRun& run) {
   Json json = {{"outcome", Name(answer.plan.outcome, "planned")}, {"not_served", answer.unserved}};
@@ -147,10 +165,12 @@ ExitCode RunContingent(const ContingentRun& run) {
   const KnowledgeScenario scenario = execution::Load(
       run.command.input, scenario::FindModels(run.command.input, run.command.models));
   const ContingentAnswer answer = TreeOf(scenario.interpretation);
+  const auto& planned = scenario.interpretation.planned;
+  if (planned && PrintedFlaws(*planned, run)) return ExitCode::kFailed;
   if (answer.plan.outcome == Outcome::kFound) {
     return RunningTrees(run, scenario, answer.plan.tree).Execute();
   }
-  if (const auto& planned = scenario.interpretation.planned) return RefuseAssembly(*planned, run);
+  if (planned) return RefuseAssembly(*planned, run);
   return RefuseKnowledge(answer, run);
 }
 

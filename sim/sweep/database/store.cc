@@ -114,7 +114,8 @@ Store Store::Resume(const fs::path& file, const SweepFacts& facts) {
 
 Store Store::Open(const fs::path& file) {
   if (IsEmptyOrMissing(file)) {
-    throw InputError({.file = file.string()}, "there is no database in it",
+    throw InputError({.file = file.string()},
+                     fs::exists(file) ? "there is no database in it" : "there is no such file",
                      "a database that assay sweep has written");
   }
   Store store(file, Database::Access::kRead);

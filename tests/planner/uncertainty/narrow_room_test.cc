@@ -51,6 +51,19 @@ features:
   1: {face: neck, normal: [0, 0, 1], what: top}
   2: {hole: bore, axis: [0, 0, -1], what: bore}
 )";
+// A cap whose skirt hangs down beside the stand, to a height above the table.
+constexpr char kSkirtedCap[] = R"(
+solids:
+  body: {box: [[-18, -140, 0], [18, 140, 60]], color: [0.2, 0.6, 0.7, 1]}
+  skirt: {box: [[-18, 120, LOW], [18, 140, 0]], color: [0.2, 0.6, 0.7, 1]}
+  skirt-2: {box: [[-18, -140, LOW], [18, -120, 0]], color: [0.2, 0.6, 0.7, 1]}
+  neck: {box: [[-12, -12, 60], [12, 12, 140]], color: [0.2, 0.6, 0.7, 1]}
+pockets:
+  bore: {cut_from: body, box: [[-10, -10, 0], [10, 10, 25]], widen: [x, y]}
+features:
+  1: {face: neck, normal: [0, 0, 1], what: top}
+  2: {hole: bore, axis: [0, 0, -1], what: bore}
+)";
 constexpr char kPin[] = R"(
 solids:
   base: {box: [[-90, -100, 0], [90, 100, 20]], color: [0.5, 0.4, 0.3, 1]}
@@ -228,6 +241,19 @@ TEST_F(NarrowRoom, TheHeldPartHitsTheFixedPartBeforeItsShaftIsInItsHole) {
   Write("stand", kLippedPin);
   ExpectRoom(3, plan::condition::kPassingClear,
              [&](double error) { return Problem(6, 20, 70, {.stand = error}); });
+}
+
+// The seat is 20 mm above the table, and the skirt hangs down from it by 20 mm.
+TEST_F(NarrowRoom, ASkirtThatMayMeetTheTableIsNotProved) {
+  Write("stand", kPin);
+  for (const double height : {0.0, 5.0}) {
+    Write("cap", Replaced(kSkirtedCap, "LOW", fmt::format("{}", height - 20)));
+    const domain::Problem problem = Problem(6, 20, 60, {.cap = 0.1});
+    const std::vector<CertifiedAction> actions = Certify(problem, FirstPlan(problem));
+    ASSERT_FALSE(actions.empty());
+    const double margin = 1000 * Margin(actions, plan::condition::kPassingClear);
+    EXPECT_EQ(margin > 1e-9, height > 0) << margin;
+  }
 }
 
 }  // namespace

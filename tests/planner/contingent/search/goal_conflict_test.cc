@@ -121,5 +121,35 @@ TEST(NoPlan, IsNotSaidWhereABranchMightHaveWaited) {
   EXPECT_NE(plan.doubt, "");
 }
 
+// A plan may branch on the value of f, or on whether n is above 2. The planner would need Kx or Kw.
+TEST(NoPlan, IsNotSaidWhereAPlanMightBranchOnASensedValue) {
+  const std::string actions = "action look effects: add(Kv, f), add(Kv, n)\n";
+  const std::string problem = "problem p domain d init: add(Kf, !g) goal: K(g)";
+  const std::string domain =
+      "domain d types: c predicates: g functions: f: c, n: number constants: a, b: c\n";
+  for (const char* asked : {"f = a", "n > 2"}) {
+    const GroundTask task =
+        GroundText(fmt::format("{}{}action if preconds: K({}) effects: add(Kf, g)\n"
+                               "action else preconds: K(!({})) effects: add(Kf, g)\n",
+                               domain, actions, asked, asked),
+                   problem);
+    const ContingentPlan plan = PlanFor(task, Wanted::kFirst);
+    EXPECT_EQ(plan.outcome, Outcome::kBudget) << asked;
+    EXPECT_THAT(plan.doubt, testing::HasSubstr("the sensed value of")) << asked;
+  }
+}
+
+// Without the second action, a world with another value of f has no way to the goal.
+TEST(NoPlan, IsSaidWhereOneSensedValueIsHopeless) {
+  const GroundTask task = GroundText(
+      "domain d types: c predicates: g functions: f: c constants: a, b: c\n"
+      "action look effects: add(Kv, f)\n"
+      "action if preconds: K(f = a) effects: add(Kf, g)\n",
+      "problem p domain d init: add(Kf, !g) goal: K(g)");
+  const ContingentPlan plan = PlanFor(task, Wanted::kFirst);
+  EXPECT_EQ(plan.outcome, Outcome::kNone);
+  EXPECT_EQ(plan.doubt, "");
+}
+
 }  // namespace
 }  // namespace assay::contingent::goal_conflict_test

@@ -69,7 +69,8 @@ goal:
       features: [[1], [1]]
       pose: {columns: [[1, 0, 0], [0, 1, 0], [0, 0, 1], [0, 0, )" +
                            std::to_string(60 + height_mm) + R"(]]}
-      mating_vector: [0, 0, -50]
+      mating_vector: [0, 0, )" +
+                           std::to_string(height_mm - 50) + R"(]
 )";
   ModelPath models(ScratchFile("models"));
   models.Append(ModelsFolder());
@@ -110,6 +111,17 @@ TEST(ThroughHole, TheMotionGoesStraightDownToTheTable) {
   EXPECT_TRUE(InFrictionCone(problem, mating, Pose::Identity()));
   EXPECT_FALSE(InFrictionCone(problem, mating, geometry::Translation(0, 0, 0.001)));
   EXPECT_FALSE(InFrictionCone(problem, mating, geometry::RotationX(0.01)));
+}
+
+// The head lies on the plate, and the tip is 30 mm below the plate.
+TEST(ThroughHole, AShaftThatIsLongerThanItsHoleNeedsRoomBelow) {
+  const Problem problem = WithTipAt(-30);
+  const Mating& mating = problem.matings[0];
+  EXPECT_FALSE(mating.ends_on_table);
+  EXPECT_NEAR(HeightOfMated(problem, mating, Pose::Identity()), -0.030, 1e-9);
+  EXPECT_FALSE(InFrictionCone(problem, mating, Pose::Identity()));
+  EXPECT_FALSE(InFrictionCone(problem, mating, geometry::Translation(0, 0, 0.0298)));
+  EXPECT_TRUE(InFrictionCone(problem, mating, geometry::Translation(0, 0, 0.0302)));
 }
 
 }  // namespace

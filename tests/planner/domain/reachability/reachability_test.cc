@@ -317,7 +317,8 @@ TEST_F(PegAndBlock, FrictionConeOpensByTheArcTangentOfFriction) {
   const double cone = std::atan(0.25);
   for (const double angle : {0.0, 0.5 * cone, cone - 1e-6, cone + 1e-6, 2 * cone, 3.0}) {
     for (const double sign : {-1.0, 1.0}) {
-      const Pose X = geometry::RotationX(sign * angle) * X_Back;
+      // The table is far below.
+      const Pose X = geometry::Translation(0, 0, 1) * geometry::RotationX(sign * angle) * X_Back;
       EXPECT_EQ(InFrictionCone(problem_, mating, X), angle <= cone) << sign * angle / kDegree;
       EXPECT_EQ(InFrictionCone(problem_, mating, geometry::RotationZ(1) * X), angle <= cone);
     }
@@ -328,7 +329,8 @@ TEST_F(PegAndBlock, FrictionConeOpensByTheArcTangentOfFriction) {
 TEST_F(PegAndBlock, FrictionConeIsThatOfTheLeastFriction) {
   Problem problem = problem_;
   problem.tolerances.friction = 0.05;
-  const Pose X_Back = PoseAt(problem.part(block_), Named(problem, block_, "on-back"), {.x = 0.6});
+  const Pose X_Back = geometry::Translation(0, 0, 1) *
+                      PoseAt(problem.part(block_), Named(problem, block_, "on-back"), {.x = 0.6});
   const double cone = std::atan(0.2);
   for (const double angle : {cone - 1e-6, cone + 1e-6}) {
     EXPECT_EQ(InFrictionCone(problem, problem.mating(mating_), geometry::RotationX(angle) * X_Back),

@@ -128,6 +128,25 @@ TEST(ChainInverse, EverySolutionReachesThePoseAndTheKnownOneIsAmongThem) {
   }
 }
 
+// Tools often point along an axis of the world, or nearly so. Equations of a closed form may then
+// be nearly the same.
+TEST(ChainInverse, FindsTheKnownSolutionBesideMultiplesOfThirtyDegrees) {
+  for (const NamedChain& arm : AllArms()) {
+    if (ClassOf(arm.chain).kind == ArmKind::kGeneral) continue;
+    const ChainInverse inverse(arm.chain);
+    RandomStream random(6, arm.name);
+    for (int i = 0; i < 4 * Poses(); ++i) {
+      const double off = std::pow(10, random.Uniform(-12, -3));
+      SixAngles q = RandomTurns(random, 6);
+      for (double& angle : q) angle = kPi / 6 * std::round(6 / kPi * angle) + off * angle;
+      const Eigen::Matrix<double, 6, 6> J = arm.chain.Jacobian(q);
+      if (std::abs(J.determinant()) < 1e-3) continue;
+      EXPECT_TRUE(Contains(inverse.Solve(arm.chain.Forward(q)), q, 1e-5))
+          << arm.name << ": " << q.transpose();
+    }
+  }
+}
+
 TEST(ChainInverse, SolvesDisturbedArmsAsTheyAre) {
   RandomStream random(12, "disturbed");
   for (const NamedChain& arm : workloads::PublishedArms()) {

@@ -291,6 +291,26 @@ TEST(SolveTwoAngles, FindsTheKnownAnglesOfDegenerateEquations) {
   }
 }
 
+// The first equation is about one angle alone, as for arms like those of Universal Robots. In
+// common poses of their tools, both equations say nearly the same about this angle.
+TEST(SolveTwoAngles, IsPreciseWhereBothEquationsSayTheSameAboutOneAngle) {
+  RandomStream random(9, "subproblem 6");
+  for (int i = 0; i < kCases; ++i) {
+    const std::array<double, 2> known = {RandomAngle(random), RandomAngle(random)};
+    std::array<TwoAngleEquation, 2> e = {RandomEquation(random, known),
+                                         RandomEquation(random, known)};
+    const double off = std::pow(10, random.Uniform(-12, -2));
+    e[0].cosine1 = e[0].sine1 = 0;
+    e[1].cosine2 = e[0].cosine2 + off * e[1].cosine2;
+    e[1].sine2 = e[0].sine2 + off * e[1].sine2;
+    for (TwoAngleEquation& equation : e) {
+      equation.value = 0;
+      equation.value = ErrorOf(equation, known);
+    }
+    EXPECT_TRUE(Contains<2>(SolveTwoAngles(e), known)) << i << ": " << off;
+  }
+}
+
 // One equation twice leaves the first angle free.
 TEST(SolveTwoAngles, TakesAFreeAngleFromTheReference) {
   RandomStream random(8, "subproblem 6");

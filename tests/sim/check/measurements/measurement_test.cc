@@ -1,5 +1,6 @@
 #include "sim/check/measurements/measurement.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -97,6 +98,7 @@ execution::Snapshot SnapshotWith(const Pose& X_WorldTool, double opening) {
   snapshot.opening = opening;
   for (const domain::Part& part : Known().problem.parts) {
     snapshot.parts.push_back({part.X_WorldPart, part.X_WorldPart});
+    snapshot.table_heights.push_back(0);
   }
   return snapshot;
 }
@@ -169,7 +171,7 @@ TEST(Measurement, PassingClearIsTheWayToTheMouth) {
   const Vector3 vector = block.X_WorldPart.linear() * mating.mating_vector;
   const Vector3 aside = vector.unitOrthogonal();
   const Pose X_WorldSeat = block.X_WorldPart * mating.X_FixedHeld;
-  const auto observed = [&](const Vector3& off) {
+  const auto observed = [&](const Vector3& off, const char* passed = "block") {
     const Pose X_WorldPeg = geometry::Translation(off - vector) * X_WorldSeat;
     execution::Snapshot poised =
         SnapshotWith(X_WorldPeg * assemble.hold.X_PartTool, assemble.hold.width);
@@ -178,7 +180,7 @@ TEST(Measurement, PassingClearIsTheWayToTheMouth) {
     events.step = FirstStep(domain::kAssemble, Known().plan);
     events.poised = &poised;
     return Observed(Measured(plan::condition::kPassingClear, step, events),
-                    "peg passes block on its way in");
+                    fmt::format("peg passes {} on its way in", passed));
   };
   const double planned = observed(Vector3::Zero());
   EXPECT_GT(planned, 0);
@@ -186,6 +188,11 @@ TEST(Measurement, PassingClearIsTheWayToTheMouth) {
   EXPECT_NEAR(observed(-0.01 * vector.normalized()), planned + 0.01, 1e-3);
   EXPECT_NEAR(observed(1.0 * aside), 1.0, 0.2);
   EXPECT_EQ(observed(0.01 * aside + 0.01 * vector.normalized()), kOverlap);
+  double lowest = 1;
+  for (const Vector3& corner : peg.model->corners())
+    lowest = std::min(lowest, (X_WorldSeat * corner).z());
+  EXPECT_NEAR(observed(Vector3::Zero(), "the table"), lowest, 1e-9);
+  EXPECT_NEAR(observed(-0.5 * Vector3::UnitZ(), "the table"), lowest - 0.5, 1e-9);
 }
 
 // Each kind says once how it is measured, or that nothing measures it.

@@ -105,6 +105,23 @@ TEST(NoiseFloor, HidesWhatIsNarrowerThanItsFloor) {
   EXPECT_TRUE(hides(tilt, 8.1e-5));
 }
 
+// Without noise the fixed part creeps by 4 micrometres.
+TEST(NoiseFloor, ThePartThatAMatingLeavesInItsPlaceMayCreepAsWithoutNoise) {
+  NoiseFloor gate = Gate();
+  gate.steps[0].components.push_back({Claimed::kBefore, "x of block", 1e-6, 0});
+  gate.steps[0].components.push_back({Claimed::kAfter, "x of block", -3e-6, 0});
+  Claim x = Of("x of block", Dimension::kLength, {-1e-3, 1e-3});
+  EXPECT_NEAR(gate.Passed(x).predicted.high, 1e-3 + 3e-6, 2 * kRounding);
+  x.is_of_fixed = true;
+  EXPECT_NEAR(gate.Passed(x).predicted.low, -1e-3 - 3e-6 - 4e-6, 2 * kRounding);
+  EXPECT_NEAR(gate.Passed(x).predicted.high, 1e-3 + 3e-6 + 4e-6, 2 * kRounding);
+  // A part that moves by more than 20 micrometres does not only creep.
+  gate.steps[0].components.back().offset = 0.1;
+  EXPECT_NEAR(gate.Passed(x).predicted.high, 1e-3 + 3e-6 + 20e-6, 2 * kRounding);
+  x.about = Claimed::kBefore;
+  EXPECT_NEAR(gate.Passed(x).predicted.high, 1e-3 + 3e-6, 2 * kRounding);
+}
+
 class WithoutNoise : public testing::Test {
  protected:
   WithoutNoise() {
