@@ -63,8 +63,7 @@ std::string DescribeMating(const Problem& problem, const Mating& mating, Kind ki
   }
   return fmt::format(
       "the mating vector of {} into {} points down into the friction cone (friction {:.4g}) and "
-      "ends "
-      "above the table",
+      "ends above the table",
       held, fixed, domain::LeastMatingFriction(problem));
 }
 
