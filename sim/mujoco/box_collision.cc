@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <mutex>
 
 #include "planner/geometry/coordinates.h"
@@ -96,6 +97,28 @@ bool LeadsInside(const mjModel* m, const mjData* d, int geom, int other, const V
   return false;
 }
 
+// Returns how far it is from a point in a box out of the box in a direction, in metres.
+double WayOut(const mjModel* m, const mjData* d, int geom, const Vector3& p,
+              const Vector3& direction) {
+  const Vector3 along = Axes(d, geom).transpose() * direction;
+  const Vector3 local = InGeom(d, geom, p);
+  double way = std::numeric_limits<double>::infinity();
+  for (Eigen::Index axis = 0; axis < 3; ++axis) {
+    const double to_face =
+        HalfExtents(m, geom)[axis] - std::copysign(1.0, along[axis]) * local[axis];
+    if (std::abs(along[axis]) >= kAcross) way = std::min(way, to_face / std::abs(along[axis]));
+  }
+  return std::max(0.0, way);
+}
+
+// The engine gives half of the boxes' common depth for most contacts, and all of it for the others.
+void TakeHalfOfDepth(const mjModel* m, const mjData* d, int g1, int g2, mjContact& contact) {
+  const Eigen::Map<const Vector3> p(contact.pos);
+  const Eigen::Map<const Vector3> normal(contact.frame);
+  const double common = WayOut(m, d, g1, p, normal) + WayOut(m, d, g2, p, -normal);
+  if (-contact.dist > 0.75 * common) contact.dist /= 2;
+}
+
 // The contact's normal points from the first geom to the second.
 bool IsInside(const mjModel* m, const mjData* d, int g1, int g2, const mjContact& contact) {
   const Eigen::Map<const Vector3> p(contact.pos);
@@ -114,6 +137,7 @@ int CheckedBoxBox(const mjModel* m, const mjData* d, mjContact* contacts, int g1
     return !LiesIn(m, d, g1, p, kOutside) || !LiesIn(m, d, g2, p, kOutside) ||
            IsFoundAlready(*m, *d, g1, g2, contact) || IsInside(m, d, g1, g2, contact);
   });
+  std::for_each(contacts, end, [&](mjContact& contact) { TakeHalfOfDepth(m, d, g1, g2, contact); });
   return static_cast<int>(end - contacts);
 }
 

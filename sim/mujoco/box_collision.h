@@ -3,7 +3,9 @@
 namespace assay::mujoco {
 
 // Adds a check after the engine's collision of box with box, for the whole process. More calls have
-// no effect. The check leaves out three kinds of contacts.
+// no effect. The check gives all contacts half of the depth to which the boxes are in each other:
+// the engine gives half of the depth for most contacts, and all of it for some. The check leaves
+// out three kinds of contacts.
 //
 // Wrong contacts: an edge of one box may be parallel to a face of the other to within rounding, for
 // parts as they are placed or parts that have come to rest. In 3 to 7 % of these poses the engine

@@ -13,9 +13,7 @@
 namespace assay::mujoco {
 namespace {
 
-// The share of the depth that the engine gets. Its own collision of boxes mostly gives half of the
-// depth. Contacts are as stiff as the timestep allows, and half of the depth dampens them more:
-// with all of it, closed fingers chatter on a part of meshes and turn it.
+// The share of the depth that the engine gets, as for boxes (box_collision.h).
 constexpr double kShareOfDepth = 0.5;
 
 std::array<mjfCollision, mjNGEOMTYPES> engine_with_mesh;  // by the type of the first geom

@@ -48,7 +48,7 @@ void AddOption(const SceneOptions& options, XmlElement& mujoco) {
       .Set("iterations", "50")
       .Set("tolerance", 1e-10)
       .Set("cone", "elliptic")
-      .Set("impratio", 10);
+      .Set("impratio", 100);
   mujoco.Add("size").Set("njmax", "1000").Set("nconmax", "300");
 }
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "planner/base/random.h"
@@ -92,6 +93,90 @@ TEST(BoxCollision, OfNearlyParallelFacesTheCornersTouch) {
       const Vector3 corner = (drawn.X_WorldUpper.inverse() * contact.position).cwiseAbs();
       ASSERT_LT((corner - kUpper).norm(), 2e-5);
     }
+  }
+}
+
+// Returns how deep the corner of the upper box that is nearest to a point lies in the lower box.
+double DepthOfCornerAt(const Vector3& at, const Pose& X_WorldUpper) {
+  const auto corners = geometry::Box{X_WorldUpper, kUpper}.Corners();
+  const auto distance = [&](const Vector3& corner) { return (corner - at).norm(); };
+  return kLowerHeight - std::ranges::min_element(corners, {}, distance)->z();
+}
+
+TEST(BoxCollision, ContactsOfNearlyParallelFacesHaveHalfOfTheDepth) {
+  const Model model = Model::FromMjcf(Pair({0.375, 0.65, kLowerHeight}, kUpper));
+  Data data(model);
+  RandomStream random(22, "depth of nearly parallel boxes");
+  for (int i = 0; i < 100000; ++i) {
+    const Case drawn = Draw(random);
+    Put(drawn.X_WorldUpper, data);
+    SCOPED_TRACE(testing::Message() << "pose " << i << " of seed 22, tilt " << drawn.tilt);
+    for (const Contact& contact : ContactsBetween(data, BodyId(0), model.Body("upper"))) {
+      const double depth = DepthOfCornerAt(contact.position, drawn.X_WorldUpper);
+      ASSERT_NEAR(-2 * contact.distance, depth, 1e-3 * depth + 1e-11);
+    }
+  }
+}
+
+// Returns how far a box reaches in a direction.
+double Reach(const geometry::Box& box, const Vector3& direction) {
+  double reach = -std::numeric_limits<double>::infinity();
+  for (const Vector3& corner : box.Corners()) reach = std::max(reach, corner.dot(direction));
+  return reach;
+}
+
+Vector3 Drawn(RandomStream& random, const Vector3& most) {
+  return {random.Uniform(-most.x(), most.x()), random.Uniform(-most.y(), most.y()),
+          random.Uniform(-most.z(), most.z())};
+}
+
+const Vector3 kLower(0.3, 0.4, kLowerHeight);
+
+// Returns a random pose of the upper box with one corner in the lower box's upper face.
+Pose CornerInFace(RandomStream& random, double depth) {
+  Pose X(geometry::RotationZ(random.Uniform(-3, 3)) * geometry::RotationX(random.Uniform(0.1, 1)) *
+         geometry::RotationY(random.Uniform(0.1, 1)));
+  const auto corners = geometry::Box{X, kUpper}.Corners();
+  const auto height = [](const Vector3& corner) { return corner.z(); };
+  const Vector3 lowest = *std::ranges::min_element(corners, {}, height);
+  const Vector3 at = Drawn(random, 0.9 * kLower);
+  X.pretranslate(Vector3(at.x(), at.y(), kLowerHeight - depth) - lowest);
+  return X;
+}
+
+// Returns a random pose of the upper box with an edge along its z axis across the lower box's edge
+// along the x axis.
+Pose EdgeAcrossEdge(RandomStream& random, double depth) {
+  const Vector3 outward = Vector3(0, 1, 1).normalized();
+  Eigen::Matrix3d R;
+  R.col(2) = outward.cross(Vector3::UnitX());
+  R.col(0) = (outward + Vector3::UnitX()).normalized();
+  R.col(1) = R.col(2).cross(R.col(0));
+  const Vector3 turn = Drawn(random, {0.3, 0.3, 0.3});
+  Pose X(Eigen::AngleAxisd(turn.norm(), turn.normalized()) * R);
+  const Vector3 normal = Vector3::UnitX().cross(X.linear().col(2)).normalized();
+  const Vector3 below(-kUpper.x(), -kUpper.y(), random.Uniform(-0.05, 0.05));
+  const Vector3 at(random.Uniform(-0.2, 0.2), kLower.y(), kLower.z());
+  X.pretranslate(at - std::copysign(depth, normal.z()) * normal - X * below);
+  return X;
+}
+
+// The contact's normal is the direction of the boxes' least common depth.
+TEST(BoxCollision, AContactOfACornerOrTwoEdgesHasHalfOfTheDepth) {
+  const Model model = Model::FromMjcf(Pair(kLower, kUpper));
+  const geometry::Box lower{Pose::Identity(), kLower};
+  Data data(model);
+  RandomStream random(23, "corners and edges");
+  for (int i = 0; i < 50000; ++i) {
+    const double depth = Magnitude(random, 1e-8, 1e-6);
+    const Pose X = i % 2 == 0 ? CornerInFace(random, depth) : EdgeAcrossEdge(random, depth);
+    Put(X, data);
+    SCOPED_TRACE(testing::Message() << "pose " << i << " of seed 23, depth " << depth);
+    const auto contacts = ContactsBetween(data, BodyId(0), model.Body("upper"));
+    ASSERT_EQ(contacts.size(), 1);
+    const Vector3 normal = contacts[0].normal;
+    ASSERT_NEAR(Reach(lower, normal) + Reach({X, kUpper}, -normal), depth, 1e-3 * depth);
+    ASSERT_NEAR(-2 * contacts[0].distance, depth, 1e-3 * depth + 1e-11);
   }
 }
 
