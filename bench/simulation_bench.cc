@@ -10,7 +10,7 @@
 #include "bench/harness/contest.h"
 #include "planner/constraint_posting/posting_planner.h"
 #include "sim/execution/walk/executor.h"
-#include "sim/mujoco/convex_pieces.h"
+#include "sim/mujoco/collision/convex_pieces.h"
 #include "sim/scenario/scenario.h"
 
 namespace assay {

@@ -44,7 +44,7 @@
 #include "planner/base/check.h"
 #include "sim/check/noise_floor/measure_noise_floor.h"
 #include "sim/execution/walk/executor.h"
-#include "sim/mujoco/convex_pieces.h"
+#include "sim/mujoco/collision/convex_pieces.h"
 #include "sim/sweep/runner/machine.h"
 #include "sim/sweep/runner/runner.h"
 

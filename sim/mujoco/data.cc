@@ -5,9 +5,10 @@
 #include <algorithm>
 
 #include "planner/base/check.h"
-#include "sim/mujoco/convex_pieces.h"
+#include "sim/mujoco/collision/convex_pieces.h"
+#include "sim/mujoco/collision/geom_bounds.h"
+#include "sim/mujoco/collision/group_filter.h"
 #include "sim/mujoco/engine_messages.h"
-#include "sim/mujoco/group_filter.h"
 
 namespace assay::mujoco {
 namespace {
@@ -133,6 +134,12 @@ void Data::FindContacts(std::span<const int> groups) {
   mj_collision(own_model_.get(), data_.get());
   for (int i = 0; i < data_->ncon; ++i) data_->contact[i].efc_address = -1;  // without forces
 }
+
+double Data::LeastSeparation(std::span<const int> groups) const {
+  return model_.geom_bounds().LeastSeparation(*own_model_, *data_, groups);
+}
+
+void Data::ForgetContacts() { data_->ncon = 0; }
 
 void Data::SetTime(double seconds) { data_->time = seconds; }
 

@@ -63,9 +63,13 @@ class Data {
   void MoveBodies();
 
   // For motion that the caller computes with MoveBodies. FindContacts finds the contacts between
-  // bodies of different groups (GroupFilter), without forces. SetTime moves the time on. Resume
-  // computes all that the next step needs from qpos and qvel.
+  // bodies of different groups (GroupFilter), without forces. LeastSeparation returns a distance in
+  // metres that bodies of different groups surely keep from each other (GeomBounds), and where the
+  // caller knows of such a distance, ForgetContacts does what FindContacts would do. SetTime moves
+  // the time on. Resume computes all that the next step needs from qpos and qvel.
   void FindContacts(std::span<const int> groups);
+  double LeastSeparation(std::span<const int> groups) const;
+  void ForgetContacts();
   void SetTime(double seconds);
   void Resume() { BeginStep(); }
 

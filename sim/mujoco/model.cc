@@ -7,10 +7,11 @@
 #include <utility>
 
 #include "planner/base/check.h"
-#include "sim/mujoco/box_collision.h"
-#include "sim/mujoco/convex_pieces.h"
+#include "sim/mujoco/collision/box_collision.h"
+#include "sim/mujoco/collision/convex_pieces.h"
+#include "sim/mujoco/collision/geom_bounds.h"
+#include "sim/mujoco/collision/mesh_collision.h"
 #include "sim/mujoco/engine_messages.h"
-#include "sim/mujoco/mesh_collision.h"
 
 namespace assay::mujoco {
 namespace {
@@ -53,7 +54,8 @@ std::string NameOf(const mjModel* model, mjtObj type, int index) {
 
 }  // namespace
 
-Model::Model(std::shared_ptr<const mjModel> model) : model_(std::move(model)) {
+Model::Model(std::shared_ptr<const mjModel> model)
+    : model_(std::move(model)), geom_bounds_(std::make_shared<const GeomBounds>(*model_)) {
   if (model_->nmesh > 0) convex_pieces_ = std::make_shared<const ConvexPieces>(*model_);
 }
 

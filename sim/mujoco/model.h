@@ -22,6 +22,7 @@ using SensorId = Id<struct SensorTag>;
 using EqualityId = Id<struct EqualityTag>;
 
 class ConvexPieces;
+class GeomBounds;
 
 // Thrown if the engine's compiler does not accept an MJCF text, or warns about it.
 class MjcfError : public std::runtime_error {
@@ -39,6 +40,7 @@ class Model {
   double timestep() const;  // seconds
   // Returns the solids by which meshes collide; null if the model has no mesh.
   const ConvexPieces* convex_pieces() const { return convex_pieces_.get(); }
+  const GeomBounds& geom_bounds() const { return *geom_bounds_; }
 
   // Each function returns the object of this name, which must exist (checked).
   BodyId Body(std::string_view name) const;
@@ -67,6 +69,7 @@ class Model {
 
   std::shared_ptr<const mjModel_> model_;
   std::shared_ptr<const ConvexPieces> convex_pieces_;
+  std::shared_ptr<const GeomBounds> geom_bounds_;
 };
 
 }  // namespace assay::mujoco

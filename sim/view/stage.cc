@@ -8,7 +8,7 @@
 #include <numbers>
 
 #include "planner/base/check.h"
-#include "sim/mujoco/convex_pieces.h"
+#include "sim/mujoco/collision/convex_pieces.h"
 
 namespace assay::view {
 namespace {

@@ -12,7 +12,6 @@ constexpr double kTouchSpeed = 0.005;
 // Metres of opening before the expected width, where the touch speed begins.
 constexpr double kTouchMargin = 0.003;
 constexpr double kClosingSettle = 0.05;  // seconds for the arm to settle before closing
-constexpr double kLongest = 10;          // seconds until closing ends in any case
 
 // Closes until the gripper has been still for a while under its full force.
 Progress CloseUntilStill(double expected_width, Execution& execution) {
@@ -22,15 +21,12 @@ Progress CloseUntilStill(double expected_width, Execution& execution) {
   if (scene.Opening(data) > near) {
     if (Progress failure = execution.MoveFingers(near, 2 * kClosingSpeed)) return failure;
   }
-  double target = std::min(near, scene.Opening(data));
   double still_since = data.time();
-  const double end = data.time() + kLongest;
-  while (data.time() < end && data.time() < still_since + kFingersStillFor) {
-    target = std::max(0.0, target - 2 * kTouchSpeed * data.timestep());
-    scene.CommandGripper(data, target);
-    if (Progress failure = execution.Stay(0)) return failure;
+  const auto are_still = [&] {
     if (std::abs(scene.OpeningSpeed(data)) > kFingersStill) still_since = data.time();
-  }
+    return data.time() >= still_since + kFingersStillFor;
+  };
+  if (Progress failure = execution.MoveFingers(0, 2 * kTouchSpeed, are_still)) return failure;
   scene.CommandGripper(data, 0);
   return execution.Stay(kFingersStillFor);
 }

@@ -213,16 +213,21 @@ Progress Execution::Follow(const JointTrajectory& trajectory, const Guarded& gua
   return std::nullopt;
 }
 
-Progress Execution::Stay(double seconds) {
+Progress Execution::Stay(double seconds, const std::function<void()>& see) {
   const JointState rest{commanded_.q, JointVector::Zero()};
-  const double end = data_.time() + seconds;
+  const Commands commands = [&](double) { return RobotCommand{rest}; };
+  ForgetKinematics();
+  double time = 0;
   do {
+    time = MoveKinematically(commands, time, seconds) + data_.timestep();
     if (Progress failure = StepTo(rest)) return failure;
-  } while (data_.time() < end);
+    if (see) see();
+  } while (time < seconds);
   return std::nullopt;
 }
 
-Progress Execution::MoveFingers(double opening, double rate) {
+Progress Execution::MoveFingers(double opening, double rate,
+                                const std::function<bool()>& has_ended) {
   const double from = scene_.Opening(data_);
   const double duration = std::abs(opening - from) / rate;
   const JointState rest{commanded_.q, JointVector::Zero()};
@@ -236,6 +241,7 @@ Progress Execution::MoveFingers(double opening, double rate) {
     time = MoveKinematically(commands, time, duration) + data_.timestep();
     scene_.CommandGripper(data_, commands(time).opening);
     if (Progress failure = StepTo(rest)) return failure;
+    if (has_ended && has_ended()) break;
   }
   return std::nullopt;
 }

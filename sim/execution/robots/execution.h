@@ -92,10 +92,12 @@ class Execution {
   };
   Progress Follow(const JointTrajectory& trajectory, const Guarded& guarded);
   // Moves the fingers until they are commanded to this opening, metres between the pads, at this
-  // rate of the opening in m/s. Fingers that touch nothing move without dynamics.
-  Progress MoveFingers(double opening, double rate);
-  // Keeps the robot at its last command, for at least one timestep.
-  Progress Stay(double seconds);
+  // rate of the opening in m/s, or until `has_ended` says so after a timestep. Fingers that touch
+  // nothing move without dynamics.
+  Progress MoveFingers(double opening, double rate, const std::function<bool()>& has_ended = {});
+  // Keeps the robot at its last command, for at least one timestep, without dynamics while nothing
+  // moves. Calls `see` after each timestep with dynamics.
+  Progress Stay(double seconds, const std::function<void()>& see = {});
   // Executes one timestep with soft servos, so that what touches the hand can move it.
   // `share` is the fraction of the servos' usual stiffness. `qdd` is the planned acceleration, so
   // that the arm does not lag.

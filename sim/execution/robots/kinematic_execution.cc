@@ -11,16 +11,9 @@ namespace {
 // forces in the trace's samples are those of the timesteps after the samples, so that the usual
 // rate of samples is best.
 constexpr double kForceRate = 50;
-// A state of motion without dynamics follows the last one when a joint may have moved the robot by
-// this length, metres. Contacts are found if they last longer.
+// Where robots may touch something, a state of motion without dynamics follows the last one when
+// the robot may have moved by this length, metres. Contacts are found if they last longer.
 constexpr double kKinematicLength = 5e-4;
-constexpr double kReach = 2;  // metres from a joint to the farthest point that it moves
-
-// Returns how many seconds a command of these rates may last in motion without dynamics.
-double KinematicStep(const RobotCommand& command, double shortest) {
-  const double speed = kReach * command.arm.qd.lpNorm<1>() + std::abs(command.opening_rate);
-  return std::clamp(kKinematicLength / std::max(speed, 1e-9), shortest, 1 / kForceRate);
-}
 
 // Returns the time at which the engine must compute the forces again.
 double NextForces(double now) {
@@ -49,7 +42,9 @@ double Execution::MoveKinematically(const Commands& commands, double time, doubl
   if (!kinematic_.Begin(data_, world_.held(), commands(time))) return time;
   while (data_.time() < stop) {
     const double now = time + data_.time() - start;
-    const double next = std::min(data_.time() + KinematicStep(commands(now), shortest), stop);
+    const double length = std::max(kKinematicLength, kinematic_.room());
+    const double lasts = length / std::max(kinematic_.GreatestSpeed(commands(now)), 1e-9);
+    const double next = std::min(data_.time() + std::max(lasts, shortest), stop);
     const RobotCommand command = commands(time + next - start);
     if (!kinematic_.MoveTo(command, next, data_)) {
       near_until_ = NextForces(start);

@@ -24,6 +24,9 @@ constexpr RestSpeeds kRest = {.linear = 1e-4, .angular = 1e-3};
 // Speeds relative to the hand. The engine leaves out the centripetal acceleration of the hand and
 // makes up for it a timestep later, so that parts in a fast hand seem to move.
 constexpr RestSpeeds kRestInHand = {.linear = 2e-3, .angular = 2e-2};
+// A robot waits for bodies to come to rest. A part that begins to tip or to slide is faster than
+// this after one timestep.
+constexpr RestSpeeds kStandstill = {.linear = 1e-6, .angular = 1e-5};
 
 // The bodies of each group may touch each other: what rests, the links of the arm, and the hand
 // with the part that it holds.
@@ -33,11 +36,37 @@ constexpr int kHand = 2;
 
 std::size_t IndexOf(mujoco::BodyId body) { return static_cast<std::size_t>(body.index()); }
 
+double Length(const mjtNum* vector) { return mju_norm3(vector); }
+
+// Returns a length in metres that no point of the body's geoms exceeds from the body's origin.
+double ReachOfBody(const mjModel& m, int body) {
+  double reach = 0;
+  for (int i = 0; i < m.body_geomnum[body]; ++i) {
+    const int geom = m.body_geomadr[body] + i;
+    reach = std::max(reach, Length(m.geom_pos + 3 * geom) + m.geom_rbound[geom]);
+  }
+  return reach;
+}
+
+// Returns a length in metres that no point of a robot exceeds from one of its joints: the length of
+// all its links together.
+double ReachOfRobot(const mjModel& m, int root) {
+  double links = 0;
+  double farthest = 0;
+  for (int body = 0; body < m.nbody; ++body) {
+    if (m.body_rootid[body] != root) continue;
+    if (body != root) links += Length(m.body_pos + 3 * body);
+    farthest = std::max(farthest, ReachOfBody(m, body));
+  }
+  return links + farthest;
+}
+
 }  // namespace
 
 KinematicMotion::KinematicMotion(const scene::Scene& scene) : scene_(scene) {
   const mjModel& m = *scene.model().get();
   const int robot = m.body_rootid[scene.hand().index()];
+  reach_ = ReachOfRobot(m, robot);
   for (int body = 0; body < m.nbody; ++body) {
     const bool is_hand = scene.KindOf(mujoco::BodyId(body)) == scene::BodyKind::kHand;
     // The base of the arm stands on the floor, and touches it.
@@ -56,24 +85,38 @@ bool KinematicMotion::Begin(const mujoco::Data& data, PartId held, const RobotCo
   if (!held.IsNone()) {
     groups_[IndexOf(scene_.Body(held))] = kHand;
     X_HandPart_ = data.BodyPose(scene_.hand()).inverse() * scene_.TruePose(data, held);
+    held_reach_ = X_HandPart_.translation().norm() +
+                  ReachOfBody(*scene_.model().get(), scene_.Body(held).index());
+  } else {
+    held_reach_ = 0;
   }
   held_ = held;
   last_ = last;
+  room_ = 0;
   return !TouchesAnything(data) && IsQuiet(data);
+}
+
+bool KinematicMotion::RobotStandsStill(const mujoco::Data& data) const {
+  return scene_.ArmVelocity(data).lpNorm<Eigen::Infinity>() < kStandstill.angular &&
+         std::abs(scene_.OpeningSpeed(data)) < kStandstill.linear;
 }
 
 // Returns whether the held part rests in the hand, and all other parts rest.
 bool KinematicMotion::IsQuiet(const mujoco::Data& data) const {
+  const bool stands = last_.arm.qd.isZero(0) && last_.opening_rate == 0;
+  if (stands && !RobotStandsStill(data)) return false;
+  const RestSpeeds& rest = stands ? kStandstill : kRest;
+  const RestSpeeds& rest_in_hand = stands ? kStandstill : kRestInHand;
   for (int i = 0; i < scene_.part_count(); ++i) {
     const PartId part(i);
     const scene::Twist twist = scene_.TrueTwist(data, part);
     if (part == held_) {
       const geometry::Vector3 at = scene_.TruePose(data, part).translation();
       const scene::Twist hand = scene_.TwistWithHand(data, at);
-      if (!kRestInHand.Include({twist.linear - hand.linear, twist.angular - hand.angular})) {
+      if (!rest_in_hand.Include({twist.linear - hand.linear, twist.angular - hand.angular})) {
         return false;
       }
-    } else if (!kRest.Include(twist)) {
+    } else if (!rest.Include(twist)) {
       return false;
     }
   }
@@ -99,14 +142,34 @@ void KinematicMotion::Move(const RobotCommand& to, mujoco::Data& data) {
     scene_.MovePart(data, held_, data.BodyPose(scene_.hand()) * X_HandPart_);
     data.MoveBodies();
   }
-  data.FindContacts(groups_);
+  room_ -= LongestWay(last_, to);
   last_ = to;
+}
+
+double KinematicMotion::LongestWay(const RobotCommand& from, const RobotCommand& to) const {
+  return (reach_ + held_reach_) * (to.arm.q - from.arm.q).lpNorm<1>() +
+         std::abs(to.opening - from.opening);
+}
+
+double KinematicMotion::GreatestSpeed(const RobotCommand& command) const {
+  return (reach_ + held_reach_) * command.arm.qd.lpNorm<1>() + std::abs(command.opening_rate);
+}
+
+bool KinematicMotion::IsClear(mujoco::Data& data) {
+  if (room_ > 0) {
+    data.ForgetContacts();
+    return true;
+  }
+  data.FindContacts(groups_);
+  if (TouchesAnything(data)) return false;
+  room_ = data.LeastSeparation(groups_);
+  return true;
 }
 
 bool KinematicMotion::MoveTo(const RobotCommand& next, double time, mujoco::Data& data) {
   const RobotCommand before = last_;
   Move(next, data);
-  const bool is_clear = !TouchesAnything(data);
+  const bool is_clear = IsClear(data);
   if (is_clear) {
     data.SetTime(time);
   } else {

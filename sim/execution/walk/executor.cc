@@ -82,16 +82,13 @@ Progress Rest(Execution& execution, RestRecord& rest) {
   if (Progress failure = execution.Stay(kBeforeRest)) return failure;
   rest.duration = kRestDuration;
   rest.parts.resize(static_cast<std::size_t>(scene.part_count()));
-  const double end = data.time() + kRestDuration;
-  while (data.time() < end) {
-    if (Progress failure = execution.Stay(0)) return failure;
+  return execution.Stay(kRestDuration, [&] {
     for (std::size_t i = 0; i < rest.parts.size(); ++i) {
       const scene::Twist twist = scene.TrueTwist(data, PartId(i));
       rest.parts[i].linear = std::max(rest.parts[i].linear, twist.linear.norm());
       rest.parts[i].angular = std::max(rest.parts[i].angular, twist.angular.norm());
     }
-  }
-  return std::nullopt;
+  });
 }
 
 Trace Execute(const domain::Problem& problem, const plan::Plan& plan, const scene::Scene& scene,

@@ -10,7 +10,7 @@
 #include "planner/geometry/hull.h"
 #include "planner/geometry/solids/convex_cut.h"
 #include "planner/geometry/solids/mass_properties.h"
-#include "sim/mujoco/convex_pieces.h"
+#include "sim/mujoco/collision/convex_pieces.h"
 #include "sim/mujoco/data.h"
 #include "sim/mujoco/engine_messages.h"
 #include "sim/mujoco/model.h"

@@ -1,4 +1,4 @@
-#include "sim/mujoco/box_collision.h"
+#include "sim/mujoco/collision/box_collision.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "sim/mujoco/mesh_collision.h"
+#include "sim/mujoco/collision/mesh_collision.h"
 
 #include <mujoco/mujoco.h>
 
@@ -6,9 +6,9 @@
 #include <array>
 #include <mutex>
 
-#include "sim/mujoco/body_contacts.h"
-#include "sim/mujoco/convex_pieces.h"
-#include "sim/mujoco/found_contact.h"
+#include "sim/mujoco/collision/body_contacts.h"
+#include "sim/mujoco/collision/convex_pieces.h"
+#include "sim/mujoco/collision/found_contact.h"
 
 namespace assay::mujoco {
 namespace {

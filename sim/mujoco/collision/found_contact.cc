@@ -1,4 +1,4 @@
-#include "sim/mujoco/found_contact.h"
+#include "sim/mujoco/collision/found_contact.h"
 
 #include <mujoco/mujoco.h>
 

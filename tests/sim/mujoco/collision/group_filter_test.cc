@@ -1,4 +1,4 @@
-#include "sim/mujoco/group_filter.h"
+#include "sim/mujoco/collision/group_filter.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "sim/mujoco/box_collision.h"
+#include "sim/mujoco/collision/box_collision.h"
 
 #include <mujoco/mujoco.h>
 
@@ -8,9 +8,9 @@
 #include <mutex>
 
 #include "planner/geometry/coordinates.h"
-#include "sim/mujoco/convex_pieces.h"
-#include "sim/mujoco/found_contact.h"
-#include "sim/mujoco/inner_faces.h"
+#include "sim/mujoco/collision/convex_pieces.h"
+#include "sim/mujoco/collision/found_contact.h"
+#include "sim/mujoco/collision/inner_faces.h"
 
 namespace assay::mujoco {
 namespace {

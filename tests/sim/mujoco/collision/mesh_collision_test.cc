@@ -1,4 +1,4 @@
-#include "sim/mujoco/mesh_collision.h"
+#include "sim/mujoco/collision/mesh_collision.h"
 
 #include <gtest/gtest.h>
 #include <mujoco/mujoco.h>
@@ -14,8 +14,8 @@
 #include "planner/geometry/contact/contact_manifold.h"
 #include "planner/geometry/hull.h"
 #include "planner/geometry/pose.h"
+#include "sim/mujoco/collision/convex_pieces.h"
 #include "sim/mujoco/contact.h"
-#include "sim/mujoco/convex_pieces.h"
 #include "sim/mujoco/data.h"
 #include "tests/oracle/random_pose.h"
 #include "tests/sim/mujoco/convex_bodies.h"

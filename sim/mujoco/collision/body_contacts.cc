@@ -1,4 +1,4 @@
-#include "sim/mujoco/body_contacts.h"
+#include "sim/mujoco/collision/body_contacts.h"
 
 #include <mujoco/mujoco.h>
 
@@ -10,7 +10,7 @@
 
 #include "planner/geometry/contact/contact_manifold.h"
 #include "planner/geometry/contact/contact_patch.h"
-#include "sim/mujoco/inner_faces.h"
+#include "sim/mujoco/collision/inner_faces.h"
 
 namespace assay::mujoco {
 namespace {

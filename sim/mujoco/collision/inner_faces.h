@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sim/mujoco/convex_pieces.h"
+#include "sim/mujoco/collision/convex_pieces.h"
 
 struct mjModel_;
 struct mjData_;

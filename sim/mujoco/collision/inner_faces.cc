@@ -1,4 +1,4 @@
-#include "sim/mujoco/inner_faces.h"
+#include "sim/mujoco/collision/inner_faces.h"
 
 #include <mujoco/mujoco.h>
 

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "sim/mujoco/convex_pieces.h"
+#include "sim/mujoco/collision/convex_pieces.h"
 
 struct mjModel_;
 struct mjData_;

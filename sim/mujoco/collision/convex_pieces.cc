@@ -1,4 +1,4 @@
-#include "sim/mujoco/convex_pieces.h"
+#include "sim/mujoco/collision/convex_pieces.h"
 
 #include <mujoco/mujoco.h>
 
