@@ -11,9 +11,6 @@ namespace {
 // forces in the trace's samples are those of the timesteps after the samples, so that the usual
 // rate of samples is best.
 constexpr double kForceRate = 50;
-// Where robots may touch something, a state of motion without dynamics follows the last one when
-// the robot may have moved by this length, metres. Contacts are found if they last longer.
-constexpr double kKinematicLength = 5e-4;
 
 // Returns the time at which the engine must compute the forces again.
 double NextForces(double now) {
@@ -42,9 +39,8 @@ double Execution::MoveKinematically(const Commands& commands, double time, doubl
   if (!kinematic_.Begin(data_, world_.held(), commands(time))) return time;
   while (data_.time() < stop) {
     const double now = time + data_.time() - start;
-    const double length = std::max(kKinematicLength, kinematic_.room());
-    const double lasts = length / std::max(kinematic_.GreatestSpeed(commands(now)), 1e-9);
-    const double next = std::min(data_.time() + std::max(lasts, shortest), stop);
+    const double lasts = std::max(kinematic_.MayGoOn(commands(now)), shortest);
+    const double next = std::min(data_.time() + lasts, stop);
     const RobotCommand command = commands(time + next - start);
     if (!kinematic_.MoveTo(command, next, data_)) {
       near_until_ = NextForces(start);

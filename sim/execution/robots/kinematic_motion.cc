@@ -27,6 +27,10 @@ constexpr RestSpeeds kRestInHand = {.linear = 2e-3, .angular = 2e-2};
 // A robot waits for bodies to come to rest. A part that begins to tip or to slide is faster than
 // this after one timestep.
 constexpr RestSpeeds kStandstill = {.linear = 1e-6, .angular = 1e-5};
+constexpr double kFingersStand = 1e-4;  // m/s of the opening
+// Where the robot may touch something, it is looked whether it does each time it may have moved by
+// this length, metres. Contacts are found if they last longer.
+constexpr double kShortestLook = 5e-4;
 
 // The bodies of each group may touch each other: what rests, the links of the arm, and the hand
 // with the part that it holds.
@@ -48,30 +52,19 @@ double ReachOfBody(const mjModel& m, int body) {
   return reach;
 }
 
-// Returns a length in metres that no point of a robot exceeds from one of its joints: the length of
-// all its links together.
-double ReachOfRobot(const mjModel& m, int root) {
-  double links = 0;
-  double farthest = 0;
-  for (int body = 0; body < m.nbody; ++body) {
-    if (m.body_rootid[body] != root) continue;
-    if (body != root) links += Length(m.body_pos + 3 * body);
-    farthest = std::max(farthest, ReachOfBody(m, body));
-  }
-  return links + farthest;
-}
-
 }  // namespace
 
 KinematicMotion::KinematicMotion(const scene::Scene& scene) : scene_(scene) {
   const mjModel& m = *scene.model().get();
   const int robot = m.body_rootid[scene.hand().index()];
-  reach_ = ReachOfRobot(m, robot);
   for (int body = 0; body < m.nbody; ++body) {
     const bool is_hand = scene.KindOf(mujoco::BodyId(body)) == scene::BodyKind::kHand;
     // The base of the arm stands on the floor, and touches it.
     const bool rests = m.body_rootid[body] != robot || m.body_weldid[body] == 0;
     groups_.push_back(rests ? kRests : is_hand ? kHand : kArm);
+    if (rests) continue;
+    links_.push_back({mujoco::BodyId(body), ReachOfBody(m, body)});
+    length_ += Length(m.body_pos + 3 * body) + links_.back().reach;
   }
 }
 
@@ -85,20 +78,23 @@ bool KinematicMotion::Begin(const mujoco::Data& data, PartId held, const RobotCo
   if (!held.IsNone()) {
     groups_[IndexOf(scene_.Body(held))] = kHand;
     X_HandPart_ = data.BodyPose(scene_.hand()).inverse() * scene_.TruePose(data, held);
-    held_reach_ = X_HandPart_.translation().norm() +
-                  ReachOfBody(*scene_.model().get(), scene_.Body(held).index());
-  } else {
-    held_reach_ = 0;
   }
+  movers_ = links_;
+  if (!held.IsNone()) {
+    const mujoco::BodyId body = scene_.Body(held);
+    movers_.push_back({body, ReachOfBody(*scene_.model().get(), body.index())});
+  }
+  GreatestWay(data);
   held_ = held;
   last_ = last;
   room_ = 0;
+  speed_ = 0;
   return !TouchesAnything(data) && IsQuiet(data);
 }
 
 bool KinematicMotion::RobotStandsStill(const mujoco::Data& data) const {
   return scene_.ArmVelocity(data).lpNorm<Eigen::Infinity>() < kStandstill.angular &&
-         std::abs(scene_.OpeningSpeed(data)) < kStandstill.linear;
+         std::abs(scene_.OpeningSpeed(data)) < kFingersStand;
 }
 
 // Returns whether the held part rests in the hand, and all other parts rest.
@@ -142,17 +138,27 @@ void KinematicMotion::Move(const RobotCommand& to, mujoco::Data& data) {
     scene_.MovePart(data, held_, data.BodyPose(scene_.hand()) * X_HandPart_);
     data.MoveBodies();
   }
-  room_ -= LongestWay(last_, to);
   last_ = to;
 }
 
-double KinematicMotion::LongestWay(const RobotCommand& from, const RobotCommand& to) const {
-  return (reach_ + held_reach_) * (to.arm.q - from.arm.q).lpNorm<1>() +
-         std::abs(to.opening - from.opening);
+// The chord of a point's way is almost as long as the way between two states.
+double KinematicMotion::GreatestWay(const mujoco::Data& data) {
+  double greatest = 0;
+  for (Mover& mover : movers_) {
+    const geometry::Pose X = data.BodyPose(mover.body);
+    const double turn = (X.linear() - mover.X_WorldBody.linear()).norm();
+    const double shift = (X.translation() - mover.X_WorldBody.translation()).norm();
+    greatest = std::max(greatest, shift + turn * mover.reach);
+    mover.X_WorldBody = X;
+  }
+  return greatest;
 }
 
-double KinematicMotion::GreatestSpeed(const RobotCommand& command) const {
-  return (reach_ + held_reach_) * command.arm.qd.lpNorm<1>() + std::abs(command.opening_rate);
+// Half of the room is for a robot that becomes faster.
+double KinematicMotion::MayGoOn(const RobotCommand& command) const {
+  const double speed = length_ * command.arm.qd.lpNorm<1>() + std::abs(command.opening_rate);
+  const double in_room = room_ > 0 && speed_ > 0 ? room_ / 2 / speed_ : 0;
+  return std::max(kShortestLook / std::max(speed, 1e-9), in_room);
 }
 
 bool KinematicMotion::IsClear(mujoco::Data& data) {
@@ -169,6 +175,9 @@ bool KinematicMotion::IsClear(mujoco::Data& data) {
 bool KinematicMotion::MoveTo(const RobotCommand& next, double time, mujoco::Data& data) {
   const RobotCommand before = last_;
   Move(next, data);
+  const double way = GreatestWay(data);
+  room_ -= way;
+  speed_ = way / (time - data.time());
   const bool is_clear = IsClear(data);
   if (is_clear) {
     data.SetTime(time);

@@ -43,12 +43,9 @@ class KinematicMotion {
   // robot, or the part in its hand, would touch something there, it stays where it was, and the
   // answer is false. Call End or mujoco::Data::Resume before dynamics go on.
   bool MoveTo(const RobotCommand& next, double time, mujoco::Data& data);
-  // Returns a speed in m/s that no point of the robot and of the held part exceeds when a command
-  // has these rates.
-  double GreatestSpeed(const RobotCommand& command) const;
-  // Returns a length in metres by which all points of the robot may move before it can touch
-  // anything. The bound is 0 unless MoveTo has found a greater one.
-  double room() const { return room_; }
+  // Returns for how many seconds the robot may go on from this command before it must be looked
+  // whether it touches anything.
+  double MayGoOn(const RobotCommand& command) const;
   // Ends the motion with the velocities of the last command, so that dynamics can go on.
   void End(mujoco::Data& data) const;
 
@@ -57,21 +54,30 @@ class KinematicMotion {
   bool RobotStandsStill(const mujoco::Data& data) const;
   bool TouchesAnything(const mujoco::Data& data) const;
   void Move(const RobotCommand& to, mujoco::Data& data);
-  // Returns a length in metres that no point moves farther between two commands.
-  double LongestWay(const RobotCommand& from, const RobotCommand& to) const;
+  // Returns by how many metres a point has moved, at most, since the last call.
+  double GreatestWay(const mujoco::Data& data);
   // Returns whether the robot and the held part touch nothing where they are now.
   bool IsClear(mujoco::Data& data);
 
+  // A body that moves with the robot.
+  struct Mover {
+    mujoco::BodyId body;
+    double reach = 0;  // metres from the body's origin to its farthest point
+    geometry::Pose X_WorldBody = geometry::Pose::Identity();
+  };
+
   const scene::Scene& scene_;
-  double reach_ = 0;  // metres from a joint to the farthest point of the robot that it moves
+  std::vector<Mover> links_;  // of the arm and the hand
+  double length_ = 0;         // metres from a joint to the farthest point of the robot, at most
   bool is_firm_ = false;
   // The motion that has begun:
   std::vector<int> groups_;  // which bodies of the engine move together
   PartId held_;
   RobotCommand last_;
-  double room_ = 0;
+  double room_ = 0;   // metres by which all points may move before the robot can touch anything
+  double speed_ = 0;  // m/s of the fastest point in the last move
   geometry::Pose X_HandPart_ = geometry::Pose::Identity();
-  double held_reach_ = 0;  // metres from the hand to the farthest point of the held part
+  std::vector<Mover> movers_;
 };
 
 }  // namespace assay::execution
