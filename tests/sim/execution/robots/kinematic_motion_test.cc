@@ -110,6 +110,27 @@ TEST_F(AtHome, DoesNotBeginWhileAPartFalls) {
   EXPECT_FALSE(motion_.Begin(data_, kNothing, Here()));
 }
 
+// A robot that moves may pass by a part that moves by 10 micrometres a second. A robot that stands
+// waits for it to rest.
+TEST_F(AtHome, WaitsWhileAPartMovesSlowly) {
+  RobotCommand moving = Here();
+  moving.arm.qd[0] = 0.1;
+  EXPECT_TRUE(motion_.Begin(data_, kNothing, Here()));
+  scene_.SetPartTwist(data_, PartId(0), {.linear = {1e-5, 0, 0}, .angular = Vector3::Zero()});
+  EXPECT_FALSE(motion_.Begin(data_, kNothing, Here()));
+  EXPECT_TRUE(motion_.Begin(data_, kNothing, moving));
+}
+
+TEST_F(AtHome, GoesOnLongerWhereNothingIsNear) {
+  ASSERT_TRUE(motion_.Begin(data_, kNothing, Here()));
+  RobotCommand next = Here();
+  next.arm.q[0] += 1e-4;
+  next.arm.qd[0] = 0.1;
+  const double at_first = motion_.MayGoOn(next);
+  ASSERT_TRUE(motion_.MoveTo(next, 0.001, data_));
+  EXPECT_GT(motion_.MayGoOn(next), 10 * at_first);
+}
+
 TEST_F(AtHome, DoesNotBeginBeforeItHasSeenForces) {
   motion_.Forget();
   EXPECT_FALSE(motion_.Begin(data_, kNothing, Here()));
