@@ -95,7 +95,7 @@ mujoco::Model PegInBlock(const std::vector<ConvexHull>& peg, const std::vector<C
       .Set("timestep", 0.0005)
       .Set("solver", "Newton")
       .Set("cone", "elliptic")
-      .Set("impratio", 100)
+      .Set("impratio", 10)
       .Set("gravity", {2, 0.5, -9.5});
   mujoco.Add("size").Set("njmax", "2000").Set("nconmax", "600");
   mujoco.Add("default")

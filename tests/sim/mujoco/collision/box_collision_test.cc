@@ -155,7 +155,7 @@ Pose EdgeAcrossEdge(RandomStream& random, double depth) {
   const Vector3 turn = Drawn(random, {0.3, 0.3, 0.3});
   Pose X(Eigen::AngleAxisd(turn.norm(), turn.normalized()) * R);
   const Vector3 normal = Vector3::UnitX().cross(X.linear().col(2)).normalized();
-  const Vector3 below(-kUpper.x(), -kUpper.y(), random.Uniform(-0.05, 0.05));
+  const Vector3 below(-kUpper.x(), kUpper.y(), random.Uniform(-0.05, 0.05));
   const Vector3 at(random.Uniform(-0.2, 0.2), kLower.y(), kLower.z());
   X.pretranslate(at - std::copysign(depth, normal.z()) * normal - X * below);
   return X;

@@ -100,8 +100,8 @@ TEST_F(GeomBoundsTest, IsTheGapOfParallelFaces) {
   const Pose level = Pose(geometry::RotationZ(-20 * std::numbers::pi / 180));
   Put(geometry::Translation(0, 0, 0.02 + 0.04 + 0.013) * level, geometry::Translation(0, 0, 1));
   EXPECT_NEAR(data_.LeastSeparation(groups), 0.013, 1e-12);
-  Put(geometry::Translation(0, 0, 1), geometry::Translation(0, 0.5, -0.3 + 0.011));
-  EXPECT_NEAR(data_.LeastSeparation(groups), 0.011, 1e-7);
+  Put(geometry::Translation(0, -0.5, -0.3 + 0.04 + 0.011), geometry::Translation(0, 0, 1));
+  EXPECT_NEAR(data_.LeastSeparation(groups), 0.011, 1e-12);
 }
 
 TEST_F(GeomBoundsTest, BodiesOfOneGroupMayTouch) {
