@@ -24,6 +24,9 @@ constexpr double kPeakFilter = 0.002;  // time constant of the greatest force, s
 // Time constant of the force that ends a guarded move, seconds.
 constexpr double kTouchFilter = 0.001;
 constexpr double kBrakeTime = 0.002;  // seconds from slow motion to rest
+// Forces that have changed move bodies within this time, seconds. What has not moved for so long
+// does not move until the robot does.
+constexpr double kStandsFor = 0.01;
 
 using BodyNames = std::pair<std::string, std::string>;
 
@@ -215,14 +218,14 @@ Progress Execution::Follow(const JointTrajectory& trajectory, const Guarded& gua
 
 Progress Execution::Stay(double seconds, const std::function<void()>& see) {
   const JointState rest{commanded_.q, JointVector::Zero()};
-  const Commands commands = [&](double) { return RobotCommand{rest}; };
-  ForgetKinematics();
-  double time = 0;
+  const double end = data_.time() + seconds;
+  double moved_at = data_.time();
   do {
-    time = MoveKinematically(commands, time, seconds) + data_.timestep();
     if (Progress failure = StepTo(rest)) return failure;
     if (see) see();
-  } while (time < seconds);
+    if (!kinematic_.EverythingStands(data_)) moved_at = data_.time();
+    if (data_.time() >= moved_at + kStandsFor) PassTime(end);
+  } while (data_.time() < end);
   return std::nullopt;
 }
 

@@ -95,8 +95,8 @@ class Execution {
   // rate of the opening in m/s, or until `has_ended` says so after a timestep. Fingers that touch
   // nothing move without dynamics.
   Progress MoveFingers(double opening, double rate, const std::function<bool()>& has_ended = {});
-  // Keeps the robot at its last command, for at least one timestep, without dynamics while nothing
-  // moves. Calls `see` after each timestep with dynamics.
+  // Keeps the robot at its last command, for at least one timestep. Once nothing moves any more,
+  // most of the time passes without dynamics. Calls `see` after each timestep with dynamics.
   Progress Stay(double seconds, const std::function<void()>& see = {});
   // Executes one timestep with soft servos, so that what touches the hand can move it.
   // `share` is the fraction of the servos' usual stiffness. `qdd` is the planned acceleration, so
@@ -123,6 +123,9 @@ class Execution {
   // Moves without dynamics from `time` on, to `end` at most, if that is possible. Returns the time
   // that is reached.
   double MoveKinematically(const Commands& commands, double time, double end);
+  // Lets time pass in which nothing moves, until the engine must compute the forces again, or until
+  // `end`, in seconds of the simulation.
+  void PassTime(double end);
   // Executes one timestep that leads the arm to this state. It adds to the trace's series and
   // checks force and engine.
   Progress StepTo(const JointState& next);

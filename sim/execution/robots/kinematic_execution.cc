@@ -59,6 +59,16 @@ double Execution::MoveKinematically(const Commands& commands, double time, doubl
   return time + data_.time() - start;
 }
 
+void Execution::PassTime(double end) {
+  const double start = data_.time();
+  const double until = std::min(KinematicUntil(), end);
+  if (until <= start) return;
+  data_.SetTime(until);
+  EndTimestep();
+  Feel(until - start);
+  SampleIfDue();
+}
+
 void Execution::ForgetKinematics() {
   kinematic_.Forget();
   near_until_ = 0;

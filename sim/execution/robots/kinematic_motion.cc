@@ -24,8 +24,7 @@ constexpr RestSpeeds kRest = {.linear = 1e-4, .angular = 1e-3};
 // Speeds relative to the hand. The engine leaves out the centripetal acceleration of the hand and
 // makes up for it a timestep later, so that parts in a fast hand seem to move.
 constexpr RestSpeeds kRestInHand = {.linear = 2e-3, .angular = 2e-2};
-// A robot waits for bodies to come to rest. A part that begins to tip or to slide is faster than
-// this after one timestep.
+// A part that begins to tip or to slide is faster than this after a timestep.
 constexpr RestSpeeds kStandstill = {.linear = 1e-6, .angular = 1e-5};
 constexpr double kFingersStand = 1e-4;  // m/s of the opening
 // Where the robot may touch something, it is looked whether it does each time it may have moved by
@@ -92,27 +91,27 @@ bool KinematicMotion::Begin(const mujoco::Data& data, PartId held, const RobotCo
   return !TouchesAnything(data) && IsQuiet(data);
 }
 
-bool KinematicMotion::RobotStandsStill(const mujoco::Data& data) const {
-  return scene_.ArmVelocity(data).lpNorm<Eigen::Infinity>() < kStandstill.angular &&
-         std::abs(scene_.OpeningSpeed(data)) < kFingersStand;
+bool KinematicMotion::EverythingStands(const mujoco::Data& data) const {
+  if (scene_.ArmVelocity(data).lpNorm<Eigen::Infinity>() > kStandstill.angular) return false;
+  if (std::abs(scene_.OpeningSpeed(data)) > kFingersStand) return false;
+  for (int i = 0; i < scene_.part_count(); ++i) {
+    if (!kStandstill.Include(scene_.TrueTwist(data, PartId(i)))) return false;
+  }
+  return true;
 }
 
 // Returns whether the held part rests in the hand, and all other parts rest.
 bool KinematicMotion::IsQuiet(const mujoco::Data& data) const {
-  const bool stands = last_.arm.qd.isZero(0) && last_.opening_rate == 0;
-  if (stands && !RobotStandsStill(data)) return false;
-  const RestSpeeds& rest = stands ? kStandstill : kRest;
-  const RestSpeeds& rest_in_hand = stands ? kStandstill : kRestInHand;
   for (int i = 0; i < scene_.part_count(); ++i) {
     const PartId part(i);
     const scene::Twist twist = scene_.TrueTwist(data, part);
     if (part == held_) {
       const geometry::Vector3 at = scene_.TruePose(data, part).translation();
       const scene::Twist hand = scene_.TwistWithHand(data, at);
-      if (!rest_in_hand.Include({twist.linear - hand.linear, twist.angular - hand.angular})) {
+      if (!kRestInHand.Include({twist.linear - hand.linear, twist.angular - hand.angular})) {
         return false;
       }
-    } else if (!rest.Include(twist)) {
+    } else if (!kRest.Include(twist)) {
       return false;
     }
   }

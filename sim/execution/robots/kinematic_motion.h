@@ -35,9 +35,11 @@ class KinematicMotion {
   // Forgets what SeeForces has seen. No motion begins before it sees forces again.
   void Forget() { is_firm_ = false; }
 
+  // Returns whether nothing moves: the robot, the part in its hand, and all other parts.
+  bool EverythingStands(const mujoco::Data& data) const;
+
   // Begins a motion at the present state, if it allows one. `held` is the part in the hand, or
-  // None, and `last` is the last command. A robot that is commanded to stand stays in dynamics
-  // until nothing moves any more.
+  // None, and `last` is the last command.
   bool Begin(const mujoco::Data& data, PartId held, const RobotCommand& last);
   // Moves to where the robot is commanded to be at a time of the simulation, seconds. If the
   // robot, or the part in its hand, would touch something there, it stays where it was, and the
@@ -51,7 +53,6 @@ class KinematicMotion {
 
  private:
   bool IsQuiet(const mujoco::Data& data) const;
-  bool RobotStandsStill(const mujoco::Data& data) const;
   bool TouchesAnything(const mujoco::Data& data) const;
   void Move(const RobotCommand& to, mujoco::Data& data);
   // Returns by how many metres a point has moved, at most, since the last call.

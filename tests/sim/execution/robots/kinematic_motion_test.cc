@@ -110,15 +110,17 @@ TEST_F(AtHome, DoesNotBeginWhileAPartFalls) {
   EXPECT_FALSE(motion_.Begin(data_, kNothing, Here()));
 }
 
-// A robot that moves may pass by a part that moves by 10 micrometres a second. A robot that stands
-// waits for it to rest.
-TEST_F(AtHome, WaitsWhileAPartMovesSlowly) {
-  RobotCommand moving = Here();
-  moving.arm.qd[0] = 0.1;
-  EXPECT_TRUE(motion_.Begin(data_, kNothing, Here()));
-  scene_.SetPartTwist(data_, PartId(0), {.linear = {1e-5, 0, 0}, .angular = Vector3::Zero()});
-  EXPECT_FALSE(motion_.Begin(data_, kNothing, Here()));
-  EXPECT_TRUE(motion_.Begin(data_, kNothing, moving));
+TEST_F(AtHome, NothingStandsThatMovesSlowly) {
+  EXPECT_TRUE(motion_.EverythingStands(data_));
+  const scene::Twist slow = {.linear = {1e-5, 0, 0}, .angular = Vector3::Zero()};
+  scene_.SetPartTwist(data_, PartId(0), slow);
+  EXPECT_FALSE(motion_.EverythingStands(data_));
+  scene_.SetPartTwist(data_, PartId(0), {});
+  EXPECT_TRUE(motion_.EverythingStands(data_));
+  scene_.SetVelocity(data_, kinematics::JointVector::Constant(1e-4), 0);
+  EXPECT_FALSE(motion_.EverythingStands(data_));
+  scene_.SetVelocity(data_, kinematics::JointVector::Zero(), 1e-3);
+  EXPECT_FALSE(motion_.EverythingStands(data_));
 }
 
 TEST_F(AtHome, GoesOnLongerWhereNothingIsNear) {
