@@ -24,8 +24,8 @@ constexpr RestSpeeds kRest = {.linear = 1e-4, .angular = 1e-3};
 // Speeds relative to the hand. The engine leaves out the centripetal acceleration of the hand and
 // makes up for it a timestep later, so that parts in a fast hand seem to move.
 constexpr RestSpeeds kRestInHand = {.linear = 2e-3, .angular = 2e-2};
-// A part that begins to tip or to slide is faster than this after a timestep.
-constexpr RestSpeeds kStandstill = {.linear = 1e-6, .angular = 1e-5};
+// Held parts creep in the engine by up to 100 microradians a second, although friction bears them.
+constexpr RestSpeeds kStandstill = {.linear = 1e-5, .angular = 2e-4};
 constexpr double kFingersStand = 1e-4;  // m/s of the opening
 // Where the robot may touch something, it is looked whether it does each time it may have moved by
 // this length, metres. Contacts are found if they last longer.

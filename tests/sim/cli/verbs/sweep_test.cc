@@ -141,7 +141,7 @@ TEST_F(SweepVerb, RunsGoesOnAndReplays) {
 // With this long timestep, the engine's errors without any noise are greater than the plan's error
 // sets. Trials would prove nothing.
 TEST_F(SweepVerb, TellsOfAPlanThatCannotBeTested) {
-  folder_.Write("known.yaml", TextOf(kTwoActions) + "simulation: {timestep: 0.001}\n");
+  folder_.Write("known.yaml", TextOf(kTwoActions) + "simulation: {timestep: 0.002}\n");
   const Ended ended = Sweep("a.sqlite", {"--json"});
   EXPECT_EQ(ended.code, 12) << ended.err;
   const nlohmann::json result = ended.Json();

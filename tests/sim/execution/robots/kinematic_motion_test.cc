@@ -112,12 +112,12 @@ TEST_F(AtHome, DoesNotBeginWhileAPartFalls) {
 
 TEST_F(AtHome, NothingStandsThatMovesSlowly) {
   EXPECT_TRUE(motion_.EverythingStands(data_));
-  const scene::Twist slow = {.linear = {1e-5, 0, 0}, .angular = Vector3::Zero()};
+  const scene::Twist slow = {.linear = {2e-5, 0, 0}, .angular = Vector3::Zero()};
   scene_.SetPartTwist(data_, PartId(0), slow);
   EXPECT_FALSE(motion_.EverythingStands(data_));
   scene_.SetPartTwist(data_, PartId(0), {});
   EXPECT_TRUE(motion_.EverythingStands(data_));
-  scene_.SetVelocity(data_, kinematics::JointVector::Constant(1e-4), 0);
+  scene_.SetVelocity(data_, kinematics::JointVector::Constant(1e-3), 0);
   EXPECT_FALSE(motion_.EverythingStands(data_));
   scene_.SetVelocity(data_, kinematics::JointVector::Zero(), 1e-3);
   EXPECT_FALSE(motion_.EverythingStands(data_));
