@@ -11,11 +11,12 @@ namespace {
 // forces in the trace's samples are those of the timesteps after the samples, so that the usual
 // rate of samples is best.
 constexpr double kForceRate = 50;
+constexpr double kRounding = 1e-9;  // of times, seconds
 
 // Returns the time at which the engine must compute the forces again.
 double NextForces(double now) {
   double count = std::floor(now * kForceRate);
-  while (count / kForceRate < now + 1e-9) ++count;
+  while (count / kForceRate < now + kRounding) ++count;
   return count / kForceRate;
 }
 
@@ -23,7 +24,7 @@ double NextForces(double now) {
 
 double Execution::KinematicUntil() const {
   const double now = data_.time();
-  const bool forces_are_due = NextForces(now - data_.timestep()) <= now;
+  const bool forces_are_due = NextForces(now - data_.timestep()) <= now + kRounding;
   return options_.kinematic_step <= 0 || forces_are_due || now < near_until_ ? now
                                                                              : NextForces(now);
 }

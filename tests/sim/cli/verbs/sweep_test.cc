@@ -31,13 +31,13 @@ class SweepVerb : public ::testing::Test {
     folder_.Write("known.yaml", TextOf(kTwoActions) + "simulation: {timestep: 0.0005}\n");
     sweep_ = Write(1);
   }
-  std::string Write(int trials) const {
+  std::string Write(int trials, const std::string& more = "") const {
     return folder_.Write("sweep.yaml",
                          "format: assay-sweep/1\n"
                          "scenarios: [known.yaml]\n"
                          "noise: [none, uniform]\n"
                          "trials: " +
-                             std::to_string(trials) + "\n");
+                             std::to_string(trials) + "\n" + more);
   }
   Ended Sweep(const std::string& database, std::vector<std::string> more) const {
     more.insert(more.begin(), {"sweep", sweep_, "--db", folder_ / database});
@@ -138,10 +138,11 @@ TEST_F(SweepVerb, RunsGoesOnAndReplays) {
   EXPECT_THAT(other.err, HasSubstr("the sweep file has changed"));
 }
 
-// With this long timestep, the engine's errors without any noise are greater than the plan's error
-// sets. Trials would prove nothing.
+// With this long timestep and these small errors of the parts, the engine's errors without any
+// noise are greater than the plan's error sets. Trials would prove nothing.
 TEST_F(SweepVerb, TellsOfAPlanThatCannotBeTested) {
-  folder_.Write("known.yaml", TextOf(kTwoActions) + "simulation: {timestep: 0.002}\n");
+  folder_.Write("known.yaml", TextOf(kTwoActions) + "simulation: {timestep: 0.001}\n");
+  Write(1, "error_scales: [0.01]\n");
   const Ended ended = Sweep("a.sqlite", {"--json"});
   EXPECT_EQ(ended.code, 12) << ended.err;
   const nlohmann::json result = ended.Json();
