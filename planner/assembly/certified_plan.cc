@@ -10,6 +10,10 @@
 namespace assay::assembly {
 namespace {
 
+// Paths are searched for until they have cost this many postures for each partial plan of the
+// budget.
+constexpr std::int64_t kPosturesForPartialPlan = 200;
+
 domain::Problem WithoutErrors(domain::Problem problem) {
   for (domain::Part& part : problem.parts) part.error = {};
   problem.gripper_error = {};
@@ -26,8 +30,9 @@ plan::PlanResult MakeCertifiedPlan(const domain::Problem& problem,
   }
   plan::PlanResult result = constraint_posting::MakeCertifiedPlan(problem, planner, uncertainty);
   if (result.outcome != Outcome::kFound) return result;
+  TravelEffort effort = {.left = kPosturesForPartialPlan * planner.partial_plans};
   const std::optional<plan::Reason> obstruction =
-      AddTravels(problem, {}, result.plan, uncertainty.propagation);
+      AddTravels(problem, effort, result.plan, uncertainty.propagation);
   if (!obstruction) return result;
   WorkJudge judge(problem);
   uncertainty.judge = std::ref(judge);
@@ -36,11 +41,11 @@ plan::PlanResult MakeCertifiedPlan(const domain::Problem& problem,
   const domain::Problem exact = WithoutErrors(problem);
   for (const domain::Problem* errors : {&problem, &exact}) {
     uncertainty.can_be_executed = [&](plan::Plan instance) {
-      return !AddTravels(*errors, {}, instance, uncertainty.propagation);
+      return !AddTravels(*errors, effort, instance, uncertainty.propagation);
     };
     result = constraint_posting::MakeCertifiedPlan(problem, planner, uncertainty);
     if (result.outcome == Outcome::kFound &&
-        !AddTravels(problem, {}, result.plan, uncertainty.propagation)) {
+        !AddTravels(problem, effort, result.plan, uncertainty.propagation)) {
       return result;
     }
   }

@@ -12,7 +12,8 @@ namespace assay::assembly {
 // no travels are found for the best plan instance, the best instance with travels is returned,
 // among those whose straight lines the arm can follow (WorkJudge). If none of the first
 // UncertaintyOptions::instances of these has travels, the outcome is kBudget, and the result names
-// the obstruction of the first plan.
+// the obstruction of the first plan. The budget of partial plans also limits how many postures all
+// searches for paths visit.
 plan::PlanResult MakeCertifiedPlan(const domain::Problem& problem,
                                    const constraint_posting::PlannerOptions& planner,
                                    constraint_posting::UncertaintyOptions uncertainty);

@@ -55,7 +55,7 @@ void AddExcuses(plan::Plan& plan, uncertainty::Propagation propagation) {
 
 }  // namespace
 
-std::optional<plan::Reason> AddTravels(const domain::Problem& problem, const TravelEffort& effort,
+std::optional<plan::Reason> AddTravels(const domain::Problem& problem, TravelEffort& effort,
                                        plan::Plan& plan, uncertainty::Propagation propagation) {
   for (plan::PlannedStep& step : plan.steps) RemoveWayConditions(step.certificate);
   PlanWalk walk(problem, plan, propagation);

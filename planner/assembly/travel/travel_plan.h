@@ -24,7 +24,7 @@ namespace assay::assembly {
 // Returns the obstruction of a travel for which no path is found. Returns none if all steps can be
 // reached.
 std::optional<plan::Reason> AddTravels(
-    const domain::Problem& problem, const TravelEffort& effort, plan::Plan& plan,
+    const domain::Problem& problem, TravelEffort& effort, plan::Plan& plan,
     uncertainty::Propagation propagation = uncertainty::Propagation::kSound);
 
 }  // namespace assay::assembly

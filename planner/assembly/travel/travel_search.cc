@@ -67,19 +67,19 @@ std::optional<TravelSearch::Found> TravelSearch::GoUsually() {
   return Found{travel, way->after(), *certainty};
 }
 
-std::variant<TravelSearch::Found, plan::Reason> TravelSearch::Search(const TravelEffort& effort) {
+std::variant<TravelSearch::Found, plan::Reason> TravelSearch::Search(TravelEffort& effort) {
   return SearchFor(Aim::kFree, effort);
 }
 
-std::optional<TravelSearch::Found> TravelSearch::SearchCertain(const TravelEffort& effort) {
+std::optional<TravelSearch::Found> TravelSearch::SearchCertain(TravelEffort& effort) {
   if (!ArePartsNearTheirPlaces()) return std::nullopt;
   auto result = SearchFor(Aim::kCertain, effort);
   auto* const found = std::get_if<Found>(&result);
   return found != nullptr ? std::optional(std::move(*found)) : std::nullopt;
 }
 
-std::variant<TravelSearch::Found, plan::Reason> TravelSearch::SearchFor(
-    Aim aim, const TravelEffort& effort) {
+std::variant<TravelSearch::Found, plan::Reason> TravelSearch::SearchFor(Aim aim,
+                                                                        TravelEffort& effort) {
   in_the_way_ = NotReached(
       "no configuration of the arm reaches this pose and can follow the next straight line");
   std::optional<plan::Reason> why;  // there is no path to a posture from which the arm can work
@@ -93,11 +93,12 @@ std::variant<TravelSearch::Found, plan::Reason> TravelSearch::SearchFor(
     if (aim == Aim::kCertain && !MayBeCertain(*way)) continue;
     if (tried++ == effort.destinations) break;
     const MotionRules rules = OnTheWay(*way, clearance_);
+    const std::int64_t budget = aim == Aim::kCertain ? effort.certain : effort.budget;
     motion::PathResult result =
         FindPath(scene_, {.from = from_,
                           .to = end,
                           .rules = aim == Aim::kCertain ? InSpiteOf({}, rules) : rules,
-                          .budget = aim == Aim::kCertain ? effort.certain : effort.budget});
+                          .budget = std::min(budget, effort.left)});
     if (auto* path = std::get_if<JointPath>(&result)) {
       way->over = *path;
       // The search has tested shorter pieces of the path. A pair of bodies that comes near to the
@@ -107,6 +108,7 @@ std::variant<TravelSearch::Found, plan::Reason> TravelSearch::SearchFor(
       return Found{{*path, ClearanceOf(*way), false}, way->after(), *certainty};
     }
     const auto& failure = std::get<motion::PathFailure>(result);
+    effort.left = std::max<std::int64_t>(0, effort.left - failure.postures);
     why = Obstructed(failure.what, failure.obstruction);
   }
   return why ? *why : in_the_way_;

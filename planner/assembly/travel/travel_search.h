@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <variant>
@@ -17,7 +18,7 @@ namespace assay::assembly {
 // The least distance in metres that two bodies keep on travels, whatever the errors are.
 inline constexpr double kTravelClearance = 0.005;
 
-// How much is searched for one travel.
+// How much is searched for travels.
 struct TravelEffort {
   // the greatest number of postures at the end of one travel to which paths are searched for
   int destinations = 4;
@@ -25,6 +26,8 @@ struct TravelEffort {
   std::int64_t budget = 100'000;
   // the same, where a travel is known and one of which everything is proved is searched for
   std::int64_t certain = 2'000;
+  // the number of postures that all searches in vain may still visit together
+  std::int64_t left = std::numeric_limits<std::int64_t>::max();
 };
 
 // The postures of the arm on a travel, and on the straight lines of the work to which the travel
@@ -66,9 +69,10 @@ class TravelSearch {
   std::optional<Found> GoUsually();
 
   // Searches for a path around the obstacles. Returns the reason if there is none.
-  std::variant<Found, plan::Reason> Search(const TravelEffort& effort);
+  // Takes from `effort.left` what a search in vain has cost.
+  std::variant<Found, plan::Reason> Search(TravelEffort& effort);
   // Searches for a travel about which everything is proved.
-  std::optional<Found> SearchCertain(const TravelEffort& effort);
+  std::optional<Found> SearchCertain(TravelEffort& effort);
 
   // Returns the travel with its straight lines. Returns none if the arm cannot follow them;
   // in_the_way() then gives the reason.
@@ -98,7 +102,7 @@ class TravelSearch {
   };
 
   enum class Aim { kFree, kCertain };
-  std::variant<Found, plan::Reason> SearchFor(Aim aim, const TravelEffort& effort);
+  std::variant<Found, plan::Reason> SearchFor(Aim aim, TravelEffort& effort);
   // Returns whether everything about the way is proved, but for its travel.
   bool MayBeCertain(const Way& way);
   geometry::Pose Above() const;

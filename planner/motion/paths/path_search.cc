@@ -150,23 +150,26 @@ JointPath Connect(MotionCheck& check, ObstructionTally& tally, const PathRequest
 
 PathFailure Failure(PathFailure::Reason reason, const MotionCheck& check,
                     const Obstruction& obstruction) {
+  const std::int64_t postures = check.postures();
   const std::string what = Describe(check.scene(), check.rules(), obstruction);
   switch (reason) {
     case PathFailure::Reason::kStart:
-      return {reason, obstruction, "at the start, " + what};
+      return {reason, obstruction, "at the start, " + what, postures};
     case PathFailure::Reason::kGoal:
-      return {reason, obstruction, "at the goal, " + what};
+      return {reason, obstruction, "at the goal, " + what, postures};
     case PathFailure::Reason::kConfiguration:
       return {reason, obstruction,
               fmt::format("the goal is in another configuration of the arm, into which no upright "
                           "path was found after {} postures; the most frequent obstacle: {}",
-                          check.postures(), what)};
+                          postures, what),
+              postures};
     case PathFailure::Reason::kBudget:
       break;
   }
   return {reason, obstruction,
           fmt::format("no path was found after {} postures; the most frequent obstacle: {}",
-                      check.postures(), what)};
+                      postures, what),
+          postures};
 }
 
 // Upright postures of two configurations meet only where the arm is singular: stretched, or with

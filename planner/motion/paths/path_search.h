@@ -30,7 +30,8 @@ struct PathFailure {
   };
   Reason reason = Reason::kBudget;
   Obstruction obstruction;
-  std::string what;  // a sentence for people
+  std::string what;           // a sentence for people
+  std::int64_t postures = 0;  // that were tested
 };
 
 using PathResult = std::variant<JointPath, PathFailure>;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <functional>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <set>
 
@@ -75,28 +76,54 @@ std::string RateText(const CellSummary& summary) {
                      100 * interval.low, 100 * interval.high);
 }
 
+// A column that counts certificates or trials. Rare ones are shown if there are any.
+struct CountColumn {
+  const char* name;
+  bool is_rare;
+  std::int64_t (*count)(const CellSummary&);
+};
+
+constexpr std::array kCountColumns = {
+    CountColumn{"contained", false, [](const CellSummary& s) { return s.certificates.contained; }},
+    CountColumn{"inconclusive", true,
+                [](const CellSummary& s) { return s.certificates.inconclusive; }},
+    CountColumn{"violated", false, [](const CellSummary& s) { return s.certificates.violated; }},
+    CountColumn{"not claimed", true,
+                [](const CellSummary& s) { return s.certificates.not_claimed; }},
+    CountColumn{"signalled", true,
+                [](const CellSummary& s) { return std::int64_t{s.with_errors}; }},
+    CountColumn{"recovered", true, [](const CellSummary& s) { return std::int64_t{s.recovered}; }},
+    CountColumn{"operator", true,
+                [](const CellSummary& s) { return std::int64_t{s.operator_called}; }},
+};
+
+std::vector<CountColumn> CountsShown(const std::vector<CellSummary>& cells) {
+  std::vector<CountColumn> shown;
+  std::ranges::copy_if(kCountColumns, std::back_inserter(shown), [&](const CountColumn& column) {
+    return !column.is_rare || std::ranges::any_of(cells, [&](const CellSummary& summary) {
+      return column.count(summary) != 0;
+    });
+  });
+  return shown;
+}
+
 Table CellTable(const SweepResults& results) {
   const std::vector<Axis> axes = AxesShown(results.cells);
+  const std::vector<CountColumn> counts = CountsShown(results.cells);
   std::vector<Table::Column> columns = {{"cell", Align::kRight}};
   for (const Axis& axis : axes) columns.push_back({axis.name});
-  for (const char* name : {"plan", "trials", "succeeded [95 %]", "contained", "inconclusive",
-                           "violated", "not claimed", "signalled", "recovered", "operator"}) {
-    columns.push_back({name, std::string_view(name) == "plan" ? Align::kLeft : Align::kRight});
-  }
+  columns.push_back({"plan"});
+  columns.push_back({"trials", Align::kRight});
+  columns.push_back({"succeeded [95 %]", Align::kRight});
+  for (const CountColumn& column : counts) columns.push_back({column.name, Align::kRight});
   Table table(std::move(columns));
   for (const CellSummary& summary : results.cells) {
     std::vector<std::string> row = {std::to_string(summary.cell.cell)};
     for (const Axis& axis : axes) row.push_back(axis.value(summary.cell));
-    const check::VerdictCounts& counts = summary.certificates;
     row.push_back(PlanText(summary.cell));
     row.push_back(fmt::format("{} of {}", summary.done, summary.cell.trials));
     row.push_back(RateText(summary));
-    for (const std::int64_t count :
-         {counts.contained, counts.inconclusive, counts.violated, counts.not_claimed,
-          std::int64_t{summary.with_errors}, std::int64_t{summary.recovered},
-          std::int64_t{summary.operator_called}}) {
-      row.push_back(std::to_string(count));
-    }
+    for (const CountColumn& column : counts) row.push_back(std::to_string(column.count(summary)));
     table.Add(std::move(row));
   }
   return table;

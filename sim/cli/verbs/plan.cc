@@ -248,7 +248,8 @@ void DeclarePlanning(CLI::App& command, Options& options) {
       AddResolvers(command, options.resolvers),
       command
           .add_option("--budget", options.budget,
-                      "greatest number of partial plans that the search looks at")
+                      "greatest number of partial plans that the search looks at; it also limits "
+                      "the search for ways of the arm")
           ->check(CLI::Range(1, std::numeric_limits<int>::max()))
           ->capture_default_str()};
 }

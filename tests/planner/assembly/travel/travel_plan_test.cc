@@ -209,7 +209,8 @@ TEST(TravelPlan, TellsWhatIsInTheWay) {
   domain::Problem problem = Mast();
   problem.parts[kMast.index()].X_WorldPart.translation().x() += 0.05;
   plan::Plan plan = PlanBesideTheMast();
-  const auto obstruction = AddTravels(problem, {.budget = 2000}, plan);
+  TravelEffort effort = {.budget = 2000};
+  const auto obstruction = AddTravels(problem, effort, plan);
   ASSERT_TRUE(obstruction);
   EXPECT_THAT(obstruction->text, HasSubstr("no way to action_"));
   EXPECT_THAT(obstruction->text, HasSubstr("and mast are nearer than"));
@@ -221,6 +222,21 @@ TEST(TravelPlan, TellsWhatIsInTheWay) {
   ASSERT_TRUE(situation.hand && situation.hand->posture);
   const plan::Pose X_WorldTool = motion::ToolAt(*problem.workcell, *situation.hand->posture);
   EXPECT_TRUE(situation.hand->X_WorldTool.isApprox(X_WorldTool));
+}
+
+// All searches together visit as many postures as the effort allows.
+TEST(TravelPlan, SpendsNoMoreThanTheEffortThatIsLeft) {
+  domain::Problem problem = Mast();
+  problem.parts[kMast.index()].X_WorldPart.translation().x() += 0.05;
+  for (const std::int64_t left : {500, 5000}) {
+    SCOPED_TRACE(left);
+    TravelEffort effort = {.budget = 2000, .left = left};
+    plan::Plan plan = PlanBesideTheMast();
+    const auto obstruction = AddTravels(problem, effort, plan);
+    ASSERT_TRUE(obstruction);
+    EXPECT_EQ(effort.left == 0, left == 500) << effort.left;
+    EXPECT_LT(effort.left, left);
+  }
 }
 
 }  // namespace
