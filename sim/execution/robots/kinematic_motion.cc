@@ -73,22 +73,26 @@ void KinematicMotion::SeeForces(const mujoco::Data& data, PartId held) {
 
 bool KinematicMotion::Begin(const mujoco::Data& data, PartId held, const RobotCommand& last) {
   if (!is_firm_) return false;
-  if (!held_.IsNone()) groups_[IndexOf(scene_.Body(held_))] = kRests;
+  if (held != held_ || movers_.empty()) Take(held);
   if (!held.IsNone()) {
-    groups_[IndexOf(scene_.Body(held))] = kHand;
     X_HandPart_ = data.BodyPose(scene_.hand()).inverse() * scene_.TruePose(data, held);
   }
-  movers_ = links_;
-  if (!held.IsNone()) {
-    const mujoco::BodyId body = scene_.Body(held);
-    movers_.push_back({body, ReachOfBody(*scene_.model().get(), body.index())});
-  }
-  GreatestWay(data);
-  held_ = held;
   last_ = last;
+  room_ -= GreatestWay(data);
+  const bool may_begin = !TouchesAnything(data) && IsQuiet(data);
+  if (!may_begin) room_ = 0;
+  return may_begin;
+}
+
+void KinematicMotion::Take(PartId held) {
+  if (!held_.IsNone()) groups_[IndexOf(scene_.Body(held_))] = kRests;
+  held_ = held;
+  movers_ = links_;
   room_ = 0;
-  speed_ = 0;
-  return !TouchesAnything(data) && IsQuiet(data);
+  if (held.IsNone()) return;
+  const mujoco::BodyId body = scene_.Body(held);
+  groups_[IndexOf(body)] = kHand;
+  movers_.push_back({body, ReachOfBody(*scene_.model().get(), body.index())});
 }
 
 bool KinematicMotion::EverythingStands(const mujoco::Data& data) const {

@@ -32,8 +32,13 @@ class KinematicMotion {
   // Judges by the forces of the contacts whether the pads hold the part firmly. Call it within
   // mujoco::Data::Step(see_forces).
   void SeeForces(const mujoco::Data& data, PartId held);
-  // Forgets what SeeForces has seen. No motion begins before it sees forces again.
-  void Forget() { is_firm_ = false; }
+  // Forgets what SeeForces has seen, and where there was room. No motion begins before SeeForces
+  // sees forces again.
+  void Forget() {
+    is_firm_ = false;
+    room_ = 0;
+    speed_ = 0;
+  }
 
   // Returns whether nothing moves: the robot, the part in its hand, and all other parts.
   bool EverythingStands(const mujoco::Data& data) const;
@@ -52,6 +57,8 @@ class KinematicMotion {
   void End(mujoco::Data& data) const;
 
  private:
+  // Makes `held` the part that moves with the hand.
+  void Take(PartId held);
   bool IsQuiet(const mujoco::Data& data) const;
   bool TouchesAnything(const mujoco::Data& data) const;
   void Move(const RobotCommand& to, mujoco::Data& data);

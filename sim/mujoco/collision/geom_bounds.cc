@@ -48,6 +48,7 @@ struct PlacedBox {
   Matrix3 axes;
   Vector3 center;
   Vector3 half_extents;
+  double radius;
 
   // Returns how far the box reaches from its center along a unit vector.
   double Reach(const Vector3& direction) const {
@@ -67,6 +68,12 @@ double Gap(const PlacedBox& a, const PlacedBox& b) {
     }
   }
   return gap;
+}
+
+// Returns whether the spheres around two boxes are apart by at least this length.
+bool SpheresAreApart(const PlacedBox& a, const PlacedBox& b, double length) {
+  const double sum = a.radius + b.radius + length;
+  return (b.center - a.center).squaredNorm() >= sum * sum;
 }
 
 // The plane's points have z = 0 in its frame, and the box is to be on the side of positive z.
@@ -104,7 +111,8 @@ double GeomBounds::LeastSeparation(const mjModel& m, const mjData& d,
   for (const Bound& bound : colliding_) {
     const Matrix3 axes = Eigen::Map<const RowMajor>(d.geom_xmat + 9 * bound.geom);
     const Eigen::Map<const Vector3> origin(d.geom_xpos + 3 * bound.geom);
-    boxes.push_back({axes, origin + axes * bound.center, bound.half_extents});
+    boxes.push_back(
+        {axes, origin + axes * bound.center, bound.half_extents, bound.half_extents.norm()});
   }
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < boxes.size(); ++i) {
@@ -114,9 +122,11 @@ double GeomBounds::LeastSeparation(const mjModel& m, const mjData& d,
     for (std::size_t j = i + 1; j < boxes.size() && least > 0; ++j) {
       if (group(i) == group(j) || !Collide(m, colliding_[i].geom, colliding_[j].geom)) continue;
       const bool i_is_plane = colliding_[i].is_plane;
-      least = std::min(least, i_is_plane               ? GapOverPlane(boxes[i], boxes[j])
-                              : colliding_[j].is_plane ? GapOverPlane(boxes[j], boxes[i])
-                                                       : Gap(boxes[i], boxes[j]));
+      const bool j_is_plane = colliding_[j].is_plane;
+      if (!i_is_plane && !j_is_plane && SpheresAreApart(boxes[i], boxes[j], least)) continue;
+      least = std::min(least, i_is_plane   ? GapOverPlane(boxes[i], boxes[j])
+                              : j_is_plane ? GapOverPlane(boxes[j], boxes[i])
+                                           : Gap(boxes[i], boxes[j]));
     }
   }
   return least;
