@@ -269,7 +269,7 @@ void Execution::Restore(const Checkpoint& checkpoint) {
   hand_error_ = checkpoint.hand_error;
   // The samples that were due until here have been taken.
   samples_ = 0;
-  while (options_.sample_rate > 0 && data_.time() >= samples_ / options_.sample_rate) ++samples_;
+  while (IsSampleDue()) ++samples_;
 }
 
 // The servo's law is linear in its command. If the command is a state between the arm's own and the
@@ -329,11 +329,15 @@ void Execution::StepEngine() {
   });
 }
 
+bool Execution::IsSampleDue() const {
+  return options_.sample_rate > 0 && data_.time() + kRounding >= samples_ / options_.sample_rate;
+}
+
 void Execution::SampleIfDue() {
-  if (options_.sample_rate <= 0 || data_.time() < samples_ / options_.sample_rate) return;
+  if (!IsSampleDue()) return;
   trace_.events.push_back(Sample{Now()});
   // Another robot may have acted for long.
-  while (data_.time() >= samples_ / options_.sample_rate) ++samples_;
+  while (IsSampleDue()) ++samples_;
 }
 
 void Execution::RecordCollisions() {

@@ -118,11 +118,15 @@ class Execution {
   void Restore(const Checkpoint& checkpoint);
 
  private:
+  static constexpr double kRounding = 1e-9;  // of times, seconds
+
   // The command at each time of a motion, in seconds after its start.
   using Commands = std::function<RobotCommand(double)>;
   // Moves without dynamics from `time` on, to `end` at most, if that is possible. Returns the time
   // that is reached.
   double MoveKinematically(const Commands& commands, double time, double end);
+  // Returns the time, in seconds, at which the engine must compute the forces again.
+  static double NextForces(double now);
   // Lets time pass in which nothing moves, until the engine must compute the forces again, or until
   // `end`, in seconds of the simulation.
   void PassTime(double end);
@@ -135,6 +139,7 @@ class Execution {
   void StepEngine();
   // Counts the timestep that has ended, and shows it to the observers.
   void EndTimestep();
+  bool IsSampleDue() const;
   void SampleIfDue();
   void RecordCollisions();
   Progress Watch();

@@ -11,16 +11,14 @@ namespace {
 // forces in the trace's samples are those of the timesteps after the samples, so that the usual
 // rate of samples is best.
 constexpr double kForceRate = 50;
-constexpr double kRounding = 1e-9;  // of times, seconds
 
-// Returns the time at which the engine must compute the forces again.
-double NextForces(double now) {
+}  // namespace
+
+double Execution::NextForces(double now) {
   double count = std::floor(now * kForceRate);
   while (count / kForceRate < now + kRounding) ++count;
   return count / kForceRate;
 }
-
-}  // namespace
 
 double Execution::KinematicUntil() const {
   const double now = data_.time();
