@@ -10,6 +10,7 @@
 #include "planner/geometry/coordinates.h"
 #include "sim/mujoco/collision/convex_pieces.h"
 #include "sim/mujoco/collision/found_contact.h"
+#include "sim/mujoco/collision/group_filter.h"
 #include "sim/mujoco/collision/inner_faces.h"
 
 namespace assay::mujoco {
@@ -46,18 +47,13 @@ bool LiesIn(const mjModel* m, const mjData* d, int geom, const Vector3& p, doubl
   return ((InGeom(d, geom, p).cwiseAbs() - HalfExtents(m, geom)).array() <= outside).all();
 }
 
-bool Collide(const mjModel* m, int a, int b) {
-  return (m->geom_contype[a] & m->geom_conaffinity[b]) != 0 ||
-         (m->geom_contype[b] & m->geom_conaffinity[a]) != 0;
-}
-
 // Returns whether the point lies in another piece of the geom's body with which `other` collides.
 bool IsInAnotherPiece(const mjModel* m, const mjData* d, int geom, int other, const Vector3& p) {
   const int body = m->geom_bodyid[geom];
   const int first = m->body_geomadr[body];
   for (int piece = first; piece < first + m->body_geomnum[body]; ++piece) {
     if (piece == geom || m->geom_type[piece] != mjGEOM_BOX) continue;
-    if (!Collide(m, piece, other)) continue;
+    if (!BitsMatch(*m, piece, other)) continue;
     if (LiesIn(m, d, piece, p, kFlush)) return true;
   }
   return false;

@@ -5,15 +5,17 @@
 #include <algorithm>
 #include <limits>
 
+#include "sim/mujoco/collision/group_filter.h"
+
 namespace assay::mujoco {
 namespace {
 
 using geometry::Matrix3;
 using geometry::Vector3;
+using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
+
 // The half extent of a geom of a type that scenes do not have: it may touch everything.
 constexpr double kEverywhere = 1e6;  // m
-
-using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
 
 // The engine has vertices of meshes in single precision.
 Eigen::AlignedBox3d BoundsOfMesh(const mjModel& m, int mesh) {
@@ -82,11 +84,6 @@ double GapOverPlane(const PlacedBox& plane, const PlacedBox& box) {
   return std::max(0.0, (box.center - plane.center).dot(up) - box.Reach(up));
 }
 
-bool Collide(const mjModel& m, int a, int b) {
-  return (m.geom_contype[a] & m.geom_conaffinity[b]) != 0 ||
-         (m.geom_contype[b] & m.geom_conaffinity[a]) != 0;
-}
-
 }  // namespace
 
 GeomBounds::GeomBounds(const mjModel& m) {
@@ -120,7 +117,7 @@ double GeomBounds::LeastSeparation(const mjModel& m, const mjData& d,
       return groups[static_cast<std::size_t>(m.geom_bodyid[colliding_[k].geom])];
     };
     for (std::size_t j = i + 1; j < boxes.size() && least > 0; ++j) {
-      if (group(i) == group(j) || !Collide(m, colliding_[i].geom, colliding_[j].geom)) continue;
+      if (group(i) == group(j) || !BitsMatch(m, colliding_[i].geom, colliding_[j].geom)) continue;
       const bool i_is_plane = colliding_[i].is_plane;
       const bool j_is_plane = colliding_[j].is_plane;
       if (!i_is_plane && !j_is_plane && SpheresAreApart(boxes[i], boxes[j], least)) continue;

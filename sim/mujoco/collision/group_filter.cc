@@ -11,12 +11,6 @@ namespace {
 
 thread_local std::span<const int> present_groups;
 
-// The engine's own test of the bits of two geoms, which a filter replaces.
-bool BitsMatch(const mjModel& m, int geom1, int geom2) {
-  return (m.geom_contype[geom1] & m.geom_conaffinity[geom2]) != 0 ||
-         (m.geom_contype[geom2] & m.geom_conaffinity[geom1]) != 0;
-}
-
 int LeavesOut(const mjModel* m, mjData*, int geom1, int geom2) {
   if (!BitsMatch(*m, geom1, geom2)) return 1;
   if (present_groups.empty()) return 0;
@@ -27,6 +21,11 @@ int LeavesOut(const mjModel* m, mjData*, int geom1, int geom2) {
 }
 
 }  // namespace
+
+bool BitsMatch(const mjModel& m, int geom1, int geom2) {
+  return (m.geom_contype[geom1] & m.geom_conaffinity[geom2]) != 0 ||
+         (m.geom_contype[geom2] & m.geom_conaffinity[geom1]) != 0;
+}
 
 // The engine has one filter for all models of the process.
 GroupFilter::GroupFilter(std::span<const int> groups) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "planner/geometry/coordinates.h"
+#include "sim/mujoco/collision/group_filter.h"
 
 namespace assay::mujoco {
 namespace {
@@ -42,10 +43,6 @@ struct PlacedPieces {
   Vector3 InWorld(int geom, const Vector3& local) const {
     return Axes(geom) * local + Origin(geom);
   }
-  bool Collide(int a, int b) const {
-    return (m.geom_contype[a] & m.geom_conaffinity[b]) != 0 ||
-           (m.geom_contype[b] & m.geom_conaffinity[a]) != 0;
-  }
   bool LiesIn(int geom, const Vector3& p) const {
     const Vector3 local = InGeom(geom, p);
     return std::ranges::all_of(pieces.SolidOf(geom)->hull.facets, [&](const Facet& facet) {
@@ -76,7 +73,7 @@ bool IsCoveredFacet(const PlacedPieces& placed, int geom, const ConvexPieces::Co
     const Vector3 on_facet = OnFacet(solid, covered.facet, p + kAroundPoint * beside);
     const Vector3 above = placed.InWorld(geom, on_facet + 3 * kFlush * normal);
     const auto covers = [&](int piece) {
-      return placed.Collide(piece, other) && placed.LiesIn(piece, above);
+      return BitsMatch(placed.m, piece, other) && placed.LiesIn(piece, above);
     };
     if (std::ranges::none_of(covered.by, covers)) return false;
   }
