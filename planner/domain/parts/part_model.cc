@@ -27,17 +27,22 @@ bool IsUnder(const Feature& feature, FaceId face, const geometry::Polygon& regio
 
 }  // namespace
 
-PartShape::PartShape(std::vector<geometry::ConvexHull> solids, double density)
+PartShape::PartShape(std::vector<geometry::ConvexHull> solids,
+                     std::vector<geometry::RoundSolid> round, double density)
     : pieces(std::move(solids)),
       collision(pieces),
       hull(geometry::HullOf(geometry::VerticesOf(pieces))),
-      mass(geometry::MassOf(pieces, density)) {}
+      mass(geometry::MassOf(pieces, density)),
+      round_solids(std::move(round)) {}
 
 const std::vector<geometry::ConvexHull>& PartModel::pieces() const { return shape_->pieces; }
 const geometry::CollisionShape& PartModel::shape() const { return shape_->collision; }
 const geometry::ConvexHull& PartModel::hull() const { return shape_->hull; }
 const std::vector<Vector3>& PartModel::corners() const { return shape_->hull.vertices; }
 const geometry::MassProperties& PartModel::mass() const { return shape_->mass; }
+const std::vector<geometry::RoundSolid>& PartModel::round_solids() const {
+  return shape_->round_solids;
+}
 
 const Feature* PartModel::FindFeature(FeatureNumber number) const {
   const auto found = std::ranges::find(features_, number, &Feature::number);

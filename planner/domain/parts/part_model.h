@@ -15,6 +15,7 @@ namespace assay::geometry {
 class CollisionShape;
 struct ConvexHull;
 struct MassProperties;
+struct RoundSolid;
 }  // namespace assay::geometry
 
 namespace assay::domain {
@@ -35,6 +36,9 @@ class PartModel {
   const geometry::ConvexHull& hull() const;
   const std::vector<Vector3>& corners() const;  // the vertices of hull()
   const geometry::MassProperties& mass() const;
+  // The cylinders and cones among the solids, in the part frame. Pieces with many sides stand for
+  // them.
+  const std::vector<geometry::RoundSolid>& round_solids() const;
   double friction() const { return friction_; }  // between two surfaces of this part's material
 
   const std::vector<Face>& faces() const { return faces_; }

@@ -141,12 +141,14 @@ PartSolids::Solid PartSolids::ReadSolid(const std::string& name, const Value& en
               .X_PartSolid = Pose::Identity(),
               .whole = {},
               .pieces = {},
+              .round = {},
               .color = Eigen::Vector4f(0.7f, 0.7f, 0.7f, 1)};
   if (const auto turn = entry.Find("turn")) solid.X_PartSolid = ReadTurn(*turn);
   if (const auto color = entry.Find("color")) solid.color = ReadColor(*color);
-  solid.whole =
-      Transformed(ReadShape(entry, units_, Roundness::kAround, {}).pieces, solid.X_PartSolid);
+  const SolidShape shape = ReadShape(entry, units_, Roundness::kAround, {});
+  solid.whole = Transformed(shape.pieces, solid.X_PartSolid);
   solid.pieces = solid.whole;
+  if (shape.round) solid.round = Transformed(*shape.round, solid.X_PartSolid);
   return solid;
 }
 
@@ -186,6 +188,14 @@ std::vector<ConvexHull> PartSolids::Pieces() const {
     pieces.insert(pieces.end(), solid.pieces.begin(), solid.pieces.end());
   }
   return pieces;
+}
+
+std::vector<geometry::RoundSolid> PartSolids::RoundSolids() const {
+  std::vector<geometry::RoundSolid> round;
+  for (const Solid& solid : solids_) {
+    if (solid.round) round.push_back(*solid.round);
+  }
+  return round;
 }
 
 void PartSolids::CheckHangsTogether(const Value& solids) const {

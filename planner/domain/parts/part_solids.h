@@ -1,11 +1,13 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "planner/base/input_files/document.h"
 #include "planner/domain/units/units.h"
 #include "planner/geometry/hull.h"
+#include "planner/geometry/solids/round_solid.h"
 
 namespace assay::domain {
 
@@ -19,6 +21,7 @@ class PartSolids {
     geometry::Pose X_PartSolid = geometry::Pose::Identity();  // turn from the file's coordinates
     std::vector<geometry::ConvexHull> whole;                  // before pockets, part frame
     std::vector<geometry::ConvexHull> pieces;                 // after pockets, part frame
+    std::optional<geometry::RoundSolid> round;                // what `whole` stands for, part frame
     Eigen::Vector4f color;
   };
   struct Pocket {
@@ -34,8 +37,9 @@ class PartSolids {
   PartSolids(const Value& root, const Units& units, double clearance);
 
   const std::vector<Solid>& solids() const { return solids_; }
-  // Returns what remains of all solids, in the part frame.
+  // Return what remains of all solids, and the round ones among them, in the part frame.
   std::vector<geometry::ConvexHull> Pieces() const;
+  std::vector<geometry::RoundSolid> RoundSolids() const;
   // Throws InputError at one of the `solids` if it is not connected with the first one.
   void CheckHangsTogether(const Value& solids) const;
 

@@ -138,16 +138,21 @@ double ApothemOf(double radius, int sides, Roundness roundness) {
   return roundness == Roundness::kAround ? radius : radius * std::cos(std::numbers::pi / sides);
 }
 
+geometry::RoundSolid RoundAbout(const Axle& axle, std::array<double, 2> radii, int sides) {
+  const Vector3 from = axle.X_FileShape.translation();
+  return {{from, axle.X_FileShape * Vector3(0, 0, axle.length)}, radii, sides};
+}
+
 SolidShape ReadCylinder(const Value& entry, const ShapeReading& reading) {
   entry.AllowOnly({"from", "to", "radius", "sides"});
   const Axle axle = ReadAxle(entry, reading.units);
   const int sides = ReadSides(entry);
-  const Value radius = entry.At("radius");
-  const Ring ring = RegularPolygon(
-      sides,
-      ApothemOf(WidenedRadius(radius, ReadWithin(radius, reading.units.length, kRadii), reading),
-                sides, reading.roundness));
+  const Value place = entry.At("radius");
+  const double radius =
+      WidenedRadius(place, ReadWithin(place, reading.units.length, kRadii), reading);
+  const Ring ring = RegularPolygon(sides, ApothemOf(radius, sides, reading.roundness));
   SolidShape shape;
+  shape.round = RoundAbout(axle, {radius, radius}, sides);
   shape.pieces = {Transformed(Frustum(ring, 0, ring, axle.length), axle.X_FileShape)};
   if (reading.widening.across) AddSides(sides, axle.X_FileShape.linear(), 0, shape);
   return shape;
@@ -164,12 +169,13 @@ SolidShape ReadCone(const Value& entry, const ShapeReading& reading) {
                "[radius at `from`, radius at `to`]");
   }
   std::array<Ring, 2> rings;
+  std::array<double, 2> widened{};
   std::array<double, 2> apothems{};
   for (std::size_t i = 0; i < 2; ++i) {
     const double radius = ReadWithin(items[i], reading.units.length, {0, kRadii.high});
     const bool is_tip = radius < kRadii.low;
-    const double widened = is_tip ? 0 : WidenedRadius(items[i], radius, reading);
-    apothems[i] = ApothemOf(widened, sides, reading.roundness);
+    widened[i] = is_tip ? 0 : WidenedRadius(items[i], radius, reading);
+    apothems[i] = ApothemOf(widened[i], sides, reading.roundness);
     rings[i] = is_tip ? Ring{Vector2::Zero()} : RegularPolygon(sides, apothems[i]);
   }
   if (rings[0].size() == 1 && rings[1].size() == 1) {
@@ -177,6 +183,7 @@ SolidShape ReadCone(const Value& entry, const ShapeReading& reading) {
                fmt::format("one radius of at least {}", InUnit(kRadii.low, reading.units.length)));
   }
   SolidShape shape;
+  shape.round = RoundAbout(axle, widened, sides);
   shape.pieces = {Transformed(Frustum(rings[0], 0, rings[1], axle.length), axle.X_FileShape)};
   if (reading.widening.across) {
     AddSides(sides, axle.X_FileShape.linear(), (apothems[0] - apothems[1]) / axle.length, shape);
@@ -317,7 +324,7 @@ SolidShape ReadHull(const Value& points, const ShapeReading& reading) {
                 fmt::format("at least four points, {} or more apart in every direction",
                             InUnit(kShortestSide, reading.units.length)));
   }
-  return {{geometry::HullOf(vertices)}, {}};
+  return {{geometry::HullOf(vertices)}, {}, {}};
 }
 
 // Reads a file beside the part file. Its axis `up` becomes the part's z.
@@ -337,7 +344,7 @@ SolidShape ReadMesh(const Value& entry, const ShapeReading& reading) {
   X_PartFile.linear().row(1) = Vector3::Unit((up + 2) % 3).transpose();
   X_PartFile.linear().row(2) = Vector3::Unit(up).transpose();
   const std::filesystem::path folder = std::filesystem::path(entry.Place().file).parent_path();
-  return {Transformed(ReadConvexPieces(folder / file, unit), X_PartFile), {}};
+  return {Transformed(ReadConvexPieces(folder / file, unit), X_PartFile), {}, {}};
 }
 
 struct ShapeKind {

@@ -1,12 +1,14 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "planner/base/input_files/document.h"
 #include "planner/domain/units/units.h"
 #include "planner/geometry/hull.h"
+#include "planner/geometry/solids/round_solid.h"
 
 namespace assay::domain {
 
@@ -25,6 +27,7 @@ enum class Roundness { kAround, kWithin };
 struct SolidShape {
   std::vector<geometry::ConvexHull> pieces;    // convex, in the file's coordinates
   std::vector<geometry::Vector3> moved_sides;  // outward normals of the sides that were widened
+  std::optional<geometry::RoundSolid> round;   // what the shape stands for, if it is round
 };
 
 // The keys of the kinds of shapes: box, prism, cylinder, cone, hull, mesh.

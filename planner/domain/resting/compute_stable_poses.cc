@@ -10,6 +10,7 @@
 #include "planner/geometry/hull.h"
 #include "planner/geometry/polygon.h"
 #include "planner/geometry/solids/mass_properties.h"
+#include "planner/geometry/solids/round_solid.h"
 
 namespace assay::domain {
 namespace {
@@ -27,11 +28,25 @@ geometry::Matrix3 RestingRotation(const Vector3& down) {
   return R_TablePart;
 }
 
-geometry::Polygon SupportOf(const geometry::ConvexHull& hull, const geometry::Facet& facet,
+// Returns the point at which the part touches the table in place of a corner of the facet on which
+// it lies. Round solids touch it along one line, and not along a side of the polygons that stand for
+// them.
+Vector3 TrueTouch(const PartModel& part, const Vector3& corner, const geometry::Facet& facet) {
+  for (const geometry::RoundSolid& round : part.round_solids()) {
+    const auto touch = geometry::TouchInPlaceOf(corner, round, facet.normal, facet.offset);
+    if (touch) return *touch;
+  }
+  return corner;
+}
+
+geometry::Polygon SupportOf(const PartModel& part, const geometry::Facet& facet,
                             const Pose& X_TablePart) {
-  std::vector<Vector2> corners;
-  for (int vertex : facet.loop) corners.push_back((X_TablePart * hull.vertices[vertex]).head<2>());
-  return geometry::Hull2(corners);
+  std::vector<Vector2> touches;
+  for (int vertex : facet.loop) {
+    const Vector3 touch = TrueTouch(part, part.hull().vertices[vertex], facet);
+    touches.push_back((X_TablePart * touch).head<2>());
+  }
+  return geometry::Hull2(touches);
 }
 
 // Returns the features that the table touches or covers when it lies against a facet. A facet
@@ -50,7 +65,7 @@ std::optional<StablePose> RestOn(const PartModel& part, const geometry::Facet& f
   pose.X_TablePart = Pose::Identity();
   pose.X_TablePart.linear() = RestingRotation(facet.normal);
   pose.X_TablePart.translation().z() = facet.offset;
-  pose.support = SupportOf(part.hull(), facet, pose.X_TablePart);
+  pose.support = SupportOf(part, facet, pose.X_TablePart);
   const Vector3 center = pose.X_TablePart * part.mass().center;
   pose.tilt_margin = std::atan2(geometry::Depth(pose.support, center.head<2>()), center.z());
   if (pose.tilt_margin < least_tilt) return std::nullopt;

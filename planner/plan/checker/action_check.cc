@@ -214,7 +214,7 @@ class ActionChecker::Examination {
       Report("the lowest point of {} is {:.4g} mm above the table, not on it", part().name,
              lowest * 1e3);
     }
-    ExamineBalance(geometry::VerticesOf(solids), X_WorldPart * centers_[handling_.part.index()]);
+    ExamineBalance(geometry::VerticesOf(solids), X_WorldPart);
     const Sweep placed{part().name, {solids}};
     for (const Obstacle& obstacle : obstacles_) ReportOverlap(placed, obstacle);
   }
@@ -225,11 +225,14 @@ class ActionChecker::Examination {
     ExamineSweep(SweepAlong(part().name, part().model->pieces(), MotionOf(handling_.X_WorldPart)));
   }
 
-  void ExamineBalance(const std::vector<Vector3>& corners, const Vector3& center) {
-    const std::vector<Vector3> touching = TouchingTable(corners);
+  void ExamineBalance(const std::vector<Vector3>& corners, const Pose& X_WorldPart) {
+    std::vector<geometry::RoundSolid> round = part().model->round_solids();
+    for (geometry::RoundSolid& solid : round) solid = Transformed(solid, X_WorldPart);
+    const std::vector<Vector3> touching = TouchingTable(corners, round);
+    const Vector3 center = X_WorldPart * centers_[handling_.part.index()];
     if (!IsSupported(center, touching)) {
       Report(
-          "{} does not rest stably: its centre of mass at {} is not over the {} corners that "
+          "{} does not rest stably: its centre of mass at {} is not over the {} points that "
           "touch the table",
           part().name, InMillimetres(center), touching.size());
     }

@@ -38,6 +38,22 @@ std::vector<double> GridLines(std::span<const Vector3> corners, int axis) {
   return lines;
 }
 
+// The circle of a round solid that is nearest to a point along the axis.
+struct Circle {
+  Vector3 lowest;
+  double radius = 0;
+};
+Circle CircleThrough(const Vector3& p, const geometry::RoundSolid& round) {
+  const double length = (round.ends[1] - round.ends[0]).norm();
+  const Vector3 axis = (round.ends[1] - round.ends[0]) / length;
+  const double along = std::clamp((p - round.ends[0]).dot(axis), 0.0, length);
+  const double radius = std::lerp(round.radii[0], round.radii[1], along / length);
+  const Vector3 down = -Vector3::UnitZ() + axis.z() * axis;  // across the axis
+  const Vector3 middle = round.ends[0] + along * axis;
+  if (down.norm() < kHalfPlane) return {middle, 0};  // an upright solid stands on its end
+  return {middle + radius * down.normalized(), radius};
+}
+
 }  // namespace
 
 Vector3 CenterOfMass(std::span<const geometry::ConvexHull> solids) {
@@ -63,10 +79,20 @@ Vector3 CenterOfMass(std::span<const geometry::ConvexHull> solids) {
   return moment / volume;
 }
 
-std::vector<Vector3> TouchingTable(std::span<const Vector3> points) {
+std::vector<Vector3> TouchingTable(std::span<const Vector3> corners,
+                                   std::span<const geometry::RoundSolid> round_solids) {
   std::vector<Vector3> touching;
-  std::ranges::copy_if(points, std::back_inserter(touching),
-                       [](const Vector3& p) { return std::abs(p.z()) <= kTouch; });
+  for (const Vector3& corner : corners) {
+    if (std::abs(corner.z()) > kTouch) continue;
+    Vector3 touch = corner;
+    for (const geometry::RoundSolid& round : round_solids) {
+      const Circle circle = CircleThrough(corner, round);
+      const double half_side = circle.radius * std::tan(M_PI / round.sides);
+      const bool is_beside = (circle.lowest - corner).norm() <= half_side + kTouch;
+      if (is_beside && std::abs(circle.lowest.z()) <= kTouch) touch = circle.lowest;
+    }
+    touching.push_back(touch);
+  }
   return touching;
 }
 

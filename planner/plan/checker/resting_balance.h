@@ -5,6 +5,7 @@
 
 #include "planner/geometry/hull.h"
 #include "planner/geometry/polygon.h"
+#include "planner/geometry/solids/round_solid.h"
 
 namespace assay::plan {
 
@@ -16,9 +17,12 @@ namespace assay::plan {
 // their extent for other solids.
 geometry::Vector3 CenterOfMass(std::span<const geometry::ConvexHull> solids);
 
-// Returns the points on which the checker takes a part to stand: those within 1 micrometre of the
-// table, the plane z = 0.
-std::vector<geometry::Vector3> TouchingTable(std::span<const geometry::Vector3> points);
+// Returns the points on which the checker takes a part to stand: those of its corners that are
+// within 1 micrometre of the table, the plane z = 0. A corner of a polygon that stands for a circle
+// is replaced by the lowest point of the circle if the circle touches the table beside the corner.
+// All coordinates are the world's.
+std::vector<geometry::Vector3> TouchingTable(std::span<const geometry::Vector3> corners,
+                                             std::span<const geometry::RoundSolid> round_solids);
 
 // Returns whether the checker finds a centre of mass p supported: p is strictly inside the convex
 // hull of the points' projections onto x and y. That is so if every half plane through p contains
