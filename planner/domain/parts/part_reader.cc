@@ -74,7 +74,8 @@ void NameStablePoses(const Value& names, std::vector<StablePose>& poses) {
     const StablePoseId id = NearestTo(poses, ReadDirection(direction));
     if (id.IsNone()) {
       direction.Fail("the part rests in no stable pose with this direction down",
-                     "a direction at most 30 degrees off");
+                     "a direction at most 30 degrees from one in which it rests; parts do not rest "
+                     "on round sides, because they roll");
     }
     StablePose& pose = poses[id.index()];
     if (!pose.name.empty()) {

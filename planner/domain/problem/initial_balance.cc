@@ -73,6 +73,9 @@ class InitialBalance {
   static double DepthOver(const std::vector<Vector2>& stands_on, const Vector2& center) {
     return geometry::Depth(geometry::Hull2(stands_on), center);
   }
+  // Says why a part falls whose centre of mass is `inside` metres inside of what it stands on.
+  std::string WhyItFalls(const Part& part, const std::vector<Vector2>& stands_on,
+                         double inside) const;
   void CheckRests(PartId id) const;
   void CheckRestsWithErrors(PartId id) const;
   void CheckAssemblyRests(PartId base) const;
@@ -114,21 +117,25 @@ std::vector<Vector2> InitialBalance::Support(PartId id, const std::vector<PartId
   return stands_on;
 }
 
+std::string InitialBalance::WhyItFalls(const Part& part, const std::vector<Vector2>& stands_on,
+                                       double inside) const {
+  if (stands_on.empty()) {
+    return fmt::format("stands on nothing: its lowest point is {} above the table",
+                       InFileUnit(LowestPoint(part, part.X_WorldPart)));
+  }
+  if (inside > -kRounding) return "rolls: it touches what it stands on along one line only";
+  return fmt::format("falls over: its centre of mass is {} beside what it stands on",
+                     InFileUnit(-inside));
+}
+
 void InitialBalance::CheckRests(PartId id) const {
   const Part& part = problem_.part(id);
   const std::vector<Vector2> stands_on = Support(id, {id});
   const Vector2 center = (part.X_WorldPart * part.model->mass().center).head<2>();
   const double inside = DepthOver(stands_on, center);
-  if (inside > 0) return;
-  const std::string what =
-      stands_on.empty() ? fmt::format("stands on nothing: its lowest point is {} above the table",
-                                      InFileUnit(LowestPoint(part, part.X_WorldPart)))
-                        : fmt::format(
-                              "falls over: its centre of mass is {} beside what it "
-                              "stands on",
-                              InFileUnit(-inside));
+  if (inside > kRounding) return;
   EntryOf(id).Fail(
-      fmt::format("part '{}' {}", part.name, what),
+      fmt::format("part '{}' {}", part.name, WhyItFalls(part, stands_on, inside)),
       "a pose in which it stands on the table or on other parts, a mating of 'initially', or "
       "a fixture ('clamp')");
 }

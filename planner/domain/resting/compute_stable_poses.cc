@@ -7,10 +7,10 @@
 #include <optional>
 
 #include "planner/domain/parts/exposed_faces.h"
+#include "planner/domain/resting/face_contact.h"
 #include "planner/geometry/hull.h"
 #include "planner/geometry/polygon.h"
 #include "planner/geometry/solids/mass_properties.h"
-#include "planner/geometry/solids/round_solid.h"
 
 namespace assay::domain {
 namespace {
@@ -28,22 +28,11 @@ geometry::Matrix3 RestingRotation(const Vector3& down) {
   return R_TablePart;
 }
 
-// Returns the point at which the part touches the table in place of a corner of the facet on which
-// it lies. Round solids touch it along one line, and not along a side of the polygons that stand for
-// them.
-Vector3 TrueTouch(const PartModel& part, const Vector3& corner, const geometry::Facet& facet) {
-  for (const geometry::RoundSolid& round : part.round_solids()) {
-    const auto touch = geometry::TouchInPlaceOf(corner, round, facet.normal, facet.offset);
-    if (touch) return *touch;
-  }
-  return corner;
-}
-
 geometry::Polygon SupportOf(const PartModel& part, const geometry::Facet& facet,
                             const Pose& X_TablePart) {
   std::vector<Vector2> touches;
   for (int vertex : facet.loop) {
-    const Vector3 touch = TrueTouch(part, part.hull().vertices[vertex], facet);
+    const Vector3 touch = TrueTouch(part, part.hull().vertices[vertex], facet.normal);
     touches.push_back((X_TablePart * touch).head<2>());
   }
   return geometry::Hull2(touches);

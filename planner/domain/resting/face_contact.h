@@ -4,13 +4,19 @@
 
 #include "planner/geometry/coordinates.h"
 
-
 namespace assay::domain {
 
 class PartModel;
 
-// Returns the lowest vertices of a part that touches the table, in the world. Returns none if it
-// does not touch.
+// Returns the point at which a part touches a plane in place of one of its corners on the plane. All
+// are in the part frame, and `normal` (unit) points from the part into the plane. A round solid
+// touches the plane along one line, and not along a side of the polygons that stand for it. Other
+// corners are returned as they are.
+geometry::Vector3 TrueTouch(const PartModel& part, const geometry::Vector3& corner,
+                            const geometry::Vector3& normal);
+
+// Returns the points at which a part touches the table, in the world: its lowest corners, or what
+// touches in place of them (TrueTouch). Returns none if it does not touch.
 std::vector<geometry::Vector3> CornersOnTable(const PartModel& part,
                                               const geometry::Pose& X_WorldPart);
 

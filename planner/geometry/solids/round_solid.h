@@ -17,11 +17,11 @@ struct RoundSolid {
 
 RoundSolid Transformed(const RoundSolid& solid, const Pose& X);
 
-// Returns the point at which a round solid touches the plane normal . p == offset (normal: unit,
-// outward) in place of a side of its polygons. The solid with polygons touches the plane at
-// `corner`, which is a point of that side. The round solid touches the plane only along the middle
-// of the side, and not at `corner` itself. Returns none if `corner` is on no such side.
+// Returns the point at which a round solid touches a plane in place of a side of its polygons. The
+// solid with polygons touches the plane at `corner`, which is a point of that side. The plane has
+// the outward normal `normal` (unit) there. The round solid itself touches the plane only along the
+// middle of the side. Returns none if `corner` is on no such side.
 std::optional<Vector3> TouchInPlaceOf(const Vector3& corner, const RoundSolid& solid,
-                                      const Vector3& normal, double offset);
+                                      const Vector3& normal);
 
 }  // namespace assay::geometry

@@ -84,6 +84,59 @@ TEST(StablePoseTest, AnOctagonalPrismRestsOnItsEightSidesAndTwoEnds) {
   }
 }
 
+// A part in millimetres whose solids are written as in a part file.
+std::shared_ptr<const PartModel> PartOf(const std::string& solids) {
+  return ParsePart(
+      "format: assay-part/1\nname: part\ninitial: Q\nunits: {length: mm, angle: degree}\n"
+      "density: 1000\nfriction: 0.3\nsolids:\n" +
+      solids);
+}
+
+// The polygon that stands for a circle would rest on each of its sides. A cylinder, a cone and a
+// pin with a round head roll away.
+TEST(StablePoseTest, RoundPartsRollAndRestOnTheirEndsAlone) {
+  const std::string cylinder = "  a: {cylinder: {from: [0, 0, 0], to: [0, 0, 50], radius: 4}}\n";
+  const std::string head =
+      "  b: {cylinder: {from: [0, 0, -20], to: [0, 0, 0], radius: 30, sides: 48}}\n";
+  const std::string cone = "  a: {cone: {from: [0, 0, 0], to: [9, 9, 50], radii: [20, 10]}}\n";
+  EXPECT_EQ(PartOf(cylinder)->stable_poses().size(), 2u);
+  EXPECT_EQ(PartOf(cylinder + head)->stable_poses().size(), 2u);
+  EXPECT_EQ(PartOf(cone)->stable_poses().size(), 2u);
+  EXPECT_EQ(LoadPart("dowel")->stable_poses().size(), 2u);
+}
+
+// Two rods side by side rest on both, and tip over either of the two lines on which they touch.
+TEST(StablePoseTest, TwoRodsBesideEachOtherRestOnTheLinesOnWhichTheyTouch) {
+  const auto rods = PartOf(
+      "  a: {cylinder: {from: [0, 0, 0], to: [0, 0, 50], radius: 4}}\n"
+      "  b: {cylinder: {from: [6, 0, 0], to: [6, 0, 50], radius: 4}}\n");
+  ASSERT_EQ(rods->stable_poses().size(), 4u);
+  for (const StablePose& pose : rods->stable_poses()) {
+    if (std::abs(Down(pose).y()) < 0.5) continue;
+    EXPECT_NEAR(pose.tilt_margin, std::atan(3.0 / 4), 1e-6);
+    EXPECT_NEAR(geometry::Area(pose.support), 6e-3 * 50e-3, 1e-8);
+  }
+}
+
+// A rod that is flattened rests on its flat: the flat is a true side.
+TEST(StablePoseTest, AFlattenedRodRestsOnItsFlat) {
+  const auto rod = PartOf(
+      "  a: {cylinder: {from: [0, 0, 0], to: [0, 0, 50], radius: 4}}\n"
+      "pockets:\n  flat: {cut_from: a, box: [[-9, -9, -1], [9, -3.5, 51]]}\n");
+  ASSERT_EQ(rod->stable_poses().size(), 3u);
+  const auto lying = std::ranges::find_if(
+      rod->stable_poses(), [](const StablePose& pose) { return Down(pose).y() < -0.5; });
+  ASSERT_NE(lying, rod->stable_poses().end());
+  EXPECT_GT(geometry::Area(lying->support), 3e-3 * 50e-3);
+}
+
+// A plate with a round shaft lies on two corners of the plate and on one point of the shaft's rim.
+TEST(StablePoseTest, ARoundPegLeansOnOnePointOfItsRim) {
+  const auto peg = LoadPart("round-peg");
+  const StablePose& lying = Named(*peg, "on-side");
+  EXPECT_EQ(lying.support.size(), 3u);
+}
+
 TEST(StablePoseTest, ThePartLiesOnTheTableWithItsCentreOverTheSupport) {
   for (const std::string& name : PartNames()) {
     const auto part = LoadPart(name);

@@ -55,6 +55,28 @@ TEST(CenterOfMass, AgreesWithMassOfForRandomAlignedBoxes) {
   }
 }
 
+// A lying cylinder touches the table along the lowest line of its circle. A polygon with 8 sides
+// stands for it.
+TEST(TouchingTable, HasTheLowestLineOfALyingCylinder) {
+  const double corner = std::tan(M_PI / 8);  // half of a side
+  const std::vector<Vector3> corners = {
+      {0, corner, 0}, {0, -corner, 0}, {3, corner, 0}, {3, -corner, 0}, {0, 1, 2}};
+  const geometry::RoundSolid cylinder = {{Vector3(0, 0, 1), Vector3(3, 0, 1)}, {1, 1}, 8};
+  for (const Vector3& touch : TouchingTable(corners, std::array{cylinder})) {
+    EXPECT_NEAR(touch.y(), 0, 1e-12);
+  }
+  EXPECT_EQ(TouchingTable(corners, {}).front(), corners.front());
+  EXPECT_FALSE(IsSupported({1, 0, 1}, TouchingTable(corners, std::array{cylinder})));
+  EXPECT_TRUE(IsSupported({1, 0, 1}, TouchingTable(corners, {})));
+}
+
+// An upright cylinder stands on its whole end.
+TEST(TouchingTable, KeepsTheCornersOfAnEnd) {
+  const std::vector<Vector3> corners = {{1, 1, 0}, {-1, 1, 0}, {-1, -1, 0}, {1, -1, 0}};
+  const geometry::RoundSolid upright = {{Vector3(0, 0, 0), Vector3(0, 0, 3)}, {1, 1}, 4};
+  EXPECT_EQ(TouchingTable(corners, std::array{upright}), corners);
+}
+
 TEST(IsSupported, AgreesWithTheConvexHull) {
   RandomStream random(kSeed, "support");
   int supported = 0;
