@@ -47,6 +47,14 @@ double StepSize(const Claim& claim, const StepNoiseFloor& gate) {
   return own == nullptr ? 0 : own->step_size;
 }
 
+// Returns the deviation outside of a widened prediction that means nothing.
+double GateOf(const Claim& claim, const StepNoiseFloor& gate) {
+  double resolution = 0;
+  if (claim.dimension == Dimension::kLength) resolution = kLengthResolution;
+  if (claim.dimension == Dimension::kAngle) resolution = kAngleResolution;
+  return std::abs(StepSize(claim, gate)) + resolution;
+}
+
 }  // namespace
 
 Claim NoiseFloor::Passed(Claim claim) const {
@@ -55,13 +63,13 @@ Claim NoiseFloor::Passed(Claim claim) const {
   const double step_size = StepSize(claim, gate);
   claim.predicted.low -= either_way + std::max(0.0, -step_size);
   claim.predicted.high += either_way + std::max(0.0, step_size);
-  claim.gate = std::abs(step_size);
+  claim.gate = GateOf(claim, gate);
   return claim;
 }
 
 double NoiseFloor::Floor(const Claim& claim) const {
   const StepNoiseFloor gate = steps.empty() ? StepNoiseFloor{} : steps[claim.step.index()];
-  return EitherWay(claim, gate) + 2 * std::abs(StepSize(claim, gate));
+  return EitherWay(claim, gate) + 2 * GateOf(claim, gate);
 }
 
 bool NoiseFloor::Hides(const Claim& passed, double clearance) const {

@@ -34,6 +34,12 @@ struct StepNoiseFloor {
 // leaves the part in its place.
 inline constexpr double kMostCreep = 2e-5;
 
+// The distance in metres and the angle in radians that no execution in the engine resolves. Its
+// contacts are soft, and let parts that rest or are held creep. In plans for errors of a few
+// micrometres, parts were up to 0.8 micrometres and 0.6 microradians beyond what is certain.
+inline constexpr double kLengthResolution = 1e-6;
+inline constexpr double kAngleResolution = 1e-5;
+
 struct NoiseFloor {
   std::vector<StepNoiseFloor> steps = {};  // by StepId; empty: nothing is known but rounding
 
@@ -42,8 +48,8 @@ struct NoiseFloor {
   // give to a part whose origin is away from its body (Lever). So does the creep of a fixed part
   // without noise, up to kMostCreep. The effect of the timestep has a
   // sign, and it vanishes in proportion to the timestep or faster. The effect is therefore one to
-  // two times the change that half the timestep makes. This change counts as known, and the gate is
-  // as large as this change.
+  // two times the change that half the timestep makes. This change counts as known. The gate is as
+  // large as this change and the engine's resolution together.
   Claim Passed(Claim claim) const;
   // Returns how wrong a prediction may be at one end without being noticed.
   double Floor(const Claim& claim) const;
