@@ -31,9 +31,9 @@ using domain::Robot;
 constexpr char kSolref[] = "0.0001 1";
 
 // The impedance does not depend on the depth. With an impedance that grows from 0.99 to 0.9999, the
-// contacts of a part that pads hold with little friction took turns from timestep to timestep. Their
-// friction was used up in turn, and the part slid down by half a millimetre a second, although
-// friction could bear 1.4 times its weight.
+// contacts of a part that pads hold with little friction took turns from timestep to timestep.
+// Their friction was used up in turn, and the part slid down by half a millimetre a second,
+// although friction could bear 1.4 times its weight.
 constexpr char kSolimp[] = "0.999 0.999 0.00001";
 // The ground's friction is much smaller than that of every part, because the engine takes the
 // larger of two frictions.

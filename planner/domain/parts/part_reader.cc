@@ -128,7 +128,8 @@ geometry::MassProperties PartReader::Mass() const {
 }
 
 void PartReader::BuildShape(PartModel& model, double density) const {
-  model.shape_ = std::make_shared<const PartShape>(solids_.Pieces(), solids_.RoundSolids(), density);
+  model.shape_ =
+      std::make_shared<const PartShape>(solids_.Pieces(), solids_.RoundSolids(), density);
   for (const Solid& solid : solids_.solids()) {
     model.colors_.insert(model.colors_.end(), solid.pieces.size(), solid.color);
   }

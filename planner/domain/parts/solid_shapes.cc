@@ -336,8 +336,8 @@ SolidShape ReadMesh(const Value& entry, const ShapeReading& reading) {
     name.Fail(fmt::format("'{}' is no file beside the part file", file.string()),
               "the name of an OBJ file in the folder of the part");
   }
-  const double unit = entry.Find("units") ? ReadLengthUnit(entry.At("units")).factor
-                                          : reading.units.length.factor;
+  const double unit =
+      entry.Find("units") ? ReadLengthUnit(entry.At("units")).factor : reading.units.length.factor;
   const int up = entry.Find("up") ? entry.At("up").OneOf({"x", "y", "z"}) : 2;
   Pose X_PartFile = Pose::Identity();
   X_PartFile.linear().row(0) = Vector3::Unit((up + 1) % 3).transpose();
@@ -352,12 +352,9 @@ struct ShapeKind {
   SolidShape (*read)(const Value& value, const ShapeReading& reading);
 };
 const std::vector<ShapeKind>& AllShapeKinds() {
-  static const std::vector<ShapeKind> kinds = {{"box", ReadBox},
-                                               {"prism", ReadPrism},
-                                               {"cylinder", ReadCylinder},
-                                               {"cone", ReadCone},
-                                               {"hull", ReadHull},
-                                          {"mesh", ReadMesh}};
+  static const std::vector<ShapeKind> kinds = {{"box", ReadBox},           {"prism", ReadPrism},
+                                               {"cylinder", ReadCylinder}, {"cone", ReadCone},
+                                               {"hull", ReadHull},         {"mesh", ReadMesh}};
   return kinds;
 }
 

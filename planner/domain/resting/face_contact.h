@@ -8,8 +8,8 @@ namespace assay::domain {
 
 class PartModel;
 
-// Returns the point at which a part touches a plane in place of one of its corners on the plane. All
-// are in the part frame, and `normal` (unit) points from the part into the plane. A round solid
+// Returns the point at which a part touches a plane in place of one of its corners on the plane.
+// All are in the part frame, and `normal` (unit) points from the part into the plane. A round solid
 // touches the plane along one line, and not along a side of the polygons that stand for it. Other
 // corners are returned as they are.
 geometry::Vector3 TrueTouch(const PartModel& part, const geometry::Vector3& corner,

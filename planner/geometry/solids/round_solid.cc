@@ -18,7 +18,7 @@ std::optional<Vector3> TouchInPlaceOf(const Vector3& corner, const RoundSolid& s
                                       const Vector3& normal) {
   const Vector3 along = solid.ends[1] - solid.ends[0];
   const Vector3 across = along.cross(normal) / along.norm();  // level, if the plane is the table
-  const double steepness = across.norm();  // sine of the angle between axis and normal
+  const double steepness = across.norm();          // sine of the angle between axis and normal
   if (steepness < kRounding) return std::nullopt;  // the plane touches an end
   const double share = (corner - solid.ends[0]).dot(along) / along.squaredNorm();
   if (share * along.norm() < -kRounding || (share - 1) * along.norm() > kRounding) {
@@ -26,8 +26,7 @@ std::optional<Vector3> TouchInPlaceOf(const Vector3& corner, const RoundSolid& s
   }
   const Vector3 middle = solid.ends[0] + share * along;
   const double radius = solid.radii[0] + share * (solid.radii[1] - solid.radii[0]);
-  const bool is_tangent =
-      std::abs(normal.dot(middle - corner) + radius * steepness) <= kRounding;
+  const bool is_tangent = std::abs(normal.dot(middle - corner) + radius * steepness) <= kRounding;
   const double beside = across.dot(corner - middle) / steepness;
   const double half_side = radius * std::tan(std::numbers::pi / solid.sides);
   if (!is_tangent || std::abs(beside) > half_side + kRounding) return std::nullopt;

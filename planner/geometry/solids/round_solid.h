@@ -7,8 +7,8 @@
 
 namespace assay::geometry {
 
-// A cylinder, or a cone or its frustum. In the model of a part, a solid with regular polygons stands
-// for it. The polygons touch its circles from outside.
+// A cylinder, or a cone or its frustum. In the model of a part, a solid with regular polygons
+// stands for it. The polygons touch its circles from outside.
 struct RoundSolid {
   std::array<Vector3, 2> ends;    // the middles of the two circles
   std::array<double, 2> radii{};  // metres; one of them may be zero

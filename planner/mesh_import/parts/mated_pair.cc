@@ -19,6 +19,8 @@ constexpr double kWidestPlay = 0.35;      // share of the width of the hole
 constexpr double kBeforeMouth = 0.02;     // metres that the mating motion begins before the mouth
 constexpr double kLeastClearance = 1e-6;  // metres, as a scenario file permits
 constexpr double kClampForce = 300;       // newtons
+constexpr double kGreatestNarrowing = 0.25;  // share of a gap that polygons may take
+constexpr int kMostSides = 128;              // more make a hole's collision slow
 // The gripper for small parts takes parts of this width, if they are no longer, in metres.
 constexpr double kSmallWidth = 0.03;
 constexpr double kSmallLength = 0.1;
@@ -158,21 +160,32 @@ const SketchFeature& FeatureOf(const ImportedPart& part, int number) {
   return part.sketch.features[static_cast<std::size_t>(number - 1)];
 }
 
-// Returns a sentence about the gap that remains because polygons stand for circles.
-std::string PolygonSentence(const MatedPair& pair, const MatedFeatures& mated) {
-  const double half = std::numbers::pi / pair.held->options.sides;
+// Returns the radii of a round shaft and its hole; 0 for other shapes.
+std::pair<double, double> RadiiOf(const MatedPair& pair, const MatedFeatures& mated) {
   const auto radius_of = [](const ImportedPart& part, int number, SketchFeature::Kind kind) {
     for (const PlacedFeature& feature : PlacedFeatures(part.sketch, kind)) {
       if (feature.number == number) return feature.post->at_low.radius;
     }
     return 0.0;
   };
-  const double shaft = radius_of(*pair.held, mated.shaft, SketchFeature::Kind::kShaft);
-  const double hole = radius_of(*pair.fixed, mated.hole, SketchFeature::Kind::kHole);
-  const double left =
-      mated.LeastGap() - shaft * (1 / std::cos(half) - 1) - hole * (1 - std::cos(half));
+  return {radius_of(*pair.held, mated.shaft, SketchFeature::Kind::kShaft),
+          radius_of(*pair.fixed, mated.hole, SketchFeature::Kind::kHole)};
+}
+
+// Returns by how much polygons narrow the gap between a round shaft and its hole, in metres.
+double NarrowingOf(const MatedPair& pair, const MatedFeatures& mated, int sides) {
+  const auto [shaft, hole] = RadiiOf(pair, mated);
+  const double half = std::numbers::pi / sides;
+  return shaft * (1 / std::cos(half) - 1) + hole * (1 - std::cos(half));
+}
+
+bool IsRound(const MatedFeatures& mated) { return mated.gaps.size() == 2; }
+
+// Returns a sentence about the gap that remains because polygons stand for circles.
+std::string PolygonSentence(const MatedPair& pair, const MatedFeatures& mated) {
+  const int sides = pair.held->options.sides;
   return fmt::format(" As polygons with {} sides the parts leave {} mm; --sides sets the number.",
-                     pair.held->options.sides, Millimetres(left));
+                     sides, Millimetres(mated.LeastGap() - NarrowingOf(pair, mated, sides)));
 }
 
 }  // namespace
@@ -184,6 +197,16 @@ std::optional<MatedPair> FindMating(const ImportedPart& a, const ImportedPart& b
   if (pair.features.empty()) pair = PairOf(b, a);
   if (pair.features.empty()) return std::nullopt;
   return pair;
+}
+
+int SidesFor(const MatedPair& pair) {
+  int sides = pair.held->options.sides;
+  for (const MatedFeatures& mated : pair.features) {
+    const double most = kGreatestNarrowing * mated.LeastGap();
+    while (IsRound(mated) && sides < kMostSides && NarrowingOf(pair, mated, sides) > most)
+      sides += 4;
+  }
+  return sides;
 }
 
 std::string ScenarioText(const MatedPair& pair) {
@@ -214,15 +237,14 @@ std::vector<std::string> AccountOf(const MatedPair& pair) {
   for (const MatedFeatures& mated : pair.features) {
     std::vector<std::string> gaps;
     for (const double gap : mated.gaps) gaps.push_back(Millimetres(gap));
-    const bool is_round = mated.gaps.size() == 2;
     account.push_back(fmt::format(
         "Feature {} of {} ({}) is {} mm deep in feature {} of {} ({}). The gaps {} are {} mm.",
         mated.shaft, pair.held->sketch.name, FeatureOf(*pair.held, mated.shaft).what,
         Millimetres(mated.depth), mated.hole, pair.fixed->sketch.name,
         FeatureOf(*pair.fixed, mated.hole).what,
-        is_round ? "on the narrowest and the widest side" : "on the sides of the hole",
+        IsRound(mated) ? "on the narrowest and the widest side" : "on the sides of the hole",
         fmt::join(gaps, ", ")));
-    if (is_round) account.back() += PolygonSentence(pair, mated);
+    if (IsRound(mated)) account.back() += PolygonSentence(pair, mated);
   }
   return account;
 }

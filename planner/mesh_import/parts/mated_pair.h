@@ -30,6 +30,11 @@ struct MatedPair {
 // hole by 0.01 mm, which counts as rounding. Returns none if no shaft is in a hole.
 std::optional<MatedPair> FindMating(const ImportedPart& a, const ImportedPart& b);
 
+// Returns how many sides the polygons that stand for circles need: at least as many as the parts
+// have now, and so many that they narrow no gap of a round shaft by more than a quarter, as far as
+// 128 sides suffice.
+int SidesFor(const MatedPair& pair);
+
 // Returns a scenario in which the parts lie on the table and are assembled. The fixed part lies
 // with its hole up if it can rest so, and the held part is in its most stable pose.
 std::string ScenarioText(const MatedPair& pair);

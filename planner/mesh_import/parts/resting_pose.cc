@@ -14,6 +14,9 @@ namespace {
 
 constexpr double kLeastTilt = 2 * std::numbers::pi / 180;
 constexpr int kHullPoints = 400;
+// A polygon with so many sides tips from each of them at less than kLeastTilt. A round part thus
+// rests on no side, as if it were round.
+constexpr int kSidesOfCircle = 120;
 
 // Returns points whose hull is the part's.
 std::vector<Vector3> OutermostPoints(const ImportedPart& part) {
@@ -25,7 +28,7 @@ std::vector<Vector3> OutermostPoints(const ImportedPart& part) {
     for (const bool top : {false, true}) {
       const Contour& contour = top ? solid.post->at_high : solid.post->at_low;
       const double height = top ? solid.post->high : solid.post->low;
-      for (const Vector2& corner : contour.Outline(part.options.sides))
+      for (const Vector2& corner : contour.Outline(kSidesOfCircle))
         points.push_back(solid.R_PartLocal * Vector3(corner.x(), corner.y(), height));
     }
   }

@@ -36,6 +36,7 @@ struct Options {
   std::vector<fs::path> files;
   fs::path folder;
   mesh_import::ImportOptions import;
+  bool has_sides = false;
   bool mated = false;
   bool replace = false;
 };
@@ -128,6 +129,10 @@ ExitCode ImportPair(const Options& options) {
                                  options.files[1].string()),
                      "two parts in their assembled pose");
   }
+  if (!options.has_sides) {
+    const int sides = mesh_import::SidesFor(*pair);
+    for (mesh_import::ImportedPart& part : parts) part.options.sides = sides;
+  }
   const double seconds = watch.Seconds();
   const fs::path scenario = options.folder / fmt::format("{}-into-{}.yaml", pair->held->sketch.name,
                                                          pair->fixed->sketch.name);
@@ -165,19 +170,24 @@ Execution Declare(CLI::App& command) {
       .add_option("--friction", options->import.material.friction, "of its material against itself")
       ->check(Within({0.001, 10}, kRatioUnit))
       ->capture_default_str();
-  command
-      .add_option("--sides", options->import.sides,
-                  "of the polygons that stand for circles, a multiple of 4")
-      ->check(CLI::Range(8, 256))
-      ->check([](const std::string& text) {
-        return std::stoi(text) % 4 == 0 ? std::string() : Quote(text) + " is no multiple of 4";
-      })
-      ->capture_default_str();
+  const CLI::Option* const sides =
+      command
+          .add_option("--sides", options->import.sides,
+                      "of the polygons that stand for circles, a multiple of 4; with --mated as "
+                      "many as the gap needs, if left out")
+          ->check(CLI::Range(8, 256))
+          ->check([](const std::string& text) {
+            return std::stoi(text) % 4 == 0 ? std::string() : Quote(text) + " is no multiple of 4";
+          })
+          ->capture_default_str();
   command.add_flag("--mated", options->mated,
                    "two files are two parts in their assembled pose: -o is a folder for a scenario "
                    "and its models");
   command.add_flag("--replace", options->replace, "write into a folder that has a part already");
-  return [options] { return options->mated ? ImportPair(*options) : ImportPart(*options); };
+  return [options, sides] {
+    options->has_sides = sides->count() > 0;
+    return options->mated ? ImportPair(*options) : ImportPart(*options);
+  };
 }
 
 }  // namespace import_verb

@@ -36,6 +36,22 @@ TEST(MatedPair, RoundPegInItsHole) {
               HasSubstr("tip toward -z"));
 }
 
+// Polygons with n sides take r_shaft (1 / cos(180 degrees / n) - 1) and r_hole (1 - cos(180 degrees
+// / n)) from the gap. With a gap of 0.09 mm they take 0.0206 mm with 44 sides, and 0.0250 with 40.
+TEST(MatedPair, PolygonsTakeAtMostAQuarterOfARoundGap) {
+  const auto sides = [](double gap) {
+    const double diameter = 8 + 2 * gap;
+    const ImportedPart plate =
+        NamedPart("plate", Extruded(RectangleOf(40, 40), 12, {CircleOf(diameter, 96)}), {0, 0, 0});
+    const ImportedPart peg = NamedPart("peg", ChamferedPeg(8, 50, 0.5, 96), {0, 0, 2});
+    const std::optional<MatedPair> pair = FindMating(plate, peg);
+    return pair ? SidesFor(*pair) : 0;
+  };
+  EXPECT_EQ(sides(0.09), 44);
+  EXPECT_EQ(sides(0.3), 32);
+  EXPECT_EQ(sides(0.001), 128);
+}
+
 TEST(MatedPair, RectangularGapsAreThoseOfEachSide) {
   const Curve hole = RectangleOf(10.3, 8.2, {0.05, 0});
   const ImportedPart block =
@@ -99,6 +115,14 @@ TEST(MatedPair, WorkcellHasAGripperForTheHeldPart) {
   };
   EXPECT_EQ(workcell(8), "puma762-small-jaw");
   EXPECT_EQ(workcell(40), "puma762-table");
+}
+
+// A round rod stands on its ends. It does not rest on its side, on which it rolls.
+TEST(RestingPose, ARoundRodStandsOnItsEndsAlone) {
+  const std::vector<RestingPose> rod =
+      RestingPosesOf(NamedPart("rod", Extruded(CircleOf(10, 48), 20), {0, 0, 0}));
+  ASSERT_EQ(rod.size(), 2u);
+  for (const RestingPose& pose : rod) EXPECT_NEAR(std::abs(pose.down.z()), 1, 1e-6);
 }
 
 // A cube is equally stable on each of its faces. A long bar is most stable on its widest side.
