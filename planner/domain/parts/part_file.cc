@@ -4,6 +4,7 @@
 
 #include "planner/base/check.h"
 #include "planner/domain/parts/part_reader.h"
+#include "planner/domain/parts/part_shape.h"
 #include "planner/geometry/solids/mass_properties.h"
 
 namespace assay::domain {
@@ -26,7 +27,11 @@ std::shared_ptr<const PartModel> PartFile::WithClearance(const PartModel& model,
 }
 
 geometry::MassProperties PartFile::MassWithClearance(const PartModel& model, double clearance) {
-  return PartReader(model.file_.root(), clearance).Mass();
+  const std::lock_guard lock(model.shape_->mass_mutex);
+  std::map<double, geometry::MassProperties>& known = model.shape_->mass_with_clearance;
+  const auto found = known.find(clearance);
+  if (found != known.end()) return found->second;
+  return known[clearance] = PartReader(model.file_.root(), clearance).Mass();
 }
 
 }  // namespace assay::domain

@@ -20,7 +20,7 @@ constexpr double kBeforeMouth = 0.02;     // metres that the mating motion begin
 constexpr double kLeastClearance = 1e-6;  // metres, as a scenario file permits
 constexpr double kClampForce = 300;       // newtons
 constexpr double kGreatestNarrowing = 0.25;  // share of a gap that polygons may take
-constexpr int kMostSides = 128;              // more make a hole's collision slow
+constexpr int kMostSidesOfCircle = 128;      // more make a hole's collision slow
 // The gripper for small parts takes parts of this width, if they are no longer, in metres.
 constexpr double kSmallWidth = 0.03;
 constexpr double kSmallLength = 0.1;
@@ -203,7 +203,7 @@ int SidesFor(const MatedPair& pair) {
   int sides = pair.held->options.sides;
   for (const MatedFeatures& mated : pair.features) {
     const double most = kGreatestNarrowing * mated.LeastGap();
-    while (IsRound(mated) && sides < kMostSides && NarrowingOf(pair, mated, sides) > most)
+    while (IsRound(mated) && sides < kMostSidesOfCircle && NarrowingOf(pair, mated, sides) > most)
       sides += 4;
   }
   return sides;
