@@ -28,14 +28,8 @@ using domain::Robot;
 // J' qd of the hand out of its constraints. Contacts therefore follow the hand with a velocity
 // error of J' qd / b, where b = 2 / time constant. mujoco::Data::Step removes only half a timestep
 // of it.
-//
-// Contacts are overdamped, and their impedance does not depend on the depth. With a damping ratio
-// of 1, the contacts of a part that pads hold with little friction took turns from timestep to
-// timestep. Their friction was used up in turn, and the part slid down by half a millimetre a
-// second, although friction could bear 1.4 times its weight. With an impedance of 0.998 or more,
-// the pads of a firm grasp jumped by 60 micrometres now and then.
-constexpr char kSolref[] = "0.0001 3";
-constexpr char kSolimp[] = "0.995 0.995 0.00001";
+constexpr char kSolref[] = "0.0001 1";
+constexpr char kSolimp[] = "0.99 0.9999 0.00001";
 // The ground's friction is much smaller than that of every part, because the engine takes the
 // larger of two frictions.
 constexpr double kGroundFriction = 0.01;

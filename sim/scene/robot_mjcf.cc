@@ -33,6 +33,14 @@ constexpr double kMostDamping = 5000;       // 1/s, damping per armature
 constexpr double kFingerFriction = 0.2;     // coefficient of the fingers' steel and of the hand
 constexpr double kTorsionOfFinger = 0.005;  // m
 
+// The contacts of pads are overdamped, and their impedance does not depend on the depth. With a
+// damping ratio of 1, as other contacts have, the contacts of the two pads took turns from timestep
+// to timestep if their friction was low. The friction of each was used up in turn, and the part
+// slid down by half a millimetre a second, although friction could bear 1.4 times its weight. With
+// a damping ratio of 1 and this impedance, pads jumped by 60 micrometres now and then.
+constexpr char kSolrefOfPad[] = "0.0001 4";
+constexpr char kSolimpOfPad[] = "0.998 0.998 0.00001";
+
 constexpr std::array kFingers = {"finger_left", "finger_right"};
 
 // Writes a shape into a geom, except its pose.
@@ -80,15 +88,17 @@ void AddPad(const kinematics::Collision& pad, const std::string& geom_class,
     for (int j = 0; j < rules.pad_tiles; ++j) {
       const geometry::Vector3 middle((i + 0.5) * tile.x() - size.x() / 2, 0,
                                      (j + 0.5) * tile.z() - size.z() / 2);
-      // The priority makes the pad's friction count. Without it the engine would take the greater
-      // friction, which is the part's.
+      // The priority makes the pad's friction, stiffness and damping count. Without it the engine
+      // would take the greater friction, which is the part's.
       body.Add("geom")
           .Set("class", geom_class)
           .Set("type", "box")
           .Set("size", geometry::Vector3(tile / 2))
           .SetPose(pad.X_LinkShape * geometry::Translation(middle))
           .Set("priority", "1")
-          .Set("friction", {rules.pad_friction, kTorsionOfFinger, 0.0001});
+          .Set("friction", {rules.pad_friction, kTorsionOfFinger, 0.0001})
+          .Set("solref", kSolrefOfPad)
+          .Set("solimp", kSolimpOfPad);
     }
   }
 }
