@@ -49,6 +49,13 @@ struct Obstacle {
 
 namespace {
 
+std::vector<geometry::RoundSolid> RoundSolidsAt(const Pose& X_WorldPart,
+                                                const domain::PartModel& model) {
+  std::vector<geometry::RoundSolid> solids = model.round_solids();
+  for (geometry::RoundSolid& solid : solids) solid = Transformed(solid, X_WorldPart);
+  return solids;
+}
+
 Handling HandlingOf(const domain::Problem& problem, const Action& action) {
   const Pose& X_WorldPlaced = action.place.X_WorldPart;
   if (action.kind->leaves != domain::Leaves::kMated) {
@@ -226,9 +233,8 @@ class ActionChecker::Examination {
   }
 
   void ExamineBalance(const std::vector<Vector3>& corners, const Pose& X_WorldPart) {
-    std::vector<geometry::RoundSolid> round = part().model->round_solids();
-    for (geometry::RoundSolid& solid : round) solid = Transformed(solid, X_WorldPart);
-    const std::vector<Vector3> touching = TouchingTable(corners, round);
+    const std::vector<Vector3> touching =
+        TouchingTable(corners, RoundSolidsAt(X_WorldPart, *part().model));
     const Vector3 center = X_WorldPart * centers_[handling_.part.index()];
     if (!IsSupported(center, touching)) {
       Report(
