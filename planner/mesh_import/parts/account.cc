@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -82,13 +83,22 @@ std::string PieceSentence(const BodyAccount& body) {
 }
 
 std::string StackSentence(const BodyAccount& body) {
-  return fmt::format(
+  const Stack& stack = body.shape.stack;
+  std::string text = fmt::format(
       "A body of {} ({}) is a stack of extrusions: {} and {}. It is at most {} mm from the file, "
       "measured with its chamfers and with true circles.",
       body.file, Counted(body.shape.triangles, "triangle"),
-      Counted(static_cast<int>(body.shape.stack.solids.size()), "solid"),
-      Counted(static_cast<int>(body.shape.stack.pockets.size()), "pocket"),
-      Millimetres(body.shape.distance));
+      Counted(static_cast<int>(stack.solids.size()), "solid"),
+      Counted(static_cast<int>(stack.pockets.size()), "pocket"), Millimetres(body.shape.distance));
+  const auto steps =
+      std::ranges::count_if(stack.solids, &Post::is_step) +
+      std::ranges::count_if(stack.pockets, [](const auto& pocket) { return pocket.post.is_step; });
+  if (steps > 0) {
+    text += fmt::format(
+        " Where its section changes gradually, {} stand for it, which have less material.",
+        Counted(static_cast<int>(steps), "step"));
+  }
+  return text;
 }
 
 std::vector<std::string> DimensionsOf(const ImportedPart& part) {

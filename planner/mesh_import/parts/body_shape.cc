@@ -15,12 +15,14 @@
 #include "planner/mesh_import/repair/shells.h"
 #include "planner/mesh_import/sections/extrusion_axis.h"
 #include "planner/mesh_import/sections/stack_distance.h"
+#include "planner/mesh_import/sections/stepped_columns.h"
 
 namespace assay::mesh_import {
 namespace {
 
 constexpr double kTolerance = 1e-4;      // share of the size that counts as rounding
 constexpr double kMostLeftOut = 0.008;   // share of the size, at rounded corners
+constexpr double kMostStep = 0.007;      // share of the size, of steps in place of slants
 constexpr double kMostVolumeOff = 0.05;  // share of the volume
 constexpr double kDeepest = 0.005;       // share of the size: pieces are cut until they fit
 constexpr std::size_t kMostPosts = 60;
@@ -42,20 +44,25 @@ struct Attempt {
   double length = 0;  // along the axis
 };
 
-Attempt TryAxis(const TriangleMesh& body, const Vector3& axis) {
+// How a body is cut into columns.
+using Cut = Columns (*)(const TriangleMesh&, const ColumnRules&);
+
+Attempt TryAxis(const TriangleMesh& body, const Vector3& axis, Cut cut) {
   Attempt attempt;
   BodyShape& shape = attempt.shape;
   shape.R_FileLocal = FrameOfExtrusion(body, axis);
   const TriangleMesh local = body.Transformed(shape.R_FileLocal.transpose());
   const double size = body.Size();
-  const ColumnRules rules = {.tolerance = kTolerance * size, .most_left_out = kMostLeftOut * size};
+  const ColumnRules rules = {.tolerance = kTolerance * size,
+                             .most_left_out = kMostLeftOut * size,
+                             .most_step = kMostStep * size};
   attempt.length = local.Bounds().sizes().z();
   const auto at = [&](int triangle) {
     const Triangle& found = body.triangles[static_cast<std::size_t>(triangle)];
     return found.line > 0 ? fmt::format("triangle {} (line {})", found.number, found.line)
                           : fmt::format("triangle {}", found.number);
   };
-  const Columns columns = ColumnsOf(local, rules);
+  const Columns columns = cut(local, rules);
   if (!columns.reason.empty()) {
     shape.reason = fmt::format("{} (at {})", columns.reason, at(columns.triangle));
     return attempt;
@@ -86,10 +93,10 @@ bool IsBetter(const Attempt& a, const Attempt& b, double size) {
   return a.length > b.length + kTolerance * size;
 }
 
-BodyShape BestStack(const TriangleMesh& body) {
+BodyShape BestStack(const TriangleMesh& body, Cut cut) {
   std::optional<Attempt> best;
   for (const Vector3& axis : ExtrusionAxes(body)) {
-    Attempt attempt = TryAxis(body, axis);
+    Attempt attempt = TryAxis(body, axis, cut);
     if (!best || IsBetter(attempt, *best, body.Size())) best = std::move(attempt);
   }
   if (!best) best = Attempt{.shape = {.reason = "no direction lies along its sides"}};
@@ -131,7 +138,7 @@ class StackSplitter {
     for (const TriangleMesh& part : ShellsOf(mesh)) {
       if (part.Volume() <= least_volume_) continue;
       if (--tries_ < 0) return false;
-      BodyShape shape = BestStack(part);
+      BodyShape shape = BestStack(part, ColumnsOf);
       if (shape.is_stack) {
         stacks.push_back(std::move(shape));
         continue;
@@ -151,11 +158,13 @@ class StackSplitter {
 }  // namespace
 
 std::vector<BodyShape> ShapesOf(const TriangleMesh& body) {
-  BodyShape shape = BestStack(body);
-  const bool is_simple = shape.is_stack && shape.stack.Count() <= kFewPosts;
+  BodyShape shape = BestStack(body, ColumnsOf);
+  const auto is_simple = [](const BodyShape& of) {
+    return of.is_stack && of.stack.Count() <= kFewPosts;
+  };
   // A body that is nearly convex, such as a ball, becomes one convex piece. As a stack it would
   // have many layers.
-  const bool is_convex = !is_simple && IsNearlyConvex(body);
+  const bool is_convex = !is_simple(shape) && IsNearlyConvex(body);
   if (is_convex && shape.is_stack) {
     shape.is_stack = false;
     shape.reason = fmt::format("as a stack it would have {} solids", shape.stack.Count());
@@ -173,6 +182,9 @@ std::vector<BodyShape> ShapesOf(const TriangleMesh& body) {
     std::ranges::stable_sort(stacks, std::ranges::greater(), &BodyShape::volume);
     return stacks;
   }
+  BodyShape stepped = BestStack(body, SteppedColumnsOf);
+  if (stepped.is_stack && (!is_convex || is_simple(stepped))) return {std::move(stepped)};
+  if (!is_convex) shape.reason += "; as steps, " + stepped.reason;
   Decomposition decomposition = Decompose(body, {.depth = kDeepest * body.Size()});
   shape.R_FileLocal = Matrix3::Identity();
   shape.stack = {};

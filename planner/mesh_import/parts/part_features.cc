@@ -62,15 +62,18 @@ class FeatureFinder {
 
   void Find() {
     for (const SketchSolid& solid : sketch_.solids) {
-      if (solid.post) {
+      if (solid.post && !solid.post->is_step) {
         AddFaces(solid);
-      } else {
+      } else if (!solid.post) {
         AddFacets(solid);
       }
     }
-    for (const SketchPocket& pocket : sketch_.pockets) AddHole(pocket);
+    for (const SketchPocket& pocket : sketch_.pockets) {
+      if (!pocket.pocket.post.is_step) AddHole(pocket);
+    }
     for (std::size_t i = 0; i < sketch_.solids.size(); ++i) {
-      if (sketch_.solids[i].post && sketch_.solids[i].post->is_straight) AddShafts(i);
+      const std::optional<Post>& post = sketch_.solids[i].post;
+      if (post && post->is_straight && !post->is_step) AddShafts(i);
     }
   }
 

@@ -55,6 +55,35 @@ void KeepBetween(std::span<const Vector2> curve, std::size_t from, std::size_t t
   }
 }
 
+// Unmarks points that lie on a side between two kept points. KeepBetween keeps such a point where
+// the side is parallel to the chord, because all points of the side are then equally far from it.
+void LeaveOutNeedless(std::span<const Vector2> curve, double tolerance, std::vector<bool>& kept) {
+  const std::size_t count = curve.size();
+  const auto next_kept = [&](std::size_t i) {
+    do i = (i + 1) % count;
+    while (!kept[i]);
+    return i;
+  };
+  const auto is_straight = [&](std::size_t from, std::size_t to) {
+    for (std::size_t i = (from + 1) % count; i != to; i = (i + 1) % count) {
+      if (DistanceToEdge(curve[i], curve[from], curve[to]) > tolerance) return false;
+    }
+    return true;
+  };
+  auto left = static_cast<std::size_t>(std::ranges::count(kept, true));
+  std::size_t before = 0;
+  while (!kept[before]) ++before;
+  for (std::size_t tried = left; tried > 0 && left > 3; --tried) {
+    const std::size_t here = next_kept(before);
+    if (is_straight(before, next_kept(here))) {
+      kept[here] = false;
+      --left;
+    } else {
+      before = here;
+    }
+  }
+}
+
 std::size_t FarthestFrom(std::span<const Vector2> curve, const Vector2& p) {
   const auto far =
       std::ranges::max_element(curve, {}, [&](const Vector2& q) { return (q - p).squaredNorm(); });
@@ -255,6 +284,7 @@ std::vector<Vector2> Simplified(std::span<const Vector2> curve, double tolerance
   kept[opposite] = true;
   KeepBetween(turned, 0, opposite, tolerance, kept);
   KeepBetween(turned, opposite, turned.size(), tolerance, kept);
+  LeaveOutNeedless(turned, tolerance, kept);
   std::vector<Vector2> simplified;
   for (std::size_t i = 0; i < turned.size(); ++i) {
     if (kept[i]) simplified.push_back(turned[i]);

@@ -20,10 +20,12 @@ class StackBuilder {
 
   Stack Build() {
     for (std::size_t i = 0; i < columns_.size(); ++i) {
-      if (columns_[i].is_straight) AddStraight(i);
+      if (columns_[i].is_straight && !columns_[i].is_step) AddStraight(i);
     }
     for (std::size_t i = 0; i < columns_.size() && stack_.reason.empty(); ++i) {
-      if (!columns_[i].is_straight && !is_used_[i]) AddTaper(columns_[i]);
+      if (is_used_[i]) continue;
+      if (columns_[i].is_step) Add(columns_[i]);
+      if (!columns_[i].is_straight) AddTaper(columns_[i]);
     }
     std::ranges::stable_sort(holes_, std::ranges::greater(),
                              [](const Post& hole) { return std::round(hole.at_low.Area() * 1e9); });
@@ -42,9 +44,14 @@ class StackBuilder {
     return {.at_low = column.at_low,
             .at_high = column.at_high,
             .is_straight = column.is_straight,
+            .is_step = column.is_step,
             .low = column.low,
             .high = column.high,
             .mouth = column.mouth};
+  }
+
+  void Add(const Column& column) {
+    (column.is_hole ? holes_ : stack_.solids).push_back(PostOf(column));
   }
 
   void AddStraight(std::size_t index) {
@@ -59,25 +66,30 @@ class StackBuilder {
     (is_hole ? holes_ : stack_.solids).push_back(std::move(post));
   }
 
-  // Returns the chain of tapered columns that continue a straight one up to a free end.
+  // Returns whether a tapered column or a step continues a column up to a free end. An outline
+  // shrinks towards its free end, and a hole widens towards its mouth.
+  bool Continues(const Column& next, const Contour& contour, bool top) const {
+    if (next.is_step)
+      return (next.at_low.Area() > contour.Area()) == next.is_hole &&
+             Overlaps(next.at_low, contour);
+    return !next.is_straight && AreEqual(next.At(!top), contour, 3 * rules_.tolerance) &&
+           (next.At(top).Area() > next.At(!top).Area()) == next.is_hole;
+  }
+
+  // Returns the chain of tapered columns and steps that continue a straight one up to a free end.
   std::vector<std::size_t> ChainFrom(const Column& straight, bool top) const {
     std::vector<std::size_t> chain;
-    Contour contour = straight.at_low;
-    double height = top ? straight.high : straight.low;
+    const Column* last = &straight;
     for (bool grows = true; grows;) {
       grows = false;
       for (std::size_t i = 0; i < columns_.size() && !grows; ++i) {
         const Column& next = columns_[i];
-        const bool continues = !next.is_straight && !is_used_[i] &&
-                               next.is_hole == straight.is_hole &&
-                               (top ? next.low : next.high) == height &&
-                               AreEqual(next.At(!top), contour, 3 * rules_.tolerance);
-        if (!continues) continue;
-        // An outline shrinks towards its free end, and a hole widens towards its mouth.
-        if ((next.At(top).Area() > next.At(!top).Area()) != straight.is_hole) return chain;
+        if (is_used_[i] || next.is_hole != straight.is_hole ||
+            (top ? next.low != last->high : next.high != last->low) ||
+            !Continues(next, last->At(top), top))
+          continue;
         chain.push_back(i);
-        contour = next.At(top);
-        height = top ? next.high : next.low;
+        last = &next;
         grows = true;
       }
     }
@@ -138,7 +150,7 @@ class StackBuilder {
                !IsConvex(column.at_high, rules_.tolerance)) {
       stack_.reason = "an outline that is not convex becomes narrower";
     } else {
-      (column.is_hole ? holes_ : stack_.solids).push_back(PostOf(column));
+      Add(column);
     }
   }
 

@@ -19,6 +19,7 @@ struct Post {
   Contour at_low = {};
   Contour at_high = {};
   bool is_straight = true;  // both contours are equal
+  bool is_step = false;     // it stands for sections that are not equal
   double low = 0;           // z, metres
   double high = 0;
   Chamfer chamfer_low = {};

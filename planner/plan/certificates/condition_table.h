@@ -46,8 +46,9 @@ inline constexpr ConditionKind kPadContact = {
     "pad contact", "the grasped point stays inside the closed pads, by the workcell's margin",
     Dimension::kLength, NeededBy::kGrasp, Origin::kSoundMode};
 
-// The moment of a pad's push about every edge on which the part stands, divided by the moment of
-// the part's weight, is below 1.
+// The push that overcomes the friction at the part's support, divided by the force of the grip, is
+// below 1. The moment of this push about every edge on which the part stands, divided by the moment
+// of the part's weight, is below 1, too.
 inline constexpr ConditionKind kUpright = {
     "upright", "the part slides before a closing pad and does not topple", Dimension::kRatio,
     NeededBy::kGrasp, Origin::kSoundMode};

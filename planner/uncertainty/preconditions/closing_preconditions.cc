@@ -42,24 +42,30 @@ class ClosingConditions {
         before_(world.about_plan(part)),
         turned_on_the_way_(TurnBeforeGrasp(world, part, hold, draw)) {}
 
-  // Pads push at the same heights from either side. The pad on the far side of the part pushes it
-  // along `outward`.
-  double ToppleRatio() const {
+  // Returns the greater of two ratios. If both are below 1, the part slides before a pad that
+  // pushes it. One is the ratio of the push that overcomes the friction at the part's support to
+  // the force of the grip. The other is the ratio of the push's moment about an edge of the support
+  // to the moment of the weight. Pads push at the same heights from either side. The pad on the far
+  // side of the part pushes it along `outward`.
+  double PushRatio() const {
     const double turn = MostOf(world_, before_.theta) + hand_turn_;
     if (ReachOf(world_, part_, before_) + hand_ + turn < kPushed) return 0;
     const std::vector<Standing> standings = StandingsOf(world_, part_, X_WorldPart_);
     const std::vector<TippingEdge> edges = TippingEdgesOf(standings);
     if (edges.empty()) return kNothingBorne;
     const double level = standings.front().at.front().z();
+    const double friction = FrictionOf(standings);
     double ratio = 0;
     for (const double side : {1.0, -1.0}) {
       const Vector3 way = -side * X_WorldTool_.linear().col(1);
+      ratio = std::max(ratio, GreatestWeight(world_.problem(), part_) * SlidingPush(friction, way) /
+                                  world_.problem().workcell->rules().grip_force);
       const double height = HighestOfLowest(side) - level + off_.shift.norm() + hand_;
       for (const TippingEdge& edge : edges) {
-        ratio = std::max(ratio, RatioAbout(edge, way, turn, height));
+        ratio = std::max(ratio, RatioAbout(edge, friction, way, turn, height));
       }
     }
-    return ratio;
+    return std::min(ratio, kNothingBorne);
   }
 
   // Returns the nearest neighbour and the metres that are left to it; infinite without one.
@@ -110,20 +116,32 @@ class ClosingConditions {
     return std::ranges::max_element(lowest, {}, [](const auto& c) { return c.second; })->second;
   }
 
-  double TableFriction() const {
-    return world_.problem().part(part_).model->friction() + world_.problem().tolerances.friction;
+  // Two bodies have the greater of their frictions, and a table has the friction of what is on it.
+  double FrictionOf(const std::vector<Standing>& standings) const {
+    const domain::Problem& problem = world_.problem();
+    double friction = problem.part(part_).model->friction();
+    for (const Standing& standing : standings) {
+      if (!standing.on.IsNone())
+        friction = std::max(friction, problem.part(standing.on).model->friction());
+    }
+    return friction + problem.tolerances.friction;
+  }
+
+  // Returns the force along `way` that overcomes friction, divided by the weight. A pad that is not
+  // upright exerts a vertical force, too, which adds to the friction or lifts the part.
+  static double SlidingPush(double friction, const Vector3& way) {
+    const double sliding = way.head<2>().norm() - friction * std::abs(way.z());
+    return sliding > 0 ? friction / sliding : kNothingBorne;
   }
 
   // Returns the toppling ratio about an edge, for a pad that pushes along `way`, to within `turn`
-  // radians. The pad pushes with the force that is needed to overcome the friction of the table.
-  // A pad that is not upright exerts a vertical force, too, which adds to the friction or lifts the
-  // part.
-  double RatioAbout(const TippingEdge& edge, const Vector3& way, double turn, double height) const {
+  // radians. The pad pushes with the force that is needed to overcome the friction of the support.
+  double RatioAbout(const TippingEdge& edge, double friction, const Vector3& way, double turn,
+                    double height) const {
     const double level = way.head<2>().norm();
     const double vertical = std::abs(way.z());
-    const double friction = TableFriction();
-    const double sliding = level - friction * vertical;
-    if (!(sliding > 0) || !std::isfinite(height)) return kNothingBorne;
+    const double push = SlidingPush(friction, way);
+    if (push >= kNothingBorne || !std::isfinite(height)) return kNothingBorne;
     const double aside = std::acos(std::clamp(edge.outward.dot(way.head<2>()) / level, -1.0, 1.0));
     const double along = std::cos(std::max(0.0, aside - turn));
     if (!(along > 0) && vertical == 0) return 0;
@@ -132,8 +150,7 @@ class ClosingConditions {
       const double inside = -edge.Beyond(X_WorldPart_ * mass.center);
       if (!(inside > 0)) return kNothingBorne;
       const double across = 2 * world_.problem().part(part_).model->shape().radius();
-      const double moment =
-          friction / sliding * (level * height * std::max(0.0, along) + vertical * across);
+      const double moment = push * (level * height * std::max(0.0, along) + vertical * across);
       ratio = std::max(ratio, moment / inside);
     }
     return std::min(ratio, kNothingBorne);
@@ -159,7 +176,7 @@ std::vector<Precondition> ClosingPreconditions(const UncertainWorld& world, Part
   const ClosingConditions closing(world, part, hold, draw, held);
   Preconditions conditions;
   conditions.Less(plan::condition::kUpright, "the part slides before a pad and does not topple",
-                  closing.ToppleRatio(), 1);
+                  closing.PushRatio(), 1);
   const auto [neighbour, room] = closing.Nearest();
   if (!neighbour.IsNone()) {
     conditions.Greater(plan::condition::kPushedClear,

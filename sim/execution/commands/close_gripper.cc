@@ -37,7 +37,9 @@ Progress Run(const CloseGripper& close, std::span<const Command>, Execution& exe
   const scene::Scene& scene = execution.scene();
   mujoco::Data& data = execution.data();
   if (Progress failure = execution.Stay(kClosingSettle)) return failure;
+  execution.Brace();
   if (Progress failure = CloseUntilStill(close.hold.width, execution)) return failure;
+  execution.Relax();
   const GraspFact fact = {.time = data.time(),
                           .part = close.part,
                           .expected_width = close.hold.width,

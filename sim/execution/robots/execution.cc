@@ -19,6 +19,7 @@ namespace assay::execution {
 namespace {
 
 // Forces of stiff contacts jump from step to step, so only a force that lasts stops the arm.
+constexpr double kBraceTime = 0.02;    // seconds of the integral feedback
 constexpr double kForceFilter = 0.02;  // time constant of the force that stops the arm, seconds
 constexpr double kPeakFilter = 0.002;  // time constant of the greatest force, seconds
 // Time constant of the force that ends a guarded move, seconds.
@@ -177,6 +178,7 @@ Progress Execution::Follow(const JointTrajectory& asked) {
   const std::optional<JointTrajectory> carried = AsCarried(asked, problem_, world_);
   if (!carried) return TooHeavy();
   const JointTrajectory& trajectory = *carried;
+  brace_.reset();
   const Commands commands = [&](double time) { return RobotCommand{.arm = trajectory.At(time)}; };
   ForgetKinematics();
   double time = 0;
@@ -193,6 +195,7 @@ Progress Execution::Follow(const JointTrajectory& asked) {
 // on. At the end the servos are commanded to hold the arm where it is, so that it stops pressing.
 Progress Execution::Follow(const JointTrajectory& trajectory, const Guarded& guarded) {
   const double from = data_.time();
+  brace_.reset();
   const double before = scene_.WristWrench(data_).force.dot(guarded.direction);
   double resistance = 0;
   const Commands commands = [&](double time) { return RobotCommand{.arm = trajectory.At(time)}; };
@@ -258,7 +261,7 @@ bool Execution::IsInHand() const {
 void Execution::TakeStock() { commanded_ = {scene_.ArmPosition(data_), JointVector::Zero()}; }
 
 Checkpoint Execution::Save() const {
-  return {data_.Save(), world_, commanded_, felt_, hand_error_};
+  return {data_.Save(), world_, commanded_, felt_, brace_, hand_error_};
 }
 
 void Execution::Restore(const Checkpoint& checkpoint) {
@@ -266,6 +269,7 @@ void Execution::Restore(const Checkpoint& checkpoint) {
   world_ = checkpoint.world;
   commanded_ = checkpoint.commanded;
   felt_ = checkpoint.felt;
+  brace_ = checkpoint.brace;
   hand_error_ = checkpoint.hand_error;
   // The samples that were due until here have been taken.
   samples_ = 0;
@@ -279,6 +283,7 @@ void Execution::Restore(const Checkpoint& checkpoint) {
 // itself. A touched body would prevent this acceleration, and would then exert a force of the size
 // of the torque on the arm.
 Progress Execution::StepSoftly(const JointState& next, const JointVector& qdd, double share) {
+  brace_.reset();
   const JointVector q = scene_.ArmPosition(data_);
   const JointVector qd = scene_.ArmVelocity(data_);
   const double damping = std::sqrt(share);
@@ -288,7 +293,12 @@ Progress Execution::StepSoftly(const JointState& next, const JointVector& qdd, d
 
 Progress Execution::StepTo(const JointState& next) {
   const JointVector qdd = (next.qd - commanded_.qd) / data_.timestep();
-  servo_.Command(data_, commanded_, qdd, Carried());
+  JointState command = commanded_;
+  if (brace_) {
+    *brace_ += data_.timestep() / kBraceTime * (commanded_.q - scene_.ArmPosition(data_));
+    command.q += *brace_;
+  }
+  servo_.Command(data_, command, qdd, Carried());
   return Advance(next);
 }
 

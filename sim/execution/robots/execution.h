@@ -30,6 +30,7 @@ struct Checkpoint {
   WorldModel world;
   JointState commanded;
   Vector3 felt = Vector3::Zero();
+  std::optional<JointVector> brace = {};
   Pose hand_error = Pose::Identity();
 };
 
@@ -95,6 +96,13 @@ class Execution {
   // rate of the opening in m/s, or until `has_ended` says so after a timestep. Fingers that touch
   // nothing move without dynamics.
   Progress MoveFingers(double opening, double rate, const std::function<bool()>& has_ended = {});
+  // Adds integral feedback to the arm's servos until Relax, or until the arm moves. Without that,
+  // the friction of a part that closing pads push over its support would move the arm by the yield
+  // of its servos, some micrometres per newton.
+  void Brace() { brace_ = JointVector::Zero(); }
+  // Ends the integral feedback. The arm then presses on nothing if it is where it was commanded to
+  // be. Otherwise opening pads would push the part with the force that was left in the arm.
+  void Relax() { brace_.reset(); }
   // Keeps the robot at its last command, for at least one timestep. Once nothing moves any more,
   // most of the time passes without dynamics. Calls `see` after each timestep with dynamics.
   Progress Stay(double seconds, const std::function<void()>& see = {});
@@ -161,6 +169,8 @@ class Execution {
   plan::StepId step_;
   int samples_ = 0;
   std::int64_t steps_ = 0;
+  // Integral feedback of a braced arm: an offset of the commanded joint values.
+  std::optional<JointVector> brace_;
   Vector3 felt_ = Vector3::Zero();  // low-pass filtered wrist force
   Vector3 peak_ = Vector3::Zero();  // wrist force with a shorter filter
   double greatest_force_ = 0;

@@ -5,6 +5,7 @@
 #include <array>
 
 #include "planner/base/input_files/input_error.h"
+#include "sim/sweep/database/schema.h"
 #include "sim/sweep/database/store.h"
 
 namespace assay::sweep {
@@ -16,15 +17,17 @@ namespace fs = std::filesystem;
 struct ResultTable {
   const char* name;
   const char* compared = "*";
+  const char* conflict = "ON CONFLICT DO NOTHING";
 };
 
 // The tables are ordered so that a table comes after those that it refers to. The column with a
-// command is not compared, because paths in it depend on where the program was started.
+// command is not compared, because paths in it depend on where the program was started. The limits
+// of a claim are not compared either, because they are those of several trials.
 constexpr std::array kResults = {
     ResultTable{"cell"},
     ResultTable{"gate"},
     ResultTable{"gate_component"},
-    ResultTable{"claim"},
+    ResultTable{"claim", "cell, claim, step, action, about, name, unit, proved, gate", kWidenClaim},
     ResultTable{"trial"},
     ResultTable{"verdict"},
     ResultTable{"observation"},
@@ -36,7 +39,7 @@ constexpr std::array kResults = {
                 " steps, replayed, multiple"},
     ResultTable{"conservatism"},
 };
-constexpr std::array kTimes = {"timing", "planning"};
+constexpr std::array kTimes = {ResultTable{"timing"}, ResultTable{"planning"}};
 
 void CopyRun(Database& database) {
   database.Execute(
@@ -46,8 +49,9 @@ void CopyRun(Database& database) {
       " FROM part.run ORDER BY run");
 }
 
-void Copy(Database& database, const char* table) {
-  database.Execute(fmt::format("INSERT OR IGNORE INTO main.{0} SELECT * FROM part.{0}", table));
+void Copy(Database& database, const ResultTable& table) {
+  database.Execute(fmt::format("INSERT INTO main.{0} SELECT * FROM part.{0} WHERE true {1}",
+                               table.name, table.conflict));
 }
 
 // Returns whether a row of the part differs from the row with the same key that was copied first.
@@ -61,14 +65,14 @@ void AddPart(Database& database, const fs::path& part) {
   database.Prepare("ATTACH ? AS part").Bind(part.string()).Run();
   Transaction transaction(database);
   for (const ResultTable& table : kResults) {
-    Copy(database, table.name);
+    Copy(database, table);
     if (!Contradicts(database, table)) continue;
     throw InputError(
         {.file = part.string()},
         fmt::format("rows of table {} contradict those of the databases before it", table.name),
         "databases that the same program has written for the same sweep");
   }
-  for (const char* table : kTimes) Copy(database, table);
+  for (const ResultTable& table : kTimes) Copy(database, table);
   CopyRun(database);
   transaction.Commit();
   database.Execute("DETACH part");

@@ -151,14 +151,15 @@ std::vector<Record> ReadRows(const Database& database, std::string_view from, in
   return records;
 }
 
-// Returns the statement that inserts a row with all columns of the table. `how` may be "OR IGNORE".
+// Returns the statement that inserts a row with all columns of the table. `conflict` is SQL that
+// says what happens to a row with the same key: "ON CONFLICT ...".
 inline Statement Insertion(const Database& database, std::string_view table,
-                           std::string_view how = "") {
+                           std::string_view conflict = "") {
   const std::int64_t columns =
       database.Integer(fmt::format("SELECT count(*) FROM pragma_table_info('{}')", table));
   const std::vector<std::string_view> parameters(static_cast<std::size_t>(columns), "?");
   return database.Prepare(
-      fmt::format("INSERT {} INTO {} VALUES({})", how, table, fmt::join(parameters, ",")));
+      fmt::format("INSERT INTO {} VALUES({}) {}", table, fmt::join(parameters, ","), conflict));
 }
 
 }  // namespace assay::sweep

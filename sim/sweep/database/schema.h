@@ -7,6 +7,12 @@
 
 namespace assay::sweep {
 
+// What happens to a claim that a table has already. A claim about several preconditions of one name
+// has in each trial the limits of the one that came nearest to failing. The table has the widest
+// limits of all trials, whatever their order. NULL stands for an infinite limit.
+inline constexpr char kWidenClaim[] =
+    "ON CONFLICT DO UPDATE SET low = min(low, excluded.low), high = max(high, excluded.high)";
+
 // Makes the tables of a new database, and marks it as one of this program and of this version of
 // the format.
 void MakeTables(Database& database);

@@ -54,7 +54,7 @@ struct Store::Writing {
   explicit Writing(const Database& database)
       : trial(Insertion(database, "trial")),
         verdict(Insertion(database, "verdict")),
-        claim(Insertion(database, "claim", "OR IGNORE")),
+        claim(Insertion(database, "claim", kWidenClaim)),
         observation(Insertion(database, "observation")),
         timing(Insertion(database, "timing")),
         cell(Insertion(database, "cell")),

@@ -254,6 +254,67 @@ TEST(PartImport, BallIsOneConvexPiece) {
   EXPECT_NEAR(piece.Volume(), 4.0 / 3 * std::numbers::pi * 8000, 0.04 * 33510);
 }
 
+// Returns a closed curve with points in the middles of its sides, too, rounded to micrometres as in
+// many files.
+Curve Subdivided(const Curve& curve) {
+  Curve finer;
+  for (std::size_t i = 0; i < curve.size(); ++i) {
+    for (const double share : {0.0, 0.25, 0.5, 0.75}) {
+      const Vector2 p = curve[i] + share * (curve[(i + 1) % curve.size()] - curve[i]);
+      finer.emplace_back(std::round(p.x() * 1e3) / 1e3, std::round(p.y() * 1e3) / 1e3);
+    }
+  }
+  return finer;
+}
+
+TEST(PartImport, SubdividedSidesOfACircleAreNoCorners) {
+  for (const int sides : {20, 30, 36, 52}) {
+    const Post post = FirstPost(PartOfMesh(Extruded(Subdivided(CircleOf(2.776, sides)), 20)));
+    ASSERT_TRUE(post.at_low.IsCircle()) << sides;
+    EXPECT_EQ(post.at_low.corners.size(), sides);
+    EXPECT_NEAR(post.at_low.radius, 2.776e-3, 1.5e-6);
+  }
+}
+
+// A pin on a knob with five sides, which becomes round in ten rings. Its tip is rounded.
+TriangleMesh KnobWithPin() {
+  constexpr int kPoints = 40;
+  const auto curve = [](double roundness, double radius) {
+    Curve points;
+    for (int i = 0; i < kPoints; ++i) {
+      const double angle = 2 * std::numbers::pi * i / kPoints;
+      const double in_side = std::remainder(angle, 2 * std::numbers::pi / 5);
+      const double pentagon = std::cos(std::numbers::pi / 5) / std::cos(in_side);
+      points.push_back(radius * (roundness + (1 - roundness) * pentagon) *
+                       Vector2(std::cos(angle), std::sin(angle)));
+    }
+    return points;
+  };
+  MadeWall wall = {{0, curve(0, 15)}};
+  for (int i = 0; i <= 10; ++i) wall.push_back({8 + 0.4 * i, curve(0.1 * i, 15 - 0.9 * i)});
+  wall.push_back({38.5, curve(1, 6)});
+  for (int i = 1; i <= 6; ++i) {
+    const double angle = std::numbers::pi / 12 * i;
+    wall.push_back({38.5 + 1.5 * std::sin(angle), curve(1, 4.5 + 1.5 * std::cos(angle))});
+  }
+  return Through(wall, {});
+}
+
+// Where the section changes its shape, steps stand for the body. They have less material than the
+// body. The pin is exact, and can be mated.
+TEST(PartImport, StepsStandForWhatIsNoExtrusion) {
+  const TriangleMesh mesh = KnobWithPin();
+  const ImportedPart part = PartOfMesh(mesh);
+  EXPECT_THAT(WhatOf(part), ::testing::Contains("round shaft, 12 mm, 28 mm long, tip toward +z"));
+  EXPECT_GT(part.sketch.features.back().chamfer, 1e-3);
+  EXPECT_LT(part.sketch.features.back().chamfer, 1.5e-3) << "the tip is rounded by 1.5 mm";
+  EXPECT_GT(part.Pieces(), 5);
+  EXPECT_LT(part.Distance(), 0.01 * part.sketch.size);
+  EXPECT_THAT(part.bodies.at(0).shape.volume_share,
+              AllOf(::testing::Lt(0.0), ::testing::Gt(-0.05)));
+  EXPECT_THAT(AccountOf(part).at(2), HasSubstr("steps"));
+}
+
 TEST(PartImport, ErrorsNameTheFile) {
   TriangleMesh open = Ball(20, 20);
   open.triangles.resize(open.triangles.size() - 300);

@@ -136,6 +136,18 @@ TEST(Upright, RougherTablesToppleMore) {
   EXPECT_NEAR(Close(problem, HoldAtHeight(problem, 0.1)).upright, 2 * said, 1e-9);
 }
 
+// The block slides only if the pad pushes with friction times its weight.
+TEST(Upright, AGripThatIsWeakerThanFrictionMovesNothing) {
+  domain::Problem problem = UprightBlock({.length = 0.0002, .angle = 0.001, .hand = 1e-5});
+  const double friction = problem.part(kBlock).model->friction() * GreatestWeight(problem, kBlock);
+  for (const double share : {0.5, 0.99, 1.01}) {
+    domain::WorkcellRules rules = problem.workcell->rules();
+    rules.grip_force = share * friction;
+    problem.workcell = problem.workcell->WithRules(rules);
+    EXPECT_NEAR(Close(problem, HoldAtHeight(problem, 0.02)).upright, 1 / share, 1e-3);
+  }
+}
+
 TEST(NeighbourClear, GoesDownAsANeighbourComesNearer) {
   domain::Problem problem = UprightBlock({.length = 0.002, .angle = 0.01, .hand = 1e-4});
   ASSERT_EQ(problem.parts.size(), 2);

@@ -45,7 +45,7 @@ inline TimedTrial FalseTrial(const PlannedCell& planned, int number) {
   TimedTrial timed;
   timed.seconds = 0.001 * random.Uniform();
   timed.claims = {{"1/before/x of 'peg'", 1, "action_2", "before", "x of 'peg'",
-                   domain::Dimension::kLength, -0.5, 0.5, true, 1e-6},
+                   domain::Dimension::kLength, -0.5 + 0.001 * number, 0.5, true, 1e-6},
                   {"2/after/y of peg", 2, "action_1", "after", "y of peg",
                    domain::Dimension::kLength, -kInfinity, 0.75, false, 2e-6}};
   timed.record = {

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "planner/mesh_import/sections/columns.h"
+
+namespace assay::mesh_import {
+
+// Cuts a closed mesh into columns where ColumnsOf cannot, because the section changes at many
+// heights or changes its shape. There a straight column, a step, stands for sections that differ by
+// at most ColumnRules::most_step, or that are at most so far apart along the axis. A step has the
+// section with the least material. The columns therefore hardly reach beyond the mesh, and parts
+// that are apart in their files stay apart. Holes and outlines that are the same in all sections of
+// a step are no steps themselves.
+Columns SteppedColumnsOf(const TriangleMesh& mesh, const ColumnRules& rules);
+
+}  // namespace assay::mesh_import
