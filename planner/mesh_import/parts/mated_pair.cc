@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 #include "planner/mesh_import/parts/resting_pose.h"
 
@@ -35,6 +36,7 @@ struct PlacedFeature {
   Vector3 axis;
 };
 
+// Returns the features of a kind. A hole that goes through is there twice, once for each mouth.
 std::vector<PlacedFeature> PlacedFeatures(const PartSketch& sketch, SketchFeature::Kind kind) {
   std::vector<PlacedFeature> placed;
   for (std::size_t i = 0; i < sketch.features.size(); ++i) {
@@ -45,6 +47,9 @@ std::vector<PlacedFeature> PlacedFeatures(const PartSketch& sketch, SketchFeatur
                         .post = &post,
                         .R_FileLocal = sketch.R_FilePart * solid.R_PartLocal,
                         .axis = sketch.R_FilePart * feature.direction});
+      if (!feature.goes_through) return;
+      placed.push_back(placed.back());
+      placed.back().axis = -placed.back().axis;
     };
     for (const SketchSolid& solid : sketch.solids) {
       if (solid.name == feature.of && solid.post) add(solid, *solid.post);
@@ -98,9 +103,12 @@ std::vector<double> GapsBetween(const PlacedFeature& shaft, const PlacedFeature&
 std::optional<MatedFeatures> Mate(const PlacedFeature& shaft, const PlacedFeature& hole) {
   if ((shaft.axis + hole.axis).norm() > kOpposite) return std::nullopt;
   const double depth = EndAlong(hole) + EndAlong(shaft);  // the axes are opposite
-  if (depth <= 0) return std::nullopt;
-  MatedFeatures mated{
-      .shaft = shaft.number, .hole = hole.number, .depth = depth, .gaps = GapsBetween(shaft, hole)};
+  if (depth <= 0 || depth - shaft.post->Height() >= hole.post->Height()) return std::nullopt;
+  MatedFeatures mated{.shaft = shaft.number,
+                      .hole = hole.number,
+                      .mouth = hole.axis,
+                      .depth = depth,
+                      .gaps = GapsBetween(shaft, hole)};
   const double width = hole.post->at_low.Bounds().sizes().minCoeff();
   if (mated.LeastGap() < kTightest || mated.LeastGap() > kWidestPlay * width) return std::nullopt;
   return mated;
@@ -115,7 +123,15 @@ MatedPair PairOf(const ImportedPart& held, const ImportedPart& fixed) {
         pair.features.push_back(*mated);
     }
   }
-  std::ranges::stable_sort(pair.features, {}, &MatedFeatures::LeastGap);
+  std::ranges::stable_sort(pair.features, {}, [](const MatedFeatures& mated) {
+    return std::pair(mated.LeastGap(), mated.depth);
+  });
+  // A shaft that goes through its hole has a tip on either side.
+  const auto is_the_same = [](const MatedFeatures& a, const MatedFeatures& b) {
+    return a.hole == b.hole && a.LeastGap() == b.LeastGap();
+  };
+  const auto repeated = std::ranges::unique(pair.features, is_the_same);
+  pair.features.erase(repeated.begin(), repeated.end());
   return pair;
 }
 
@@ -213,7 +229,7 @@ std::string ScenarioText(const MatedPair& pair) {
   const ImportedPart& held = *pair.held;
   const ImportedPart& fixed = *pair.fixed;
   const MatedFeatures& mated = pair.features.front();
-  const Vector3 hole_axis = FeatureOf(fixed, mated.hole).direction;
+  const Vector3 hole_axis = fixed.sketch.R_FilePart.transpose() * mated.mouth;
   const Matrix3 R_FixedHeld = fixed.sketch.R_FilePart.transpose() * held.sketch.R_FilePart;
   std::string text = fmt::format(
       "format: assay-scenario/1\ntitle: {0} into {1}\nunits: {{length: mm, angle: degree}}\n"

@@ -12,6 +12,8 @@ namespace assay::mesh_import {
 struct MatedFeatures {
   int shaft = 0;  // number of the feature in its part file
   int hole = 0;
+  // Outward direction of the hole's mouth through which the shaft comes, in the frame of the files.
+  Vector3 mouth = Vector3::UnitZ();
   double depth = 0;  // of the tip below the mouth, metres
   // The gaps between the shaft and the sides of the hole, in the order of the hole's sides, metres.
   // For a round hole: the least and the greatest gap.
@@ -23,7 +25,7 @@ struct MatedFeatures {
 struct MatedPair {
   const ImportedPart* held = nullptr;   // the part with the shaft
   const ImportedPart* fixed = nullptr;  // the part with the hole
-  std::vector<MatedFeatures> features;  // the tightest first
+  std::vector<MatedFeatures> features;  // the tightest first, of these the least deep
 };
 
 // Finds which features of two parts in their assembled pose mate. A shaft may be larger than its

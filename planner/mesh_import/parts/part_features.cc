@@ -218,6 +218,7 @@ class FeatureFinder {
     const Chamfer& chamfer = top ? post.chamfer_high : post.chamfer_low;
     Add(Kind::kHole, entry.name, (top ? 1 : -1) * solid.R_PartLocal.col(2), std::move(what),
         std::min(chamfer.across, chamfer.along));
+    sketch_.features.back().goes_through = opens_high && opens_low;
   }
 
   // Returns whether a pocket ends here, with nothing before its mouth, and not in another pocket.

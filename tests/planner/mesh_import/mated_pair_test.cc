@@ -36,6 +36,23 @@ TEST(MatedPair, RoundPegInItsHole) {
               HasSubstr("tip toward -z"));
 }
 
+// A shaft may come into a hole that goes through from either side.
+TEST(MatedPair, AThroughHoleHasTwoMouths) {
+  const ImportedPart plate =
+      NamedPart("plate", Extruded(RectangleOf(40, 40), 12, {CircleOf(8.1, 48)}), {0, 0, 0});
+  for (const double side : {1.0, -1.0}) {
+    const ImportedPart peg =
+        NamedPart("peg", ChamferedPeg(8, 50, 0.5, 48), {0, 0, side > 0 ? 2.0 : -40.0});
+    const std::optional<MatedPair> pair = FindMating(plate, peg);
+    ASSERT_TRUE(pair);
+    const MatedFeatures& mated = pair->features.front();
+    EXPECT_NEAR(mated.depth, 10e-3, 1e-7);
+    EXPECT_NEAR(mated.mouth.z(), side, 1e-9);
+    EXPECT_THAT(ScenarioText(*pair),
+                HasSubstr(side > 0 ? "mating_vector: [0, 0, -30]" : "mating_vector: [0, 0, 30]"));
+  }
+}
+
 // Polygons with n sides take r_shaft (1 / cos(180 degrees / n) - 1) and r_hole (1 - cos(180 degrees
 // / n)) from the gap. With a gap of 0.09 mm they take 0.0206 mm with 44 sides, and 0.0250 with 40.
 TEST(MatedPair, PolygonsTakeAtMostAQuarterOfARoundGap) {
