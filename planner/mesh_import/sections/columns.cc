@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "planner/mesh_import/sections/section_reader.h"
 
@@ -12,8 +13,6 @@ namespace assay::mesh_import {
 namespace {
 
 constexpr std::size_t kMostLevels = 80;
-// How far from the ends of a layer its sections lie, as a share of its thickness.
-constexpr double kFromEnd = 1e-5;
 
 bool Continues(const Column& earlier, const Column& column, double tolerance) {
   if (earlier.high != column.low || earlier.is_hole != column.is_hole ||
@@ -65,9 +64,8 @@ class ColumnBuilder {
   }
 
   bool AddLayer(const Level& below, const Level& above) {
-    const double margin = kFromEnd * (above.low - below.high);
-    LayerColumns layer = ColumnsOfLayer(reader_.At(below.high + margin),
-                                        reader_.At(above.low - margin), rules_.tolerance);
+    auto [bottom, top] = reader_.EndsBetween(below, above);
+    LayerColumns layer = ColumnsOfLayer(std::move(bottom), std::move(top), rules_.tolerance);
     if (!layer.reason.empty()) {
       Fail(layer.reason, (below.high + above.low) / 2);
       return false;

@@ -11,6 +11,9 @@
 namespace assay::mesh_import {
 namespace {
 
+// How far from the ends of a layer its sections lie, as a share of its thickness.
+constexpr double kFromEnd = 1e-5;
+
 double GirthOf(const std::vector<Vector2>& corners) {
   double length = 0;
   for (std::size_t i = 0; i < corners.size(); ++i)
@@ -74,6 +77,11 @@ std::vector<Column> SectionReader::At(double height) const {
     Read(curve, read);
   }
   return read;
+}
+
+SectionReader::Ends SectionReader::EndsBetween(const Level& below, const Level& above) const {
+  const double margin = kFromEnd * (above.low - below.high);
+  return {.bottom = At(below.high + margin), .top = At(above.low - margin)};
 }
 
 void SectionReader::Read(const std::vector<Vector2>& curve, std::vector<Column>& read) const {

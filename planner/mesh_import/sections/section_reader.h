@@ -33,6 +33,13 @@ class SectionReader {
   // very many curves it returns the first ones, more than kMostLoops.
   std::vector<Column> At(double height) const;
 
+  // The sections just inside the two ends of a layer.
+  struct Ends {
+    std::vector<Column> bottom;
+    std::vector<Column> top;
+  };
+  Ends EndsBetween(const Level& below, const Level& above) const;
+
   static constexpr std::size_t kMostLoops = 200;
 
  private:

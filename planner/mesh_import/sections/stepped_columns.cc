@@ -11,7 +11,6 @@ namespace {
 
 constexpr std::size_t kMostSteppedLevels = 3000;
 constexpr int kMostPartsOfLayer = 64;
-constexpr double kFromLayerEnd = 1e-5;  // of a section, as a share of the layer's thickness
 constexpr double kThinnestStep = 1e-4;  // metres, as a part file permits
 constexpr double kRoughness = 0.125;    // of the outline of a step, as a share of the step
 
@@ -71,11 +70,11 @@ class StepBuilder {
 
  private:
   Layer LayerBetween(const Level& below, const Level& above) const {
-    const double margin = kFromLayerEnd * (above.low - below.high);
+    auto [bottom, top] = reader_.EndsBetween(below, above);
     Layer layer{.low = below.Middle(),
                 .high = above.Middle(),
-                .bottom = reader_.At(below.high + margin),
-                .top = reader_.At(above.low - margin),
+                .bottom = std::move(bottom),
+                .top = std::move(top),
                 .even = {}};
     LayerColumns columns = ColumnsOfLayer(layer.bottom, layer.top, rules_.tolerance);
     if (columns.reason.empty() && IsEven(columns.columns, layer.high - layer.low))
