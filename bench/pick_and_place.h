@@ -36,6 +36,10 @@ inline PickAndPlace MakePickAndPlace(int n, double lean) {
   domain::Part& part = work.problem.parts[block.index()];
   part.X_WorldPart = at;
   part.error = {{-0.001, 0.001}, {-0.001, 0.001}, {-0.001, 0.001}, {-0.03, 0.03}};
+  // The friction of the table stops no turn of the block in a grip that is as strong as this.
+  domain::WorkcellRules rules = work.problem.workcell->rules();
+  rules.grip_force = 10000;
+  work.problem.workcell = work.problem.workcell->WithRules(rules);
   for (int i = 0; i < n; ++i) {
     const geometry::Pose next = geometry::Translation(0.5 + 0.02 * (i % 8), 0.015 * (i % 11), 0) *
                                 geometry::RotationZ(0.4 * i);

@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <limits>
 #include <vector>
 
 #include "planner/domain/parts/part_file.h"
@@ -211,6 +212,12 @@ void AddHome(const Problem& problem, XmlElement& keyframe) {
   keyframe.Add("key").Set("name", "home").Set("qpos", qpos).Set("ctrl", ctrl);
 }
 
+double LightestMass(const Problem& problem) {
+  double lightest = std::numeric_limits<double>::infinity();
+  for (const Part& part : problem.parts) lightest = std::min(lightest, part.model->mass().mass);
+  return lightest;
+}
+
 }  // namespace
 
 std::string_view Name(GraspMode mode) {
@@ -239,6 +246,7 @@ std::string ToMjcf(const Problem& problem, const SceneOptions& options) {
   const GripperRules gripper = {
       .grip_force = rules.grip_force,
       .pad_friction = TrueFriction(rules.pad_friction, options.pad_friction_error),
+      .lightest_part = LightestMass(problem),
       // A weld carries the load of the pads, so more contacts would only press against each other.
       .pad_tiles = options.grasp == GraspMode::kWeld ? 1 : 2};
   for (const domain::Robot& robot : robots) AddRobot(robot, gripper, asset, worldbody);

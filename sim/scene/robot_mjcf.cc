@@ -38,8 +38,15 @@ constexpr double kTorsionOfFinger = 0.005;  // m
 // to timestep if their friction was low. The friction of each was used up in turn, and the part
 // slid down by half a millimetre a second, although friction could bear 1.4 times its weight. With
 // a damping ratio of 1 and this impedance, pads jumped by 60 micrometres now and then.
-constexpr char kSolrefOfPad[] = "0.0001 4";
-constexpr char kSolimpOfPad[] = "0.998 0.998 0.00001";
+constexpr char kSolrefOfPad[] = "0.0001 3";
+constexpr double kDepthOfImpedance = 0.00001;  // metres; the engine requires it
+// The engine makes contacts softer, the lighter the bodies that touch. One less the impedance is
+// therefore proportional to the mass of the lightest part. Otherwise pads would sink by tens of
+// micrometres into a part of 20 g, and would leave it turned by a hundredth of a degree.
+double ImpedanceOfPad(double lightest_part) {
+  constexpr double kSoftnessPerMass = 0.01;  // 1/kg
+  return 1 - std::clamp(kSoftnessPerMass * lightest_part, 0.0001, 0.002);
+}
 
 constexpr std::array kFingers = {"finger_left", "finger_right"};
 
@@ -83,6 +90,7 @@ void AddPad(const kinematics::Collision& pad, const std::string& geom_class,
             const GripperRules& rules, XmlElement& body) {
   const geometry::Vector3 size = std::get<kinematics::BoxShape>(pad.shape).size;
   const double n = rules.pad_tiles;
+  const double impedance = ImpedanceOfPad(rules.lightest_part);
   const geometry::Vector3 tile(size.x() / n, size.y(), size.z() / n);
   for (int i = 0; i < rules.pad_tiles; ++i) {
     for (int j = 0; j < rules.pad_tiles; ++j) {
@@ -98,7 +106,7 @@ void AddPad(const kinematics::Collision& pad, const std::string& geom_class,
           .Set("priority", "1")
           .Set("friction", {rules.pad_friction, kTorsionOfFinger, 0.0001})
           .Set("solref", kSolrefOfPad)
-          .Set("solimp", kSolimpOfPad);
+          .Set("solimp", {impedance, impedance, kDepthOfImpedance});
     }
   }
 }

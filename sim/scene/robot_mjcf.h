@@ -14,8 +14,9 @@ std::string CollisionClass(const domain::Robot& robot);
 
 // Settings for the way in which a gripper holds parts.
 struct GripperRules {
-  double grip_force = 0;    // newtons
-  double pad_friction = 0;  // coefficient of friction between the pads and whatever they touch
+  double grip_force = 0;     // newtons
+  double pad_friction = 0;   // coefficient of friction between the pads and whatever they touch
+  double lightest_part = 1;  // kg, the least mass of the parts that the pads may hold
   // The number of tiles along each side of a pad. The engine presses only on the corners of each
   // tile. The corners of a single tile would bear nearly twice the torsion of an even pressure; the
   // corners of two by two tiles bear an eighth more than an even pressure.

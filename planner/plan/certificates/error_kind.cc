@@ -7,8 +7,8 @@ namespace assay::plan {
 std::span<const ErrorKind* const> KnownErrors() {
   using namespace error;
   static constexpr auto kKinds = std::to_array<const ErrorKind*>(
-      {&kX, &kY, &kZ, &kTheta, &kSlip, &kRise, &kTwist, &kJam, &kSkew, &kTip, &kSettle, &kYield,
-       &kPlay, &kTurn, &kDrag, &kThetaDrag, &kRest, &kThetaRest});
+      {&kX, &kY, &kZ, &kTheta, &kSlip, &kRise, &kTwist, &kGive, &kJam, &kSkew, &kTip, &kSettle,
+       &kYield, &kPlay, &kTurn, &kDrag, &kThetaDrag, &kRest, &kThetaRest});
   return kKinds;
 }
 

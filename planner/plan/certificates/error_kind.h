@@ -26,13 +26,16 @@ inline constexpr ErrorKind kZ = {"dz", domain::Dimension::kLength, "displacement
 // turn about the world's z, or about the hand's z
 inline constexpr ErrorKind kTheta = {"theta", domain::Dimension::kAngle, "turn about z"};
 // how closing pads leave a part (squeezing.h): along the pads, up or down, and turned about their
-// normal; and, if the pads jam, across the pads, turned about the hand's z, and about its x
+// normal; across them, if the part's friction moves the hand; and, if the pads jam, across the
+// pads, turned about the hand's z, and about its x
 inline constexpr ErrorKind kSlip = {"slip", domain::Dimension::kLength,
                                     "shift along the closing pads"};
 inline constexpr ErrorKind kRise = {"rise", domain::Dimension::kLength,
                                     "shift up or down the closing pads"};
 inline constexpr ErrorKind kTwist = {"twist", domain::Dimension::kAngle,
                                      "turn about the direction in which the pads close"};
+inline constexpr ErrorKind kGive = {"give", domain::Dimension::kLength,
+                                    "shift as a part's friction moves the hand"};
 inline constexpr ErrorKind kJam = {"jam", domain::Dimension::kLength, "shift across jammed pads"};
 inline constexpr ErrorKind kSkew = {"skew", domain::Dimension::kAngle,
                                     "turn about the hand's z in jammed pads"};

@@ -17,9 +17,6 @@ constexpr char kServos[] =
     "motors that are too weak for the arm and the part, and oscillation of the servos, while a "
     "part "
     "is carried";
-constexpr char kStuck[] =
-    "a part so heavy that friction at its support stops its turn before its faces lie flat on the "
-    "pads";
 constexpr char kPushes[] = "pads that slip, and an arm that lags, under the pushes of a strategy";
 
 constexpr char kBeside[] =
@@ -40,7 +37,6 @@ bool CountsOnYielding(const PlannedStep& step) {
 std::vector<std::string> NotCoveredOf(const PlannedStep& step) {
   const domain::ActionKind& kind = *step.action.kind;
   std::vector<std::string> names;
-  if (kind.ClosesPads()) names.emplace_back(kStuck);
   if (kind.leaves == domain::Leaves::kInHand) names.emplace_back(kServos);
   if (kind.leaves != domain::Leaves::kMated) return names;
   if (step.strategy) return {kBeside, kPushes};

@@ -20,6 +20,13 @@
 namespace assay::uncertainty {
 namespace {
 
+// The way by which the friction of a pushed part moves the hand, in metres per newton. The servos
+// of arms hold a hand to about 4 micrometres per newton. While the pads close, the servos are 16
+// times as stiff (sim/execution, Execution::Brace).
+constexpr double kGivePerNewton = 2.5e-7;
+constexpr double kLeastSliding = 1e-3;  // the least share of a push that moves the part
+constexpr double kLeastGive = 1e-6;  // metres; a shift of less is lost in the motion of the fingers
+
 HeldError AsPublished(const UncertainWorld& world, PartId part, const plan::Hold& hold) {
   Pose R_WorldTool = world.X_WorldPart(part) * hold.X_PartTool;
   R_WorldTool.translation().setZero();
@@ -35,6 +42,15 @@ SymbolicVector GraspedPoint(const UncertainWorld& world, PartId part, const plan
   const Transform X_TrueHandPart = algebra::Inverse(AsTransform(X_WorldTool) * draw.AsTransform()) *
                                    PossiblePose(world.X_WorldPart(part), world.resting(part));
   return algebra::Simplify(X_TrueHandPart * AsTransform(hold.X_PartTool).translation);
+}
+
+// Returns the greatest friction at the support of any part. What a part stands on may be rougher
+// than the part.
+double GreatestFriction(const domain::Problem& problem) {
+  double friction = 0;
+  for (const domain::Part& part : problem.parts)
+    friction = std::max(friction, part.model->friction());
+  return friction + problem.tolerances.friction;
 }
 
 // The greatest effect that closing the pads may have on the part. Angles are in radians and lengths
@@ -57,7 +73,8 @@ class Closing {
     turn_ = AtMostRight(theta + pushed_turn_ + hand_);
     // The greatest friction covers every case: smoother pads let the part slip until it lies flat,
     // and a flat part is one of the results that jammed pads may leave.
-    jams_ = !(turn_ + std::atan(pad_friction_.high) < std::atan(ContactLength() / hold.width));
+    const double length = ContactLength() - LengthAgainstSupport(world, part, hold);
+    jams_ = !(turn_ + std::atan(pad_friction_.high) < std::atan(length / hold.width));
     if (jams_ && is_straight()) NoteRoundSide(world, part, hold);
     // If a part is turned too far, the pads press on it beside each other. They then do not turn it
     // back, but farther, until it lies on other faces.
@@ -102,6 +119,18 @@ class Closing {
   // Returns the y error of a part that jammed: its two contacts lie within the pads, equally far
   // from the middle.
   double SkewY() const { return 2 * (pad_x_ + pad_z_) * std::sin(turn_); }
+  // Returns how far friction at the part's support may move the hand in any horizontal direction,
+  // while the pads push the part.
+  double Give(const domain::Problem& problem, PartId part) const {
+    if (off_y_ + way_ == 0) return 0;
+    const double friction = GreatestFriction(problem);
+    // A push that is not horizontal presses the part down or lifts it. If it is so steep that the
+    // part does not slide, the part is not proved to stay upright.
+    const double sliding = std::hypot(up_.x(), up_.z()) - friction * std::abs(up_.y());
+    const double push = GreatestWeight(problem, part) * friction / std::max(sliding, kLeastSliding);
+    const double give = kGivePerNewton * push;
+    return give > kLeastGive ? give : 0;
+  }
 
  private:
   static double AtMostRight(double angle) { return std::min(angle, kRightAngle); }
@@ -114,6 +143,7 @@ class Closing {
     const domain::PartModel& model = *world.problem().part(part).model;
     const Vector2 pad(pad_x_, pad_z_);
     const bool on_faces = FaceAt(model, hold, 1) != nullptr && FaceAt(model, hold, -1) != nullptr;
+    stay_on_faces_ = LieOnFaces(model, hold, pad + Vector2(off_x_, off_z_));
     if (!on_faces || LieOnFaces(model, hold, pad)) return;
     const geometry::Patches patch = OppositePatch(model, hold, pad - Vector2(off_x_, off_z_));
     patch_ = BoundsOf(patch);
@@ -148,8 +178,22 @@ class Closing {
   // Returns the length on which the pads touch the faces, even if the part is displaced along them.
   double ContactLength() const {
     if (patch_) return LengthOfPatch();
+    if (stay_on_faces_) return 2 * (is_straight() ? pad_x_ : std::min(pad_x_, pad_z_));
     const double along_x = 2 * pad_x_ - off_x_;
     return is_straight() ? along_x : std::min(along_x, 2 * pad_z_ - off_z_);
+  }
+
+  // Returns the part of the contact's length, in metres, whose moment under the force of the grip
+  // overcomes the friction at the part's support. The part turns about that point between the pads
+  // at which friction resists least.
+  double LengthAgainstSupport(const UncertainWorld& world, PartId part, const plan::Hold& hold) {
+    const domain::Problem& problem = world.problem();
+    const Pose X_WorldTool = world.X_WorldPart(part) * hold.X_PartTool;
+    const auto at = [&](double y) -> Vector2 { return (X_WorldTool * Vector3(0, y, 0)).head<2>(); };
+    const double radius = RadiusAgainstTurn(world, part, world.X_WorldPart(part),
+                                            {at(-hold.width / 2), at(hold.width / 2)});
+    return GreatestFriction(problem) * GreatestWeight(problem, part) *
+           (radius + std::hypot(off_x_, off_z_)) / problem.workcell->rules().grip_force;
   }
 
   // Returns the turn, in radians, up to which the pads surely turn the part back to the faces
@@ -280,6 +324,7 @@ class Closing {
   double way_ = 0;  // the total turn of the part, there and back
   Roll roll_;
   bool jams_ = false;
+  bool stay_on_faces_ = false;  // the pads lie wholly on their faces, even if the part is displaced
   // The bounds of what both pads surely touch, in the tool's x and z, and how far it extends along
   // the horizontal, in metres. There are none if the pads lie wholly on their faces.
   std::optional<Eigen::AlignedBox2d> patch_;
@@ -297,11 +342,13 @@ HeldError Sound(UncertainWorld& world, PartId part, const plan::Hold& hold,
   const auto declare = [&](const plan::ErrorKind& kind, double magnitude) {
     return world.Declare(kind, {-magnitude, magnitude}, part);
   };
-  HeldError held = {.x = grasped[0] + declare(plan::error::kSlip, closing.SlipX()),
+  const double give = closing.Give(world.problem(), part);
+  HeldError held = {.x = grasped[0] + declare(plan::error::kSlip, closing.SlipX() + give),
                     .z = grasped[2] + declare(plan::error::kRise, closing.SlipZ()),
                     .twist = declare(plan::error::kTwist, closing.TurnAbout(1))};
+  if (give > 0) held.y = declare(plan::error::kGive, give);
   if (closing.jams()) {
-    held.y = declare(plan::error::kJam, closing.SkewY());
+    held.y = held.y + declare(plan::error::kJam, closing.SkewY());
     held.skew = declare(plan::error::kSkew, std::min(closing.turn(), closing.TurnAbout(2)));
     held.tip = declare(plan::error::kTip, std::min(closing.turn(), closing.TurnAbout(0)));
   }

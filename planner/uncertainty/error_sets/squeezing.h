@@ -21,14 +21,17 @@ namespace assay::uncertainty {
 //   - Pads that close from above on a side that is round about the vertical leave the part's turn,
 //     and its axis comes midway between them. The first pad may push the part along itself by the
 //     pads' friction times its push, or twice as far.
-//   - The friction of the surface that the part stands on does not stop its turn before its faces
-//     lie flat on the pads.
+//   - The friction of the surface that the part stands on stops its turn before its faces lie flat
+//     on the pads only if its moment takes up what the grip has left over the friction of the pads.
+//     The part then counts as jammed.
 //   - The part turns about a point on the line through the middle of the pads in the direction in
 //     which they close: both pads move equally. The point lies between the pads, or up to the
 //     centre of mass if the pads' friction is too small for the support's. The grasped point slips
 //     along the pads by no more than it moves about the farthest point of this kind.
 //   - Until the second pad touches, the first one pushes the part. It may turn the part further
 //     where the centre of mass is not behind the pad (TurnOfPush).
+//   - The friction of a heavy part moves the hand, because its servos yield. The part is left off
+//     by as much across the pads, and along them.
 //   - A part that is turned may roll about the closing direction (RollOfPart).
 //   - In a tool that leans, a rotation about the vertical has a component about each of the tool's
 //     axes.

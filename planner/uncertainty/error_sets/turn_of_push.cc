@@ -1,6 +1,8 @@
 #include "planner/uncertainty/error_sets/turn_of_push.h"
 
+#include <Eigen/LU>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -45,7 +47,67 @@ double RadiusOfFriction(const geometry::Polygon& support,
          geometry::RadiusOfGyration(regions);
 }
 
+// Returns whether p is in the triangle, up to rounding.
+bool IsInTriangle(const std::array<Vector2, 3>& t, const Vector2& p) {
+  constexpr double kRim = 1e-12;  // square metres
+  int left = 0;
+  int right = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vector2 side = t[(i + 1) % 3] - t[i];
+    const Vector2 to = p - t[i];
+    const double area = side.x() * to.y() - side.y() * to.x();
+    left += area >= -kRim ? 1 : 0;
+    right += area <= kRim ? 1 : 0;
+  }
+  return left == 3 || right == 3;
+}
+
+// Returns the mean distance of a triangle's corners from a point. Corners that bear a body with
+// this centre of mass count by what they bear.
+double MeanDistance(const std::array<Vector2, 3>& t, const Vector2& center, const Vector2& about) {
+  Eigen::Matrix3d balance;
+  Vector3 distances;
+  for (int i = 0; i < 3; ++i) {
+    const Vector2& corner = t[static_cast<std::size_t>(i)];
+    balance.col(i) << corner, 1;
+    distances[i] = (corner - about).norm();
+  }
+  const Vector3 shares = balance.fullPivLu().solve(Vector3(center.x(), center.y(), 1));
+  return shares.cwiseMax(0).dot(distances) / shares.cwiseMax(0).sum();
+}
+
+// Returns the greatest mean distance, in metres, from a point to where a support bears a body with
+// this centre of mass. The mean is greatest where three corners of the support bear the body.
+double GreatestMeanDistance(const geometry::Polygon& support, const Vector2& center,
+                            const Vector2& about) {
+  double greatest = (center - about).norm();
+  for (std::size_t i = 0; i < support.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      for (std::size_t k = 0; k < j; ++k) {
+        const std::array triangle = {support[i], support[j], support[k]};
+        if (!IsInTriangle(triangle, center)) continue;
+        greatest = std::max(greatest, MeanDistance(triangle, center, about));
+      }
+    }
+  }
+  return greatest;
+}
+
 }  // namespace
+
+double RadiusAgainstTurn(const UncertainWorld& world, PartId part, const Pose& X_WorldPart,
+                         const Segment& about) {
+  const geometry::Polygon support = SupportOf(StandingsOf(world, part, X_WorldPart));
+  const Vector2 along = about.to - about.from;
+  double radius = 0;
+  for (const geometry::MassProperties& mass : PossibleMasses(world.problem(), part)) {
+    const Vector2 center = (X_WorldPart * mass.center).head<2>();
+    const double share = along.dot(center - about.from) / along.squaredNorm();
+    const Vector2 nearest = about.from + std::clamp(share, 0.0, 1.0) * along;
+    radius = std::max(radius, GreatestMeanDistance(support, center, nearest));
+  }
+  return radius;
+}
 
 double TurnOfPush(const UncertainWorld& world, PartId part, const Pose& X_WorldPart, double way) {
   if (way == 0) return 0;

@@ -18,4 +18,15 @@ namespace assay::uncertainty {
 //   - r is at most the radius of gyration of the mass.
 double TurnOfPush(const UncertainWorld& world, PartId part, const Pose& X_WorldPart, double way);
 
+struct Segment {  // in world x and y
+  geometry::Vector2 from;
+  geometry::Vector2 to;
+};
+// Returns the lever with which friction at its support resists a turn of a part that stands at
+// X_WorldPart, in metres: the greatest mean distance of the pressure from the point of the turn.
+// The part turns about the point of the segment that is nearest to its centre of mass. The moment
+// of the weight fixes the mean of the pressure, but not where it acts.
+double RadiusAgainstTurn(const UncertainWorld& world, PartId part, const Pose& X_WorldPart,
+                         const Segment& about);
+
 }  // namespace assay::uncertainty

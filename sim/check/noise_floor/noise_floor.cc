@@ -47,12 +47,14 @@ double StepSize(const Claim& claim, const StepNoiseFloor& gate) {
   return own == nullptr ? 0 : own->step_size;
 }
 
+double ResolutionOf(const Claim& claim) {
+  if (claim.dimension == Dimension::kLength) return kLengthResolution;
+  return claim.dimension == Dimension::kAngle ? kAngleResolution : 0;
+}
+
 // Returns the deviation outside of a widened prediction that means nothing.
 double GateOf(const Claim& claim, const StepNoiseFloor& gate) {
-  double resolution = 0;
-  if (claim.dimension == Dimension::kLength) resolution = kLengthResolution;
-  if (claim.dimension == Dimension::kAngle) resolution = kAngleResolution;
-  return std::abs(StepSize(claim, gate)) + resolution;
+  return std::abs(StepSize(claim, gate)) + ResolutionOf(claim);
 }
 
 }  // namespace
@@ -79,7 +81,7 @@ bool NoiseFloor::Hides(const Claim& passed, double clearance) const {
   const double either_way = EitherWay(passed, gate);
   const double width = passed.predicted.high - passed.predicted.low - 2 * either_way -
                        std::abs(StepSize(passed, gate));
-  const bool has_width = std::isfinite(width) && width > 2 * either_way;
+  const bool has_width = std::isfinite(width) && width > 2 * (either_way + ResolutionOf(passed));
   if (has_width) return Floor(passed) > width;
   return Floor(passed) > (is_length ? clearance : clearance / gate.arm);
 }

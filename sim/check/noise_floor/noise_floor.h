@@ -54,9 +54,10 @@ struct NoiseFloor {
   // Returns how wrong a prediction may be at one end without being noticed.
   double Floor(const Claim& claim) const;
   // Returns whether the floor of a claim from Passed is greater than the width of its certified
-  // interval. Preconditions have no width. A set whose width is within what penetration and lag add
-  // at both ends counts as a set without a width. The floor of such claims is compared with the
-  // clearance instead, in metres, or with the clearance over the arm for angles.
+  // interval. Preconditions have no width. A set whose width is within what penetration, lag and
+  // the engine's resolution add at both ends counts as a set without a width. The floor of such
+  // claims is compared with the clearance instead, in metres, or with the clearance over the arm
+  // for angles.
   bool Hides(const Claim& passed, double clearance) const;
 };
 

@@ -19,7 +19,7 @@ namespace assay::execution {
 namespace {
 
 // Forces of stiff contacts jump from step to step, so only a force that lasts stops the arm.
-constexpr double kBraceTime = 0.02;    // seconds of the integral feedback
+constexpr double kBraced = 16;         // share of the usual stiffness of a braced arm's servos
 constexpr double kForceFilter = 0.02;  // time constant of the force that stops the arm, seconds
 constexpr double kPeakFilter = 0.002;  // time constant of the greatest force, seconds
 // Time constant of the force that ends a guarded move, seconds.
@@ -178,7 +178,7 @@ Progress Execution::Follow(const JointTrajectory& asked) {
   const std::optional<JointTrajectory> carried = AsCarried(asked, problem_, world_);
   if (!carried) return TooHeavy();
   const JointTrajectory& trajectory = *carried;
-  brace_.reset();
+  Relax();
   const Commands commands = [&](double time) { return RobotCommand{.arm = trajectory.At(time)}; };
   ForgetKinematics();
   double time = 0;
@@ -195,7 +195,7 @@ Progress Execution::Follow(const JointTrajectory& asked) {
 // on. At the end the servos are commanded to hold the arm where it is, so that it stops pressing.
 Progress Execution::Follow(const JointTrajectory& trajectory, const Guarded& guarded) {
   const double from = data_.time();
-  brace_.reset();
+  Relax();
   const double before = scene_.WristWrench(data_).force.dot(guarded.direction);
   double resistance = 0;
   const Commands commands = [&](double time) { return RobotCommand{.arm = trajectory.At(time)}; };
@@ -261,7 +261,7 @@ bool Execution::IsInHand() const {
 void Execution::TakeStock() { commanded_ = {scene_.ArmPosition(data_), JointVector::Zero()}; }
 
 Checkpoint Execution::Save() const {
-  return {data_.Save(), world_, commanded_, felt_, brace_, hand_error_};
+  return {data_.Save(), world_, commanded_, felt_, is_braced_, hand_error_};
 }
 
 void Execution::Restore(const Checkpoint& checkpoint) {
@@ -269,7 +269,7 @@ void Execution::Restore(const Checkpoint& checkpoint) {
   world_ = checkpoint.world;
   commanded_ = checkpoint.commanded;
   felt_ = checkpoint.felt;
-  brace_ = checkpoint.brace;
+  is_braced_ = checkpoint.is_braced;
   hand_error_ = checkpoint.hand_error;
   // The samples that were due until here have been taken.
   samples_ = 0;
@@ -277,28 +277,27 @@ void Execution::Restore(const Checkpoint& checkpoint) {
 }
 
 // The servo's law is linear in its command. If the command is a state between the arm's own and the
-// wanted one, the servo behaves as if its gains were lower. Damping is scaled by the root of the
-// stiffness, so the arm is as well damped as before. The accelerations by which the arm yields to
-// forces get no feedforward torques. Most of such a torque would serve to accelerate the motor
-// itself. A touched body would prevent this acceleration, and would then exert a force of the size
-// of the torque on the arm.
-Progress Execution::StepSoftly(const JointState& next, const JointVector& qdd, double share) {
-  brace_.reset();
+// wanted one, or beyond it, the servo behaves as if its gains were lower or higher. Damping is
+// scaled by the root of the stiffness, so the arm is as well damped as before.
+JointState Execution::WithStiffness(double share, const JointState& wanted) const {
   const JointVector q = scene_.ArmPosition(data_);
   const JointVector qd = scene_.ArmVelocity(data_);
-  const double damping = std::sqrt(share);
-  servo_.Command(data_, {q + share * (next.q - q), qd + damping * (next.qd - qd)}, qdd, Carried());
+  return {q + share * (wanted.q - q), qd + std::sqrt(share) * (wanted.qd - qd)};
+}
+
+// The accelerations by which the arm yields to forces get no feedforward torques. Most of such a
+// torque would serve to accelerate the motor itself. A touched body would prevent this
+// acceleration, and would then exert a force of the size of the torque on the arm.
+Progress Execution::StepSoftly(const JointState& next, const JointVector& qdd, double share) {
+  Relax();
+  servo_.Command(data_, WithStiffness(share, next), qdd, Carried());
   return Advance(next);
 }
 
 Progress Execution::StepTo(const JointState& next) {
   const JointVector qdd = (next.qd - commanded_.qd) / data_.timestep();
-  JointState command = commanded_;
-  if (brace_) {
-    *brace_ += data_.timestep() / kBraceTime * (commanded_.q - scene_.ArmPosition(data_));
-    command.q += *brace_;
-  }
-  servo_.Command(data_, command, qdd, Carried());
+  servo_.Command(data_, is_braced_ ? WithStiffness(kBraced, commanded_) : commanded_, qdd,
+                 Carried());
   return Advance(next);
 }
 

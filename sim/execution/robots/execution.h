@@ -30,7 +30,7 @@ struct Checkpoint {
   WorldModel world;
   JointState commanded;
   Vector3 felt = Vector3::Zero();
-  std::optional<JointVector> brace = {};
+  bool is_braced = false;
   Pose hand_error = Pose::Identity();
 };
 
@@ -96,13 +96,11 @@ class Execution {
   // rate of the opening in m/s, or until `has_ended` says so after a timestep. Fingers that touch
   // nothing move without dynamics.
   Progress MoveFingers(double opening, double rate, const std::function<bool()>& has_ended = {});
-  // Adds integral feedback to the arm's servos until Relax, or until the arm moves. Without that,
-  // the friction of a part that closing pads push over its support would move the arm by the yield
-  // of its servos, some micrometres per newton.
-  void Brace() { brace_ = JointVector::Zero(); }
-  // Ends the integral feedback. The arm then presses on nothing if it is where it was commanded to
-  // be. Otherwise opening pads would push the part with the force that was left in the arm.
-  void Relax() { brace_.reset(); }
+  // Makes the servos of the arm stiffer until Relax, or until the arm moves. Otherwise the friction
+  // of a part that closing pads push over its support would move the arm by the yield of its
+  // servos, some micrometres per newton.
+  void Brace() { is_braced_ = true; }
+  void Relax() { is_braced_ = false; }
   // Keeps the robot at its last command, for at least one timestep. Once nothing moves any more,
   // most of the time passes without dynamics. Calls `see` after each timestep with dynamics.
   Progress Stay(double seconds, const std::function<void()>& see = {});
@@ -138,6 +136,9 @@ class Execution {
   // Lets time pass in which nothing moves, until the engine must compute the forces again, or until
   // `end`, in seconds of the simulation.
   void PassTime(double end);
+  // Returns the command that makes the servos hold the arm to the wanted state with this share of
+  // their usual stiffness.
+  JointState WithStiffness(double share, const JointState& wanted) const;
   // Executes one timestep that leads the arm to this state. It adds to the trace's series and
   // checks force and engine.
   Progress StepTo(const JointState& next);
@@ -169,8 +170,7 @@ class Execution {
   plan::StepId step_;
   int samples_ = 0;
   std::int64_t steps_ = 0;
-  // Integral feedback of a braced arm: an offset of the commanded joint values.
-  std::optional<JointVector> brace_;
+  bool is_braced_ = false;
   Vector3 felt_ = Vector3::Zero();  // low-pass filtered wrist force
   Vector3 peak_ = Vector3::Zero();  // wrist force with a shorter filter
   double greatest_force_ = 0;

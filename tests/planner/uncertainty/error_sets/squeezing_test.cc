@@ -73,21 +73,22 @@ TEST(ClosePads, PadsThatMayJamLeaveTheRotation) {
 
 // Returns a thin wall on one side of a plate: pads that close on the wall have the part's centre of
 // mass some 50 mm beside them, in the direction in which they close.
-std::shared_ptr<const domain::PartModel> PlateWithWall() {
+std::shared_ptr<const domain::PartModel> PlateWithWall(int density = 700) {
   const std::filesystem::path file = ScratchFile("plate-with-wall.yaml");
-  std::ofstream(file) << R"(format: assay-part/1
+  std::ofstream(file) << fmt::format(R"(format: assay-part/1
 name: plate-with-wall
 initial: W
-units: {length: mm, angle: degree}
-density: 700
+units: {{length: mm, angle: degree}}
+density: {}
 friction: 0.5
 solids:
-  plate: {box: [[-55, -30, 0], [55, 130, 8]], color: [1, 1, 1, 1]}
-  wall: {box: [[-12, -6, 8], [12, 6, 34]], color: [1, 1, 1, 1]}
+  plate: {{box: [[-55, -30, 0], [55, 130, 8]], color: [1, 1, 1, 1]}}
+  wall: {{box: [[-12, -6, 8], [12, 6, 34]], color: [1, 1, 1, 1]}}
 features:
-  1: {face: wall, normal: [0, 0, 1], what: top}
-stable_poses: {flat: [0, 0, -1]}
-)";
+  1: {{face: wall, normal: [0, 0, 1], what: top}}
+stable_poses: {{flat: [0, 0, -1]}}
+)",
+                                     density);
   return domain::PartFile::Load(file, 0.001);
 }
 
@@ -113,6 +114,54 @@ TEST(ClosePads, SlipperyPadsTurnThePartAboutItsCentreOfMass) {
   const double a = UprightBlock({}).workcell->gripper().pad_half_extents().x();
   EXPECT_GE(SlipOnWall(0.2 * a / center), center * std::sin(0.02));
   EXPECT_LT(SlipOnWall(2 * a / center), 0.5 * center * std::sin(0.02));
+}
+
+// Returns the error that is left after pads have closed on the plate's wall with this force.
+struct HeldPlate {
+  double y = 0;     // metres
+  double skew = 0;  // radians
+};
+HeldPlate CloseOnPlate(int density, double grip_force, const Errors& errors) {
+  domain::Problem problem = UprightBlock(errors);
+  problem.parts.resize(1);
+  problem.parts[kBlock.index()].model = PlateWithWall(density);
+  domain::WorkcellRules rules = problem.workcell->rules();
+  rules.grip_force = grip_force;
+  problem.workcell = problem.workcell->WithRules(rules);
+  UncertainWorld world(problem, Propagation::kSound);
+  plan::Hold hold = HoldFromAbove(problem, Vector3::UnitY());
+  hold.X_PartTool.translation() = Vector3(0, 0, 0.022);
+  hold.width = 0.012;
+  const HeldError held = CloseOn(world, hold);
+  return {Magnitude(world.TightRangeOf(held.y)), Magnitude(world.TightRangeOf(held.skew))};
+}
+
+// The push that overcomes the friction of a part's support also moves the hand, in proportion to
+// the weight. The friction of a plate of 0.1 kg moves it by less than counts.
+TEST(ClosePads, TheFrictionOfAHeavyPartMovesTheHand) {
+  constexpr double kGrip = 10000;  // newtons, so that the pads do not jam
+  const Errors errors{.length = 0.001, .angle = 0.01};
+  EXPECT_EQ(CloseOnPlate(700, kGrip, errors).y, 0);
+  const double give = CloseOnPlate(20000, kGrip, errors).y;
+  const double push = 0.5 * 9.81 * PlateWithWall(20000)->mass().mass;
+  EXPECT_GT(give, 1e-7 * push);
+  EXPECT_LT(give, 4e-6 * push) << "an arm that is not braced yields by this";
+  EXPECT_NEAR(CloseOnPlate(40000, kGrip, errors).y, 2 * give, 0.01 * give);
+  EXPECT_EQ(CloseOnPlate(20000, kGrip, {.length = 0, .angle = 0, .hand = 0}).y, 0)
+      << "nothing is pushed";
+}
+
+// Pads of length L turn the plate back with a moment of at most L times the grip. The friction of
+// the table resists with up to the friction times the weight times the farthest corner's distance.
+// Its mean distance is at least a third of this.
+TEST(ClosePads, JamIfTheSupportsFrictionResistsTheGrip) {
+  constexpr int kDensity = 7000;
+  const Errors errors{.length = 0.0001, .angle = 0.01};
+  const std::shared_ptr<const domain::PartModel> plate = PlateWithWall(kDensity);
+  const double length = 2 * UprightBlock({}).workcell->gripper().pad_half_extents().x();
+  const double moment = 0.5 * 9.81 * plate->mass().mass * std::hypot(0.055, 0.13);
+  EXPECT_GE(CloseOnPlate(kDensity, moment / length / 3, errors).skew, errors.angle);
+  EXPECT_EQ(CloseOnPlate(kDensity, 3 * moment / length, errors).skew, 0);
 }
 
 // Returns a post with two opposite upright faces of this width, 30 mm apart.

@@ -95,11 +95,12 @@ TEST(NoiseFloor, HidesWhatIsNarrowerThanItsFloor) {
   EXPECT_NEAR(gate.Floor(Of("x of peg", Dimension::kLength, {})), 45e-6, 2 * kRounding);
   EXPECT_FALSE(hides(Of("x of peg", Dimension::kLength, {-23e-6, 23e-6}), 1e-6));
   EXPECT_TRUE(hides(Of("x of peg", Dimension::kLength, {-22e-6, 22e-6}), 1));
-  // Penetration and lag add 3 micrometres at each end. A set that is narrower than 6 micrometres is
-  // compared with the clearance, and a wider one with the floor.
-  EXPECT_FALSE(hides(Of("x of peg", Dimension::kLength, {-2.9e-6, 2.9e-6}), 46e-6));
-  EXPECT_TRUE(hides(Of("x of peg", Dimension::kLength, {-2.9e-6, 2.9e-6}), 44e-6));
-  EXPECT_TRUE(hides(Of("x of peg", Dimension::kLength, {-3.1e-6, 3.1e-6}), 1));
+  // Penetration and lag add 3 micrometres at each end, and the engine's resolution adds one more. A
+  // set that is narrower than 8 micrometres is compared with the clearance, and a wider one with
+  // the floor.
+  EXPECT_FALSE(hides(Of("x of peg", Dimension::kLength, {-3.9e-6, 3.9e-6}), 46e-6));
+  EXPECT_TRUE(hides(Of("x of peg", Dimension::kLength, {-3.9e-6, 3.9e-6}), 44e-6));
+  EXPECT_TRUE(hides(Of("x of peg", Dimension::kLength, {-4.1e-6, 4.1e-6}), 1));
   // A claim without a width is compared with the clearance. An angle is compared with the clearance
   // over the arm.
   EXPECT_FALSE(hides(Of("x of peg", Dimension::kLength, {0, 0}), 46e-6));
