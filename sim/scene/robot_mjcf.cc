@@ -38,7 +38,7 @@ constexpr double kTorsionOfFinger = 0.005;  // m
 // to timestep if their friction was low. The friction of each was used up in turn, and the part
 // slid down by half a millimetre a second, although friction could bear 1.4 times its weight. With
 // a damping ratio of 1 and this impedance, pads jumped by 60 micrometres now and then.
-constexpr char kSolrefOfPad[] = "0.0001 3";
+constexpr char kSolrefOfPad[] = "0.0001 4";
 constexpr double kDepthOfImpedance = 0.00001;  // metres; the engine requires it
 // The engine makes contacts softer, the lighter the bodies that touch. One less the impedance is
 // therefore proportional to the mass of the lightest part. Otherwise pads would sink by tens of
