@@ -243,12 +243,13 @@ std::string ToMjcf(const Problem& problem, const SceneOptions& options) {
   XmlElement& worldbody = mujoco.Add("worldbody");
   AddStage(problem, options.light, worldbody);
   const domain::WorkcellRules& rules = problem.workcell->rules();
+  const bool welds = options.grasp == GraspMode::kWeld;
   const GripperRules gripper = {
       .grip_force = rules.grip_force,
       .pad_friction = TrueFriction(rules.pad_friction, options.pad_friction_error),
-      .lightest_part = LightestMass(problem),
-      // A weld carries the load of the pads, so more contacts would only press against each other.
-      .pad_tiles = options.grasp == GraspMode::kWeld ? 1 : 2};
+      // A weld carries the load of the pads. Stiffer or more contacts would only press against it.
+      .lightest_part = welds ? 1 : LightestMass(problem),
+      .pad_tiles = welds ? 1 : 2};
   for (const domain::Robot& robot : robots) AddRobot(robot, gripper, asset, worldbody);
   for (std::size_t i = 0; i < problem.parts.size(); ++i) {
     const domain::PartId part(i);
@@ -258,7 +259,7 @@ std::string ToMjcf(const Problem& problem, const SceneOptions& options) {
   XmlElement& equality = mujoco.Add("equality");
   for (const domain::Robot& robot : robots) {
     AddFingerCoupling(robot, equality);
-    if (options.grasp == GraspMode::kWeld) AddWelds(problem, robot, equality);
+    if (welds) AddWelds(problem, robot, equality);
   }
   XmlElement& actuator = mujoco.Add("actuator");
   for (const domain::Robot& robot : robots) AddServos(robot, gripper, actuator);
