@@ -166,13 +166,19 @@ class Closing {
     const domain::PartModel& model = *world.problem().part(part).model;
     const auto half_step = RoundAboutApproach(model, hold, {pad_x_, pad_z_}, pad_z_ + off_z_);
     if (!half_step || !patch_ || patch_->isEmpty()) return;
-    is_round_ = std::tan(*half_step) < pad_friction_.low;
-    jams_ = !is_round_;
+    for (const geometry::MassProperties& mass : PossibleMasses(world.problem(), part)) {
+      const Vector3 center = hold.X_PartTool.inverse() * mass.center;
+      off_axis_ = std::max(off_axis_, center.head<2>().norm());
+    }
     round_push_ = off_y_ + hold.width / 2 * (1 / std::cos(*half_step) - 1);
     // The first pad touches at a corner, and may turn the part until the next face lies flat on it.
     pushed_turn_ =
         AtMostRight(pushed_turn_ + TurnOfPush(world, part, world.X_WorldPart(part), round_push_));
     turn_ = AtMostRight(turn_ + pushed_turn_);
+    // Opposite corners of the side must touch the pads themselves, and not lie beside them.
+    const double corner = hold.width / 2 * std::tan(*half_step);
+    is_round_ = std::tan(*half_step) < pad_friction_.low && corner + off_x_ + RoundSlip() <= pad_x_;
+    jams_ = !is_round_;
   }
 
   // Returns the length on which the pads touch the faces, even if the part is displaced along them.
@@ -298,8 +304,10 @@ class Closing {
   // Returns how far the axis of a round part slips along the pads. The first pad pushes it with a
   // force within its friction cone, and the part slides in the direction of the force: along the
   // pad by the friction times the push. Twice as much is allowed for, since the support's friction
-  // is not even.
-  double RoundSlip() const { return 2 * pad_friction_.high * round_push_; }
+  // is not even. A push also turns the part about its centre of mass, which may be off the axis.
+  double RoundSlip() const {
+    return 2 * pad_friction_.high * round_push_ + off_axis_ * pushed_turn_;
+  }
 
   // Returns how far the grasped point moves, in the part's own axes, when the part turns about
   // points on its faces that the pads reach.
@@ -333,6 +341,7 @@ class Closing {
   Interval pad_friction_;
   bool is_round_ = false;
   double round_push_ = 0;  // of a round part by the first pad, metres
+  double off_axis_ = 0;    // distance of a round part's centre of mass from its axis, metres
 };
 
 HeldError Sound(UncertainWorld& world, PartId part, const plan::Hold& hold,

@@ -223,6 +223,38 @@ TEST(RoundGrip, ACoarsePolygonIsNotHeldLikeACircle) {
   EXPECT_TRUE(Close(Cylinder(24, errors)).is_round);
 }
 
+// If a corner of the polygon may lie beside the pad, the pad's edge presses on the face beside the
+// corner. The axis then does not come midway between the pads.
+TEST(RoundGrip, CornersThatMayLieBesideThePadsAreNotHeldLikeACircle) {
+  const auto is_round = [](double length) {
+    return Close(Cylinder(12, {.length = length, .angle = 0.05, .hand = 0}, 0.3)).is_round;
+  };
+  const double corner = kWidth / 2 * std::tan(M_PI / 12);  // from the middle of the pads
+  EXPECT_TRUE(is_round((kPad - corner) / 2));
+  EXPECT_FALSE(is_round(kPad - corner));
+}
+
+// A push that goes by the centre of mass turns the part. The axis moves aside by as much as it
+// turns about the centre of mass. The turn is least if the whole weight bears on the farthest
+// corner (Mason 1986).
+TEST(RoundGrip, APartWhoseMassIsBesideItsAxisSlipsFarther) {
+  constexpr double kSmooth = 0.02;
+  const Errors errors{.length = 0.001, .angle = 0.001, .hand = 0};
+  const domain::Problem problem = Standing(
+      "{cylinder: {from: [0, 0, 10], to: [0, 0, 100], radius: 20, sides: 200}}\n"
+      "  base: {box: [[-30, -30, 0], [80, 80, 10]]}",
+      errors, kSmooth);
+  const Closed closed = Close(problem);
+  ASSERT_TRUE(closed.is_round);
+  const Vector3 center = problem.part(kBlock).model->mass().center;
+  ASSERT_GT(center.x(), 0.005);
+  const double farthest = (Vector2(center.head<2>()) - Vector2(-0.03, -0.03)).norm();
+  const double aside =
+      errors.length * center.x() * center.y() / (farthest * farthest + center.x() * center.x());
+  EXPECT_GE(closed.x, errors.length + kSmooth * errors.length + aside);
+  EXPECT_LT(closed.x, 4 * errors.length);
+}
+
 // The moment about the line of contact is borne by opposite friction at the two pads, with the
 // diameter as their lever.
 TEST(RoundGrip, BearsAMomentAboutItsAxis) {
