@@ -53,6 +53,48 @@ double GreatestFriction(const domain::Problem& problem) {
   return friction + problem.tolerances.friction;
 }
 
+// Returns how far friction at the part's support may move the hand in any horizontal direction,
+// while the pads push the part. `up` is the vertical, in the tool's axes.
+double GiveOfHand(const domain::Problem& problem, PartId part, const Vector3& up) {
+  const double friction = GreatestFriction(problem);
+  // A push that is not horizontal presses the part down or lifts it. If it is so steep that the
+  // part does not slide, the part is not proved to stay upright.
+  const double sliding = std::hypot(up.x(), up.z()) - friction * std::abs(up.y());
+  const double push = GreatestWeight(problem, part) * friction / std::max(sliding, kLeastSliding);
+  const double give = kGivePerNewton * push;
+  return give > kLeastGive ? give : 0;
+}
+
+// Returns the part of the contact's length, in metres, whose moment under the force of the grip
+// overcomes the friction at the part's support. The part turns about that point between the pads
+// at which friction resists least. `off` is by how much the part may be displaced along the pads.
+double LengthAgainstSupport(const UncertainWorld& world, PartId part, const plan::Hold& hold,
+                            double off) {
+  const domain::Problem& problem = world.problem();
+  const Pose X_WorldTool = world.X_WorldPart(part) * hold.X_PartTool;
+  const auto at = [&](double y) -> Vector2 { return (X_WorldTool * Vector3(0, y, 0)).head<2>(); };
+  const double radius = RadiusAgainstTurn(world, part, world.X_WorldPart(part),
+                                          {at(-hold.width / 2), at(hold.width / 2)});
+  return GreatestFriction(problem) * GreatestWeight(problem, part) * (radius + off) /
+         problem.workcell->rules().grip_force;
+}
+
+// Returns the least and the greatest distance, in metres along an axis of the tool, between the
+// middle of the pads and the centre of mass of the part. The part may be displaced by `off` metres,
+// and turned by up to `turned` radians.
+Interval OffsetOfMass(const UncertainWorld& world, PartId part, const plan::Hold& hold,
+                      const Vector3& axis, double turned, double off) {
+  Interval offset = {std::numeric_limits<double>::infinity(), 0};
+  for (const geometry::MassProperties& mass : PossibleMasses(world.problem(), part)) {
+    const Vector3 center = hold.X_PartTool.inverse() * mass.center;
+    const double doubt = off + center.norm() * std::sin(std::min(turned, kRightAngle));
+    const double nominal = std::abs(axis.dot(center));
+    offset.low = std::min(offset.low, std::max(0.0, nominal - doubt));
+    offset.high = std::max(offset.high, nominal + doubt);
+  }
+  return offset;
+}
+
 // The greatest effect that closing the pads may have on the part. Angles are in radians and lengths
 // in metres, about and along the tool's axes; all of them are magnitudes.
 class Closing {
@@ -73,7 +115,7 @@ class Closing {
     turn_ = AtMostRight(theta + pushed_turn_ + hand_);
     // The greatest friction covers every case: smoother pads let the part slip until it lies flat,
     // and a flat part is one of the results that jammed pads may leave.
-    const double length = ContactLength() - LengthAgainstSupport(world, part, hold);
+    const double length = ContactLength() - LengthAgainstSupport(world, part, hold, Displaced());
     jams_ = !(turn_ + std::atan(pad_friction_.high) < std::atan(length / hold.width));
     if (jams_ && is_straight()) NoteRoundSide(world, part, hold);
     // If a part is turned too far, the pads press on it beside each other. They then do not turn it
@@ -83,10 +125,11 @@ class Closing {
     way_ = turn_ + pushed_turn_;
     // If the hand points straight down, its error is a turn about the vertical, which does not tilt
     // the pads.
-    roll_ = RollOfPart(world, part, hold,
-                       {turn_, is_straight() ? 0 : hand_, std::hypot(off_x_, off_z_)});
+    roll_ = RollOfPart(world, part, hold, {turn_, is_straight() ? 0 : hand_, Displaced()});
   }
 
+  bool pushes() const { return off_y_ + way_ > 0; }
+  const Vector3& up() const { return up_; }  // in the tool's axes
   bool jams() const { return jams_; }
   bool is_round() const { return is_round_; }
   double turn() const { return turn_; }  // between faces and pads, when they touch
@@ -119,23 +162,12 @@ class Closing {
   // Returns the y error of a part that jammed: its two contacts lie within the pads, equally far
   // from the middle.
   double SkewY() const { return 2 * (pad_x_ + pad_z_) * std::sin(turn_); }
-  // Returns how far friction at the part's support may move the hand in any horizontal direction,
-  // while the pads push the part.
-  double Give(const domain::Problem& problem, PartId part) const {
-    if (off_y_ + way_ == 0) return 0;
-    const double friction = GreatestFriction(problem);
-    // A push that is not horizontal presses the part down or lifts it. If it is so steep that the
-    // part does not slide, the part is not proved to stay upright.
-    const double sliding = std::hypot(up_.x(), up_.z()) - friction * std::abs(up_.y());
-    const double push = GreatestWeight(problem, part) * friction / std::max(sliding, kLeastSliding);
-    const double give = kGivePerNewton * push;
-    return give > kLeastGive ? give : 0;
-  }
 
  private:
   static double AtMostRight(double angle) { return std::min(angle, kRightAngle); }
 
   bool is_straight() const { return std::abs(up_.z()) == 1; }
+  double Displaced() const { return std::hypot(off_x_, off_z_); }  // along the pads
 
   // Notes the area that both pads surely touch opposite each other, if the pads close on two faces
   // of the part and do not lie wholly on these faces.
@@ -189,19 +221,6 @@ class Closing {
     return is_straight() ? along_x : std::min(along_x, 2 * pad_z_ - off_z_);
   }
 
-  // Returns the part of the contact's length, in metres, whose moment under the force of the grip
-  // overcomes the friction at the part's support. The part turns about that point between the pads
-  // at which friction resists least.
-  double LengthAgainstSupport(const UncertainWorld& world, PartId part, const plan::Hold& hold) {
-    const domain::Problem& problem = world.problem();
-    const Pose X_WorldTool = world.X_WorldPart(part) * hold.X_PartTool;
-    const auto at = [&](double y) -> Vector2 { return (X_WorldTool * Vector3(0, y, 0)).head<2>(); };
-    const double radius = RadiusAgainstTurn(world, part, world.X_WorldPart(part),
-                                            {at(-hold.width / 2), at(hold.width / 2)});
-    return GreatestFriction(problem) * GreatestWeight(problem, part) *
-           (radius + std::hypot(off_x_, off_z_)) / problem.workcell->rules().grip_force;
-  }
-
   // Returns the turn, in radians, up to which the pads surely turn the part back to the faces
   // between them. Both pads press on opposite ends of these faces, or on opposite edges of their
   // own. The faces may be longer than the pads that lie wholly on them.
@@ -250,31 +269,14 @@ class Closing {
     const Vector3 level = Level();
     if (!patch_) {
       const double reach = pad_x_ * std::abs(level.x()) + pad_z_ * std::abs(level.z());
-      return OffsetOfMass(world, part, hold, level, turned).high <= reach;
+      return OffsetOfMass(world, part, hold, level, turned, Displaced()).high <= reach;
     }
     if (patch_->isEmpty()) return false;
     plan::Hold in_patch = hold;
     const Vector3 middle = (along_level_.low + along_level_.high) / 2 * level;
     in_patch.X_PartTool = hold.X_PartTool * geometry::Translation(middle.x(), 0, middle.z());
-    return OffsetOfMass(world, part, in_patch, level, turned).high <=
+    return OffsetOfMass(world, part, in_patch, level, turned, Displaced()).high <=
            (along_level_.high - along_level_.low) / 2;
-  }
-
-  // Returns the least and the greatest distance, in metres along an axis of the tool, between the
-  // middle of the pads and the centre of mass of the part. The part may be displaced by its errors,
-  // and turned by up to `turned` radians.
-  Interval OffsetOfMass(const UncertainWorld& world, PartId part, const plan::Hold& hold,
-                        const Vector3& axis, double turned) const {
-    Interval offset = {std::numeric_limits<double>::infinity(), 0};
-    for (const geometry::MassProperties& mass : PossibleMasses(world.problem(), part)) {
-      const Vector3 center = hold.X_PartTool.inverse() * mass.center;
-      const double doubt =
-          std::hypot(off_x_, off_z_) + center.norm() * std::sin(AtMostRight(turned));
-      const double nominal = std::abs(axis.dot(center));
-      offset.low = std::min(offset.low, std::max(0.0, nominal - doubt));
-      offset.high = std::max(offset.high, nominal + doubt);
-    }
-    return offset;
   }
 
   // The pads turn the part about a point on the line through their middle in the direction in which
@@ -288,7 +290,7 @@ class Closing {
   double LeverOfTurn(const UncertainWorld& world, PartId part, const plan::Hold& hold,
                      double turned) const {
     const double contact = is_straight() ? pad_x_ : std::max(pad_x_, pad_z_);
-    const Interval mass = OffsetOfMass(world, part, hold, Vector3::UnitY(), turned);
+    const Interval mass = OffsetOfMass(world, part, hold, Vector3::UnitY(), turned, Displaced());
     if (pad_friction_.low * mass.low > contact) return hold.width / 2;
     return std::max(hold.width / 2, mass.high);
   }
@@ -351,7 +353,7 @@ HeldError Sound(UncertainWorld& world, PartId part, const plan::Hold& hold,
   const auto declare = [&](const plan::ErrorKind& kind, double magnitude) {
     return world.Declare(kind, {-magnitude, magnitude}, part);
   };
-  const double give = closing.Give(world.problem(), part);
+  const double give = closing.pushes() ? GiveOfHand(world.problem(), part, closing.up()) : 0;
   HeldError held = {.x = grasped[0] + declare(plan::error::kSlip, closing.SlipX() + give),
                     .z = grasped[2] + declare(plan::error::kRise, closing.SlipZ()),
                     .twist = declare(plan::error::kTwist, closing.TurnAbout(1))};
