@@ -41,7 +41,8 @@ constexpr double kTorsionOfFinger = 0.005;  // m
 constexpr char kSolrefOfPad[] = "0.0001 4";
 constexpr double kDepthOfImpedance = 0.00001;  // metres; the engine requires it
 // The engine makes contacts softer, the lighter the bodies that touch. One less the impedance is
-// therefore proportional to the mass of the lightest part. Otherwise pads would sink by tens of
+// therefore proportional to the mass of the lightest part, up to the engine's
+// greatest impedance of 0.9999, which parts of 10 g reach. Otherwise pads would sink by tens of
 // micrometres into a part of 20 g, and would leave it turned by a hundredth of a degree.
 double ImpedanceOfPad(double lightest_part) {
   constexpr double kSoftnessPerMass = 0.01;  // 1/kg

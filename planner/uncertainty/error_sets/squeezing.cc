@@ -20,9 +20,9 @@
 namespace assay::uncertainty {
 namespace {
 
-// The way by which the friction of a pushed part moves the hand, in metres per newton. The servos
-// of arms hold a hand to about 4 micrometres per newton. While the pads close, the servos are 16
-// times as stiff (sim/execution, Execution::Brace).
+// The way by which the friction of a pushed part moves the hand, in metres per newton. Servos
+// as stiff as those of `assay tune` hold a hand to about 4 micrometres per newton. While the pads
+// close, the servos are 16 times as stiff (sim/execution, Execution::Brace).
 constexpr double kGivePerNewton = 2.5e-7;
 constexpr double kLeastSliding = 1e-3;  // the least share of a push that moves the part
 constexpr double kLeastGive = 1e-6;  // metres; a shift of less is lost in the motion of the fingers

@@ -92,6 +92,13 @@ stable_poses: {{flat: [0, 0, -1]}}
   return domain::PartFile::Load(file, 0.001);
 }
 
+plan::Hold HoldOnWall(const domain::Problem& problem) {
+  plan::Hold hold = HoldFromAbove(problem, Vector3::UnitY());
+  hold.X_PartTool.translation() = Vector3(0, 0, 0.022);
+  hold.width = 0.012;
+  return hold;
+}
+
 double SlipOnWall(double pad_friction) {
   domain::Problem problem = UprightBlock({.length = 0, .angle = 0.02, .hand = 0});
   problem.parts[kBlock.index()].model = PlateWithWall();
@@ -99,10 +106,7 @@ double SlipOnWall(double pad_friction) {
   rules.pad_friction = pad_friction;
   problem.workcell = problem.workcell->WithRules(rules);
   UncertainWorld world(problem, Propagation::kSound);
-  plan::Hold hold = HoldFromAbove(problem, Vector3::UnitY());
-  hold.X_PartTool.translation() = Vector3(0, 0, 0.022);
-  hold.width = 0.012;
-  return Magnitude(world.TightRangeOf(CloseOn(world, hold).x));
+  return Magnitude(world.TightRangeOf(CloseOn(world, HoldOnWall(problem)).x));
 }
 
 // Slippery pads let the table's friction turn the part about its centre of mass, 50 mm off. Pads
@@ -129,10 +133,7 @@ HeldPlate CloseOnPlate(int density, double grip_force, const Errors& errors) {
   rules.grip_force = grip_force;
   problem.workcell = problem.workcell->WithRules(rules);
   UncertainWorld world(problem, Propagation::kSound);
-  plan::Hold hold = HoldFromAbove(problem, Vector3::UnitY());
-  hold.X_PartTool.translation() = Vector3(0, 0, 0.022);
-  hold.width = 0.012;
-  const HeldError held = CloseOn(world, hold);
+  const HeldError held = CloseOn(world, HoldOnWall(problem));
   return {Magnitude(world.TightRangeOf(held.y)), Magnitude(world.TightRangeOf(held.skew))};
 }
 
