@@ -320,6 +320,14 @@ double GreatestAlong(const ConvexHull& hull, const Vector3& direction) {
   return greatest;
 }
 
+double ThicknessOf(const ConvexHull& hull) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const Facet& facet : hull.facets) {
+    least = std::min(least, facet.offset + GreatestAlong(hull, -facet.normal));
+  }
+  return least;
+}
+
 double LowestPoint(std::span<const ConvexHull> hulls) {
   double lowest = std::numeric_limits<double>::infinity();
   for (const ConvexHull& hull : hulls) {

@@ -51,6 +51,8 @@ std::vector<ConvexHull> Transformed(std::span<const ConvexHull> hulls, const Pos
 bool Contains(const ConvexHull& hull, const Vector3& p, double tolerance);
 // Returns the greatest value of direction . p for the points of the hull.
 double GreatestAlong(const ConvexHull& hull, const Vector3& direction);
+// Returns the least extent of the hull along the normal of a facet.
+double ThicknessOf(const ConvexHull& hull);
 // Returns the height of the lowest vertex over the plane z = 0 of the hulls' frame.
 double LowestPoint(std::span<const ConvexHull> hulls);
 std::vector<Vector3> VerticesOf(std::span<const ConvexHull> hulls);

@@ -39,6 +39,10 @@ constexpr double kGroundFriction = 0.01;
 constexpr double kTorsionFriction = 0.005;
 constexpr double kRollFriction = 0.0001;
 
+// Thinner pieces are seams between other pieces of a part (domain::PartFile), and the engine would
+// find contacts with their sides. Nothing gets into a gap as narrow as this.
+constexpr double kThinnestPiece = 1e-5;  // metres
+
 // Elliptic cones with a high ratio of friction to normal impedance keep a grasp from creeping. A
 // part that the pads touch at an edge still creeps by 100 microradians a second. With a ratio of 30
 // or more it does not, but a shaft that should wedge in its hole then slides on.
@@ -171,6 +175,7 @@ void AddPart(const Problem& problem, domain::PartId id, const SceneOptions& opti
         .Set("friction", {friction, kTorsionFriction, kRollFriction});
   };
   for (std::size_t i = 0; i < model.pieces().size(); ++i) {
+    if (geometry::ThicknessOf(model.pieces()[i]) < kThinnestPiece) continue;
     const Eigen::Vector4d color = ColorOf(problem, id, i, options);
     add_solid("part", i, model.pieces()[i]).Set("rgba", std::span(color.data(), 4));
   }

@@ -135,6 +135,12 @@ Pose FrameAlong(const Vector3& origin, const Vector3& z) {
   return geometry::PoseFromColumns(x, z.cross(x), z, origin);
 }
 
+bool IsExposed(const Side& side, std::span<const ConvexHull> solids) {
+  Plane plane = {EmptyFace(side), {}};
+  plane.sides.push_back(OnFace(plane.face, side.corners));
+  return !Exposed(plane, solids).empty();
+}
+
 std::vector<Face> ExposedFaces(std::span<const ConvexHull> solids) {
   std::vector<Face> faces;
   for (Plane& plane : PlanesOf(solids)) {

@@ -35,6 +35,9 @@ Pose FrameAlong(const Vector3& origin, const Vector3& z);
 // solids and their sides.
 std::vector<Face> ExposedFaces(std::span<const geometry::ConvexHull> solids);
 
+// Returns whether the solids leave some of a side uncovered. The side belongs to one of them.
+bool IsExposed(const Side& side, std::span<const geometry::ConvexHull> solids);
+
 // Returns the face of a part in the plane normal . p == offset with that outward normal. Returns
 // None if there is none.
 FaceId FindFace(std::span<const Face> faces, const Vector3& normal, double offset);

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <iterator>
-#include <limits>
 #include <span>
 
+#include "planner/domain/parts/exposed_faces.h"
 #include "planner/domain/parts/solid_shapes.h"
 #include "planner/domain/problem/name.h"
 #include "planner/geometry/hull.h"
@@ -88,13 +88,17 @@ double VolumeOf(std::span<const ConvexHull> solids) {
   return volume;
 }
 
-// Returns the least extent of a solid along the normal of a facet.
-double ThicknessOf(const ConvexHull& solid) {
-  double least = std::numeric_limits<double>::infinity();
-  for (const geometry::Facet& facet : solid.facets) {
-    least = std::min(least, facet.offset + GreatestAlong(solid, -facet.normal));
-  }
-  return least;
+// Returns whether a piece is a wall that is too thin: both of its broad sides are exposed. A thin
+// piece between other pieces is only a seam of the cuts.
+bool IsThinWall(const ConvexHull& piece, std::span<const ConvexHull> pieces) {
+  if (geometry::ThicknessOf(piece) >= kThinnestWall) return false;
+  constexpr double kOpposite = -0.9;  // cosine
+  const std::vector<Side> sides = SidesOf(piece);
+  return std::ranges::any_of(sides, [&](const Side& side) {
+    return IsExposed(side, pieces) && std::ranges::any_of(sides, [&](const Side& other) {
+             return other.normal.dot(side.normal) < kOpposite && IsExposed(other, pieces);
+           });
+  });
 }
 
 // Returns the solid's pieces without a pocket. All are in the part frame.
@@ -113,7 +117,7 @@ std::vector<ConvexHull> Cut(const std::vector<ConvexHull>& pieces,
     place.Fail("the pocket cuts nothing from its solid", "a shape that overlaps the solid");
   }
   for (const ConvexHull& piece : rest) {
-    if (ThicknessOf(piece) >= kThinnestWall) continue;
+    if (!IsThinWall(piece, rest)) continue;
     place.Fail("the pocket leaves a wall that is too thin",
                fmt::format("walls of at least {} m, or none", kThinnestWall));
   }

@@ -312,6 +312,20 @@ TEST(PartFileTest, PocketsLeaveSolidsInOnePiece) {
               HasSubstr("the pockets cut solid 'body' into unconnected pieces"));
 }
 
+// The pieces of the body beside the slot meet at y = 10. A pocket that ends 1 micrometre before
+// this seam leaves a thin piece there, but no thin wall.
+TEST(PartFileTest, AThinPieceBetweenOthersIsNoWall) {
+  const auto with_pocket = [](const std::string& box) {
+    return With("features:", "  second: {cut_from: body, box: " + box + "}\nfeatures:");
+  };
+  const std::string text = with_pocket("[[10, 2, 5], [20, 9.999, 20]]");
+  EXPECT_EQ(ErrorOf(text), "no error");
+  EXPECT_NEAR(ParsePart(kFile)->mass().mass - ParsePart(text)->mass().mass,
+              1000 * 0.01 * 0.007999 * 0.015, 1e-12);
+  EXPECT_THAT(ErrorOf(with_pocket("[[35, 12, 5], [44.999, 20, 20]]")), HasSubstr("too thin"))
+      << "a wall between two pockets";
+}
+
 // The result does not depend on how the whole part is turned.
 TEST(PartFileTest, TurnedSolidsHangTogether) {
   for (const char* axis : {"[0, 0, 1]", "[1, 2, 3]", "[-2, 1, 0.3]"}) {
