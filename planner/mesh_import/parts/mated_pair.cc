@@ -36,7 +36,10 @@ struct PlacedFeature {
   Vector3 axis;
 };
 
-// Returns the features of a kind. A hole that goes through is there twice, once for each mouth.
+const SketchFeature& FeatureOf(const ImportedPart& part, int number) {
+  return part.sketch.features[static_cast<std::size_t>(number - 1)];
+}
+
 std::vector<PlacedFeature> PlacedFeatures(const PartSketch& sketch, SketchFeature::Kind kind) {
   std::vector<PlacedFeature> placed;
   for (std::size_t i = 0; i < sketch.features.size(); ++i) {
@@ -47,9 +50,6 @@ std::vector<PlacedFeature> PlacedFeatures(const PartSketch& sketch, SketchFeatur
                         .post = &post,
                         .R_FileLocal = sketch.R_FilePart * solid.R_PartLocal,
                         .axis = sketch.R_FilePart * feature.direction});
-      if (!feature.goes_through) return;
-      placed.push_back(placed.back());
-      placed.back().axis = -placed.back().axis;
     };
     for (const SketchSolid& solid : sketch.solids) {
       if (solid.name == feature.of && solid.post) add(solid, *solid.post);
@@ -128,23 +128,27 @@ MatedPair PairOf(const ImportedPart& held, const ImportedPart& fixed) {
   });
   // A shaft that goes through its hole has a tip on either side.
   const auto is_the_same = [](const MatedFeatures& a, const MatedFeatures& b) {
-    return a.hole == b.hole && a.LeastGap() == b.LeastGap();
+    return FeatureOf(fixed, a.hole).of == FeatureOf(fixed, b.hole).of &&
+           a.LeastGap() == b.LeastGap();
   };
   const auto repeated = std::ranges::unique(pair.features, is_the_same);
   pair.features.erase(repeated.begin(), repeated.end());
   return pair;
 }
 
-std::string NumbersText(const Vector3& v, double unit) {
+// `places` is the number of decimal places.
+std::string NumbersText(const Vector3& v, double unit, int places = 6) {
   const auto number = [&](double value) {
-    return fmt::format("{:.6g}", std::round(value / unit * 1e6) / 1e6 + 0.0);
+    const double scale = std::pow(10, places);
+    return fmt::format("{:.{}g}", std::round(value / unit * scale) / scale + 0.0, places);
   };
   return fmt::format("[{}, {}, {}]", number(v.x()), number(v.y()), number(v.z()));
 }
 
 std::string PoseText(const Matrix3& R, const Vector3& position) {
-  return fmt::format("{{columns: [{}, {}, {}, {}]}}", NumbersText(R.col(0), 1),
-                     NumbersText(R.col(1), 1), NumbersText(R.col(2), 1),
+  constexpr int kPlaces = 9;  // axes are to be orthonormal to 1e-6
+  return fmt::format("{{columns: [{}, {}, {}, {}]}}", NumbersText(R.col(0), 1, kPlaces),
+                     NumbersText(R.col(1), 1, kPlaces), NumbersText(R.col(2), 1, kPlaces),
                      NumbersText(position, 1e-3));
 }
 
@@ -162,18 +166,14 @@ std::string WorkcellFor(const ImportedPart& held) {
   return is_small ? "puma762-small-jaw" : "puma762-table";
 }
 
-// Returns the direction of a part that points down on the table.
-Vector3 DownOf(const ImportedPart& part, const std::optional<Vector3>& wanted) {
+// Returns that direction of a part which points down on the table if the part rests as nearly as
+// it can with another direction down.
+Vector3 DownOf(const ImportedPart& part, const Vector3& wanted) {
   const std::vector<RestingPose> poses = RestingPosesOf(part);
   if (poses.empty()) return -Vector3::UnitZ();
-  if (!wanted) return poses.front().down;
   return std::ranges::max_element(poses, {},
-                                  [&](const RestingPose& pose) { return pose.down.dot(*wanted); })
+                                  [&](const RestingPose& pose) { return pose.down.dot(wanted); })
       ->down;
-}
-
-const SketchFeature& FeatureOf(const ImportedPart& part, int number) {
-  return part.sketch.features[static_cast<std::size_t>(number - 1)];
 }
 
 // Returns the radii of a round shaft and its hole; 0 for other shapes.
@@ -236,9 +236,9 @@ std::string ScenarioText(const MatedPair& pair) {
       "workcell: {2}\nclearance: {3}  # as in the files: no hole is widened\nparts:\n",
       held.sketch.name, fixed.sketch.name, WorkcellFor(held),
       Millimetres(std::max(mated.LeastGap(), kLeastClearance)));
-  text += PartLine(fixed, DownOf(fixed, Vector3(-hole_axis)), kFixedPlace,
+  text += PartLine(fixed, DownOf(fixed, -hole_axis), kFixedPlace,
                    fmt::format("    clamp: {:.0f}  # newtons of a fixture\n", kClampForce));
-  text += PartLine(held, DownOf(held, {}), kHeldPlace, "");
+  text += PartLine(held, DownOf(held, R_FixedHeld.transpose() * -hole_axis), kHeldPlace, "");
   text += fmt::format(
       "goal:\n  - assembled:\n      held: {}\n      fixed: {}\n      features: [[{}], [{}]]\n"
       "      pose: {}\n      mating_vector: {}\n",

@@ -71,9 +71,8 @@ class FeatureFinder {
     for (const SketchPocket& pocket : sketch_.pockets) {
       if (!pocket.pocket.post.is_step) AddHole(pocket);
     }
-    for (std::size_t i = 0; i < sketch_.solids.size(); ++i) {
-      const std::optional<Post>& post = sketch_.solids[i].post;
-      if (post && post->is_straight && !post->is_step) AddShafts(i);
+    for (const SketchSolid& solid : sketch_.solids) {
+      if (solid.post && solid.post->is_straight && !solid.post->is_step) AddShafts(solid);
     }
   }
 
@@ -209,16 +208,19 @@ class FeatureFinder {
       return;
     }
     if (!opens_high && !opens_low) return;
-    what +=
-        opens_high && opens_low ? ", through" : fmt::format(", {} mm deep", Length(post.Height()));
+    const bool goes_through = opens_high && opens_low;
+    what += goes_through ? ", through" : fmt::format(", {} mm deep", Length(post.Height()));
     if (!post.is_straight) what += ", tapered";
-    // If a hole has two mouths, the mouth with a chamfer is the one for mating.
-    const bool top =
-        opens_high && !(opens_low && post.chamfer_low.across > 0 && post.chamfer_high.across == 0);
-    const Chamfer& chamfer = top ? post.chamfer_high : post.chamfer_low;
-    Add(Kind::kHole, entry.name, (top ? 1 : -1) * solid.R_PartLocal.col(2), std::move(what),
-        std::min(chamfer.across, chamfer.along));
-    sketch_.features.back().goes_through = opens_high && opens_low;
+    // If a hole has two mouths, the mouth with a chamfer comes first.
+    const bool low_first = post.chamfer_low.across > 0 && post.chamfer_high.across == 0;
+    for (const bool top : {!low_first, low_first}) {
+      if (!(top ? opens_high : opens_low)) continue;
+      const Chamfer& chamfer = top ? post.chamfer_high : post.chamfer_low;
+      const Vector3 mouth = (top ? 1 : -1) * solid.R_PartLocal.col(2);
+      Add(Kind::kHole, entry.name, mouth,
+          goes_through ? what + ", mouth toward " + Toward(mouth) : what,
+          std::min(chamfer.across, chamfer.along));
+    }
   }
 
   // Returns whether a pocket ends here, with nothing before its mouth, and not in another pocket.
@@ -265,13 +267,9 @@ class FeatureFinder {
     return true;
   }
 
-  void AddShafts(std::size_t index) {
-    const SketchSolid& solid = sketch_.solids[index];
+  void AddShafts(const SketchSolid& solid) {
     const Post& post = *solid.post;
-    const bool is_hollow = std::ranges::any_of(sketch_.pockets, [&](const SketchPocket& pocket) {
-      return pocket.solid == static_cast<int>(index);
-    });
-    if (is_hollow || !HasFreeSides(solid)) return;
+    if (!HasFreeSides(solid)) return;
     for (const bool top : {true, false}) {
       const Exposure tip = EndExposure(solid.R_PartLocal, post, top, true);
       const Exposure foot = EndExposure(solid.R_PartLocal, post, !top, true);

@@ -30,7 +30,6 @@ struct SketchFeature {
   Vector3 direction = Vector3::UnitZ();  // normal or axis, in the frame of the part
   std::string what;
   double chamfer = 0;
-  bool goes_through = false;  // of a hole: whether it has a mouth on the other side, too
 };
 
 struct PartSketch {
