@@ -48,9 +48,33 @@ TEST(MatedPair, AThroughHoleHasTwoMouths) {
     const MatedFeatures& mated = pair->features.front();
     EXPECT_NEAR(mated.depth, 10e-3, 1e-7);
     EXPECT_NEAR(mated.mouth.z(), side, 1e-9);
+    EXPECT_NEAR(plate.sketch.features[static_cast<std::size_t>(mated.hole - 1)].direction.z(), side,
+                1e-9);
     EXPECT_THAT(ScenarioText(*pair),
                 HasSubstr(side > 0 ? "mating_vector: [0, 0, -30]" : "mating_vector: [0, 0, 30]"));
   }
+}
+
+// A part that can stand as it is mated starts so. The hand can then keep it as it takes it.
+TEST(MatedPair, APartStartsWithItsTipDown) {
+  const ImportedPart plate =
+      NamedPart("plate", Extruded(RectangleOf(40, 40), 12, {CircleOf(8.1, 48)}), {0, 0, 0});
+  const ImportedPart peg = NamedPart("peg", ChamferedPeg(8, 50, 0.5, 48), {0, 0, 2});
+  EXPECT_THAT(ScenarioText(*FindMating(plate, peg)),
+              HasSubstr("model: peg\n    pose: {columns: [[1, 0, 0], [0, 1, 0], [0, 0, 1], "));
+  const ImportedPart below = NamedPart("peg", ChamferedPeg(8, 50, 0.5, 48), {0, 0, -40});
+  EXPECT_THAT(ScenarioText(*FindMating(plate, below)), HasSubstr("[0, 0, -1], [500, -200, "));
+}
+
+TEST(MatedPair, AHollowShaftIsAShaft) {
+  const ImportedPart plate =
+      NamedPart("plate", Extruded(RectangleOf(40, 40), 12, {CircleOf(8.1, 48)}), {0, 0, 0});
+  const ImportedPart tube =
+      NamedPart("tube", Extruded(CircleOf(8, 48), 50, {CircleOf(5, 48)}), {0, 0, 2});
+  const std::optional<MatedPair> pair = FindMating(plate, tube);
+  ASSERT_TRUE(pair);
+  EXPECT_EQ(pair->held, &tube);
+  EXPECT_NEAR(pair->features.front().LeastGap(), 0.1e-3, 1e-7);
 }
 
 // Polygons with n sides take r_shaft (1 / cos(180 degrees / n) - 1) and r_hole (1 - cos(180 degrees

@@ -73,11 +73,14 @@ TEST(PartImport, PlateWithHoles) {
   const ImportedPart part = PartOfMesh(DrilledPlate());
   EXPECT_EQ(part.sketch.solids.size(), 1u);
   ASSERT_EQ(part.sketch.pockets.size(), 3u);
-  EXPECT_THAT(
-      WhatOf(part),
-      ElementsAre("end toward +z", "end toward -z", "side toward -y", "side toward +x",
-                  "side toward +y", "side toward -x", "round hole, 16.1 mm, through",
-                  "rectangular hole, 10 x 6 mm, through", "hole with 6 sides, 6 x 5 mm, through"));
+  EXPECT_THAT(WhatOf(part), ElementsAre("end toward +z", "end toward -z", "side toward -y",
+                                        "side toward +x", "side toward +y", "side toward -x",
+                                        "round hole, 16.1 mm, through, mouth toward +z",
+                                        "round hole, 16.1 mm, through, mouth toward -z",
+                                        "rectangular hole, 10 x 6 mm, through, mouth toward +z",
+                                        "rectangular hole, 10 x 6 mm, through, mouth toward -z",
+                                        "hole with 6 sides, 6 x 5 mm, through, mouth toward +z",
+                                        "hole with 6 sides, 6 x 5 mm, through, mouth toward -z"));
   EXPECT_NEAR(part.sketch.features[6].chamfer, 0.5e-3, 1e-7);
   EXPECT_NEAR((part.sketch.features[6].direction - Vector3::UnitZ()).norm(), 0, 1e-12);
   const Value root = FileOf(part).root();
@@ -120,7 +123,7 @@ TEST(PartImport, Slots) {
                           {30, 16}, {10, 16}, {10, 24}, {15, 24}, {15, 30}, {0, 30}};
   const ImportedPart t_slot = PartOfMesh(Extruded(undercut, 50));
   EXPECT_EQ(t_slot.Pieces(), 2);
-  EXPECT_EQ(WhatOf(t_slot).back(), "slot with 8 sides, 20 x 14 mm, through");
+  EXPECT_EQ(WhatOf(t_slot).back(), "slot with 8 sides, 20 x 14 mm, through, mouth toward -z");
   EXPECT_NEAR(VolumeInFile(FileOf(t_slot).root()), 50 * (40 * 30 - 20 * 8 - 10 * 6), 1e-3);
 }
 
