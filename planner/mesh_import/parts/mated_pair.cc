@@ -127,7 +127,7 @@ MatedPair PairOf(const ImportedPart& held, const ImportedPart& fixed) {
     return std::pair(mated.LeastGap(), mated.depth);
   });
   // A shaft that goes through its hole has a tip on either side.
-  const auto is_the_same = [](const MatedFeatures& a, const MatedFeatures& b) {
+  const auto is_the_same = [&](const MatedFeatures& a, const MatedFeatures& b) {
     return FeatureOf(fixed, a.hole).of == FeatureOf(fixed, b.hole).of &&
            a.LeastGap() == b.LeastGap();
   };
