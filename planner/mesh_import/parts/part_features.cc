@@ -71,8 +71,9 @@ class FeatureFinder {
     for (const SketchPocket& pocket : sketch_.pockets) {
       if (!pocket.pocket.post.is_step) AddHole(pocket);
     }
-    for (const SketchSolid& solid : sketch_.solids) {
-      if (solid.post && solid.post->is_straight && !solid.post->is_step) AddShafts(solid);
+    for (std::size_t i = 0; i < sketch_.solids.size(); ++i) {
+      const std::optional<Post>& post = sketch_.solids[i].post;
+      if (post && post->is_straight && !post->is_step) AddShafts(i);
     }
   }
 
@@ -267,9 +268,14 @@ class FeatureFinder {
     return true;
   }
 
-  void AddShafts(const SketchSolid& solid) {
+  // A hollow solid is a shaft, too, unless a slot opens its sides.
+  void AddShafts(std::size_t index) {
+    const SketchSolid& solid = sketch_.solids[index];
     const Post& post = *solid.post;
-    if (!HasFreeSides(solid)) return;
+    const bool is_slotted = std::ranges::any_of(sketch_.pockets, [&](const SketchPocket& pocket) {
+      return pocket.solid == static_cast<int>(index) && pocket.pocket.post.mouth;
+    });
+    if (is_slotted || !HasFreeSides(solid)) return;
     for (const bool top : {true, false}) {
       const Exposure tip = EndExposure(solid.R_PartLocal, post, top, true);
       const Exposure foot = EndExposure(solid.R_PartLocal, post, !top, true);

@@ -13,6 +13,7 @@ namespace assay::mesh_import {
 namespace {
 
 using ::testing::AllOf;
+using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
@@ -73,14 +74,17 @@ TEST(PartImport, PlateWithHoles) {
   const ImportedPart part = PartOfMesh(DrilledPlate());
   EXPECT_EQ(part.sketch.solids.size(), 1u);
   ASSERT_EQ(part.sketch.pockets.size(), 3u);
-  EXPECT_THAT(WhatOf(part), ElementsAre("end toward +z", "end toward -z", "side toward -y",
-                                        "side toward +x", "side toward +y", "side toward -x",
-                                        "round hole, 16.1 mm, through, mouth toward +z",
-                                        "round hole, 16.1 mm, through, mouth toward -z",
-                                        "rectangular hole, 10 x 6 mm, through, mouth toward +z",
-                                        "rectangular hole, 10 x 6 mm, through, mouth toward -z",
-                                        "hole with 6 sides, 6 x 5 mm, through, mouth toward +z",
-                                        "hole with 6 sides, 6 x 5 mm, through, mouth toward -z"));
+  EXPECT_THAT(WhatOf(part),
+              ElementsAre("end toward +z", "end toward -z", "side toward -y", "side toward +x",
+                          "side toward +y", "side toward -x",
+                          "round hole, 16.1 mm, through, mouth toward +z",
+                          "round hole, 16.1 mm, through, mouth toward -z",
+                          "rectangular hole, 10 x 6 mm, through, mouth toward +z",
+                          "rectangular hole, 10 x 6 mm, through, mouth toward -z",
+                          "hole with 6 sides, 6 x 5 mm, through, mouth toward +z",
+                          "hole with 6 sides, 6 x 5 mm, through, mouth toward -z",
+                          "rectangular shaft, 60 x 40 mm, 12 mm long, tip toward +z",
+                          "rectangular shaft, 60 x 40 mm, 12 mm long, tip toward -z"));
   EXPECT_NEAR(part.sketch.features[6].chamfer, 0.5e-3, 1e-7);
   EXPECT_NEAR((part.sketch.features[6].direction - Vector3::UnitZ()).norm(), 0, 1e-12);
   const Value root = FileOf(part).root();
@@ -98,7 +102,7 @@ TEST(PartImport, BlindHole) {
   const ImportedPart part =
       PartOfMesh(BlockWithBlindHole(RectangleOf(40, 30), RectangleOf(16, 16), 8, 20));
   EXPECT_EQ(part.Pieces(), 2);
-  EXPECT_EQ(WhatOf(part).back(), "square hole, 16 mm, 12 mm deep");
+  EXPECT_THAT(WhatOf(part), Contains("square hole, 16 mm, 12 mm deep"));
   EXPECT_NEAR(VolumeInFile(FileOf(part).root()), 40 * 30 * 20 - 16 * 16 * 12, 1e-3);
   EXPECT_LT(part.Distance(), 1e-9);
 }
