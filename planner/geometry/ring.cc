@@ -76,4 +76,17 @@ bool IsInside(std::span<const Vector2> ring, const Vector2& p) {
   return inside;
 }
 
+Ring MovedOutward(const Ring& convex, double by) {
+  Ring moved;
+  for (std::size_t i = 0; i < convex.size(); ++i) {
+    const Vector2& at = convex[i];
+    const Vector2 in = (at - convex[(i + convex.size() - 1) % convex.size()]).normalized();
+    const Vector2 out = (convex[(i + 1) % convex.size()] - at).normalized();
+    const Vector2 normal_in(in.y(), -in.x());
+    const Vector2 normal_out(out.y(), -out.x());
+    moved.push_back(at + by / (1 + normal_in.dot(normal_out)) * (normal_in + normal_out));
+  }
+  return moved;
+}
+
 }  // namespace assay::geometry

@@ -18,5 +18,8 @@ bool IsSimple(const Ring& ring);
 bool SidesMeet(const Ring& a, const Ring& b);
 // Returns whether p is inside the polygon, by the parity of the sides to its right.
 bool IsInside(std::span<const Vector2> ring, const Vector2& p);
+// Returns a convex polygon that runs counter-clockwise with each side moved outward by `by` metres,
+// or inward if `by` is negative. Sides that have moved inward too far run backwards.
+Ring MovedOutward(const Ring& convex, double by);
 
 }  // namespace assay::geometry

@@ -213,19 +213,18 @@ Polygon CrossSection(const ShaftFit& fit) {
   const PartModel& model = fit.shaft_model;
   const Feature& shaft = fit.shaft;
   const Pose X_FeaturePart = shaft.X_PartFeature.inverse();
-  Polygon section;
+  std::vector<Vector2> points;  // of the tip and of the bevels around it
   for (const FaceId id : shaft.faces) {
     const Face& face = model.faces()[id.index()];
     const Vector3 normal = X_FeaturePart.linear() * face.normal;
-    if (normal.z() < 1 - kUnitProduct) continue;
-    std::vector<Vector2> points;
+    if (normal.z() < kUnitProduct) continue;
     for (const Polygon& patch : face.patches) {
       for (const Vector2& p : patch) {
         points.push_back((X_FeaturePart * face.X_PartFace * Vector3(p.x(), p.y(), 0)).head<2>());
       }
     }
-    section = geometry::Hull2(points);
   }
+  Polygon section = geometry::Hull2(points);
   for (const FaceId id : shaft.faces) {
     const Face& face = model.faces()[id.index()];
     const Vector3 normal = X_FeaturePart.linear() * face.normal;

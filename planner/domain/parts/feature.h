@@ -58,7 +58,7 @@ struct Feature {
                               // axis, outward; of a shaft: at the centre of its tip; of a face:
                               // at its centroid, z = normal
   // Size of the bevelled edges of a hole's mouth or of a shaft's tip, across the axis and along it,
-  // in metres. The boxes do not show the bevels.
+  // in metres. The solids of the part have these bevels.
   double chamfer = 0;
 
   bool is_plain_face() const { return faces.size() == 1 && mouths.empty(); }

@@ -8,7 +8,6 @@
 #include "planner/geometry/hull.h"
 #include "planner/geometry/planar_region.h"
 #include "planner/geometry/polygon.h"
-#include "planner/geometry/solids/convex_cut.h"
 
 namespace assay::domain {
 namespace {
@@ -53,16 +52,8 @@ bool MovesWithClearance(const PartSolids::Pocket& pocket, const Side& side) {
 
 }  // namespace
 
-Hollow HollowOf(const PartSolids::Solid& solid, const PartSolids::Pocket& pocket) {
-  Hollow hollow{solid, pocket, {}};
-  for (const ConvexHull& of_solid : solid.whole) {
-    for (const ConvexHull& of_pocket : pocket.whole) {
-      if (auto common = Intersection(of_pocket, of_solid)) {
-        hollow.clipped.push_back(*std::move(common));
-      }
-    }
-  }
-  return hollow;
+Hollow HollowOf(const PartSolids& solids, const PartSolids::Pocket& pocket) {
+  return {solids.SolidOf(pocket), pocket, solids.Clipped(pocket)};
 }
 
 std::optional<Mouth> FindMouth(const PartModel& model, std::span<const Hollow> hollows,

@@ -6,17 +6,18 @@
 
 #include "planner/domain/parts/feature.h"
 #include "planner/domain/parts/part_model.h"
-#include "planner/domain/parts/part_solids.h"
+#include "planner/domain/parts/solids/part_solids.h"
 
 namespace assay::domain {
 
-// A pocket and the solid that it is cut from, in the part frame. Both must outlive the hollow.
+// A pocket and the solid that it is cut from, in the part frame. The solids of the part must
+// outlive the hollow.
 struct Hollow {
   const PartSolids::Solid& solid;
   const PartSolids::Pocket& pocket;
   std::vector<geometry::ConvexHull> clipped;  // the part of the pocket in the solid
 };
-Hollow HollowOf(const PartSolids::Solid& solid, const PartSolids::Pocket& pocket);
+Hollow HollowOf(const PartSolids& solids, const PartSolids::Pocket& pocket);
 
 // Returns where the first pocket opens in a direction, if the other pockets leave it open. Returns
 // none if they do not all end in one plane, or if the mouth is covered.

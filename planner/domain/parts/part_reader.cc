@@ -31,7 +31,6 @@ constexpr double kLeastTilt = 2 * kDegrees.factor;
 constexpr double kFarthestName = 30 * kDegrees.factor;
 constexpr double kAligned = 1e-6;  // greatest difference of unit vectors that should be equal
 constexpr int kMostFeatures = 9999;
-constexpr Range kChamfers = {0, 0.02};  // metres
 
 std::string ReadInitial(const Value& value) {
   std::string initial = value.Text();
@@ -189,7 +188,7 @@ Feature PartReader::ReadFeature(const Value& entry, const PartModel& model) cons
   }
   if (const auto what = entry.Find("what")) feature.description = ReadAnyName(*what);
   if (const auto chamfer = entry.Find("chamfer")) {
-    feature.chamfer = ReadWithin(*chamfer, units_.length, kChamfers);
+    feature.chamfer = ReadLength(*chamfer, units_);
   }
   return feature;
 }
@@ -217,7 +216,7 @@ void PartReader::ReadHole(const Value& entry, const PartModel& model, Feature& f
   for (const PartSolids::Pocket* const pocket : solids_.PocketsNamed(entry.At("hole"))) {
     const Solid& solid = solids_.SolidOf(*pocket);
     ReadSides(axis, solid.whole, solid.name);
-    hollows.push_back(HollowOf(solid, *pocket));
+    hollows.push_back(HollowOf(solids_, *pocket));
   }
   const Vector3 out = SidesTowards(hollows.front().solid.whole, ReadDirection(axis)).front().normal;
   const std::optional<Mouth> mouth = FindMouth(model, hollows, out);

@@ -5,7 +5,7 @@
 
 #include "planner/base/input_files/document.h"
 #include "planner/domain/parts/part_model.h"
-#include "planner/domain/parts/part_solids.h"
+#include "planner/domain/parts/solids/part_solids.h"
 #include "planner/domain/units/units.h"
 
 namespace assay::domain {

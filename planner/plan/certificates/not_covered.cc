@@ -24,8 +24,8 @@ constexpr char kBeside[] =
     "there are no errors";
 
 constexpr char kYields[] =
-    "a wrist that yields, and bevelled edges: simulated arms and parts have neither, so a trial "
-    "may stop at a rim over which these would lead the shaft";
+    "a wrist that yields: simulated arms have none, so a trial may stop at a rim over which it "
+    "would lead the shaft";
 
 // Returns whether the proof of a mating counts on a wrist that yields.
 bool CountsOnYielding(const PlannedStep& step) {

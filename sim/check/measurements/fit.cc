@@ -85,8 +85,9 @@ class Fit {
   double InsideWalls(const Pose& X_HoleShaft, double engaged) const {
     double worst = kInfinity;
     for (const Vector3& corner : corners_) {
-      if (corner.z() < -kTipLayer && engaged <= 0) continue;
+      if (corner.z() < -kTipLayer - shaft_.chamfer && engaged <= 0) continue;
       // A corner outside the hole counts as the point on its edge where the shaft passes the mouth.
+      // A corner where the bevel of the tip ends counts as if there was no bevel.
       const Vector3 inside(corner.x(), corner.y(), std::max(corner.z(), -engaged));
       const Vector3 p = X_HoleShaft * shaft_.X_PartFeature * inside;
       for (const domain::Face* wall : walls_) {

@@ -19,8 +19,8 @@ struct MeasuredMargin {
   // leaves out corners if a bound shows that no error closes their gap. This gap may be smaller
   // than the margin.
   bool is_at_least_the_margin = true;
-  // True if the certificate counts on a wrist that yields and on bevelled edges. Simulated arms and
-  // parts have neither. If a shaft would need them, the trial proves nothing about the plan.
+  // True if the certificate counts on a wrist that yields. Simulated arms have none. If a shaft
+  // would need one, the trial proves nothing about the plan.
   bool counts_on_yielding = false;
 };
 

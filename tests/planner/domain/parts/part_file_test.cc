@@ -11,6 +11,7 @@
 #include "planner/domain/parts/exposed_faces.h"
 #include "planner/geometry/hull.h"
 #include "planner/geometry/planar_region.h"
+#include "planner/geometry/polygon.h"
 #include "planner/geometry/pose.h"
 #include "planner/geometry/solids/mass_properties.h"
 #include "tests/planner/domain/parts.h"
@@ -70,12 +71,49 @@ TEST(PartFileTest, ReadsEverything) {
   EXPECT_EQ(part->colors().front(), Eigen::Vector4f(1, 0, 0, 1));
 }
 
-TEST(PartFileTest, ShaftsAndHolesMayBeChamfered) {
-  std::string text = With("axis: [0, 0, 1]}", "axis: [0, 0, 1], chamfer: 1.5}");
-  const auto part = ParsePart(text);
+// Returns the mass that the chamfer of a feature takes from a part without one, kilograms.
+double MassOfBevels(const std::string& file, const std::string& axis) {
+  std::string chamfered = file;
+  chamfered.replace(chamfered.find(axis), axis.size(), axis + ", chamfer: 1.5");
+  return ParsePart(file)->mass().mass - ParsePart(chamfered)->mass().mass;
+}
+
+// At a height h above its lower end, the bevel leaves out a frame of the breadth h around the tip,
+// and takes a frame of the breadth h around the mouth.
+TEST(PartFileTest, ChamfersShapeTipsAndMouths) {
+  const double c = 1.5;
+  const double around_tip = 2 * (20 + 20) * c * c / 2 - 4 * c * c * c / 3;
+  EXPECT_NEAR(MassOfBevels(kFile, "axis: [0, 0, 1]"), 1000 * around_tip * 1e-9, 1e-12);
+  const double around_mouth = 2 * (20 + 10) * c * c / 2 + 4 * c * c * c / 3;
+  EXPECT_NEAR(MassOfBevels(kFile, "axis: [1, 0, 0]"), 1000 * around_mouth * 1e-9, 1e-12);
+}
+
+TEST(PartFileTest, FeaturesKeepTheirFramesAndWallsIfChamfered) {
+  const auto plain = ParsePart(kFile);
+  const auto part = ParsePart(With("axis: [0, 0, 1]}", "axis: [0, 0, 1], chamfer: 1.5}"));
+  const auto other = ParsePart(With("axis: [1, 0, 0]}", "axis: [1, 0, 0], chamfer: 1.5}"));
   EXPECT_NEAR(part->FindFeature(FeatureNumber(2))->chamfer, 0.0015, 1e-15);
   EXPECT_EQ(part->FindFeature(FeatureNumber(3))->chamfer, 0);
-  EXPECT_EQ(part->mass().mass, ParsePart(kFile)->mass().mass) << "the solids do not show it";
+  EXPECT_TRUE(part->FindFeature(FeatureNumber(2))
+                  ->X_PartFeature.isApprox(plain->FindFeature(FeatureNumber(2))->X_PartFeature));
+  const Feature& hole = *other->FindFeature(FeatureNumber(3));
+  const Feature& straight = *plain->FindFeature(FeatureNumber(3));
+  EXPECT_TRUE(hole.X_PartFeature.isApprox(straight.X_PartFeature));
+  EXPECT_EQ(hole.walls.size(), straight.walls.size());
+  EXPECT_NEAR(geometry::Area(hole.mouths.front().outline),
+              geometry::Area(straight.mouths.front().outline), 1e-12);
+}
+
+// A chamfer bevels no edge that another solid covers, and nothing beside the shaft.
+TEST(PartFileTest, ChamfersLeaveCoveredEdges) {
+  std::string text = With("  lug: {box: [[20, 10, 20], [40, 30, 50]]}",
+                          "  lug: {box: [[20, 10, 20], [40, 30, 50]]}\n"
+                          "  rib: {box: [[40, 10, 20], [50, 30, 50]]}");
+  const double c = 1.5;
+  // The tip of the lug keeps its edge beside the rib. Its bevels at the ends of this edge go on to
+  // the rib.
+  const double around = (20 + 2 * 20) * c * c / 2 - 2 * c * c * c / 3;
+  EXPECT_NEAR(MassOfBevels(text, "axis: [0, 0, 1]"), 1000 * around * 1e-9, 1e-12);
 }
 
 TEST(PartFileTest, EveryPartOfTheRepositoryLoads) {
@@ -236,6 +274,9 @@ TEST(PartFileTest, EachSlipIsNamed) {
       {"upright: [0, 0, -1]", "upright: [0, 0, -1], again: [0, 0.1, -1]",
        "already named 'upright'"},
       {"axis: [0, 0, 1]}", "axis: [0, 0, 1], chamfer: -1}", "-1 mm is out of range"},
+      {"axis: [0, 0, 1]}", "axis: [0, 0, 1], chamfer: 10.5}", "leaves nothing of the tip"},
+      {"axis: [1, 0, 0]}", "axis: [1, 0, 0], chamfer: 15}",
+       "allowed: less than the depth of 15 mm"},
       {"axis: [1, 0, 0]}", "axis: [1, 0, 0], chamfer: 30}", "allowed: 0 mm to 20 mm"},
       {"axis: [1, 0, 0]}", "axis: [1, 0, 0], chamfr: 1}", "did you mean 'chamfer'"},
       {"what: bottom", "chamfer: 1", "unknown key 'chamfer'"},

@@ -1,4 +1,4 @@
-#include "planner/domain/parts/solid_shapes.h"
+#include "planner/domain/parts/solids/solid_shapes.h"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>

@@ -1,4 +1,4 @@
-#include "planner/domain/parts/solid_shapes.h"
+#include "planner/domain/parts/solids/solid_shapes.h"
 
 #include <fmt/format.h>
 
@@ -8,8 +8,8 @@
 #include <numbers>
 #include <optional>
 
-#include "planner/domain/parts/convex_pieces_file.h"
 #include "planner/domain/parts/exposed_faces.h"
+#include "planner/domain/parts/solids/convex_pieces_file.h"
 #include "planner/geometry/box.h"
 #include "planner/geometry/hull.h"
 #include "planner/geometry/solids/polygon_pieces.h"
@@ -224,20 +224,6 @@ std::vector<Ring> ReadHoles(const Value& holes, const Ring& outline, const Units
   return rings;
 }
 
-// Returns a convex polygon with each side moved outward.
-Ring MovedOutward(const Ring& convex, double by) {
-  Ring moved;
-  for (std::size_t i = 0; i < convex.size(); ++i) {
-    const Vector2& at = convex[i];
-    const Vector2 in = (at - convex[(i + convex.size() - 1) % convex.size()]).normalized();
-    const Vector2 out = (convex[(i + 1) % convex.size()] - at).normalized();
-    const Vector2 normal_in(in.y(), -in.x());
-    const Vector2 normal_out(out.y(), -out.x());
-    moved.push_back(at + by / (1 + normal_in.dot(normal_out)) * (normal_in + normal_out));
-  }
-  return moved;
-}
-
 // A prism's outline: a regular polygon or a list of corners.
 struct Section {
   Ring outline;
@@ -270,7 +256,7 @@ Ring WidenedOutline(const Value& entry, const Section& section, const ShapeReadi
   if (pieces.size() != 1) {
     entry.Fail("only a convex prism can be widened across its axis", "a convex outline");
   }
-  Ring widened = MovedOutward(pieces.front(), reading.widening.by);
+  Ring widened = geometry::MovedOutward(pieces.front(), reading.widening.by);
   const auto turned = [&](std::size_t i) {
     const std::size_t next = (i + 1) % widened.size();
     return (widened[next] - widened[i]).dot(pieces.front()[next] - pieces.front()[i]) <= 0;

@@ -1,13 +1,15 @@
-#include "planner/domain/parts/part_solids.h"
+#include "planner/domain/parts/solids/part_solids.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <iterator>
+#include <limits>
 #include <span>
 
 #include "planner/domain/parts/exposed_faces.h"
-#include "planner/domain/parts/solid_shapes.h"
+#include "planner/domain/parts/solids/bevels.h"
+#include "planner/domain/parts/solids/solid_shapes.h"
 #include "planner/domain/problem/name.h"
 #include "planner/geometry/hull.h"
 #include "planner/geometry/pose.h"
@@ -24,6 +26,7 @@ using geometry::Vector3;
 
 constexpr double kThinnestWall = 1e-5;  // least wall that a pocket may leave, metres
 constexpr double kLeastCut = 1e-12;     // least volume of a pocket, cubic metres
+constexpr Range kChamfers = {0, 0.02};  // metres
 
 Eigen::Vector4f ReadColor(const Value& value) {
   const std::vector<double> numbers = value.Numbers(4);
@@ -101,27 +104,42 @@ bool IsThinWall(const ConvexHull& piece, std::span<const ConvexHull> pieces) {
   });
 }
 
-// Returns the solid's pieces without a pocket. All are in the part frame.
-std::vector<ConvexHull> Cut(const std::vector<ConvexHull>& pieces,
-                            std::span<const ConvexHull> pocket, const Value& place) {
+// Returns the pieces of a solid without those of a pocket. All are in the part frame.
+std::vector<ConvexHull> Without(const std::vector<ConvexHull>& pieces,
+                                std::span<const ConvexHull> pocket) {
   std::vector<ConvexHull> rest = pieces;
   for (const ConvexHull& of_pocket : pocket) {
     std::vector<ConvexHull> remaining;
     for (const ConvexHull& piece : rest) {
-      std::ranges::move(Without(piece, of_pocket), std::back_inserter(remaining));
+      std::ranges::move(geometry::Without(piece, of_pocket), std::back_inserter(remaining));
     }
     rest = std::move(remaining);
   }
-  if (rest.empty()) place.Fail("the pocket leaves nothing of its solid");
-  if (VolumeOf(pieces) - VolumeOf(rest) < kLeastCut) {
-    place.Fail("the pocket cuts nothing from its solid", "a shape that overlaps the solid");
-  }
+  return rest;
+}
+
+// Fails if a pocket or a chamfer, named by `what`, leaves nothing of a solid, or a thin wall.
+void CheckRest(const std::vector<ConvexHull>& rest, const char* what, const Value& place) {
+  if (rest.empty()) place.Fail(fmt::format("the {} leaves nothing of its solid", what));
   for (const ConvexHull& piece : rest) {
     if (!IsThinWall(piece, rest)) continue;
-    place.Fail("the pocket leaves a wall that is too thin",
+    place.Fail(fmt::format("the {} leaves a wall that is too thin", what),
                fmt::format("walls of at least {} m, or none", kThinnestWall));
   }
+}
+
+// Returns what is below all of the planes, or none if nothing remains.
+std::optional<ConvexHull> Below(const ConvexHull& solid, std::span<const geometry::Plane> planes) {
+  std::optional<ConvexHull> rest = solid;
+  for (const geometry::Plane& plane : planes) {
+    if (rest) rest = geometry::Below(*rest, plane);
+  }
   return rest;
+}
+
+// Returns whether a convex piece is part of a convex solid. Otherwise it lies beside the solid.
+bool IsPartOf(const ConvexHull& piece, const ConvexHull& solid) {
+  return Contains(solid, geometry::BallAround(piece.vertices).center, 0);
 }
 
 }  // namespace
@@ -130,6 +148,9 @@ PartSolids::PartSolids(const Value& root, const Units& units, double clearance)
     : units_(units), clearance_(clearance) {
   ReadSolids(root.At("solids"));
   if (const auto pockets = root.Find("pockets")) ReadPockets(*pockets);
+  if (const auto features = root.Find("features")) {
+    for (const auto& [key, entry] : features->Entries()) ReadBevels(entry);
+  }
 }
 
 void PartSolids::ReadSolids(const Value& solids) {
@@ -170,7 +191,12 @@ void PartSolids::ReadPockets(const Value& pockets) {
   for (const auto& [key, entry] : pockets.Entries()) {
     const Pocket& pocket = pockets_.emplace_back(ReadPocket(ReadAnyName(key), entry));
     Solid& solid = solids_[static_cast<std::size_t>(pocket.solid)];
-    solid.pieces = Cut(solid.pieces, pocket.whole, entry);
+    std::vector<ConvexHull> rest = Without(solid.pieces, pocket.whole);
+    if (VolumeOf(solid.pieces) - VolumeOf(rest) < kLeastCut) {
+      entry.Fail("the pocket cuts nothing from its solid", "a shape that overlaps the solid");
+    }
+    CheckRest(rest, "pocket", entry);
+    solid.pieces = std::move(rest);
   }
 }
 
@@ -184,6 +210,69 @@ PartSolids::Pocket PartSolids::ReadPocket(const std::string& name, const Value& 
           .solid = from,
           .whole = Transformed(shape.pieces, X_PartSolid),
           .moved_sides = std::move(shape.moved_sides)};
+}
+
+void PartSolids::ReadBevels(const Value& feature) {
+  const auto chamfer = feature.Find("chamfer");
+  const auto shaft = feature.Find("shaft");
+  const auto hole = feature.Find("hole");
+  if (!chamfer || (!shaft && !hole)) return;
+  const double size = ReadWithin(*chamfer, units_.length, kChamfers);
+  if (size <= 0) return;
+  const Vector3 axis = ReadDirection(feature.At("axis"));
+  if (shaft) {
+    BevelTip(SolidsNamed(*shaft), axis, size, *chamfer);
+  } else {
+    BevelMouth(*PocketsNamed(*hole).front(), axis, size, *chamfer);
+  }
+}
+
+void PartSolids::BevelTip(const std::vector<const Solid*>& shaft, const Vector3& axis, double size,
+                          const Value& place) {
+  std::vector<ConvexHull> all;
+  for (const Solid& solid : solids_) std::ranges::copy(solid.whole, std::back_inserter(all));
+  double tip = -std::numeric_limits<double>::infinity();
+  for (const Solid* const of_shaft : shaft)
+    tip = std::max(tip, FarthestAlong(of_shaft->whole, axis));
+  for (const Solid* const of_shaft : shaft) {
+    Solid& solid = solids_[static_cast<std::size_t>(of_shaft - solids_.data())];
+    for (ConvexHull& whole : solid.whole) {
+      const std::vector<geometry::Plane> bevels = BevelsAtEnd(whole, all, axis, tip, size);
+      if (bevels.empty()) continue;
+      std::optional<ConvexHull> bevelled = Below(whole, bevels);
+      if (!bevelled || GreatestAlong(*bevelled, axis) < tip - kRounding ||
+          -GreatestAlong(whole, -axis) > tip - size) {
+        place.Fail(fmt::format("a chamfer of {} leaves nothing of the tip, or of a side",
+                               InUnit(size, units_.length)),
+                   "less than half the width of the tip, and less than the length of the shaft");
+      }
+      std::vector<ConvexHull> pieces;
+      for (const ConvexHull& piece : solid.pieces) {
+        std::optional<ConvexHull> rest = IsPartOf(piece, whole) ? Below(piece, bevels) : piece;
+        if (rest) pieces.push_back(*std::move(rest));
+      }
+      CheckRest(pieces, "chamfer", place);
+      solid.pieces = std::move(pieces);
+      whole = *std::move(bevelled);
+    }
+  }
+}
+
+void PartSolids::BevelMouth(const Pocket& pocket, const Vector3& axis, double size,
+                            const Value& place) {
+  const std::vector<ConvexHull> hollow = Clipped(pocket);
+  const double mouth = FarthestAlong(hollow, axis);
+  const double depth = mouth + FarthestAlong(hollow, -axis);
+  if (size >= depth) {
+    place.Fail(fmt::format("a chamfer of {} leaves nothing of the hole's walls",
+                           InUnit(size, units_.length)),
+               fmt::format("less than the depth of {}", InUnit(depth, units_.length)));
+  }
+  const std::vector<ConvexHull> bevel = BevelledMouth(hollow, axis, mouth, size);
+  for (Solid& solid : solids_) {
+    solid.pieces = Without(solid.pieces, bevel);
+    CheckRest(solid.pieces, "chamfer", place);
+  }
 }
 
 std::vector<ConvexHull> PartSolids::Pieces() const {
@@ -227,6 +316,16 @@ const PartSolids::Solid& PartSolids::SolidNamed(const Value& name) const {
 
 const PartSolids::Solid& PartSolids::SolidOf(const Pocket& pocket) const {
   return solids_[static_cast<std::size_t>(pocket.solid)];
+}
+
+std::vector<ConvexHull> PartSolids::Clipped(const Pocket& pocket) const {
+  std::vector<ConvexHull> clipped;
+  for (const ConvexHull& of_solid : SolidOf(pocket).whole) {
+    for (const ConvexHull& of_pocket : pocket.whole) {
+      if (auto common = Intersection(of_pocket, of_solid)) clipped.push_back(*std::move(common));
+    }
+  }
+  return clipped;
 }
 
 std::vector<const PartSolids::Solid*> PartSolids::SolidsNamed(const Value& names) const {

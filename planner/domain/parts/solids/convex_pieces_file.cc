@@ -1,4 +1,4 @@
-#include "planner/domain/parts/convex_pieces_file.h"
+#include "planner/domain/parts/solids/convex_pieces_file.h"
 
 #include <fmt/format.h>
 

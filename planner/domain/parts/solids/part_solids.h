@@ -11,17 +11,18 @@
 
 namespace assay::domain {
 
-// The solids of a part file and the pockets that are cut from them (models/parts/README.md). The
-// constructor reads them. Errors are InputErrors at the place of what is wrong.
+// The solids of a part file, the pockets that are cut from them, and their bevelled edges
+// (models/parts/README.md). The constructor reads them. Errors are InputErrors at the place of what
+// is wrong.
 class PartSolids {
  public:
   // A solid: its convex pieces, and what remains of them after the pockets are cut.
   struct Solid {
     std::string name;
     geometry::Pose X_PartSolid = geometry::Pose::Identity();  // turn from the file's coordinates
-    std::vector<geometry::ConvexHull> whole;                  // before pockets, part frame
-    std::vector<geometry::ConvexHull> pieces;                 // after pockets, part frame
-    std::optional<geometry::RoundSolid> round;                // what `whole` stands for, part frame
+    std::vector<geometry::ConvexHull> whole;    // before pockets, with bevelled ends, part frame
+    std::vector<geometry::ConvexHull> pieces;   // after pockets and bevelled mouths, part frame
+    std::optional<geometry::RoundSolid> round;  // what `whole` stands for, part frame
     Eigen::Vector4f color;
   };
   struct Pocket {
@@ -32,8 +33,9 @@ class PartSolids {
     std::vector<geometry::Vector3> moved_sides;
   };
 
-  // Reads the keys `solids` and `pockets`. `clearance` is in metres, on each side of the axes along
-  // which a pocket is to be widened; a negative clearance narrows it.
+  // Reads the keys `solids` and `pockets`, and `chamfer` of the features. `clearance` is in metres,
+  // on each side of the axes along which a pocket is to be widened; a negative clearance narrows
+  // it.
   PartSolids(const Value& root, const Units& units, double clearance);
 
   const std::vector<Solid>& solids() const { return solids_; }
@@ -45,6 +47,8 @@ class PartSolids {
 
   const Solid& SolidNamed(const Value& name) const;
   const Solid& SolidOf(const Pocket& pocket) const;
+  // Returns the part of a pocket in the solid that it is cut from.
+  std::vector<geometry::ConvexHull> Clipped(const Pocket& pocket) const;
   // Return what one name, or a list of names, refers to; at least one element.
   std::vector<const Solid*> SolidsNamed(const Value& names) const;
   std::vector<const Pocket*> PocketsNamed(const Value& names) const;
@@ -55,6 +59,14 @@ class PartSolids {
   geometry::Pose ReadTurn(const Value& turn) const;
   void ReadPockets(const Value& pockets);
   Pocket ReadPocket(const std::string& name, const Value& entry) const;
+
+  // Bevel the edges around the tip of a shaft, or around the mouth of a hole. `place` is where
+  // errors are.
+  void ReadBevels(const Value& feature);
+  void BevelTip(const std::vector<const Solid*>& shaft, const geometry::Vector3& axis, double size,
+                const Value& place);
+  void BevelMouth(const Pocket& pocket, const geometry::Vector3& axis, double size,
+                  const Value& place);
 
   Units units_;
   double clearance_;
