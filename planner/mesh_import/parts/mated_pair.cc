@@ -208,6 +208,16 @@ std::string PolygonSentence(const MatedPair& pair, const MatedFeatures& mated) {
 
 double MatedFeatures::LeastGap() const { return std::ranges::min(gaps); }
 
+geometry::Pose MatedPair::X_FixedHeld() const {
+  geometry::Pose X = geometry::Pose::Identity();
+  X.linear() = fixed->sketch.R_FilePart.transpose() * held->sketch.R_FilePart;
+  return X;
+}
+
+Vector3 MatedPair::MatingDirection() const {
+  return -(fixed->sketch.R_FilePart.transpose() * features.front().mouth);
+}
+
 std::optional<MatedPair> FindMating(const ImportedPart& a, const ImportedPart& b) {
   MatedPair pair = PairOf(a, b);
   if (pair.features.empty()) pair = PairOf(b, a);
@@ -229,22 +239,22 @@ std::string ScenarioText(const MatedPair& pair) {
   const ImportedPart& held = *pair.held;
   const ImportedPart& fixed = *pair.fixed;
   const MatedFeatures& mated = pair.features.front();
-  const Vector3 hole_axis = fixed.sketch.R_FilePart.transpose() * mated.mouth;
-  const Matrix3 R_FixedHeld = fixed.sketch.R_FilePart.transpose() * held.sketch.R_FilePart;
+  const Vector3 down = pair.MatingDirection();
+  const Matrix3 R_FixedHeld = pair.X_FixedHeld().linear();
   std::string text = fmt::format(
       "format: assay-scenario/1\ntitle: {0} into {1}\nunits: {{length: mm, angle: degree}}\n"
       "workcell: {2}\nclearance: {3}  # as in the files: no hole is widened\nparts:\n",
       held.sketch.name, fixed.sketch.name, WorkcellFor(held),
       Millimetres(std::max(mated.LeastGap(), kLeastClearance)));
-  text += PartLine(fixed, DownOf(fixed, -hole_axis), kFixedPlace,
+  text += PartLine(fixed, DownOf(fixed, down), kFixedPlace,
                    fmt::format("    clamp: {:.0f}  # newtons of a fixture\n", kClampForce));
-  text += PartLine(held, DownOf(held, R_FixedHeld.transpose() * -hole_axis), kHeldPlace, "");
+  text += PartLine(held, DownOf(held, R_FixedHeld.transpose() * down), kHeldPlace, "");
   text += fmt::format(
       "goal:\n  - assembled:\n      held: {}\n      fixed: {}\n      features: [[{}], [{}]]\n"
       "      pose: {}\n      mating_vector: {}\n",
       held.sketch.name, fixed.sketch.name, mated.shaft, mated.hole,
-      PoseText(R_FixedHeld, Vector3::Zero()),
-      NumbersText(-(mated.depth + kBeforeMouth) * hole_axis, 1e-3));
+      PoseText(R_FixedHeld, pair.way_to_seat * down),
+      NumbersText((mated.depth + pair.way_to_seat + kBeforeMouth) * down, 1e-3));
   return text;
 }
 
@@ -261,6 +271,13 @@ std::vector<std::string> AccountOf(const MatedPair& pair) {
         IsRound(mated) ? "on the narrowest and the widest side" : "on the sides of the hole",
         fmt::join(gaps, ", ")));
     if (IsRound(mated)) account.back() += PolygonSentence(pair, mated);
+  }
+  if (pair.way_to_seat != 0) {
+    account.push_back(fmt::format(
+        "In the files, {0} does not end at a seat. The scenario moves it {1} by {2} mm, to where "
+        "{3} or the table under {3} stops it.",
+        pair.held->sketch.name, pair.way_to_seat > 0 ? "on" : "back",
+        Millimetres(std::abs(pair.way_to_seat)), pair.fixed->sketch.name));
   }
   return account;
 }

@@ -26,6 +26,15 @@ struct MatedPair {
   const ImportedPart* held = nullptr;   // the part with the shaft
   const ImportedPart* fixed = nullptr;  // the part with the hole
   std::vector<MatedFeatures> features;  // the tightest first, of these the least deep
+  // How far the held part is moved on from where its file has it, to where something stops it,
+  // metres.
+  double way_to_seat = 0;
+
+  // The pose of the held part in the fixed part, as the files have them, in the frames of the part
+  // files.
+  geometry::Pose X_FixedHeld() const;
+  // The direction of the mating motion in the fixed part, for its first features.
+  Vector3 MatingDirection() const;
 };
 
 // Finds which features of two parts in their assembled pose mate. A shaft may be larger than its
@@ -38,7 +47,7 @@ std::optional<MatedPair> FindMating(const ImportedPart& a, const ImportedPart& b
 int SidesFor(const MatedPair& pair);
 
 // Returns a scenario in which the parts lie on the table and are assembled. The fixed part lies
-// with its hole up if it can rest so, and the held part is in its most stable pose.
+// with its hole up if it can rest so, and the held part stands as nearly as it can as it is mated.
 std::string ScenarioText(const MatedPair& pair);
 
 // Tells people what mates, in full sentences.

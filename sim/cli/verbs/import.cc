@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <filesystem>
 #include <map>
 #include <memory>
@@ -14,6 +15,9 @@
 #include "planner/base/counted.h"
 #include "planner/base/input_files/input_error.h"
 #include "planner/base/input_files/quotation.h"
+#include "planner/domain/matings/mating_classes.h"
+#include "planner/domain/matings/seat.h"
+#include "planner/domain/parts/part_file.h"
 #include "planner/mesh_import/parts/account.h"
 #include "planner/mesh_import/parts/mated_pair.h"
 #include "planner/mesh_import/parts/part_import.h"
@@ -111,6 +115,19 @@ ExitCode ImportPart(const Options& options) {
   return ExitCode::kDone;
 }
 
+// Returns how far the held part of a pair is from its seat, in metres. It is 0 if the part is
+// seated already, or if no seat is near.
+double WayToSeat(const mesh_import::MatedPair& pair, const fs::path& folder) {
+  constexpr double kFarthestSeat = 1e-3;  // metres
+  const auto model = [&](const mesh_import::ImportedPart& part) {
+    return domain::PartFile::Load(folder / part.sketch.name / "part.yaml", 0);
+  };
+  const double way = domain::WayToSeat(*model(*pair.held), *model(*pair.fixed), pair.X_FixedHeld(),
+                                       pair.MatingDirection(), kFarthestSeat)
+                         .value_or(0);
+  return std::abs(way) <= domain::kSeatGap ? 0 : way;
+}
+
 // Imports two parts and writes a scenario beside the folder of models that holds them.
 ExitCode ImportPair(const Options& options) {
   if (options.files.size() != 2 || options.files[0].stem() == options.files[1].stem())
@@ -122,7 +139,7 @@ ExitCode ImportPair(const Options& options) {
     RefuseToOverwrite(options.folder / "models/parts" / file.stem() / "part.yaml", options.replace);
     parts.push_back(Read({file}, file.stem().string(), options));
   }
-  const std::optional<mesh_import::MatedPair> pair = mesh_import::FindMating(parts[0], parts[1]);
+  std::optional<mesh_import::MatedPair> pair = mesh_import::FindMating(parts[0], parts[1]);
   if (!pair) {
     throw InputError({options.files[0].string()},
                      fmt::format("no shaft of it is in a hole of {}, nor the other way round",
@@ -140,6 +157,7 @@ ExitCode ImportPair(const Options& options) {
   std::string text;
   for (const mesh_import::ImportedPart& part : parts)
     text += WritePart(part, options.folder / "models/parts" / part.sketch.name);
+  pair->way_to_seat = WayToSeat(*pair, options.folder / "models/parts");
   for (const std::string& sentence : mesh_import::AccountOf(*pair)) text += sentence + "\n";
   WriteFile(scenario, mesh_import::ScenarioText(*pair));
   text += fmt::format("{}\n", scenario.string());

@@ -66,6 +66,18 @@ TEST(MatedPair, APartStartsWithItsTipDown) {
   EXPECT_THAT(ScenarioText(*FindMating(plate, below)), HasSubstr("[0, 0, -1], [500, -200, "));
 }
 
+TEST(MatedPair, TheHeldPartIsMovedToItsSeat) {
+  const ImportedPart plate =
+      NamedPart("plate", Extruded(RectangleOf(40, 40), 12, {CircleOf(8.1, 48)}), {0, 0, 0});
+  const ImportedPart peg = NamedPart("peg", ChamferedPeg(8, 50, 0.5, 48), {0, 0, 0.2});
+  MatedPair pair = FindMating(plate, peg).value();
+  EXPECT_EQ(AccountOf(pair).size(), 1u);
+  pair.way_to_seat = 0.2e-3;
+  EXPECT_THAT(ScenarioText(pair), HasSubstr("[0, 0, 1], [0, 0, -0.2]]}\n"
+                                            "      mating_vector: [0, 0, -32]"));
+  EXPECT_THAT(AccountOf(pair).back(), HasSubstr("moves it on by 0.2 mm"));
+}
+
 TEST(MatedPair, AHollowShaftIsAShaft) {
   const ImportedPart plate =
       NamedPart("plate", Extruded(RectangleOf(40, 40), 12, {CircleOf(8.1, 48)}), {0, 0, 0});

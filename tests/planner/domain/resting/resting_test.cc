@@ -4,6 +4,7 @@
 
 #include <numbers>
 
+#include "planner/geometry/polygon.h"
 #include "planner/geometry/pose.h"
 #include "tests/planner/domain/scenario.h"
 
