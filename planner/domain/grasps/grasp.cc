@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <numbers>
 #include <optional>
@@ -14,7 +15,9 @@
 #include "planner/domain/grasps/face_pair.h"
 #include "planner/domain/grasps/hand_clearance.h"
 #include "planner/domain/grasps/pad_region.h"
+#include "planner/domain/grasps/round_grasps.h"
 #include "planner/domain/grasps/round_side.h"
+#include "planner/domain/grasps/shaft_end.h"
 #include "planner/domain/parts/exposed_faces.h"
 #include "planner/geometry/planar_region.h"
 #include "planner/geometry/polygon.h"
@@ -41,6 +44,10 @@ constexpr double kLeastShare = 0.1;
 // An edge is ahead if the cosine between its outward normal and the approach is at least this. The
 // hand leans too much for a table at other edges.
 constexpr double kAhead = 0.45;
+
+// A hand comes from behind a shaft if the cosine between the approach and the direction to the tip
+// is at least this. A hand that mates the shaft straight down comes so.
+constexpr double kFromBehind = 0.7;
 
 Polygon PadAt(const Vector2& center, const Approach& approach, const Vector2& half_extents) {
   const Vector2 x = half_extents.x() * approach.x;
@@ -137,6 +144,29 @@ class PairSearch {
     const Approach approach = Approach::At(angle, ExtentAlong(angle).length());
     const std::optional<Vector2> center = WidestTouch(approach);
     return center ? std::optional(GraspAt(*center, approach)) : std::nullopt;
+  }
+
+  // Returns the grasps that leave more of a shaft free than this grasp at the same angle does:
+  // those that come from behind a shaft with its faces, and hold it as far from its tip as they
+  // can.
+  std::vector<Grasp> FartherFromTips(double angle, const Grasp& grasp) const {
+    const Approach approach = Approach::At(angle, ExtentAlong(angle).length());
+    const std::vector<CObstacle> obstacles = clearance_.ObstaclesOf(approach);
+    const Vector2 center =
+        (pair_.X_PartMiddle.inverse() * grasp.X_PartTool.translation()).head<2>();
+    const Polygon pad = PadAt(center, approach, pads_);
+    const double touched = geometry::Area(geometry::Common(pair_.region, {pad}));
+    std::vector<Grasp> farther;
+    for (const Vector2& away : AwayFromTips(part_, pair_)) {
+      if (away.dot(approach.z) > -kFromBehind) continue;
+      const std::optional<Vector2> end = TowardsEnd(room_.outline(), pad, center, away);
+      if (!end || IsBlocked(obstacles, *end)) continue;
+      const Polygon there = PadAt(*end, approach, pads_);
+      const double area = geometry::Area(geometry::Common(pair_.region, {there}));
+      if (area < touched - kEqual * pads_.norm() || geometry::Meets(pair_.walls, there)) continue;
+      farther.push_back(GraspAt(*end, approach));
+    }
+    return farther;
   }
 
  private:
@@ -309,36 +339,6 @@ class PairSearch {
   std::vector<Spot> spots_;
 };
 
-// The round sides that pads close on, each with the direction in which they close.
-class RoundGrasps {
- public:
-  explicit RoundGrasps(double step) : step_(step) {}
-
-  // Notes a pair of faces of a round side. Returns false if the pads close on the same side in
-  // nearly the same direction for another pair: the grasps would be alike.
-  bool Add(const RoundSide& side, const Vector3& closing) {
-    const auto is_alike = [&](const Taken& other) {
-      const Vector3 axis = side.X_PartAxis.linear().col(2);
-      const Vector3 apart = other.side.X_PartAxis.translation() - side.X_PartAxis.translation();
-      return axis.cross(other.side.X_PartAxis.linear().col(2)).norm() < kEqual &&
-             axis.cross(apart).norm() < kEqual &&
-             std::abs(side.radius - other.side.radius) < kEqual &&
-             std::abs(closing.dot(other.closing)) > std::cos(step_ - kRounding);
-    };
-    if (std::ranges::any_of(taken_, is_alike)) return false;
-    taken_.push_back({side, closing});
-    return true;
-  }
-
- private:
-  struct Taken {
-    RoundSide side;
-    Vector3 closing;
-  };
-  double step_;
-  std::vector<Taken> taken_;
-};
-
 std::vector<double> AnglesBy(double step) {
   const int count = static_cast<int>(std::ceil(2 * std::numbers::pi / step - kRounding));
   std::vector<double> angles;
@@ -355,9 +355,11 @@ std::vector<Grasp> ComputeGrasps(const PartModel& part, const kinematics::Grippe
   ASSAY_CHECK(search.approach_step > kRounding);
   const std::vector<double> angles = AnglesBy(search.approach_step);
   std::vector<Grasp> grasps;
-  const auto add = [&](std::optional<Grasp> grasp) {
+  std::vector<Grasp> farther_from_tips;
+  const auto add = [&](const PairSearch& pair, double angle, std::optional<Grasp> grasp) {
     if (!grasp) return;
-    grasp->label = fmt::format("{}G{}", part.initial(), grasps.size() + 1);
+    if (grasp->room.fits())
+      std::ranges::move(pair.FartherFromTips(angle, *grasp), std::back_inserter(farther_from_tips));
     grasps.push_back(*std::move(grasp));
   };
   std::vector<std::pair<PadPlaces, std::vector<double>>> narrow;
@@ -368,7 +370,7 @@ std::vector<Grasp> ComputeGrasps(const PartModel& part, const kinematics::Grippe
       const PairSearch on_faces(part, gripper, places, std::nullopt, kAllowance);
       for (const double angle : angles) {
         if (!std::ranges::binary_search(cramped, angle))
-          add(on_faces.OnFaces(angle, search.with_misfits));
+          add(on_faces, angle, on_faces.OnFaces(angle, search.with_misfits));
       }
     }
     if (!cramped.empty()) narrow.emplace_back(std::move(places), std::move(cramped));
@@ -383,9 +385,12 @@ std::vector<Grasp> ComputeGrasps(const PartModel& part, const kinematics::Grippe
     for (const double angle : on_faces.Angles(cramped)) {
       std::optional<Grasp> grasp = on_faces.OnNarrowFaces(angle);
       if (!grasp && search.with_misfits) grasp = on_faces.OnFaces(angle, true);
-      add(std::move(grasp));
+      add(on_faces, angle, std::move(grasp));
     }
   }
+  std::ranges::move(farther_from_tips, std::back_inserter(grasps));
+  for (std::size_t i = 0; i < grasps.size(); ++i)
+    grasps[i].label = fmt::format("{}G{}", part.initial(), i + 1);
   return grasps;
 }
 

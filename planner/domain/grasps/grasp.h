@@ -47,6 +47,10 @@ class PartModel;
 // and each class gives the grasp that touches most. Of the faces of a round side, pairs that are
 // turned by less than `approach_step` against each other count as one, and the directions are along
 // the axis and across it.
+//
+// Last come further grasps of classes whose faces are sides of a shaft, with the hand behind the
+// shaft. The pads are as far from the tip as they can be. A peg that is only a shaft can be mated
+// with such a grasp.
 std::vector<Grasp> ComputeGrasps(const PartModel& part, const kinematics::Gripper& gripper,
                                  const GraspSearch& search);
 

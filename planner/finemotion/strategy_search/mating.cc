@@ -166,13 +166,14 @@ std::optional<double> RadiusOfRoundHole(const domain::ShaftFit& fit) {
 // Adds cylinders for polygons that stand for circles: for shafts of the held part that go into
 // holes of the fixed part. The cylinder of a shaft goes through the corners of its polygon, and
 // that of a hole touches the sides of its polygon. The cylinders therefore touch wherever the
-// polygons do.
+// polygons do. The rims of these cylinders are sharp, so bevelled polygons stay polygons.
 void AddRoundFits(const std::vector<domain::ShaftFit>& fits, Shapes& shapes) {
   for (const domain::ShaftFit& fit : fits) {
     const geometry::Polygon section = domain::CrossSection(fit);
     const std::optional<double> of_shaft = domain::RadiusOfRound(section);
     const std::optional<double> of_hole = RadiusOfRoundHole(fit);
-    if (!fit.shaft_is_held || !of_shaft || !of_hole) continue;
+    const bool has_bevels = fit.shaft.chamfer > 0 || fit.hole.chamfer > 0;
+    if (!fit.shaft_is_held || !of_shaft || !of_hole || has_bevels) continue;
     const double half_side = (section[1] - section[0]).norm() / 2;
     const Pose& shaft = fit.shaft.X_PartFeature;
     const Pose& hole = fit.hole.X_PartFeature;
