@@ -142,15 +142,27 @@ bool IsPartOf(const ConvexHull& piece, const ConvexHull& solid) {
   return Contains(solid, geometry::BallAround(piece.vertices).center, 0);
 }
 
+// Returns whether a feature is a hole whose first pocket has this name.
+bool BeginsWith(const Value& feature, const std::string& pocket) {
+  const auto hole = feature.Find("hole");
+  if (!hole) return false;
+  const std::vector<Value> names = hole->IsList() ? hole->Items() : std::vector{*hole};
+  return !names.empty() && names.front().IsScalar() && names.front().Text() == pocket;
+}
+
 }  // namespace
 
 PartSolids::PartSolids(const Value& root, const Units& units, double clearance)
     : units_(units), clearance_(clearance) {
   ReadSolids(root.At("solids"));
-  if (const auto pockets = root.Find("pockets")) ReadPockets(*pockets);
+  std::vector<Value> chamfered;
   if (const auto features = root.Find("features")) {
-    for (const auto& [key, entry] : features->Entries()) ReadBevels(entry);
+    for (const auto& [key, entry] : features->Entries()) {
+      if (entry.Find("chamfer")) chamfered.push_back(entry);
+    }
   }
+  if (const auto pockets = root.Find("pockets")) ReadPockets(*pockets, chamfered);
+  ReadTips(chamfered);
 }
 
 void PartSolids::ReadSolids(const Value& solids) {
@@ -187,11 +199,15 @@ Pose PartSolids::ReadTurn(const Value& turn) const {
   return geometry::Translation(center) * turned * geometry::Translation(-center);
 }
 
-void PartSolids::ReadPockets(const Value& pockets) {
+void PartSolids::ReadPockets(const Value& pockets, const std::vector<Value>& chamfered) {
   for (const auto& [key, entry] : pockets.Entries()) {
     const Pocket& pocket = pockets_.emplace_back(ReadPocket(ReadAnyName(key), entry));
     Solid& solid = solids_[static_cast<std::size_t>(pocket.solid)];
-    std::vector<ConvexHull> rest = Without(solid.pieces, pocket.whole);
+    std::vector<ConvexHull> bevelled;
+    std::vector<ConvexHull> rest = solid.pieces;
+    for (const Value& feature : chamfered) CutMouth(feature, pocket, rest, bevelled);
+    rest = Without(rest, pocket.whole);
+    std::ranges::move(bevelled, std::back_inserter(rest));
     if (VolumeOf(solid.pieces) - VolumeOf(rest) < kLeastCut) {
       entry.Fail("the pocket cuts nothing from its solid", "a shape that overlaps the solid");
     }
@@ -212,18 +228,13 @@ PartSolids::Pocket PartSolids::ReadPocket(const std::string& name, const Value& 
           .moved_sides = std::move(shape.moved_sides)};
 }
 
-void PartSolids::ReadBevels(const Value& feature) {
-  const auto chamfer = feature.Find("chamfer");
-  const auto shaft = feature.Find("shaft");
-  const auto hole = feature.Find("hole");
-  if (!chamfer || (!shaft && !hole)) return;
-  const double size = ReadWithin(*chamfer, units_.length, kChamfers);
-  if (size <= 0) return;
-  const Vector3 axis = ReadDirection(feature.At("axis"));
-  if (shaft) {
-    BevelTip(SolidsNamed(*shaft), axis, size, *chamfer);
-  } else {
-    BevelMouth(*PocketsNamed(*hole).front(), axis, size, *chamfer);
+void PartSolids::ReadTips(const std::vector<Value>& chamfered) {
+  for (const Value& feature : chamfered) {
+    const auto shaft = feature.Find("shaft");
+    if (!shaft) continue;
+    const Value chamfer = feature.At("chamfer");
+    const double size = ReadWithin(chamfer, units_.length, kChamfers);
+    if (size > 0) BevelTip(SolidsNamed(*shaft), ReadDirection(feature.At("axis")), size, chamfer);
   }
 }
 
@@ -258,21 +269,30 @@ void PartSolids::BevelTip(const std::vector<const Solid*>& shaft, const Vector3&
   }
 }
 
-void PartSolids::BevelMouth(const Pocket& pocket, const Vector3& axis, double size,
-                            const Value& place) {
+void PartSolids::CutMouth(const Value& feature, const Pocket& pocket, std::vector<ConvexHull>& rest,
+                          std::vector<ConvexHull>& bevelled) const {
+  if (!BeginsWith(feature, pocket.name)) return;
+  const Value chamfer = feature.At("chamfer");
+  const double size = ReadWithin(chamfer, units_.length, kChamfers);
+  if (size <= 0) return;
+  const Vector3 axis = ReadDirection(feature.At("axis"));
   const std::vector<ConvexHull> hollow = Clipped(pocket);
   const double mouth = FarthestAlong(hollow, axis);
   const double depth = mouth + FarthestAlong(hollow, -axis);
   if (size >= depth) {
-    place.Fail(fmt::format("a chamfer of {} leaves nothing of the hole's walls",
-                           InUnit(size, units_.length)),
-               fmt::format("less than the depth of {}", InUnit(depth, units_.length)));
+    chamfer.Fail(fmt::format("a chamfer of {} leaves nothing of the hole's walls",
+                             InUnit(size, units_.length)),
+                 fmt::format("less than the depth of {}", InUnit(depth, units_.length)));
   }
-  const std::vector<ConvexHull> bevel = BevelledMouth(hollow, axis, mouth, size);
-  for (Solid& solid : solids_) {
-    solid.pieces = Without(solid.pieces, bevel);
-    CheckRest(solid.pieces, "chamfer", place);
+  std::vector<ConvexHull> above;
+  std::vector<ConvexHull> below;
+  for (const ConvexHull& piece : rest) {
+    if (auto upper = geometry::Below(piece, {-axis, size - mouth})) above.push_back(*upper);
+    if (auto lower = geometry::Below(piece, {axis, mouth - size})) below.push_back(*lower);
   }
+  std::ranges::move(Without(above, BevelledMouth(hollow, axis, mouth, size)),
+                    std::back_inserter(bevelled));
+  rest = std::move(below);
 }
 
 std::vector<ConvexHull> PartSolids::Pieces() const {

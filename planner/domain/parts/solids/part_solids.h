@@ -57,16 +57,20 @@ class PartSolids {
   void ReadSolids(const Value& solids);
   Solid ReadSolid(const std::string& name, const Value& entry) const;
   geometry::Pose ReadTurn(const Value& turn) const;
-  void ReadPockets(const Value& pockets);
+  // `chamfered` has the features with a chamfer.
+  void ReadPockets(const Value& pockets, const std::vector<Value>& chamfered);
+  void ReadTips(const std::vector<Value>& chamfered);
   Pocket ReadPocket(const std::string& name, const Value& entry) const;
 
-  // Bevel the edges around the tip of a shaft, or around the mouth of a hole. `place` is where
-  // errors are.
-  void ReadBevels(const Value& feature);
+  // Bevels the edges around the tip of a shaft. `place` is where errors are.
   void BevelTip(const std::vector<const Solid*>& shaft, const geometry::Vector3& axis, double size,
                 const Value& place);
-  void BevelMouth(const Pocket& pocket, const geometry::Vector3& axis, double size,
-                  const Value& place);
+  // Cuts the mouth of a pocket with its bevels from pieces of its solid, if the feature is a hole
+  // that begins with this pocket. Moves the pieces around the mouth, down to the lower end of the
+  // bevels, from `rest` to `bevelled`. The bevels and the pocket are so cut from different pieces,
+  // and each side of the hole cuts off one piece of each.
+  void CutMouth(const Value& feature, const Pocket& pocket, std::vector<geometry::ConvexHull>& rest,
+                std::vector<geometry::ConvexHull>& bevelled) const;
 
   Units units_;
   double clearance_;
