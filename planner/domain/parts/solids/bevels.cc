@@ -38,8 +38,9 @@ Polygon SectionAt(const ConvexHull& solid, const Pose& X_PartSection, double hei
 
 }  // namespace
 
-std::vector<geometry::Plane> BevelsAtEnd(const ConvexHull& solid, std::span<const ConvexHull> solids,
-                               const Vector3& axis, double end, double size) {
+std::vector<geometry::Plane> BevelsAtEnd(const ConvexHull& solid,
+                                         std::span<const ConvexHull> solids, const Vector3& axis,
+                                         double end, double size) {
   std::vector<geometry::Plane> bevels;
   for (const Side& side : SidesOf(solid)) {
     if (std::abs(side.normal.dot(axis)) > kAlongAxis) continue;
