@@ -142,12 +142,13 @@ bool IsPartOf(const ConvexHull& piece, const ConvexHull& solid) {
   return Contains(solid, geometry::BallAround(piece.vertices).center, 0);
 }
 
-// Returns whether a feature is a hole whose first pocket has this name.
-bool BeginsWith(const Value& feature, const std::string& pocket) {
+// Returns whether a feature is a hole that has a pocket of this name.
+bool IsHoleWith(const Value& feature, const std::string& pocket) {
   const auto hole = feature.Find("hole");
   if (!hole) return false;
   const std::vector<Value> names = hole->IsList() ? hole->Items() : std::vector{*hole};
-  return !names.empty() && names.front().IsScalar() && names.front().Text() == pocket;
+  return std::ranges::any_of(
+      names, [&](const Value& name) { return name.IsScalar() && name.Text() == pocket; });
 }
 
 }  // namespace
@@ -271,7 +272,7 @@ void PartSolids::BevelTip(const std::vector<const Solid*>& shaft, const Vector3&
 
 void PartSolids::CutMouth(const Value& feature, const Pocket& pocket, std::vector<ConvexHull>& rest,
                           std::vector<ConvexHull>& bevelled) const {
-  if (!BeginsWith(feature, pocket.name)) return;
+  if (!IsHoleWith(feature, pocket.name)) return;
   const Value chamfer = feature.At("chamfer");
   const double size = ReadWithin(chamfer, units_.length, kChamfers);
   if (size <= 0) return;

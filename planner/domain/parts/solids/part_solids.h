@@ -66,7 +66,7 @@ class PartSolids {
   void BevelTip(const std::vector<const Solid*>& shaft, const geometry::Vector3& axis, double size,
                 const Value& place);
   // Cuts the mouth of a pocket with its bevels from pieces of its solid, if the feature is a hole
-  // that begins with this pocket. Moves the pieces around the mouth, down to the lower end of the
+  // with this pocket. Moves the pieces around the mouth, down to the lower end of the
   // bevels, from `rest` to `bevelled`. The bevels and the pocket are so cut from different pieces,
   // and each side of the hole cuts off one piece of each.
   void CutMouth(const Value& feature, const Pocket& pocket, std::vector<geometry::ConvexHull>& rest,

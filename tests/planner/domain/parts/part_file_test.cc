@@ -104,6 +104,18 @@ TEST(PartFileTest, FeaturesKeepTheirFramesAndWallsIfChamfered) {
               geometry::Area(straight.mouths.front().outline), 1e-12);
 }
 
+// Each pocket of a hole is bevelled in its own solid, or the other solid would fill the bevels.
+TEST(PartFileTest, ChamfersShapeMouthsInSeveralSolids) {
+  std::string text = With("pockets:\n",
+                          "  cover: {box: [[30, 0, 0], [60, 40, 20]]}\npockets:\n"
+                          "  cut: {cut_from: cover, box: [[45, 10, 5], [60, 30, 15]]}\n");
+  const std::string hole = "hole: slot";
+  text.replace(text.find(hole), hole.size(), "hole: [slot, cut]");
+  const double c = 1.5;
+  const double around_mouth = 2 * (20 + 10) * c * c / 2 + 4 * c * c * c / 3;
+  EXPECT_NEAR(MassOfBevels(text, "axis: [1, 0, 0]"), 1000 * around_mouth * 1e-9, 1e-12);
+}
+
 // A chamfer bevels no edge that another solid covers, and nothing beside the shaft.
 TEST(PartFileTest, ChamfersLeaveCoveredEdges) {
   std::string text = With("  lug: {box: [[20, 10, 20], [40, 30, 50]]}",
