@@ -168,6 +168,14 @@ void Data::SetGeomHeight(GeomId geom, double z) {
   BeginStep();
 }
 
+void Data::SetImpedance(GeomId geom, double impedance) {
+  mjtNum* solimp = own_model_->geom_solimp + mjNIMP * geom.index();
+  if (solimp[0] == impedance && solimp[1] == impedance) return;
+  solimp[0] = impedance;
+  solimp[1] = impedance;
+  BeginStep();
+}
+
 bool Data::IsActive(EqualityId constraint) const {
   return own_model_->eq_active[constraint.index()] != 0;
 }
@@ -210,7 +218,8 @@ State Data::Save() const {
           .mocap_quat = Copied<double>(d.mocap_quat, 4 * m.nmocap),
           .eq_active = Copied<std::uint8_t>(m.eq_active, m.neq),
           .eq_data = Copied<double>(m.eq_data, mjNEQDATA * m.neq),
-          .geom_pos = Copied<double>(m.geom_pos, 3 * m.ngeom)};
+          .geom_pos = Copied<double>(m.geom_pos, 3 * m.ngeom),
+          .geom_solimp = Copied<double>(m.geom_solimp, mjNIMP * m.ngeom)};
 }
 
 void Data::Restore(const State& state) {
@@ -228,6 +237,7 @@ void Data::Restore(const State& state) {
   CopyBack(state.eq_active, m.neq, m.eq_active);
   CopyBack(state.eq_data, mjNEQDATA * m.neq, m.eq_data);
   CopyBack(state.geom_pos, 3 * m.ngeom, m.geom_pos);
+  CopyBack(state.geom_solimp, mjNIMP * m.ngeom, m.geom_solimp);
   Forward();
   // The warm start is restored last, because Forward overwrites it with its own accelerations.
   CopyBack(state.qacc_warmstart, m.nv, d.qacc_warmstart);

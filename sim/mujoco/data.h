@@ -31,8 +31,8 @@ class Data {
   explicit Data(const Model& model);
 
   const Model& model() const { return model_; }
-  // The engine's structures. `own_model` differs from model() only in the equality constraints and
-  // the heights of geoms.
+  // The engine's structures. `own_model` differs from model() only in the equality constraints, and
+  // in the heights and contact impedances of geoms.
   mjData_* get() { return data_.get(); }
   const mjData_* get() const { return data_.get(); }
   const mjModel_* own_model() const { return own_model_.get(); }
@@ -86,6 +86,8 @@ class Data {
   // Returns the z coordinate of a geom's origin in the frame of its body, in metres.
   double GeomHeight(GeomId geom) const;
   void SetGeomHeight(GeomId geom, double z);
+  // Sets the impedance of a geom's contacts at every depth: between 0 and 1, stiff near 1.
+  void SetImpedance(GeomId geom, double impedance);
 
   bool IsActive(EqualityId constraint) const;
   void Deactivate(EqualityId constraint);

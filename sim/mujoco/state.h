@@ -18,11 +18,12 @@ struct State {
   std::vector<double> xfrc_applied;
   std::vector<double> mocap_pos;
   std::vector<double> mocap_quat;
-  // The engine keeps the following three arrays in its model: two for the equality constraints, one
-  // for the positions of all geoms.
+  // The engine keeps the following four arrays in its model: two for the equality constraints, and
+  // the positions and contact impedances of all geoms.
   std::vector<std::uint8_t> eq_active;
   std::vector<double> eq_data;
   std::vector<double> geom_pos;
+  std::vector<double> geom_solimp;
 
   bool operator==(const State&) const = default;
 };

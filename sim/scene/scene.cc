@@ -268,6 +268,34 @@ void Scene::SetTableHeightUnderHand(Data& data, double height) const {
   SetTableHeights(data, tables_, height);
 }
 
+// Only pads have a priority among the geoms of fingers (robot_mjcf.cc).
+std::vector<mujoco::GeomId> Scene::Pads() const {
+  const mjModel& m = *model_.get();
+  std::vector<mujoco::GeomId> pads;
+  for (int geom = 0; geom < m.ngeom; ++geom) {
+    const mujoco::BodyId body(m.geom_bodyid[geom]);
+    if ((body == left_finger() || body == right_finger()) && m.geom_priority[geom] > 0)
+      pads.emplace_back(geom);
+  }
+  return pads;
+}
+
+void Scene::StiffenPads(Data& data, PartId part) const {
+  constexpr double kSoftnessPerMass = 0.0005;  // 1/kg
+  constexpr double kLeastSoftness = 0.0001;    // of the engine
+  const double softness =
+      std::max(kLeastSoftness, kSoftnessPerMass * model_.get()->body_mass[Body(part).index()]);
+  for (const mujoco::GeomId pad : Pads()) {
+    const double usual = 1 - model_.get()->geom_solimp[mjNIMP * pad.index()];
+    data.SetImpedance(pad, 1 - std::min(usual, softness));
+  }
+}
+
+void Scene::SoftenPads(Data& data) const {
+  for (const mujoco::GeomId pad : Pads())
+    data.SetImpedance(pad, model_.get()->geom_solimp[mjNIMP * pad.index()]);
+}
+
 mujoco::EqualityId Scene::WeldOf(PartId part) const {
   const std::vector<mujoco::EqualityId>& welds = parts_[part.index()].welds;
   return welds.empty() ? mujoco::EqualityId::None() : welds[acting_.index()];

@@ -95,6 +95,11 @@ class Scene {
   void MoveFingers(mujoco::Data& data, double change) const;
   // Sets the gripper to this opening (metres) in one jump, at rest and commanded to stay there.
   void SetGripper(mujoco::Data& data, double opening) const;
+  // Makes the contacts of the pads stiffer, to push a part over its support and not to carry it.
+  // The friction of the support grows with the part's mass. The usual pads, which depend on the
+  // lightest part, would leave a part of 0.7 kg turned by 0.005 degrees.
+  void StiffenPads(mujoco::Data& data, PartId part) const;
+  void SoftenPads(mujoco::Data& data) const;       // makes them as they usually are
   double Opening(const mujoco::Data& data) const;  // metres between the pads
   double Opening(const mujoco::Data& data, domain::RobotId robot) const;
   double OpeningSpeed(const mujoco::Data& data) const;  // m/s, positive when opening
@@ -185,6 +190,7 @@ class Scene {
   };
 
   const RobotAddresses& acting() const { return robots_[acting_.index()]; }
+  std::vector<mujoco::GeomId> Pads() const;  // of the acting hand
   Vector3 WeldTorqueError(const mujoco::Data& data) const;
   mujoco::EqualityId WeldOf(PartId part) const;  // the weld to the acting hand; None without welds
   RobotAddresses FindRobot(const domain::Robot& robot) const;

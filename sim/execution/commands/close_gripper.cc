@@ -38,6 +38,7 @@ Progress Run(const CloseGripper& close, std::span<const Command>, Execution& exe
   mujoco::Data& data = execution.data();
   if (Progress failure = execution.Stay(kClosingSettle)) return failure;
   execution.Brace();
+  if (close.is_squeeze) scene.StiffenPads(data, close.part);
   if (Progress failure = CloseUntilStill(close.hold.width, execution)) return failure;
   execution.Relax();
   const GraspFact fact = {.time = data.time(),

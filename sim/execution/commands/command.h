@@ -61,6 +61,7 @@ struct OpenGripper {
 struct CloseGripper {
   PartId part;
   plan::Hold hold;
+  bool is_squeeze = false;  // the hand will let the part go where it is
 };
 
 // A sensor looks at a part. The believed pose takes over the measured coordinates that the sensor

@@ -40,6 +40,7 @@ Progress Run(const OpenGripper& open, std::span<const Command>, Execution& execu
   }
   if (Progress failure = execution.MoveFingers(wide, 2 * kOpeningSpeed)) return failure;
   if (Progress failure = StayUntilOpen(execution)) return failure;
+  scene.SoftenPads(data);
   return open.release ? execution.Stay(kOpeningSettle) : std::nullopt;
 }
 

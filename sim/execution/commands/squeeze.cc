@@ -13,7 +13,7 @@ StepCommands CommandsToSqueeze(const domain::Problem& problem, const WorldModel&
   return {.approach = {OpenGripper{}, MoveAtSafeHeight{AtSafeHeight(workcell, retreated)},
                        MoveStraight{retreated, kFreePace}},
           .advance = {MoveStraight{grasp, kFingersPace, Guard{kResistance}}},
-          .act = {CloseGripper{squeeze.part, squeeze.hold}},
+          .act = {CloseGripper{squeeze.part, squeeze.hold, true}},
           .depart = {let_go, MoveStraight{retreated, kFingersPace},
                      MoveStraight{AtSafeHeight(workcell, retreated), kFreePace}},
           .withdraw = {let_go, MoveStraight{retreated, kFingersPace}}};

@@ -175,6 +175,25 @@ TEST(Data, StatesHoldTheHeightsOfGeoms) {
   }
 }
 
+// Softer contacts let a box sink deeper. A saved state holds the impedances, too.
+TEST(Data, ImpedancesOfGeomsBelongToOneSimulation) {
+  const Model model = Model::FromMjcf(kTable);
+  const GeomId table = model.Geom("table");
+  const auto sunk = [&](Data& data) {
+    for (int i = 0; i < 500; ++i) data.Step();
+    return 0.02 - data.qpos()[2];
+  };
+  Data stiff(model);
+  Data soft(model);
+  stiff.SetImpedance(table, 0.999);
+  soft.SetImpedance(table, 0.9);
+  Data restored(model);
+  restored.Restore(soft.Save());
+  const double of_soft = sunk(soft);
+  EXPECT_GT(of_soft, 2 * sunk(stiff));
+  EXPECT_EQ(sunk(restored), of_soft);
+}
+
 // A box on a turntable. The friction is ample for its centripetal acceleration of 0.3 m/s^2. If the
 // engine moved the box along tangents, the box would wander outward at half of this acceleration
 // times the timestep, or 0.3 mm in two seconds.
