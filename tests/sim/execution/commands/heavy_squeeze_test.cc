@@ -6,6 +6,7 @@
 
 #include "planner/domain/parts/part_file.h"
 #include "planner/domain/parts/part_model.h"
+#include "planner/domain/units/units.h"
 #include "planner/geometry/pose.h"
 #include "planner/geometry/solids/mass_properties.h"
 #include "sim/execution/walk/executor.h"
@@ -30,10 +31,9 @@ std::shared_ptr<const domain::PartModel> PegOfDensity(int density) {
   return domain::PartFile::Load(file, 0.001);
 }
 
-// Returns the distance of the hand from its commanded place when the pads have just closed on a
-// part, in metres. `off` is how far the part is off across the pads at the start, and `turn` by how
-// many radians it is turned.
-double HandOff(const domain::Problem& problem, PartId part, double off, double turn) {
+// Executes the squeeze of a part. `off` is how far the part is off across the pads at the start, in
+// metres, and `turn` by how many radians it is turned.
+Trace SqueezeOf(const domain::Problem& problem, PartId part, double off, double turn) {
   const Pose& X_WorldPart = problem.part(part).X_WorldPart;
   const plan::Hold hold = HoldForMating(problem, domain::MatingId(0));
   const plan::Plan plan = {
@@ -44,8 +44,14 @@ double HandOff(const domain::Problem& problem, PartId part, double off, double t
   const Vector3 closing = (X_WorldPart * hold.X_PartTool).linear().col(1);
   scene.SetPart(data, part,
                 geometry::Translation(closing * off) * X_WorldPart * geometry::RotationZ(turn));
-  const Trace trace = Execute(problem, plan, scene, data, {});
+  Trace trace = Execute(problem, plan, scene, data, {});
   EXPECT_EQ(trace.end().outcome, TrialOutcome::kSucceeded) << trace.end().reason;
+  return trace;
+}
+
+// Returns the distance of the hand from its commanded place when the pads have just closed on a
+// part, in metres.
+double HandOff(const Trace& trace) {
   const double closed = trace.All<GraspFact>().front()->time;
   const Sample* last = nullptr;
   for (const Sample* sample : trace.All<Sample>()) {
@@ -67,8 +73,25 @@ TEST(HeavySqueeze, TheHandStaysWhereItWasCommanded) {
   ASSERT_GT(friction, 15);
   for (const double off : {0.002, -0.002}) {
     for (const double turn : {0.02, -0.02}) {
-      EXPECT_LE(HandOff(problem, peg, off, turn), kGivePerNewton * friction) << off << " " << turn;
+      EXPECT_LE(HandOff(SqueezeOf(problem, peg, off, turn)), kGivePerNewton * friction)
+          << off << " " << turn;
     }
+  }
+}
+
+// A part that is heavier than others is pushed by pads as stiff as its friction requires. Pads that
+// are as soft as they may be for a lighter part would leave it turned by 0.005 degrees.
+TEST(HeavySqueeze, ThePartIsTurnedBackToThePads) {
+  domain::Problem problem = Figure15();
+  const PartId peg = PartNamed(problem, "peg");
+  domain::Part& part = problem.parts[peg.index()];
+  part.model = PegOfDensity(2800);
+  for (const double turn : {0.02, -0.02}) {
+    const Trace trace = SqueezeOf(problem, peg, 0, turn);
+    const Pose& X_WorldPart = trace.All<Sample>().back()->snapshot.parts[peg.index()].truth;
+    const double left =
+        Eigen::AngleAxisd(X_WorldPart.linear().transpose() * part.X_WorldPart.linear()).angle();
+    EXPECT_LE(left, 0.002 * domain::kDegrees.factor) << turn;
   }
 }
 
