@@ -80,6 +80,14 @@ std::string ReadInput(const fs::path& file, std::string_view allowed, std::size_
   }
   if (error) throw InputError(place, "cannot be read: " + error.message(), wanted);
   if (fs::is_directory(status)) throw InputError(place, "is a directory", wanted);
+  // A device may have no end.
+  if (!fs::is_regular_file(status)) most = std::min(most, kMostInputBytes);
+  const auto require_size = [&](std::uintmax_t size) {
+    if (size > most) {
+      throw InputError(place, "the file is too large", fmt::format("{} bytes", most));
+    }
+  };
+  if (fs::is_regular_file(status)) require_size(fs::file_size(file, error));
   std::ifstream in(file, std::ios::binary);
   std::string text;
   std::vector<char> block(std::size_t{1} << 16);
@@ -88,9 +96,7 @@ std::string ReadInput(const fs::path& file, std::string_view allowed, std::size_
     text.append(block.data(), static_cast<std::size_t>(in.gcount()));
   }
   if (in.bad() || !in.is_open()) throw InputError(place, "cannot be read", wanted);
-  if (text.size() > most) {
-    throw InputError(place, "the file is too large", fmt::format("{} bytes", most));
-  }
+  require_size(text.size());
   RememberInput(file);
   if (collecting != nullptr) collecting->Add(Canonical(file), Digest().Add(text).Hex());
   return text;

@@ -21,13 +21,14 @@ namespace {
 constexpr double kFeatureOffset = 0.001;  // metres by which mating features may be off their axis
 constexpr double kShortestMatingVector = 1e-6;  // metres
 constexpr double kLongestMatingVector = 2;      // metres
-constexpr double kSamePose = 1e-9;     // greatest difference between entries of equal poses
-constexpr double kMatingStep = 0.005;  // metres between tests along a mating vector
-constexpr double kLeastDepth = 1e-4;   // metres that a shaft must be in its hole
-constexpr double kBesideWall = 1e-6;   // depth in a wall that counts as rounding, metres
-constexpr double kMostTurn = 0.4;      // greatest turn of a seated part that is tried, radians
-constexpr double kPlayShare = 0.98;    // share of the play within which nothing else may be met
-constexpr double kAxisTurn = 1e-3;     // greatest angle between axes that should be equal, radians
+constexpr double kSamePose = 1e-9;      // greatest difference between entries of equal poses
+constexpr double kMatingStep = 0.005;   // metres between tests along a mating vector
+constexpr double kLeastDepth = 1e-4;    // metres that a shaft must be in its hole
+constexpr double kBeforeMouth = 0.005;  // least distance from tip to mouth at the start, metres
+constexpr double kBesideWall = 1e-6;    // depth in a wall that counts as rounding, metres
+constexpr double kMostTurn = 0.4;       // greatest turn of a seated part that is tried, radians
+constexpr double kPlayShare = 0.98;     // share of the play within which nothing else may be met
+constexpr double kAxisTurn = 1e-3;      // greatest angle between axes that should be equal, radians
 
 std::string NameOf(const Feature& feature) {
   return fmt::format("{} ({})", feature.number.index(), feature.description);
@@ -89,6 +90,7 @@ class MatingFile {
   void CheckFacesMeet(const Value& pose, const Mating& mating) const;
   void CheckShaftIsInside(const Value& value, const ShaftFit& fit) const;
   void CheckWayIn(const Value& vector, const Mating& mating, const ShaftFit& fit) const;
+  void StartBeforeMouths(const Value& value, Mating& mating) const;
   bool EndsOnTable(const Value& pose, const Mating& mating) const;
   void CheckNothingElseFits(const Value& features, const Mating& mating) const;
   std::string InFileUnit(double metres) const { return InUnit(metres, units_.length); }
@@ -119,6 +121,7 @@ Mating MatingFile::Read(const Value& value) const {
     CheckShaftIsInside(value, fit);
     CheckWayIn(value.At("mating_vector"), mating, fit);
   }
+  StartBeforeMouths(value, mating);
   mating.ends_on_table = EndsOnTable(value.At("pose"), mating);
   CheckNothingElseFits(value.At("features"), mating);
   return mating;
@@ -271,6 +274,18 @@ void MatingFile::CheckWayIn(const Value& vector, const Mating& mating, const Sha
                             InFileUnit(fit.depth - length)),
                 fmt::format("at least {}", InFileUnit(fit.depth)));
   }
+}
+
+// Lengthens a mating vector at whose start a tip is so near to its mouth that the hand cannot bring
+// the held part there clear of the fixed part.
+void MatingFile::StartBeforeMouths(const Value& value, Mating& mating) const {
+  double least = 0;
+  for (const ShaftFit& fit : FitsOf(problem_, mating)) {
+    least = std::max(least, fit.depth + kBeforeMouth);
+  }
+  if (mating.mating_vector.norm() >= least) return;
+  mating.mating_vector *= least / mating.mating_vector.norm();
+  CheckFits(value, mating);
 }
 
 // Checks that the motion ends at a contact where the part is to be, because a guarded move feels

@@ -42,13 +42,14 @@ std::string ExplainNumber(const std::string& value) {
   return is_nan ? fmt::format("{} is no number", InQuotes(value)) : std::string();
 }
 
-// Refuses an integer that is too large for its type. The library would take the nearest one.
+// Refuses an integer that its type does not have. The library would take another one.
 template <class Integer>
 std::string ExplainInteger(const std::string& value) {
   Integer number = 0;
   const char* const end = value.data() + value.size();
   const auto [rest, error] = std::from_chars(value.data(), end, number);
-  if (error != std::errc::result_out_of_range) return "";
+  const bool is_below = std::is_unsigned_v<Integer> && value.starts_with('-');
+  if (error != std::errc::result_out_of_range && !is_below) return "";
   return fmt::format("{} is out of range; allowed: {} to {}", InQuotes(value),
                      std::numeric_limits<Integer>::min(), std::numeric_limits<Integer>::max());
 }

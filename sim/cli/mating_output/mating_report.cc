@@ -47,7 +47,7 @@ std::string MatedTrialsText(const char* name, const std::vector<MatedTrial>& tri
   std::string ends;
   for (const auto& [end, count] : tally.ends) ends += fmt::format(", {} {}", end, count);
   for (const auto& [holding, count] : tally.holdings)
-    ends += fmt::format(", stuck by {} {}", holding, count);
+    ends += fmt::format(", stuck by {} {}", holding == "nothing" ? "no contact" : holding, count);
   if (tally.recovered > 0) ends += fmt::format(", {} at a later attempt", tally.recovered);
   return fmt::format("{}: {} of {} seated{}; at most {:.0f} N\n", name, tally.seated, trials.size(),
                      ends, tally.greatest_force);

@@ -184,10 +184,8 @@ Execution Declare(CLI::App& command) {
       ->check(CLI::Range(1, std::numeric_limits<int>::max()));
   command.add_option("--trial", options->trial, "measure only the placement with this number")
       ->check(CLI::Range(1, std::numeric_limits<int>::max()));
-  command
-      .add_option("--seed", options->seed,
-                  "seed of the placements; the scenario's seed if left out")
-      ->check(CLI::NonNegativeNumber);
+  command.add_option("--seed", options->seed,
+                     "seed of the placements; the scenario's seed if left out");
   command
       .add_option("--margin", options->margin,
                   "the promise is the greatest measured error, times this factor")

@@ -252,10 +252,8 @@ Execution Declare(CLI::App& command) {
                   "number of trials: 1 if left out, or with --worlds all one for each leaf")
       ->check(CLI::Range(1, std::numeric_limits<int>::max()));
   command.add_option("--jobs", options->jobs, "number of threads")->check(CLI::Range(1, 1024));
-  command
-      .add_option("--seed", options->command.seed,
-                  "seed of all random numbers; the scenario's seed if left out")
-      ->check(CLI::NonNegativeNumber);
+  command.add_option("--seed", options->command.seed,
+                     "seed of all random numbers; the scenario's seed if left out");
   static const std::map<std::string, scene::GraspMode> kGraspModes = {
       {"friction", scene::GraspMode::kFriction}, {"weld", scene::GraspMode::kWeld}};
   CLI::Option* const grasp = command

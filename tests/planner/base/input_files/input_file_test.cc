@@ -74,6 +74,7 @@ TEST(InputFile, IsLimited) {
   EXPECT_EQ(MessageOf(Written("ten", std::string(10, 'a')), 10), "no error");
   EXPECT_THAT(MessageOf(Written("eleven", std::string(11, 'a')), 10), HasSubstr("too large"));
   EXPECT_THAT(MessageOf("/dev/zero"), HasSubstr("too large"));
+  EXPECT_THAT(MessageOf("/dev/zero", std::size_t{1} << 40), HasSubstr("8388608 bytes"));
 }
 
 TEST(InputFile, NearestNameIsTold) {

@@ -1,8 +1,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <optional>
 #include <string>
 
 #include "planner/base/input_files/input_error.h"
@@ -50,8 +52,9 @@ void Write(const std::string& part, const std::string& text) {
   std::ofstream(folder / "part.yaml") << text;
 }
 
-// Returns a scenario in which the tip ends at this height over the far side of the plate.
-Problem WithTipAt(double height_mm) {
+// Returns a scenario in which the tip ends at this height over the far side of the plate. The
+// motion of this length starts 20 mm before the mouth if none is given.
+Problem WithTipAt(double height_mm, std::optional<double> length_mm = {}) {
   Write("plate", kPlate);
   Write("pin", kPin);
   const std::string text = R"(
@@ -70,7 +73,7 @@ goal:
       pose: {columns: [[1, 0, 0], [0, 1, 0], [0, 0, 1], [0, 0, )" +
                            std::to_string(60 + height_mm) + R"(]]}
       mating_vector: [0, 0, )" +
-                           std::to_string(height_mm - 50) + R"(]
+                           std::to_string(-length_mm.value_or(50 - height_mm)) + R"(]
 )";
   ModelPath models(ScratchFile("models"));
   models.Append(ModelsFolder());
@@ -122,6 +125,16 @@ TEST(ThroughHole, AShaftThatIsLongerThanItsHoleNeedsRoomBelow) {
   EXPECT_FALSE(InFrictionCone(problem, mating, Pose::Identity()));
   EXPECT_FALSE(InFrictionCone(problem, mating, geometry::Translation(0, 0, 0.0298)));
   EXPECT_TRUE(InFrictionCone(problem, mating, geometry::Translation(0, 0, 0.0302)));
+}
+
+// A hand cannot bring the pin to where its tip is in the mouth without touching the plate.
+TEST(ThroughHole, TheMotionStartsBeforeTheMouth) {
+  for (const double length_mm : {30.0, 33.0, 35.0, 36.0, 50.0}) {
+    const Problem problem = WithTipAt(0, length_mm);
+    EXPECT_NEAR(problem.matings[0].mating_vector.z(), -1e-3 * std::max(length_mm, 35.0), 1e-12)
+        << length_mm;
+  }
+  EXPECT_THROW(WithTipAt(0, 29.0), InputError);
 }
 
 }  // namespace

@@ -97,6 +97,15 @@ TEST_F(WrongCommandLine, NumberOutOfRangeIsToldInItsUnit) {
               HasSubstr("'some' is no number"));
 }
 
+// Text is not read as the integer that the type's arithmetic makes of it.
+TEST_F(WrongCommandLine, SeedsAreNotNegative) {
+  for (const char* verb : {"run", "mate", "calibrate"}) {
+    EXPECT_THAT(Error({verb, kTwoActions, "--seed", "-1"}),
+                HasSubstr("'-1' is out of range; allowed: 0 to 18446744073709551615"))
+        << verb;
+  }
+}
+
 TEST_F(WrongCommandLine, OptionBeforeTheVerb) { Error({"--json", "plan", kTwoActions}); }
 
 TEST_F(WrongCommandLine, MissingArgument) {
