@@ -1,12 +1,21 @@
-# `cpack -G DEB --config build/release/CPackConfig.cmake` makes two packages of what is installed:
+# `cpack -G DEB --config build/release/CPackConfig.cmake` makes packages of what is installed:
 # assay (the program with its models, scenarios and manual, and the Python module) and assay-dev (libraries, headers and
-# their CMake configuration). dpkg-shlibdeps names the packages of the libraries that are linked.
+# their CMake configuration). If OpenCASCADE is installed, it also makes assay-step (which reads STEP files).
+# dpkg-shlibdeps names the packages of the libraries that are linked.
 set(CPACK_COMPONENTS_ALL program dev)
 set(CPACK_COMPONENT_PROGRAM_GROUP user)
 if(ASSAY_PYTHON)
   list(APPEND CPACK_COMPONENTS_ALL python)
   set(CPACK_COMPONENT_PYTHON_GROUP user)
   set(CPACK_DEBIAN_USER_PACKAGE_RECOMMENDS "python3-numpy, python3-pandas")
+endif()
+if(TARGET assay_opencascade)
+  list(APPEND CPACK_COMPONENTS_ALL step)
+  set(CPACK_DEBIAN_STEP_PACKAGE_NAME assay-step)
+  set(CPACK_DEBIAN_STEP_PACKAGE_SECTION science)
+  set(CPACK_DEBIAN_STEP_PACKAGE_SHLIBDEPS ON)
+  set(CPACK_DEBIAN_STEP_PACKAGE_DEPENDS "assay (= ${PROJECT_VERSION})")
+  set(CPACK_COMPONENT_STEP_DESCRIPTION "Reads STEP files for the program.")
 endif()
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)

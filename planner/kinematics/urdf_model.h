@@ -156,7 +156,7 @@ enum class UrdfContents {
 // impossible: missing joint limits, a negative mass, an inertia that no body has, a shape without
 // extent, or lengths over 100 m.
 //
-// A mesh in an STL, OBJ or COLLADA file becomes its convex hull, or several convex pieces
+// A mesh in a file that mesh_import reads becomes its convex hull, or several convex pieces
 // (ReadLinkMesh). Continuous joints are revolute, with limits of one turn either way. An effort of
 // 0 of a revolute joint stands for an unknown one. `packages` are folders in which packages of
 // meshes lie (FindMesh). A mesh for collision that is not found or has another format is an error.

@@ -23,6 +23,7 @@ set(allowed
   "libyaml-cpp"         # MIT
   "libnlopt(_cxx)?"     # MIT, parts LGPL-2.1+
   "libgmp(xx)?"         # LGPL-3+
+  "libTK[A-Za-z0-9]+"   # LGPL-2.1 (OpenCASCADE)
   "libqhull_r"          # Qhull
   "libsqlite3"          # public domain
   "libstdc\\+\\+"       # GPL-3 with the runtime exception

@@ -35,8 +35,8 @@ struct LinkMesh {
   std::optional<double> volume_ratio;
 };
 
-// Reads an STL, OBJ or COLLADA file. `scale` leads from the numbers of the file to metres. Throws
-// InputError if the file cannot be read, is larger than 100 m, or spans no space.
+// Reads a file of a format of mesh_import. `scale` leads from the numbers of the file to metres.
+// Throws InputError if the file cannot be read, is larger than 100 m, or spans no space.
 LinkMesh ReadLinkMesh(const std::filesystem::path& file, const geometry::Vector3& scale,
                       MeshUse use);
 

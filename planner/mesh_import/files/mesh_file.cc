@@ -9,7 +9,7 @@
 
 #include "planner/base/input_files/input_error.h"
 #include "planner/base/input_files/input_file.h"
-#include "planner/mesh_import/files/collada.h"
+#include "planner/mesh_import/files/library_mesh.h"
 #include "planner/mesh_import/files/obj_mesh.h"
 #include "planner/mesh_import/files/stl.h"
 
@@ -28,8 +28,10 @@ std::string EndingOf(const std::filesystem::path& file) {
 
 bool IsMeshFile(const std::filesystem::path& file) {
   const std::string ending = EndingOf(file);
-  return ending == ".stl" || ending == ".obj" || ending == ".dae";
+  return ending == ".stl" || ending == ".obj" || IsLibraryFormat(ending);
 }
+
+bool IsInMetres(const std::filesystem::path& file) { return IsLibraryFormat(EndingOf(file)); }
 
 const char* Name(MeshUnit unit) {
   switch (unit) {
@@ -67,10 +69,11 @@ TriangleMesh ReadMeshFile(const std::filesystem::path& file) {
     mesh = ReadStl(text, file.string());
   } else if (ending == ".obj") {
     mesh = ReadObjMesh(text, file.string());
-  } else if (ending == ".dae") {
-    mesh = ReadCollada(text, file.string());
+  } else if (IsLibraryFormat(ending)) {
+    mesh = ReadLibraryMesh(text, file.string(), ending);
   } else {
-    throw InputError({file.string()}, "its name does not tell its format", ".stl, .obj or .dae");
+    throw InputError({file.string()}, "its name does not tell its format",
+                     ".stl, .obj, .dae, .step or .stp");
   }
   if (mesh.triangles.empty()) throw InputError({file.string()}, "it has no triangles", "a surface");
   // Vertices of points and lines are not part of the surface.

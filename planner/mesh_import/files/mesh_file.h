@@ -16,11 +16,15 @@ double MetresIn(MeshUnit unit);
 inline constexpr std::size_t kMostMeshBytes = std::size_t{64} << 20;
 
 // Returns whether the ending of a name, in letters of either case, is that of a file that
-// ReadMeshFile reads: .stl, .obj or .dae.
+// ReadMeshFile reads: .stl, .obj, or one of library_mesh.h.
 bool IsMeshFile(const std::filesystem::path& file);
 
-// Reads an STL or OBJ file in the units of the file, or a COLLADA file (.dae) in metres. The ending
-// of its name tells the format. Throws InputError.
+// Returns whether ReadMeshFile returns the mesh of this file in metres, because files of its format
+// tell their unit.
+bool IsInMetres(const std::filesystem::path& file);
+
+// Reads a mesh, in metres or in the unit of the file. The ending of the file's name tells the
+// format. Throws InputError.
 TriangleMesh ReadMeshFile(const std::filesystem::path& file);
 
 // Returns the unit in which parts of this size (the diagonal of the bounding box, a number of the

@@ -13,9 +13,10 @@ namespace assay::mesh_import {
 namespace {
 
 std::string UnitSentence(const ImportedPart& part) {
+  if (!part.unit) return "The files tell their unit.";
   const char* how =
       part.options.unit ? "as asked for" : "found from the size; --units sets another";
-  return fmt::format("The unit of the files is {} ({}).", Name(part.unit), how);
+  return fmt::format("The unit of the files is {} ({}).", Name(*part.unit), how);
 }
 
 std::string FrameSentence(const ImportedPart& part) {

@@ -27,11 +27,11 @@ struct BodyAccount {
 struct ImportedPart {
   PartSketch sketch;
   ImportOptions options;
-  MeshUnit unit = MeshUnit::kMetre;
-  std::vector<std::string> files;    // names without folders
-  std::vector<std::string> repairs;  // sentences
-  std::vector<BodyAccount> bodies;   // the largest first
-  int triangles = 0;                 // of all files
+  std::optional<MeshUnit> unit = {};  // of the files that do not tell it; none if all tell it
+  std::vector<std::string> files;     // names without folders
+  std::vector<std::string> repairs;   // sentences
+  std::vector<BodyAccount> bodies;    // the largest first
+  int triangles = 0;                  // of all files
 
   int Pieces() const;            // solids, pockets and convex pieces
   double Distance() const;       // greatest distance between files and part, metres

@@ -14,14 +14,21 @@ namespace {
 
 constexpr std::size_t kMostBodies = 100;
 
-MeshUnit UnitOf(const std::vector<TriangleMesh>& meshes, const ImportOptions& options) {
-  if (options.unit) return *options.unit;
-  // A COLLADA file names its unit.
-  if (std::filesystem::path(meshes.front().file).extension() == ".dae") return MeshUnit::kMetre;
+// Returns the unit of the files that do not tell it, if there are any: the unit asked for, or the
+// one that the size of the part suggests.
+std::optional<MeshUnit> UnitOf(const std::vector<TriangleMesh>& meshes,
+                               const ImportOptions& options) {
   Eigen::AlignedBox3d bounds;
-  for (const TriangleMesh& mesh : meshes) bounds.extend(mesh.Bounds());
+  for (const TriangleMesh& mesh : meshes) {
+    if (!IsInMetres(mesh.file)) bounds.extend(mesh.Bounds());
+  }
+  if (bounds.isEmpty()) {
+    if (!options.unit) return std::nullopt;
+    throw InputError({meshes.front().file}, "the file tells its unit", "no option --units");
+  }
+  if (options.unit) return options.unit;
   const double size = bounds.diagonal().norm();
-  if (const std::optional<MeshUnit> unit = LikelyUnit(size)) return *unit;
+  if (const std::optional<MeshUnit> unit = LikelyUnit(size)) return unit;
   throw InputError({meshes.front().file},
                    fmt::format("the part is {:.4g} in size, which does not tell its unit", size),
                    "the option --units");
@@ -37,7 +44,7 @@ struct FileBody {
 std::vector<FileBody> BodiesOf(std::vector<TriangleMesh> meshes, ImportedPart& part) {
   std::vector<FileBody> bodies;
   for (std::size_t i = 0; i < meshes.size(); ++i) {
-    ScaleToMetres(meshes[i], part.unit);
+    ScaleToMetres(meshes[i], IsInMetres(meshes[i].file) ? MeshUnit::kMetre : *part.unit);
     RepairedMesh repaired = Repair(std::move(meshes[i]));
     for (const std::string& repair : repaired.repairs)
       part.repairs.push_back(part.files[i] + ": " + repair);

@@ -169,9 +169,9 @@ ExitCode ImportPair(const Options& options) {
 Execution Declare(CLI::App& command) {
   const auto options = std::make_shared<Options>();
   command
-      .add_option(
-          "files", options->files,
-          "STL, OBJ or COLLADA files, each with bodies of the part, in one frame and one unit")
+      .add_option("files", options->files,
+                  "STL, OBJ, COLLADA or STEP files, each with bodies of the part, in one frame and "
+                  "one unit")
       ->required();
   command
       .add_option("-o,--output", options->folder,

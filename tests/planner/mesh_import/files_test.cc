@@ -83,8 +83,8 @@ TEST(MeshFile, BinaryErrorsNameTheTriangle) {
 }
 
 TEST(MeshFile, WrongFilesAreRefused) {
-  EXPECT_THAT(MessageOfReading([] { ReadMeshFile(Written("a.step", "x")); }),
-              HasSubstr(".stl, .obj or .dae"));
+  EXPECT_THAT(MessageOfReading([] { ReadMeshFile(Written("a.gltf", "x")); }),
+              HasSubstr(".stl, .obj, .dae, .step or .stp"));
   EXPECT_THAT(MessageOfReading([] { ReadMeshFile(Written("empty.obj", "")); }),
               HasSubstr("it has no triangles"));
   EXPECT_THAT(MessageOfReading([] { ReadMeshFile("missing.obj"); }), HasSubstr("missing.obj"));

@@ -1,4 +1,4 @@
-#include "planner/mesh_import/files/collada.h"
+#include "planner/mesh_import/files/library_mesh.h"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -6,7 +6,7 @@
 
 #include "planner/base/input_files/input_error.h"
 
-namespace assay::mesh_import::collada_test {
+namespace assay::mesh_import::library_mesh_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -41,19 +41,19 @@ std::string Pyramid(double metres, const std::string& up) {
 
 TEST(Collada, HasTheUnitAndTheNodesOfTheFile) {
   for (const std::string up : {"Z_UP", "Y_UP"}) {
-    const TriangleMesh mesh = ReadCollada(Pyramid(0.001, up), "pyramid.dae");
+    const TriangleMesh mesh = ReadLibraryMesh(Pyramid(0.001, up), "pyramid.dae", ".dae");
     EXPECT_EQ(mesh.file, "pyramid.dae");
     EXPECT_EQ(mesh.triangles.size(), 6U);
     EXPECT_LT((mesh.Bounds().min() - Vector3(0.01, 0.02, 0.03)).norm(), 1e-7) << up;
     EXPECT_LT((mesh.Bounds().max() - Vector3(0.11, 0.12, 0.09)).norm(), 1e-7) << up;
     EXPECT_NEAR(mesh.Volume(), 0.01 * 0.06 / 3, 1e-9) << up;
   }
-  EXPECT_NEAR(ReadCollada(Pyramid(1, "Z_UP"), "pyramid.dae").Size(), 153.6, 0.1);
+  EXPECT_NEAR(ReadLibraryMesh(Pyramid(1, "Z_UP"), "pyramid.dae", ".dae").Size(), 153.6, 0.1);
 }
 
 std::string ErrorOf(const std::string& text) {
   try {
-    ReadCollada(text, "wrong.dae");
+    ReadLibraryMesh(text, "wrong.dae", ".dae");
   } catch (const InputError& error) {
     return error.what();
   }
@@ -75,4 +75,4 @@ TEST(Collada, SaysThatAFileIsWrong) {
 }
 
 }  // namespace
-}  // namespace assay::mesh_import::collada_test
+}  // namespace assay::mesh_import::library_mesh_test

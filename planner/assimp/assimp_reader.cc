@@ -5,7 +5,7 @@
 #include <assimp/Importer.hpp>
 #include <cmath>
 
-#include "planner/mesh_import/files/collada.h"
+#include "planner/mesh_import/files/library_mesh.h"
 
 namespace assay::mesh_import {
 namespace {
@@ -27,7 +27,7 @@ bool HasPoints(const aiMesh& mesh) {
   return mesh.mNumVertices > 0;
 }
 
-void Add(const aiMesh& mesh, ColladaSurface& surface) {
+void Add(const aiMesh& mesh, LibrarySurface& surface) {
   const int first = static_cast<int>(surface.vertices.size());
   for (unsigned i = 0; i < mesh.mNumVertices; ++i) {
     const aiVector3D& p = mesh.mVertices[i];
@@ -42,17 +42,18 @@ void Add(const aiMesh& mesh, ColladaSurface& surface) {
   }
 }
 
-class AssimpReader : public ColladaLibrary {
+class AssimpReader : public MeshLibrary {
  public:
-  ColladaSurface Read(std::string_view text) const override {
+  LibrarySurface Read(std::string_view text) const override {
     Assimp::Importer importer;
     importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, true);
     importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE,
                                 aiPrimitiveType_POINT | aiPrimitiveType_LINE);
     importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
     importer.SetPropertyInteger(AI_CONFIG_PP_RVC_FLAGS, kDropped);
-    const aiScene* scene = importer.ReadFileFromMemory(text.data(), text.size(), kSteps, "dae");
-    ColladaSurface surface;
+    const aiScene* scene =
+        importer.ReadFileFromMemory(text.data(), text.size(), kSteps, "dae");
+    LibrarySurface surface;
     if (scene == nullptr || (scene->mFlags & AI_SCENE_FLAGS_INCOMPLETE) != 0) {
       surface.error = scene == nullptr ? importer.GetErrorString() : "it has no meshes";
       return surface;
@@ -71,8 +72,8 @@ class AssimpReader : public ColladaLibrary {
 }  // namespace
 }  // namespace assay::mesh_import
 
-// The function that mesh_import::ReadCollada looks up in the module.
-extern "C" const assay::mesh_import::ColladaLibrary* AssayColladaLibrary() {
+// The function that mesh_import::ReadLibraryMesh looks up in the module.
+extern "C" const assay::mesh_import::MeshLibrary* AssayAssimpReader() {
   static const assay::mesh_import::AssimpReader reader;
   return &reader;
 }
