@@ -98,7 +98,15 @@ class StandingConditions {
     return std::min(ratio, kNothingBorne);
   }
 
-  double Level() const { return standings_.front().at.front().z(); }
+  // Returns the height of the lowest contact: the lever of a part that leans about it is the
+  // longest.
+  double Level() const {
+    double level = std::numeric_limits<double>::infinity();
+    for (const Standing& standing : standings_) {
+      for (const Vector3& p : standing.at) level = std::min(level, p.z());
+    }
+    return level;
+  }
 
   bool OnParts() const {
     return std::ranges::any_of(standings_, [](const Standing& s) { return !s.on.IsNone(); });
