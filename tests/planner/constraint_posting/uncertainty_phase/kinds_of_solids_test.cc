@@ -178,7 +178,7 @@ mesh_import::TriangleMesh PegMesh() {
 }
 
 TEST(KindsOfSolids, HaveTheSamePlansAndCertificates) {
-  const std::filesystem::path models = ScratchFile("models");
+  const std::filesystem::path models = ScratchFile("kinds-of-solids");
   WriteParts(models, AsBox);
   const Json plan = PlanWith(models);
   ASSERT_GE(plan["actions"].size(), 2U);
