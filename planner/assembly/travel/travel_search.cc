@@ -136,9 +136,10 @@ bool TravelSearch::MayBeCertain(const Way& way) {
 
 std::optional<WayCertainty> TravelSearch::CertaintyOf(const Way& way, double clearance) {
   const WayCertainty certainty = {Both(way.sway_of_rise, way.sway), kTravelClearance};
-  const MotionRules rules = OnTheWay(way, clearance);
-  const bool is_over_certain = IsFree(way.over, InSpiteOf({}, rules));
-  if (!is_over_certain && !IsFree(way.over, rules)) return std::nullopt;
+  // A path may keep a greater clearance than its certainty needs.
+  const bool is_over_certain = IsFree(way.over, InSpiteOf({}, OnTheWay(way, clearance_)));
+  if ((!is_over_certain || clearance > clearance_) && !IsFree(way.over, OnTheWay(way, clearance)))
+    return std::nullopt;
   const bool is_known = is_over_certain && certainty.Reaches() && ArePartsNearTheirPlaces();
   if (is_known && AreLinesFreeInSpiteOf(ErrorsOf(way), way)) return certainty;
   if (!AreLinesFree(way)) return std::nullopt;
