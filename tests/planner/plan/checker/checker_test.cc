@@ -328,6 +328,18 @@ TEST_F(FourStepPlan, NamesPartsThatAreAssembledAtTheStart) {
   EXPECT_THAT(NotCovered(problem_, plan_).front(), HasSubstr("assembled at the start"));
 }
 
+// Parts stop at once only where there is friction.
+TEST_F(FourStepPlan, NamesPartsThatMayGlide) {
+  const auto names_gliding = testing::Contains(HasSubstr("stops where the pads leave it"));
+  EXPECT_THAT(NotCovered(problem_, plan_), testing::Not(names_gliding));
+  problem_.tolerances.friction = 0.14;  // of 0.25
+  EXPECT_THAT(NotCovered(problem_, plan_), testing::Not(names_gliding));
+  problem_.tolerances.friction = 0.16;
+  EXPECT_THAT(NotCovered(problem_, plan_), names_gliding);
+  plan_.steps.clear();
+  EXPECT_THAT(NotCovered(problem_, plan_), testing::Not(names_gliding)) << "nothing is pushed";
+}
+
 TEST_F(FourStepPlan, FindsWhatItSaysWronglyOfWhatIsNotCovered) {
   plan_.not_covered = NotCovered(problem_, plan_);
   EXPECT_THAT(Flaws(), IsEmpty());
