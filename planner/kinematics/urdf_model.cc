@@ -172,7 +172,7 @@ class Converter {
     const bool is_unknown = !mesh_import::IsMeshFile(mesh.filename);
     Fail(fmt::format("link '{}' has the collision mesh '{}', {}", link.name, mesh.filename,
                      is_unknown ? "whose format is not read" : "and there is no such file"),
-         is_unknown ? "STL, OBJ or DAE files"
+         is_unknown ? "STL, OBJ, DAE or STEP files"
                     : "a path from the file's folder, or a package in one of the folders around it "
                       "or in one that the workcell names (packages)");
   }

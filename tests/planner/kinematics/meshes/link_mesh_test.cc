@@ -146,8 +146,8 @@ TEST(LinkMesh, AMissingCollisionMeshIsAnErrorWithItsPlaceAndRemedy) {
   EXPECT_THAT(ErrorOf(robot.Robot(mesh, "package://other/link.stl")),
               AllOf(HasSubstr("arm.urdf:2:"), HasSubstr("package://other/link.stl"),
                     HasSubstr("packages")));
-  EXPECT_THAT(ErrorOf(robot.Robot(mesh, "package://arm_description/meshes/link.step")),
-              HasSubstr("STL, OBJ or DAE"));
+  EXPECT_THAT(ErrorOf(robot.Robot(mesh, "package://arm_description/meshes/link.gltf")),
+              HasSubstr("STL, OBJ, DAE or STEP"));
 }
 
 TEST(LinkMesh, AMeshThatIsOnlyDrawnMayHaveAnyFormat) {
