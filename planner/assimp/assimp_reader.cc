@@ -51,8 +51,7 @@ class AssimpReader : public MeshLibrary {
                                 aiPrimitiveType_POINT | aiPrimitiveType_LINE);
     importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
     importer.SetPropertyInteger(AI_CONFIG_PP_RVC_FLAGS, kDropped);
-    const aiScene* scene =
-        importer.ReadFileFromMemory(text.data(), text.size(), kSteps, "dae");
+    const aiScene* scene = importer.ReadFileFromMemory(text.data(), text.size(), kSteps, "dae");
     LibrarySurface surface;
     if (scene == nullptr || (scene->mFlags & AI_SCENE_FLAGS_INCOMPLETE) != 0) {
       surface.error = scene == nullptr ? importer.GetErrorString() : "it has no meshes";

@@ -29,8 +29,8 @@ bool IsLibraryFormat(std::string_view ending);
 
 // Reads the text of a file in such a format. All of them tell their unit. What a COLLADA file says
 // about the axis that points up is ignored, as in ROS. The curved faces of a STEP file become
-// triangles whose corners are on the face, with 64 sides for a circle. Throws InputError if the text
-// cannot be read, and EnvironmentError if the module is missing.
+// triangles whose corners are on the face, with 64 sides for a circle. Throws InputError if the
+// text cannot be read, and EnvironmentError if the module is missing.
 TriangleMesh ReadLibraryMesh(std::string_view text, const std::string& file_name,
                              const std::string& ending);
 
