@@ -212,7 +212,7 @@ Execution Declare(CLI::App& command) {
 
 const Verb kImport = {
     .name = "import",
-    .summary = "makes a part of STL or OBJ files",
+    .summary = "makes a part of STL, OBJ, COLLADA or STEP files",
     .page = "sim/importing.md",
     .example =
         "assay import peg.stl -o models/parts/peg --density 8000\n"

@@ -15,8 +15,8 @@
 #include "tests/planner/constraint_posting/scenarios.h"
 #include "tests/planner/mesh_import/made_mesh.h"
 
-// The same two parts, written with solids of every kind and imported from meshes, have the same
-// stable poses, grasps, plans and certificates.
+// Two parts have the same stable poses, grasps, plans and certificates, whether their files have
+// boxes, prisms or hulls, or are imported from meshes.
 namespace assay::constraint_posting::kinds_of_solids_test {
 namespace {
 
