@@ -255,7 +255,8 @@ std::string ToMjcf(const Problem& problem, const SceneOptions& options) {
       // A weld carries the load of the pads. Stiffer or more contacts would only press against it.
       .lightest_part = welds ? 1 : LightestMass(problem),
       .pad_tiles = welds ? 1 : 2};
-  for (const domain::Robot& robot : robots) AddRobot(robot, gripper, asset, worldbody);
+  for (const domain::Robot& robot : robots)
+    AddRobot(robot, gripper, options.timestep, asset, worldbody);
   for (std::size_t i = 0; i < problem.parts.size(); ++i) {
     const domain::PartId part(i);
     AddPartTables(problem, {part, TableBit(part), options.endless_tables}, worldbody);
@@ -266,6 +267,8 @@ std::string ToMjcf(const Problem& problem, const SceneOptions& options) {
     AddFingerCoupling(robot, equality);
     if (welds) AddWelds(problem, robot, equality);
   }
+  XmlElement& tendon = mujoco.Add("tendon");
+  for (const domain::Robot& robot : robots) AddDampers(robot, gripper, tendon);
   XmlElement& actuator = mujoco.Add("actuator");
   for (const domain::Robot& robot : robots) AddServos(robot, gripper, actuator);
   XmlElement& sensor = mujoco.Add("sensor");

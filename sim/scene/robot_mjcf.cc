@@ -24,12 +24,9 @@ using kinematics::RobotModel;
 
 // The fingers are fast enough to close in a second. They are slow enough that a light part does not
 // coast away when one finger meets it first (v^2 / (2 mu g) = 0.3 mm at friction 0.25).
-constexpr double kFingerSpeed = 0.04;     // m/s, the speed under the grip force
-constexpr double kFingerStiffness = 4e4;  // N/m, up to the grip force
-constexpr double kFingerArmature = 0.5;   // kg, the least inertia of the drive
-// The engine's contacts ignore the damping that its integrator treats implicitly. With a timestep
-// of 0.5 ms closed fingers chatter if the damping per armature is 5500 / s or more.
-constexpr double kMostDamping = 5000;       // 1/s, damping per armature
+constexpr double kFingerSpeed = 0.04;       // m/s, the speed under the grip force
+constexpr double kFingerStiffness = 4e4;    // N/m, up to the grip force
+constexpr double kFingerArmature = 0.5;     // kg, the inertia of the drive
 constexpr double kFingerFriction = 0.2;     // coefficient of the fingers' steel and of the hand
 constexpr double kTorsionOfFinger = 0.005;  // m
 
@@ -47,6 +44,18 @@ constexpr double kDepthOfImpedance = 0.00001;  // metres; the engine requires it
 double ImpedanceOfPad(double lightest_part) {
   constexpr double kSoftnessPerMass = 0.01;  // 1/kg
   return 1 - std::clamp(kSoftnessPerMass * lightest_part, 0.0001, 0.002);
+}
+
+// Returns the inertia of a joint whose damper acts on the velocity at the end of each timestep.
+//
+// A damper that is stiffer than the timestep allows must be integrated implicitly: the force at the
+// end of the timestep, -D (v + h a), has the part -h D a, which is that of an inertia h D. The
+// engine's own damping of joints does the same, but only after it has computed the forces of the
+// contacts. Its contacts therefore expect that the hand gives way more than it does. The contacts
+// of both pads of a light part then took turns from timestep to timestep, used up their friction,
+// and the part turned in the hand, although friction could bear 1.5 times its load.
+double DampedInertia(double armature, double damping, double timestep) {
+  return armature + timestep * damping;
 }
 
 constexpr std::array kFingers = {"finger_left", "finger_right"};
@@ -205,7 +214,10 @@ class RobotWriter {
   mutable int hulls_ = 0;  // the number of those that were added
 };
 
-void AddGripper(const Robot& robot, const GripperRules& rules, XmlElement& asset,
+// Returns the damping of a finger in N s/m.
+double FingerDamping(const GripperRules& rules) { return rules.grip_force / kFingerSpeed; }
+
+void AddGripper(const Robot& robot, const GripperRules& rules, double timestep, XmlElement& asset,
                 XmlElement& flange) {
   const RobotModel& model = robot.gripper->model();
   const RobotWriter writer(robot, model, "gripper/", rules, asset);
@@ -215,14 +227,17 @@ void AddGripper(const Robot& robot, const GripperRules& rules, XmlElement& asset
       .Set("name", robot.Prefix() + "tool")
       .Set("class", "mark")
       .SetPose(robot.gripper->X_FlangeTool());
-  const double damping = rules.grip_force / kFingerSpeed;
   for (const char* name : kFingers) {
     const Joint& joint = writer.Find(name);
     XmlElement& finger = writer.AddMoved(joint, hand);
     writer.AddJoint(joint, finger)
-        .Set("armature", std::max(kFingerArmature, damping / kMostDamping))
-        .Set("damping", damping);
+        .Set("armature", DampedInertia(kFingerArmature, FingerDamping(rules), timestep));
   }
+}
+
+void AddDamper(const std::string& joint, double damping, XmlElement& tendon) {
+  XmlElement& damper = tendon.Add("fixed").Set("name", joint).Set("damping", damping);
+  damper.Add("joint").Set("joint", joint).Set("coef", 1);
 }
 
 void AddServo(const std::string& joint, double stiffness, XmlElement& general) {
@@ -237,18 +252,28 @@ void AddServo(const std::string& joint, double stiffness, XmlElement& general) {
 
 std::string CollisionClass(const Robot& robot) { return robot.Prefix() + "collision"; }
 
-void AddRobot(const Robot& robot, const GripperRules& rules, XmlElement& asset,
+void AddRobot(const Robot& robot, const GripperRules& rules, double timestep, XmlElement& asset,
               XmlElement& worldbody) {
   const RobotModel& model = robot.arm->model();
   const RobotWriter writer(robot, model, "arm/", rules, asset);
   XmlElement* body = &writer.AddRoot(robot.X_WorldBase, worldbody);
   for (std::size_t i = 0; i < model.joints.size(); ++i) {
+    const kinematics::ServoGains& servo = robot.servos[i];
     body = &writer.AddMoved(model.joints[i], *body);
     writer.AddJoint(model.joints[i], *body)
-        .Set("armature", robot.servos[i].armature)
-        .Set("damping", robot.servos[i].damping);
+        .Set("armature", DampedInertia(servo.armature, servo.damping, timestep));
   }
-  AddGripper(robot, rules, asset, *body);
+  AddGripper(robot, rules, timestep, asset, *body);
+}
+
+void AddDampers(const Robot& robot, const GripperRules& rules, XmlElement& tendon) {
+  const RobotModel& model = robot.arm->model();
+  for (std::size_t i = 0; i < model.joints.size(); ++i) {
+    AddDamper(robot.Prefix() + "arm/" + model.joints[i].name, robot.servos[i].damping, tendon);
+  }
+  for (const char* name : kFingers) {
+    AddDamper(robot.Prefix() + "gripper/" + name, FingerDamping(rules), tendon);
+  }
 }
 
 void AddFingerCoupling(const Robot& robot, XmlElement& equality) {

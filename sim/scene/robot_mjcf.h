@@ -24,9 +24,12 @@ struct GripperRules {
 };
 // Adds arm and gripper under `worldbody`: links with their inertias and their shapes for collision.
 // Hulls of meshes are added under `asset`. The sites "tool" and "wrist" (the flange) are on the
-// hand.
-void AddRobot(const domain::Robot& robot, const GripperRules& rules, XmlElement& asset,
-              XmlElement& worldbody);
+// hand. The inertias of the joints are those for dampers (AddDampers) and a timestep in seconds.
+void AddRobot(const domain::Robot& robot, const GripperRules& rules, double timestep,
+              XmlElement& asset, XmlElement& worldbody);
+
+// Adds the dampers of the joints and of the fingers, with the names of their joints.
+void AddDampers(const domain::Robot& robot, const GripperRules& rules, XmlElement& tendon);
 
 // Adds the constraint that couples the fingers under `equality`.
 void AddFingerCoupling(const domain::Robot& robot, XmlElement& equality);

@@ -22,7 +22,7 @@ struct ControlLaw {
   // The force of an impact divided by its speed, in N s/m. The measured wrench is filtered and the
   // arm is heavy, so control does nothing during the two or three milliseconds in which the force
   // rises. In that time, a mass m that meets a stiffness k with speed v bears v sqrt(m k).
-  double impact = 20e3;
+  double impact = 25e3;
   double softness = 0.03;              // fraction of the servos' stiffness
   double relaxation = 40;              // rate at which forces that are too great are relaxed, 1/s
   double seeking_speed = 0.002;        // m/s, toward a contact that is lost
