@@ -94,7 +94,7 @@ ProblemFile::ProblemFile(const Document& scenario, const ModelPath& models,
   const Value& root = scenario.root();
   root.AllowOnly({"format", "title", "description", "units", "workcell", "rules", "clearance",
                   "tolerances", "parts", "gripper", "sensing", "resolvers", "mating_errors",
-                  "initially", "goal", "simulation", "knowledge"});
+                  "initially", "goal", "simulation", "knowledge", "prices"});
   // Both are shown on one line.
   problem_.name = Show(std::filesystem::path(root.Place().file).stem().string());
   problem_.title = Show(ReadOptionalText(root, "title"));

@@ -17,6 +17,12 @@ std::shared_ptr<const Workcell> Workcell::WithRules(const WorkcellRules& rules) 
   return copy;
 }
 
+std::shared_ptr<const Workcell> Workcell::WithSensors(std::vector<SensorModel> sensors) const {
+  auto copy = std::make_shared<Workcell>(*this);
+  copy->uncertainty_operations_.sensors = std::move(sensors);
+  return copy;
+}
+
 std::shared_ptr<const Workcell> Workcell::WorkedBy(RobotId robot) const {
   ASSAY_CHECK(robot.index() >= 0 && robot.index() < static_cast<int>(robots_.size()));
   auto copy = std::make_shared<Workcell>(*this);

@@ -92,6 +92,8 @@ class Workcell {
 
   // Returns the same workcell with other rules.
   std::shared_ptr<const Workcell> WithRules(const WorkcellRules& rules) const;
+  // Returns the same workcell with other sensors.
+  std::shared_ptr<const Workcell> WithSensors(std::vector<SensorModel> sensors) const;
   // Returns the same workcell with this robot as the acting robot.
   std::shared_ptr<const Workcell> WorkedBy(RobotId robot) const;
 

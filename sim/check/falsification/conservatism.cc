@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "planner/base/stop.h"
+#include "planner/numeric/threshold.h"
 #include "planner/uncertainty/preconditions/certify.h"
 #include "sim/execution/trial/scheduler.h"
 #include "sim/noise/possible_start.h"
@@ -99,40 +100,6 @@ class ScaledProblem {
 bool IsSensed(const Channel& channel) {
   return channel.effect == Effect::kSensedX || channel.effect == Effect::kSensedY ||
          channel.effect == Effect::kSensedZ || channel.effect == Effect::kSensedYaw;
-}
-
-// The multiples between which something begins to fail. `fails` is missing if nothing fails up to
-// the greatest multiple.
-struct Threshold {
-  double holds = 0;
-  std::optional<double> fails = {};
-};
-
-// Doubles the multiple from `first` until it fails, and then halves the interval to a relative
-// precision.
-Threshold FindThreshold(const std::function<bool(double)>& fails, double first, double greatest,
-                        double precision) {
-  constexpr double kLeast = 1.0 / 64;
-  Threshold threshold;
-  for (double multiple = std::min(first, greatest); !threshold.fails;
-       multiple = std::min(2 * multiple, greatest)) {
-    if (fails(multiple)) {
-      threshold.fails = multiple;
-    } else {
-      threshold.holds = multiple;
-      if (multiple >= greatest) return threshold;
-    }
-  }
-  while (*threshold.fails - threshold.holds > precision * *threshold.fails &&
-         *threshold.fails > kLeast) {
-    const double middle = (threshold.holds + *threshold.fails) / 2;
-    if (fails(middle)) {
-      threshold.fails = middle;
-    } else {
-      threshold.holds = middle;
-    }
-  }
-  return threshold;
 }
 
 class Comparison {

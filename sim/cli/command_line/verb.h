@@ -25,6 +25,7 @@ struct Verb {
 };
 
 extern const Verb kBound;
+extern const Verb kBudget;
 extern const Verb kCalibrate;
 extern const Verb kCheck;
 extern const Verb kContingent;

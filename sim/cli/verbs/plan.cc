@@ -10,6 +10,7 @@
 
 #include "planner/assembly/contingent_assembly.h"
 #include "planner/base/input_files/quotation.h"
+#include "planner/budget/error_quantity.h"
 #include "planner/plan/plan_files/json_layout.h"
 #include "planner/plan/plan_files/plan_file.h"
 #include "sim/cli/command_line/console.h"
@@ -18,6 +19,7 @@
 #include "sim/cli/command_line/usage_error.h"
 #include "sim/cli/command_line/verb.h"
 #include "sim/cli/options/models_folder.h"
+#include "sim/cli/options/quantity_option.h"
 #include "sim/cli/options/resolver_option.h"
 #include "sim/cli/plan_output/explanation.h"
 #include "sim/cli/plan_output/plan_report.h"
@@ -44,6 +46,7 @@ struct Options {
   bool tree = false;
   int instances = 1;
   std::int64_t budget = constraint_posting::PlannerOptions().partial_plans;
+  double errors_times = 1;
   std::string propagation = "sound";
   std::vector<std::string> resolvers = {};           // empty: the scenario's
   std::optional<std::string> explain;                // a step's place, from 1, or its id
@@ -224,6 +227,8 @@ ExitCode Execute(const Options& options) {
   if (document.root().Find("knowledge")) return ExecuteKnowledge(document, options);
   std::vector<domain::Problem> worlds =
       ReadWorldsToPlan(document, options.models, {.resolvers = ResolversFrom(options.resolvers)});
+  for (domain::Problem& world : worlds)
+    world = budget::WithErrorsTimes(world, options.errors_times);
   if (worlds.size() > 1 || options.tree) return ExecuteTree(worlds, options);
   const PlannedProblem planned =
       MakePlan(document, {std::move(worlds.front()), scenario::ReadSimulation(document)},
@@ -231,7 +236,7 @@ ExitCode Execute(const Options& options) {
   return ExecutePlan(planned, stopwatch.Seconds(), options);
 }
 
-void DeclarePlanning(CLI::App& command, Options& options) {
+void DeclarePlanning(CLI::App& command, Options& options, CLI::Option* output) {
   options.of_planning = {
       command.add_flag("--trace", options.trace, "print the planner's decisions to standard error"),
       command
@@ -245,6 +250,12 @@ void DeclarePlanning(CLI::App& command, Options& options) {
                       "(as published)")
           ->check(CLI::IsMember({"sound", "paper"}))
           ->capture_default_str(),
+      command
+          .add_option("--errors-times", options.errors_times,
+                      "plan with so many times all errors, tolerances and promises of sensors (see "
+                      "assay budget)")
+          ->check(Within(domain::kAtLeastZero, domain::kRatio))
+          ->excludes(output),
       AddResolvers(command, options.resolvers),
       command
           .add_option("--budget", options.budget,
@@ -257,7 +268,8 @@ void DeclarePlanning(CLI::App& command, Options& options) {
 Execution Declare(CLI::App& command) {
   const auto options = std::make_shared<Options>();
   command.add_option("input", options->input, "scenario file, or a plan file to show")->required();
-  command.add_option("-o,--output", options->output, "write the plan to this file");
+  CLI::Option* const output =
+      command.add_option("-o,--output", options->output, "write the plan to this file");
   CLI::Option* const json = command.add_flag(
       "--json", options->json, "print the plan as JSON, with the planning time in seconds");
   command
@@ -269,7 +281,7 @@ Execution Declare(CLI::App& command) {
   command.add_flag("--check", options->check, "check the plan and its certificates");
   command.add_flag("--tree", options->tree,
                    "print the plan as a tree: verifications branch, recoveries repeat");
-  DeclarePlanning(command, *options);
+  DeclarePlanning(command, *options, output);
   AddModelsOption(command, options->models);
   return [options] { return Execute(*options); };
 }
