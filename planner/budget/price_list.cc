@@ -70,7 +70,7 @@ std::vector<PriceList> ReadPrices(const Value& prices, const domain::Units& unit
   std::vector<PriceList> lists;
   std::vector<std::size_t> on_sale;
   for (const auto& [name, offers] : prices.Entries()) {
-    PriceList list = {.name = name.Text(), .quantities = QuantitiesIn(name, quantities)};
+    PriceList list = {name.Text(), QuantitiesIn(name, quantities), {}};
     for (const std::size_t of : list.quantities) {
       if (std::ranges::count(on_sale, of) > 0)
         name.Fail(fmt::format("'{}' is on sale twice", quantities[of].name), "each error once");

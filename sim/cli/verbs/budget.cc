@@ -62,7 +62,8 @@ std::optional<Bargain> BargainOf(const PlannedProblem& planned) {
   const domain::Problem& problem = planned.problem;
   const std::vector<ErrorQuantity> quantities = budget::ErrorQuantitiesOf(problem);
   Bargain bargain = {
-      .prices = budget::ReadPrices(*prices, domain::ReadUnits(scenario.root()), quantities)};
+      .prices = budget::ReadPrices(*prices, domain::ReadUnits(scenario.root()), quantities),
+      .cheapest = {}};
   const auto is_proved = [&](const budget::Purchase& purchase) {
     const std::vector<double> multiples = budget::MultiplesOf(bargain.prices, purchase, quantities);
     return !budget::PlanAnew(budget::WithErrorsTimes(problem, multiples)).obstacle;
