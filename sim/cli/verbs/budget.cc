@@ -55,24 +55,26 @@ struct Budget {
 
 constexpr int kMostProofs = 2000;
 
-std::optional<Bargain> BargainOf(const PlannedProblem& planned) {
+// Returns what the scenario's key `prices` offers, or nothing without this key.
+std::vector<budget::PriceList> PricesOf(const PlannedProblem& planned) {
   const Document scenario = Document::Load(planned.scenario);
   const std::optional<Value> prices = scenario.root().Find("prices");
-  if (!prices) return std::nullopt;
-  const domain::Problem& problem = planned.problem;
+  if (!prices) return {};
+  return budget::ReadPrices(*prices, domain::ReadUnits(scenario.root()),
+                            budget::ErrorQuantitiesOf(planned.problem));
+}
+
+Bargain BargainOf(const domain::Problem& problem, const std::vector<budget::PriceList>& prices) {
   const std::vector<ErrorQuantity> quantities = budget::ErrorQuantitiesOf(problem);
-  Bargain bargain = {
-      .prices = budget::ReadPrices(*prices, domain::ReadUnits(scenario.root()), quantities),
-      .cheapest = {}};
   const auto is_proved = [&](const budget::Purchase& purchase) {
-    const std::vector<double> multiples = budget::MultiplesOf(bargain.prices, purchase, quantities);
+    const std::vector<double> multiples = budget::MultiplesOf(prices, purchase, quantities);
     return !budget::PlanAnew(budget::WithErrorsTimes(problem, multiples)).obstacle;
   };
-  bargain.cheapest = budget::FindCheapestProof(bargain.prices, is_proved, kMostProofs);
-  return bargain;
+  return {prices, budget::FindCheapestProof(prices, is_proved, kMostProofs)};
 }
 
 Budget BudgetOf(const PlannedProblem& planned) {
+  const std::vector<budget::PriceList> prices = PricesOf(planned);
   const domain::Problem& problem = planned.problem;
   const plan::Plan& plan = planned.result.plan;
   Budget budget;
@@ -91,7 +93,7 @@ Budget BudgetOf(const PlannedProblem& planned) {
                                   budget::WithErrorsTimes(problem, multiples), plan);
                             })});
   }
-  budget.bargain = BargainOf(planned);
+  if (!prices.empty()) budget.bargain = BargainOf(problem, prices);
   return budget;
 }
 

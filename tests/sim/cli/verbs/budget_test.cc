@@ -1,0 +1,98 @@
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <regex>
+
+#include "tests/sim/cli/program.h"
+
+namespace assay::cli::budget_test {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using Json = nlohmann::json;
+
+constexpr char kSchema[] = "sim/cli/verbs/budget.schema.json";
+
+// Parts in jigs, and a planner that may only squeeze, which makes the budget quick.
+std::string Scenario(const std::string& prices) {
+  return std::regex_replace(TextOf(kTwoActions), std::regex("sensing: .*"),
+                            "resolvers: [squeezing]") +
+         prices;
+}
+
+const std::string kPrices =
+    "prices:\n  hand.x: {0.001: 0}\n  peg.theta: {20: 0, 0.001: 50, 0.0005: 400}\n";
+
+class BudgetVerb : public ::testing::Test {
+ protected:
+  // Returns the budget of the scenario with prices. It is computed once.
+  const Json& Budget() const {
+    static const Json budget = [this] {
+      const Ended ended = Assay({"budget", scenario_, "--json"});
+      EXPECT_EQ(ended.code, 0) << ended.err;
+      return ended.Json();
+    }();
+    return budget;
+  }
+
+  bool IsProved(double multiple) const {
+    const Ended ended =
+        Assay({"plan", scenario_, "--errors-times", fmt::format("{:.17g}", multiple)});
+    EXPECT_EQ(ended.code, 0) << ended.err;
+    return ended.out.find("Every precondition is proved.") != std::string::npos;
+  }
+
+  const Folder folder_;
+  const std::string scenario_ = folder_.Write("priced.yaml", Scenario(kPrices));
+};
+
+TEST_F(BudgetVerb, HasItsSchema) { EXPECT_THAT(SchemaErrors(kSchema, Budget()), IsEmpty()); }
+
+// The verb that plans is another way to the same certificates.
+TEST_F(BudgetVerb, TheBestPlanIsProvedAtTheMultipleAndNotAbove) {
+  const double proved = Budget()["best_plan"]["proved"];
+  const double unproved = Budget()["best_plan"]["unproved"];
+  EXPECT_GE(proved, Budget()["plan"]["proved"].get<double>())
+      << "the plan as it is, is one of them";
+  EXPECT_NEAR(unproved, 1.01 * proved, 1e-9);
+  EXPECT_TRUE(IsProved(proved));
+  EXPECT_FALSE(IsProved(unproved));
+}
+
+// One error alone may be as great as all errors together, since the others are smaller.
+TEST_F(BudgetVerb, OneErrorAloneMayBeAsGreatAsAllTogether) {
+  const double together = Budget()["plan"]["proved"];
+  ASSERT_GT(together, 1);
+  EXPECT_THAT(Budget()["quantities"], Not(IsEmpty()));
+  for (const Json& quantity : Budget()["quantities"]) {
+    EXPECT_GE(1.01 * quantity["proved"].get<double>(), together) << quantity["name"];
+  }
+}
+
+// With its free offer, the angle of the peg would be uncertain by 20 degrees.
+TEST_F(BudgetVerb, BuysWhatIsNeeded) {
+  const Json& cheapest = Budget()["cheapest"];
+  EXPECT_EQ(cheapest["price"], 50);
+  EXPECT_EQ(cheapest["bought"]["peg.theta"]["price"], 50);
+  EXPECT_EQ(cheapest["bought"]["hand.x"]["price"], 0);
+  EXPECT_EQ(cheapest["exact"], true);
+}
+
+TEST_F(BudgetVerb, AScenarioWithoutAPlanHasNoBudget) {
+  const Ended ended = Assay({"budget", kImpossible});
+  EXPECT_EQ(ended.code, 10);
+  EXPECT_THAT(ended.err, HasSubstr("impossible.yaml: there is no plan"));
+}
+
+TEST_F(BudgetVerb, WhatIsForSaleIsNamed) {
+  const std::string file = folder_.Write("nut.yaml", Scenario("prices: {nut.x: {0.1: 3}}\n"));
+  const Ended ended = Assay({"budget", file});
+  EXPECT_EQ(ended.code, 3);
+  EXPECT_THAT(ended.err, HasSubstr("'nut.x'"));
+  EXPECT_THAT(ended.err, HasSubstr("peg.theta"));
+}
+
+}  // namespace
+}  // namespace assay::cli::budget_test
