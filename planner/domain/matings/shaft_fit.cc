@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 
 #include "planner/base/check.h"
@@ -36,13 +37,101 @@ ShaftFit FitOf(const Part& shaft_part, const Feature& shaft, const Part& hole_pa
 }
 
 // Returns a bound of the displacement of a shaft that may move by one metre across every slot. It
-// is the distance of the corner between the two slots that are nearest to perpendicular.
+// is the distance of the corner between the two slots that are nearest to perpendicular. The same
+// holds of a small tilt.
 double FarthestIntoCorner(const std::vector<Slot>& slots) {
   double least = 1;
   for (const Slot& a : slots) {
     for (const Slot& b : slots) least = std::min(least, std::abs(a.across.dot(b.across)));
   }
   return std::sqrt(2 / (1 - least));
+}
+
+Extent Extended(Extent extent, const Polygon& outline, const Pose& X_PartFace,
+                const Vector3& along) {
+  for (const Vector2& corner : outline) {
+    const double at = along.dot(X_PartFace * Vector3(corner.x(), corner.y(), 0));
+    extent.low = std::min(extent.low, at);
+    extent.high = std::max(extent.high, at);
+  }
+  return extent;
+}
+
+Extent Common(const Extent& a, const Extent& b) {
+  return {.low = std::max(a.low, b.low), .high = std::min(a.high, b.high)};
+}
+
+// Returns the side wall for a wall that is along the hole's axis, or nothing for a floor.
+std::optional<SideWall> SideOf(const ShaftFit& fit, const Wall& wall, double narrowing) {
+  const Vector3 axis = fit.hole.X_PartFeature.linear().col(2);
+  const Face& face = fit.hole_model.faces()[wall.face.index()];
+  if (std::abs(face.normal.dot(axis)) >= kUnitProduct) return std::nullopt;
+  return SideWall{face.normal, face.offset + (wall.moves_with_clearance ? narrowing : 0)};
+}
+
+bool Bounds(const SideWall& wall, const Slot& slot) {
+  constexpr double kSamePlane = 1e-9;  // metres
+  if (wall.normal.dot(slot.across) > 1 - kUnitProduct)
+    return std::abs(wall.offset - slot.low) < kSamePlane;
+  if (wall.normal.dot(slot.across) < kUnitProduct - 1)
+    return std::abs(-wall.offset - slot.high) < kSamePlane;
+  return false;
+}
+
+// Where a seated shaft and the walls of its hole face each other.
+struct Engagement {
+  double length = 0;             // metres along the hole's axis
+  bool shaft_is_inside = false;  // both ends of the shaft are between the walls
+};
+
+// Returns where all walls of the slots and all sides of the shaft face each other. A shaft that
+// goes through a thin plate is deeper in the hole than this, and a short pin may lie wholly inside.
+Engagement EngagementOf(const ShaftFit& fit, const std::vector<Slot>& slots, double narrowing) {
+  const Vector3 axis = fit.hole.X_PartFeature.linear().col(2);
+  std::map<FaceId, Extent> walls;  // a face may have several patches
+  for (const Wall& wall : fit.hole.walls) {
+    const std::optional<SideWall> side = SideOf(fit, wall, narrowing);
+    if (!side) continue;
+    if (!std::ranges::any_of(slots, [&](const Slot& slot) { return Bounds(*side, slot); }))
+      continue;
+    const Face& face = fit.hole_model.faces()[wall.face.index()];
+    walls[wall.face] = Extended(walls[wall.face], wall.outline, face.X_PartFace, axis);
+  }
+  Extent hole = {.low = -kWide, .high = kWide};
+  for (const auto& [face, extent] : walls) hole = Common(hole, extent);
+  Extent shaft = {.low = -kWide, .high = kWide};
+  for (const FaceId id : fit.shaft.faces) {
+    const Face& face = fit.shaft_model.faces()[id.index()];
+    if (std::abs((fit.X_HoleShaft.linear() * face.normal).dot(axis)) >= kUnitProduct) continue;
+    Extent side;
+    for (const Polygon& patch : face.patches)
+      side = Extended(side, patch, fit.X_HoleShaft * face.X_PartFace, axis);
+    shaft = Common(shaft, side);
+  }
+  return {.length = std::max(0.0, Common(hole, shaft).width()),
+          .shaft_is_inside = hole.low <= shaft.low && shaft.high <= hole.high};
+}
+
+// Returns the greatest angle by which a shaft that is `width` wide can tilt in a slot that is
+// `slot` wide.
+//
+// If the shaft is inside, its two ends touch the two sides of the slot. Otherwise an edge of the
+// slot touches a side of the shaft, and an end of the shaft or another edge touches on the other
+// side. The two places are apart along the slot by the length of the engagement, less the height by
+// which tilting raises one edge of the end.
+double GreatestTilt(double width, double slot, const Engagement& engagement) {
+  const double length = engagement.length;
+  if (engagement.shaft_is_inside) {
+    const double diagonal = std::hypot(width, length);
+    if (diagonal <= slot) return std::numbers::pi;
+    return std::max(0.0, std::atan2(length, width) - std::acos(std::min(1.0, slot / diagonal)));
+  }
+  constexpr double kTiltLook = 1e-4;  // radians
+  for (double tilt = kTiltLook; tilt < std::numbers::pi / 2; tilt += kTiltLook) {
+    const double apart = length - width * std::sin(tilt);
+    if (slot * std::cos(tilt) - apart * std::sin(tilt) < width) return tilt;
+  }
+  return std::numbers::pi;
 }
 
 struct FitPlay {
@@ -56,11 +145,15 @@ std::optional<FitPlay> PlayOf(const ShaftFit& fit, double widening) {
   const std::vector<Slot> slots = SlotsOf(SideWalls(fit, -widening));
   if (!HoldAllAround(slots) || !(fit.depth > 0)) return std::nullopt;
   const Polygon section = CrossSection(fit);
+  const Engagement engagement = EngagementOf(fit, slots, -widening);
   double lateral = 0;
+  double tilt = 0;
   for (const Slot& slot : slots) {
     const Extent extent = ExtentOf(fit, section, slot.across);
     lateral = std::max({lateral, extent.low - slot.low, slot.high - extent.high});
+    tilt = std::max(tilt, GreatestTilt(extent.width(), slot.high - slot.low, engagement));
   }
+  tilt = std::min(std::numbers::pi, FarthestIntoCorner(slots) * tilt);
   const auto fits = [&](double turn) {
     return std::ranges::all_of(slots, [&](const Slot& slot) {
       return ExtentOf(fit, section, slot.across, turn).width() <= slot.high - slot.low &&
@@ -71,8 +164,6 @@ std::optional<FitPlay> PlayOf(const ShaftFit& fit, double widening) {
   while (turn < kFarthestTurn && fits(turn)) turn += kTurnLook;
   if (turn >= kFarthestTurn) turn = std::numbers::pi;  // a turn without limit, as of a round shaft
 
-  // Both ends of the part of the shaft that is inside stay within the play.
-  const double tilt = 2 * lateral / fit.depth;
   const Pose X_HeldFeature = fit.shaft_is_held ? fit.shaft.X_PartFeature
                                                : fit.X_HoleShaft.inverse() * fit.hole.X_PartFeature;
   const Vector3 to_origin = X_HeldFeature.inverse().translation();
@@ -141,13 +232,9 @@ std::vector<ShaftFit> FitsOf(const Problem& problem, const Mating& mating) {
 }
 
 std::vector<SideWall> SideWalls(const ShaftFit& fit, double narrowing) {
-  const Vector3 axis = fit.hole.X_PartFeature.linear().col(2);
   std::vector<SideWall> walls;
   for (const Wall& wall : fit.hole.walls) {
-    const Face& face = fit.hole_model.faces()[wall.face.index()];
-    if (std::abs(face.normal.dot(axis)) >= kUnitProduct) continue;
-    walls.push_back({face.normal, face.offset});
-    if (wall.moves_with_clearance) walls.back().offset += narrowing;
+    if (const std::optional<SideWall> side = SideOf(fit, wall, narrowing)) walls.push_back(*side);
   }
   return walls;
 }

@@ -1,5 +1,6 @@
 #include "planner/domain/matings/shaft_fit.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -145,6 +146,45 @@ Problem BoltInNut() {
   return problem;
 }
 
+// Returns a square bar from -tip to -top along z, and a plate with a square hole, from -thickness
+// to 0. Both are in metres.
+std::string Bar(double tip, double top) {
+  return fmt::format(R"(format: assay-part/1
+name: bar
+initial: BA
+units: {{length: m, angle: degree}}
+density: 1000
+friction: 0.3
+solids:
+  bar: {{box: [[-0.01, -0.01, {}], [0.01, 0.01, {}]]}}
+features:
+  1: {{shaft: bar, axis: [0, 0, -1]}}
+)",
+                     -tip, -top);
+}
+std::string Plate(double thickness) {
+  return fmt::format(R"(format: assay-part/1
+name: plate
+initial: PL
+units: {{length: m, angle: degree}}
+density: 1000
+friction: 0.3
+solids:
+  plate: {{box: [[-0.03, -0.03, {}], [0.03, 0.03, 0]]}}
+pockets:
+  hole: {{cut_from: plate, box: [[-0.01, -0.01, {}], [0.01, 0.01, 0]], widen: [x, y]}}
+features:
+  1: {{hole: hole, axis: [0, 0, 1]}}
+)",
+                     -thickness, -thickness);
+}
+
+const Mating kBarDown = {.held = PartId(0),
+                         .fixed = PartId(1),
+                         .features = {{FeatureNumber(1), FeatureNumber(1)}},
+                         .X_FixedHeld = Pose::Identity(),
+                         .mating_vector = Vector3(0, 0, -0.05)};
+
 Mating Seated(int of_bolt, int of_nut) {
   return {.held = PartId(0),
           .fixed = PartId(1),
@@ -189,6 +229,62 @@ TEST(ShaftFit, NothingThatFitsIsFartherOffThanThePlay) {
   };
   while (is_turned_in(turn)) turn += 1e-4;
   EXPECT_LE(turn - 1e-4, play.turn);
+}
+
+// The bar is from -tip to -top along z, the plate from -thickness to 0, in metres.
+struct BarInPlate {
+  double thickness = 0;
+  double tip = 0;
+  double top = 0;
+  double clearance = 0;
+
+  Problem Read() const {
+    Problem problem;
+    problem.parts.resize(2);
+    problem.parts[0].name = "bar";
+    problem.parts[0].model = ParsePart(Bar(tip, top), clearance);
+    problem.parts[1].name = "plate";
+    problem.parts[1].model = ParsePart(Plate(thickness), clearance);
+    return problem;
+  }
+};
+
+// Returns by how much the bar can tilt about the middle of what is in the hole, up to 1 radian.
+double TiltUntilStopped(const Problem& problem, double middle, const Vector3& axis) {
+  const auto fits = [&](double tilt) {
+    const Pose tilted = geometry::Translation(0, 0, middle) * Eigen::AngleAxisd(tilt, axis) *
+                        geometry::Translation(0, 0, -middle);
+    return !Overlaps(problem.parts[0].model->shape(), tilted, problem.parts[1].model->shape(),
+                     Pose::Identity(), 0);
+  };
+  double tilt = 0;
+  while (tilt < 1 && fits(tilt + 1e-3)) tilt += 1e-3;
+  return tilt;
+}
+
+// A bar through a plate tilts until it touches the two edges of the hole. How far it sticks out
+// behind the plate makes no difference. A pin that is shorter than its hole tilts until its own
+// edges touch.
+TEST(ShaftFit, ATiltedShaftThatFitsIsWithinThePlay) {
+  for (const BarInPlate& each :
+       {BarInPlate{0.005, 0.04, -0.01, 0.0008}, BarInPlate{0.005, 0.04, 0, 0.0008},
+        BarInPlate{0.03, 0.03, 0, 0.0008}, BarInPlate{0.04, 0.03, 0.024, 0.0008},
+        BarInPlate{0.04, 0.03, 0.004, 0.0008}, BarInPlate{0.01, 0.03, 0.004, 0.0008}}) {
+    const Problem problem = each.Read();
+    const double middle = (std::min(each.thickness, each.tip) + std::max(0.0, each.top)) / -2;
+    const SeatPlay play = PlayInSeat(problem, kBarDown, 0);
+    for (const double direction : {0.0, 0.4, std::numbers::pi / 4, 1.1, std::numbers::pi / 2}) {
+      const Vector3 axis(std::cos(direction), std::sin(direction), 0);
+      EXPECT_LE(TiltUntilStopped(problem, middle, axis), play.turn)
+          << each.thickness << " " << each.tip << " " << each.top << " " << direction;
+    }
+  }
+}
+
+// The gap of 0.1 mm over 5 mm bounds the tilt about each of two axes.
+TEST(ShaftFit, ThePlayOfAThinPlateIsThatOfItsThickness) {
+  const SeatPlay play = PlayInSeat(BarInPlate{0.005, 0.04, -0.01, 0.00005}.Read(), kBarDown, 0);
+  EXPECT_NEAR(play.turn - play.spin, std::sqrt(2) * 0.02, 0.003);
 }
 
 // The play is used up exactly at the ends of the gaps.
