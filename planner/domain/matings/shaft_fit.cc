@@ -87,6 +87,7 @@ struct Engagement {
 // Returns where all walls of the slots and all sides of the shaft face each other. A shaft that
 // goes through a thin plate is deeper in the hole than this, and a short pin may lie wholly inside.
 Engagement EngagementOf(const ShaftFit& fit, const std::vector<Slot>& slots, double narrowing) {
+  constexpr double kFlushEnds = 1e-9;  // metres
   const Vector3 axis = fit.hole.X_PartFeature.linear().col(2);
   std::map<FaceId, Extent> walls;  // a face may have several patches
   for (const Wall& wall : fit.hole.walls) {
@@ -108,28 +109,30 @@ Engagement EngagementOf(const ShaftFit& fit, const std::vector<Slot>& slots, dou
       side = Extended(side, patch, fit.X_HoleShaft * face.X_PartFace, axis);
     shaft = Common(shaft, side);
   }
-  return {.length = std::max(0.0, Common(hole, shaft).width()),
-          .shaft_is_inside = hole.low <= shaft.low && shaft.high <= hole.high};
+  return {
+      .length = std::max(0.0, Common(hole, shaft).width()),
+      .shaft_is_inside = hole.low < shaft.low + kFlushEnds && shaft.high < hole.high + kFlushEnds};
 }
 
 // Returns the greatest angle by which a shaft that is `width` wide can tilt in a slot that is
 // `slot` wide.
 //
-// If the shaft is inside, its two ends touch the two sides of the slot. Otherwise an edge of the
-// slot touches a side of the shaft, and an end of the shaft or another edge touches on the other
-// side. The two places are apart along the slot by the length of the engagement, less the height by
-// which tilting raises one edge of the end.
+// An edge of the slot touches a side of the shaft, and an end of the shaft or another edge touches
+// on the other side. The two places are apart along the slot by the length of the engagement, less
+// the height by which tilting raises one edge of the end. If the shaft is inside, its two ends may
+// also touch the two sides of the slot.
 double GreatestTilt(double width, double slot, const Engagement& engagement) {
   const double length = engagement.length;
+  double by_ends = 0;
   if (engagement.shaft_is_inside) {
     const double diagonal = std::hypot(width, length);
     if (diagonal <= slot) return std::numbers::pi;
-    return std::max(0.0, std::atan2(length, width) - std::acos(std::min(1.0, slot / diagonal)));
+    by_ends = std::atan2(length, width) - std::acos(std::min(1.0, slot / diagonal));
   }
   constexpr double kTiltLook = 1e-4;  // radians
   for (double tilt = kTiltLook; tilt < std::numbers::pi / 2; tilt += kTiltLook) {
     const double apart = length - width * std::sin(tilt);
-    if (slot * std::cos(tilt) - apart * std::sin(tilt) < width) return tilt;
+    if (slot * std::cos(tilt) - apart * std::sin(tilt) < width) return std::max(tilt, by_ends);
   }
   return std::numbers::pi;
 }
