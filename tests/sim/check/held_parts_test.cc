@@ -159,6 +159,7 @@ TEST(HeldParts, WhatIsProvedKeepsToItAtTheCorners) {
     const Planned planned = PlanFor(draw);
     if (!planned.is_proved) continue;
     ++proved;
+    std::cout << "scene " << scene << " is proved\n" << std::flush;
     for (int corner = 1; corner <= corners; ++corner) {
       const Verdict verdict = AtCorner(planned, corner);
       EXPECT_EQ(verdict.outcome, TrialOutcome::kSucceeded)
