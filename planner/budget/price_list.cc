@@ -1,39 +1,18 @@
 #include "planner/budget/price_list.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 
 namespace assay::budget {
 namespace {
 
-// Returns the names of the quantities that a name of a price list stands for: "camera.xy" stands
-// for "camera.x" and "camera.y".
-std::vector<std::string> NamesIn(const std::string& name) {
-  const std::size_t dot = name.rfind('.');
-  const std::string coordinates = dot == std::string::npos ? "" : name.substr(dot + 1);
-  if (coordinates.empty() || coordinates.find_first_not_of("xyz") != std::string::npos)
-    return {name};
-  std::vector<std::string> names;
-  for (const char coordinate : coordinates) names.push_back(name.substr(0, dot + 1) + coordinate);
-  return names;
-}
-
-std::vector<std::size_t> QuantitiesIn(const Value& name,
-                                      const std::vector<ErrorQuantity>& quantities) {
-  std::vector<std::size_t> found;
-  for (const std::string& of : NamesIn(name.Text())) {
-    const auto quantity = std::ranges::find(quantities, of, &ErrorQuantity::name);
-    if (quantity == quantities.end()) {
-      std::vector<std::string> known;
-      for (const ErrorQuantity& other : quantities) known.push_back(other.name);
-      name.Fail(fmt::format("'{}' is no error of this scenario", of),
-                fmt::format("{}", fmt::join(known, ", ")));
-    }
-    found.push_back(static_cast<std::size_t>(quantity - quantities.begin()));
+QuantityGroup ReadGroup(const Value& name, const std::vector<ErrorQuantity>& quantities) {
+  const std::optional<QuantityGroup> group = FindGroup(name.Text(), quantities);
+  if (!group) {
+    name.Fail(fmt::format("'{}' is no error of this scenario", name.Text()), NamesOf(quantities));
   }
-  return found;
+  return *group;
 }
 
 double FactorOf(domain::Dimension dimension, const domain::Units& units) {
@@ -70,14 +49,14 @@ std::vector<PriceList> ReadPrices(const Value& prices, const domain::Units& unit
   std::vector<PriceList> lists;
   std::vector<std::size_t> on_sale;
   for (const auto& [name, offers] : prices.Entries()) {
-    PriceList list = {name.Text(), QuantitiesIn(name, quantities), {}};
-    for (const std::size_t of : list.quantities) {
+    PriceList list = {ReadGroup(name, quantities), {}};
+    for (const std::size_t of : list.group.quantities) {
       if (std::ranges::count(on_sale, of) > 0)
         name.Fail(fmt::format("'{}' is on sale twice", quantities[of].name), "each error once");
       on_sale.push_back(of);
     }
     list.offers =
-        ReadOffers(offers, FactorOf(quantities[list.quantities.front()].dimension, units));
+        ReadOffers(offers, FactorOf(quantities[list.group.quantities.front()].dimension, units));
     lists.push_back(std::move(list));
   }
   return lists;

@@ -1,11 +1,9 @@
 #pragma once
 
-#include <cstddef>
-#include <string>
 #include <vector>
 
 #include "planner/base/input_files/document.h"
-#include "planner/budget/error_quantity.h"
+#include "planner/budget/quantity_group.h"
 #include "planner/domain/units/units.h"
 
 namespace assay::budget {
@@ -16,12 +14,11 @@ struct Offer {
   double price = 0;
 };
 
-// The offers for one quantity, or for several that are bought together. A dearer offer has a
+// The offers for a group of quantities, which are bought together. A dearer offer has a
 // smaller error.
 struct PriceList {
-  std::string name;                     // "overhead-camera.xy"
-  std::vector<std::size_t> quantities;  // indices in ErrorQuantitiesOf
-  std::vector<Offer> offers;            // the cheapest first; at least one
+  QuantityGroup group;
+  std::vector<Offer> offers;  // the cheapest first; at least one
 };
 
 // Reads a scenario's key `prices`: a map from names of quantities to maps from greatest errors to

@@ -318,8 +318,4 @@ Element ContactGraphPicture(const finemotion::LocalTopology& topology,
   return Picture(topology, planned, motions).Draw();
 }
 
-std::string SvgFile(const Element& picture) {
-  return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n" + picture.Markup() + "\n";
-}
-
 }  // namespace assay::report

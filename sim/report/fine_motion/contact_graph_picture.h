@@ -26,7 +26,4 @@ struct MotionRange {
 Element ContactGraphPicture(const finemotion::LocalTopology& topology,
                             const check::PlannedContacts& planned, const MotionRange& motions);
 
-// Returns the contents of an SVG file of the picture.
-std::string SvgFile(const Element& picture);
-
 }  // namespace assay::report

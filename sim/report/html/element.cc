@@ -105,4 +105,8 @@ void Element::Append(std::string& text) const {
   text += fmt::format("</{}>", name_);
 }
 
+std::string SvgFile(const Element& svg) {
+  return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n" + svg.Markup() + "\n";
+}
+
 }  // namespace assay::report

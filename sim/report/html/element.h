@@ -52,4 +52,7 @@ class Element {
   std::list<Child> children_;
 };
 
+// Returns the contents of a file that shows an SVG element by itself.
+std::string SvgFile(const Element& svg);
+
 }  // namespace assay::report

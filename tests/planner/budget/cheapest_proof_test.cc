@@ -72,8 +72,8 @@ TEST(CheapestProof, IsWhatExhaustiveSearchFinds) {
 }
 
 TEST(CheapestProof, SaysThatItsBudgetEnded) {
-  const std::vector<PriceList> prices = {{"a", {0}, {{3, 0}, {2, 1}, {1, 2}}},
-                                         {"b", {1}, {{3, 0}, {2, 1}, {1, 2}}}};
+  const std::vector<PriceList> prices = {{{"a", {0}}, {{3, 0}, {2, 1}, {1, 2}}},
+                                         {{"b", {1}}, {{3, 0}, {2, 1}, {1, 2}}}};
   const auto both_best = [](const Purchase& p) { return p[0] + p[1] >= 3; };
   const CheapestProof answer = FindCheapestProof(prices, both_best, 1);
   EXPECT_FALSE(answer.is_exact);
@@ -92,7 +92,7 @@ std::vector<PriceList> Read(const std::string& text) {
 TEST(Prices, AreReadInTheUnitsOfTheFile) {
   const auto prices = Read("{camera.xy: {0.1: 900, 0.3: 0}, hand.theta: {1: 5}}");
   ASSERT_EQ(prices.size(), 2U);
-  EXPECT_THAT(prices[0].quantities, ::testing::ElementsAre(0U, 1U));
+  EXPECT_THAT(prices[0].group.quantities, ::testing::ElementsAre(0U, 1U));
   ASSERT_EQ(prices[0].offers.size(), 2U);
   EXPECT_DOUBLE_EQ(prices[0].offers[0].greatest, 0.0003);
   EXPECT_EQ(prices[0].offers[0].price, 0);

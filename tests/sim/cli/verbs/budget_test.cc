@@ -30,8 +30,10 @@ class BudgetVerb : public ::testing::Test {
   // Returns the budget of the scenario with prices. It is computed once.
   const Json& Budget() const {
     static const Json budget = [this] {
-      const Ended ended = Assay({"budget", scenario_, "--json"});
+      const Ended ended =
+          Assay({"budget", scenario_, "--json", "--front", "peg.xy,hand.theta", "-o", drawing_});
       EXPECT_EQ(ended.code, 0) << ended.err;
+      EXPECT_THAT(TextOf(drawing_), HasSubstr("peg.xy, mm"));
       return ended.Json();
     }();
     return budget;
@@ -46,6 +48,7 @@ class BudgetVerb : public ::testing::Test {
 
   const Folder folder_;
   const std::string scenario_ = folder_.Write("priced.yaml", Scenario(kPrices));
+  const std::string drawing_ = folder_ / "front.svg";
 };
 
 TEST_F(BudgetVerb, HasItsSchema) { EXPECT_THAT(SchemaErrors(kSchema, Budget()), IsEmpty()); }
@@ -78,6 +81,36 @@ TEST_F(BudgetVerb, BuysWhatIsNeeded) {
   EXPECT_EQ(cheapest["bought"]["peg.theta"]["price"], 50);
   EXPECT_EQ(cheapest["bought"]["hand.x"]["price"], 0);
   EXPECT_EQ(cheapest["exact"], true);
+}
+
+// The fronts end where one error alone ends, while the other is 0.
+TEST_F(BudgetVerb, HasAFrontThatIsProvedOnOneSide) {
+  const Json& pareto = Budget()["pareto"];
+  EXPECT_EQ(pareto["groups"], (Json{"peg.xy", "hand.theta"}));
+  ASSERT_EQ(pareto["fronts"].size(), 1U);
+  const Json& points = pareto["fronts"][0]["points"];
+  ASSERT_GE(points.size(), 20U);
+  for (const Json& quantity : Budget()["quantities"]) {
+    if (quantity["name"] != "hand.theta") continue;
+    EXPECT_GE(1.01 * points.front()["proved"][1].get<double>(), quantity["proved"].get<double>());
+  }
+  for (const Json& point : points) {
+    if (point.contains("unproved")) EXPECT_TRUE(point.contains("obstacle"));
+  }
+}
+
+TEST_F(BudgetVerb, ChecksTheErrorsOfItsFront) {
+  const auto refused = [&](const std::string& front) {
+    const Ended ended = Assay({"budget", scenario_, "--front", front});
+    EXPECT_EQ(ended.code, 2) << front;
+    return ended.err;
+  };
+  EXPECT_THAT(refused("peg.x"), HasSubstr("two or three"));
+  EXPECT_THAT(refused("peg.x,nut.x"), HasSubstr("'nut.x' is no error of this scenario"));
+  EXPECT_THAT(refused("peg.x,peg.xy"), HasSubstr("names 'peg.x' twice"));
+  const Ended ended = Assay({"budget", scenario_, "-o", folder_ / "nothing.svg"});
+  EXPECT_EQ(ended.code, 2);
+  EXPECT_THAT(ended.err, HasSubstr("--front"));
 }
 
 TEST_F(BudgetVerb, AScenarioWithoutAPlanHasNoBudget) {

@@ -1,0 +1,142 @@
+#include "sim/report/charts/front_chart.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "sim/report/charts/drawing.h"
+#include "sim/report/charts/palette.h"
+#include "sim/report/numbers/figures.h"
+
+namespace assay::report {
+namespace {
+
+using Point = std::array<double, 2>;
+
+constexpr double kWidth = 560;
+constexpr double kHeight = 460;
+constexpr double kLeft = 70;
+constexpr double kRight = kWidth - 30;
+constexpr double kTop = 24;
+constexpr double kBottom = kHeight - 56;
+
+// Returns the greatest number on an axis: with all points of the front that are not far beyond the
+// declared errors.
+double Greatest(const FrontPicture& picture, std::size_t axis) {
+  constexpr double kFar = 8;  // times the declared error
+  double greatest = 1.5 * picture.declared[axis];
+  for (const FrontCurve& curve : picture.curves) {
+    for (const Point& point : curve.proved) greatest = std::max(greatest, 1.15 * point[axis]);
+  }
+  return std::min(greatest, kFar * picture.declared[axis]);
+}
+
+class Chart {
+ public:
+  explicit Chart(const FrontPicture& picture)
+      : picture_(picture),
+        across_{0, Greatest(picture, 0), kLeft, kRight},
+        up_{0, Greatest(picture, 1), kBottom, kTop},
+        svg_(Drawing(kWidth, kHeight,
+                     fmt::format("Pareto front of {} and {}", picture.axes[0], picture.axes[1]))) {}
+
+  Element Drawn() {
+    AddStyle();
+    if (picture_.curves.size() == 1) AddUnproved(picture_.curves.front());
+    for (const FrontCurve& curve : picture_.curves) AddProved(curve);
+    AddAxes();
+    AddDeclared();
+    return std::move(svg_);
+  }
+
+ private:
+  void AddStyle() {
+    svg_.Set("xmlns", "http://www.w3.org/2000/svg");
+    svg_.Add("style",
+             fmt::format("text{{font:13px sans-serif;fill:#333}}.axis{{stroke:#333}}"
+                         ".grid{{stroke:#ddd}}.proved{{fill:{0};fill-opacity:.18;stroke:{0};"
+                         "stroke-width:2}}.unproved{{fill:{1};fill-opacity:.12;stroke:{1}}}"
+                         ".declared{{fill:#333}}",
+                         kPredicted.light, kViolated.light));
+    AddBox(svg_, "ground", 0, 0, kWidth, kHeight);
+    AddGrid();
+  }
+
+  void AddGrid() {
+    for (const double tick : Ticks(across_, 6))
+      AddLine(svg_, "grid", across_.At(tick), kTop, across_.At(tick), kBottom);
+    for (const double tick : Ticks(up_, 6))
+      AddLine(svg_, "grid", kLeft, up_.At(tick), kRight, up_.At(tick));
+  }
+
+  void AddAxes() {
+    AddLine(svg_, "axis", kLeft, kBottom, kRight, kBottom);
+    AddLine(svg_, "axis", kLeft, kTop, kLeft, kBottom);
+    for (const double tick : Ticks(across_, 6))
+      AddWords(svg_, "middle", across_.At(tick), kBottom + 18, NumberText(tick));
+    for (const double tick : Ticks(up_, 6))
+      AddWords(svg_, "end", kLeft - 6, up_.At(tick) + 4, NumberText(tick));
+    AddWords(svg_, "middle", (kLeft + kRight) / 2, kHeight - 14, picture_.axes[0]);
+    AddWords(svg_, "start", 8, kTop - 8, picture_.axes[1]);
+  }
+
+  void AddDeclared() {
+    const double x = across_.At(picture_.declared[0]);
+    const double y = up_.At(picture_.declared[1]);
+    svg_.Add("circle").Set("class", "declared").Set("cx", x).Set("cy", y).Set("r", 4);
+    AddWords(svg_, "start", x + 7, y - 6, "declared");
+  }
+
+  // Everything is proved for the union of the boxes between zero and the proved points.
+  void AddProved(const FrontCurve& curve) {
+    std::vector<Point> points = curve.proved;
+    std::ranges::sort(points);
+    std::string path = fmt::format("M{:.1f} {:.1f}", kLeft, kBottom);
+    double x = 0;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const Point& point = points[i];
+      if (point[0] <= x && i > 0) continue;
+      double height = 0;
+      for (std::size_t k = i; k < points.size(); ++k) height = std::max(height, points[k][1]);
+      path += fmt::format("L{:.1f} {:.1f}", across_.At(x), up_.At(height));
+      path += fmt::format("L{:.1f} {:.1f}", across_.At(point[0]), up_.At(height));
+      x = point[0];
+    }
+    path += fmt::format("L{:.1f} {:.1f}Z", across_.At(x), kBottom);
+    svg_.Add("path").Set("class", "proved").Set("d", path);
+    AddLabel(curve, points);
+  }
+
+  // Not everything is proved for the union of the quadrants beyond the unproved points.
+  void AddUnproved(const FrontCurve& curve) {
+    std::vector<Point> points = curve.unproved;
+    std::ranges::sort(points);
+    if (points.empty()) return;
+    std::string path = fmt::format("M{:.1f} {:.1f}", across_.At(points[0][0]), kTop);
+    double lowest = points[0][1];
+    for (const Point& point : points) {
+      path += fmt::format("L{:.1f} {:.1f}", across_.At(point[0]), up_.At(lowest));
+      lowest = std::min(lowest, point[1]);
+      path += fmt::format("L{:.1f} {:.1f}", across_.At(point[0]), up_.At(lowest));
+    }
+    path += fmt::format("L{:.1f} {:.1f}L{:.1f} {:.1f}Z", kRight, up_.At(lowest), kRight, kTop);
+    svg_.Add("path").Set("class", "unproved").Set("d", path);
+  }
+
+  void AddLabel(const FrontCurve& curve, const std::vector<Point>& points) {
+    if (curve.label.empty() || points.empty()) return;
+    const Point& middle = points[points.size() / 2];
+    AddWords(svg_, "start", across_.At(middle[0]) + 4, up_.At(middle[1]) - 4, curve.label);
+  }
+
+  const FrontPicture& picture_;
+  Axis across_;
+  Axis up_;
+  Element svg_;
+};
+
+}  // namespace
+
+Element FrontChart(const FrontPicture& picture) { return Chart(picture).Drawn(); }
+
+}  // namespace assay::report
