@@ -19,7 +19,7 @@ class Multiples {
 
   GreatestMultiple OfBestPlan() const {
     return FindGreatestMultiple(
-        [&](double multiple) { return PlanAnew(WithErrorsTimes(problem_, multiple)).obstacle; });
+        [&](double multiple) { return ObstacleOfBestPlan(WithErrorsTimes(problem_, multiple)); });
   }
 
   std::vector<OneError> Alone() const {
@@ -37,7 +37,7 @@ class Multiples {
     constexpr int kMostProofs = 2000;
     const auto is_proved = [&](const Purchase& purchase) {
       const std::vector<double> multiples = MultiplesOf(prices, purchase, quantities_);
-      return !PlanAnew(WithErrorsTimes(problem_, multiples)).obstacle;
+      return !ObstacleOfBestPlan(WithErrorsTimes(problem_, multiples));
     };
     return {prices, FindCheapestProof(prices, is_proved, kMostProofs)};
   }

@@ -17,7 +17,7 @@ std::vector<double> MultiplesOf(const std::vector<PriceList>& prices, const Purc
   std::vector<double> multiples(quantities.size(), 1);
   for (std::size_t i = 0; i < prices.size(); ++i) {
     for (const std::size_t of : prices[i].group.quantities)
-      multiples[of] = prices[i].offers[purchase[i]].greatest / quantities[of].declared;
+      multiples[of] = prices[i].offers[purchase[i]].greatest / quantities[of].declared();
   }
   return multiples;
 }

@@ -70,21 +70,29 @@ std::vector<ErrorQuantity> ErrorQuantitiesOf(const domain::Problem& problem) {
   std::vector<ErrorQuantity> quantities;
   domain::Problem copy = problem;
   VisitErrors(copy, [&](const std::string& name, Dimension dimension, Interval& bounds) {
-    quantities.push_back({name, dimension, std::max(std::abs(bounds.low), std::abs(bounds.high))});
+    quantities.push_back({name, dimension, bounds});
   });
   return quantities;
 }
 
+domain::Problem WithBounds(const domain::Problem& problem, const std::vector<Interval>& bounds) {
+  domain::Problem changed = problem;
+  auto next = bounds.begin();
+  VisitErrors(changed, [&](const std::string& name, Dimension, Interval& its) {
+    ASSAY_CHECK(next != bounds.end(), "no bounds of {}", name);
+    its = *next++;
+  });
+  return changed;
+}
+
 domain::Problem WithErrorsTimes(const domain::Problem& problem,
                                 const std::vector<double>& multiples) {
-  domain::Problem scaled = problem;
-  auto multiple = multiples.begin();
-  VisitErrors(scaled, [&](const std::string& name, Dimension, Interval& bounds) {
-    ASSAY_CHECK(multiple != multiples.end(), "no multiple of {}", name);
-    bounds = {*multiple * bounds.low, *multiple * bounds.high};
-    ++multiple;
-  });
-  return scaled;
+  std::vector<Interval> bounds;
+  for (const ErrorQuantity& quantity : ErrorQuantitiesOf(problem)) {
+    const double multiple = multiples.at(bounds.size());
+    bounds.push_back({multiple * quantity.bounds.low, multiple * quantity.bounds.high});
+  }
+  return WithBounds(problem, bounds);
 }
 
 domain::Problem WithErrorsTimes(const domain::Problem& problem, double multiple) {

@@ -1,8 +1,11 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <string>
 #include <vector>
 
+#include "planner/base/interval.h"
 #include "planner/domain/problem/problem.h"
 #include "planner/domain/units/units.h"
 
@@ -13,15 +16,20 @@ namespace assay::budget {
 struct ErrorQuantity {
   std::string name;  // "peg.x", "hand.theta", "overhead-camera.z", "clearance"
   domain::Dimension dimension = domain::Dimension::kRatio;
-  double declared = 0;  // the greatest error on either side; metres, radians or a ratio
+  Interval bounds;  // as declared: metres, radians or a ratio
+
+  double declared() const { return std::max(std::abs(bounds.low), std::abs(bounds.high)); }
 };
 
 // Returns the quantities of a problem that are neither 0 nor unbounded, in a fixed order. Of
 // sensors, those count which the problem may use.
 std::vector<ErrorQuantity> ErrorQuantitiesOf(const domain::Problem& problem);
 
-// Returns the problem with each quantity times its multiple, 0 or more, in the order of
-// ErrorQuantitiesOf. A tolerance that would not be less than its value is a little less.
+// Returns the problem with these bounds of all quantities, in the order of ErrorQuantitiesOf. A
+// tolerance that would not be less than its value is a little less.
+domain::Problem WithBounds(const domain::Problem& problem, const std::vector<Interval>& bounds);
+// Returns the problem with each quantity times its multiple, 0 or more, in the same
+// order.
 domain::Problem WithErrorsTimes(const domain::Problem& problem,
                                 const std::vector<double>& multiples);
 // Returns the problem with all quantities times the same multiple.

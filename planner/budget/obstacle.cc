@@ -24,43 +24,46 @@ std::optional<Obstacle> InCertificates(const domain::Problem& problem, const pla
   return std::nullopt;
 }
 
-std::optional<Obstacle> InStrategies(const domain::Problem& problem, const plan::Plan& plan) {
-  const std::vector<plan::Flaw> flaws = assembly::FlawsOfStrategies(problem, plan);
-  if (flaws.empty()) return std::nullopt;
-  return Obstacle{plan.step(flaws.front().step).name, flaws.front().what};
+void AddOfStrategies(const domain::Problem& problem, const plan::Plan& plan,
+                     std::vector<Obstacle>& obstacles) {
+  for (const plan::Flaw& flaw : assembly::FlawsOfStrategies(problem, plan))
+    obstacles.push_back({plan.step(flaw.step).name, flaw.what});
 }
 
-std::optional<Obstacle> InWays(const domain::Problem& problem, const plan::Plan& plan) {
-  const std::vector<assembly::UnprovedWay> ways = assembly::UnprovedWays(problem, plan);
-  if (ways.empty()) return std::nullopt;
-  const assembly::UnprovedWay& way = ways.front();
-  return Obstacle{way.step.IsNone() ? "home" : plan.step(way.step).name, way.why.text};
+void AddOfWays(const domain::Problem& problem, const plan::Plan& plan,
+               std::vector<Obstacle>& obstacles) {
+  for (const assembly::UnprovedWay& way : assembly::UnprovedWays(problem, plan))
+    obstacles.push_back({way.step.IsNone() ? "home" : plan.step(way.step).name, way.why.text});
 }
 
 }  // namespace
 
+std::vector<Obstacle> ObstaclesBesideCertificates(const domain::Problem& problem,
+                                                  const plan::Plan& plan) {
+  std::vector<Obstacle> obstacles;
+  AddOfStrategies(problem, plan, obstacles);
+  AddOfWays(problem, plan, obstacles);
+  return obstacles;
+}
+
 std::optional<Obstacle> ObstacleOfPlan(const domain::Problem& problem, const plan::Plan& plan) {
   try {
-    for (const auto& in : {InCertificates, InStrategies, InWays}) {
-      if (std::optional<Obstacle> obstacle = in(problem, plan)) return obstacle;
-    }
-    return std::nullopt;
+    if (std::optional<Obstacle> obstacle = InCertificates(problem, plan)) return obstacle;
+    const std::vector<Obstacle> others = ObstaclesBesideCertificates(problem, plan);
+    if (others.empty()) return std::nullopt;
+    return others.front();
   } catch (const InputError& error) {  // parts that cannot have such a clearance
     return Obstacle{"", error.what()};
   }
 }
 
-PlannedAnew PlanAnew(const domain::Problem& problem) {
+std::optional<Obstacle> ObstacleOfBestPlan(const domain::Problem& problem) {
   try {
-    PlannedAnew planned = {assembly::MakeCertifiedPlan(problem, {}, {}), std::nullopt};
-    if (planned.result.outcome != Outcome::kFound) {
-      planned.obstacle = Obstacle{"", "no plan is found"};
-    } else {
-      planned.obstacle = ObstacleOfPlan(problem, planned.result.plan);
-    }
-    return planned;
+    const plan::PlanResult result = assembly::MakeCertifiedPlan(problem, {}, {});
+    if (result.outcome != Outcome::kFound) return Obstacle{"", "no plan is found"};
+    return ObstacleOfPlan(problem, result.plan);
   } catch (const InputError& error) {
-    return {{}, Obstacle{"", error.what()}};
+    return Obstacle{"", error.what()};
   }
 }
 

@@ -37,6 +37,11 @@ class FirstOrderForms {
   std::optional<AffineForm> Affine(const Expression& e, std::span<const Interval> box,
                                    double negligible);
 
+  // Returns the form of e itself.
+  const FirstOrderForm& Form(const Expression& e, std::span<const Interval> box) {
+    return FormOf(e, box);
+  }
+
  private:
   struct Known {
     bool is_known = false;

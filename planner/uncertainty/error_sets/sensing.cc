@@ -12,9 +12,10 @@ namespace {
 // Replaces `error` by a new variable if the promise is narrower. The believed pose shifts by the
 // difference, because the part stays where it is.
 void Measure(UncertainWorld& world, PartId part, const plan::ErrorKind& kind,
-             const Interval& promise, Expression& error, Expression& shift) {
+             const ErrorSource& sensor, const Interval& promise, Expression& error,
+             Expression& shift) {
   if (!TakesOver(world.TightRangeOf(error), promise)) return;
-  const Expression measured = world.Declare(kind, promise, part);
+  const Expression measured = world.Declare(kind, promise, part, sensor);
   shift = algebra::Simplify(shift + error - measured);
   error = measured;
 }
@@ -29,16 +30,19 @@ void ApplySensing(UncertainWorld& world, PartId part, const std::string& sensor)
   const domain::Workcell& workcell = *world.problem().workcell;
   const domain::SensorModel* model = workcell.uncertainty_operations().FindSensor(sensor);
   ASSAY_CHECK(model != nullptr, "the workcell has no sensor '{}'", sensor);
+  const auto index =
+      static_cast<std::size_t>(model - workcell.uncertainty_operations().sensors.data());
+  const ErrorSource source = {ErrorSource::Of::kSensor, index};
   RestingError error = world.resting_in_world(part);
   BelievedShift shift = world.shift(part);
   constexpr std::array<const plan::ErrorKind*, 3> kAlong = {&plan::error::kX, &plan::error::kY,
                                                             &plan::error::kZ};
   const std::array<Interval, 3> promises = {model->x, model->y, model->z};
   for (const int axis : {0, 1, 2}) {
-    Measure(world, part, *kAlong[axis], promises[axis], error.displacement[axis],
+    Measure(world, part, *kAlong[axis], source, promises[axis], error.displacement[axis],
             shift.displacement[axis]);
   }
-  Measure(world, part, plan::error::kTheta, model->theta, error.theta, shift.turn);
+  Measure(world, part, plan::error::kTheta, source, model->theta, error.theta, shift.turn);
   if (world.propagation() == Propagation::kPaper) shift = {};
   world.SetBelieved(part, shift, error);
 }

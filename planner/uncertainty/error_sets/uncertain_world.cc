@@ -35,6 +35,14 @@ std::set<algebra::VariableId> VariablesOccurringIn(const std::vector<Expression>
   return occurring;
 }
 
+// Returns the coordinate that an error of this kind is about, as scenarios name it.
+std::string CoordinateOf(const plan::ErrorKind& kind) {
+  return &kind == &plan::error::kX   ? "x"
+         : &kind == &plan::error::kY ? "y"
+         : &kind == &plan::error::kZ ? "z"
+                                     : "theta";
+}
+
 }  // namespace
 
 // Names of variables have no hyphens: "peg-1" becomes "peg_1".
@@ -51,18 +59,20 @@ UncertainWorld::UncertainWorld(const domain::Problem& problem, Propagation propa
   for (std::size_t p = 0; p < problem.parts.size(); ++p) {
     const domain::Part& part = problem.parts[p];
     const PartId id(p);
-    const RestingError error = {.displacement = {Declare(plan::error::kX, part.error.x, id),
-                                                 Declare(plan::error::kY, part.error.y, id),
-                                                 Declare(plan::error::kZ, part.error.z, id)},
-                                .theta = Declare(plan::error::kTheta, part.error.theta, id)};
+    const ErrorSource at_start = {.of = ErrorSource::Of::kPart};
+    const RestingError error = {
+        .displacement = {Declare(plan::error::kX, part.error.x, id, at_start),
+                         Declare(plan::error::kY, part.error.y, id, at_start),
+                         Declare(plan::error::kZ, part.error.z, id, at_start)},
+        .theta = Declare(plan::error::kTheta, part.error.theta, id, at_start)};
     parts_.push_back({part.X_WorldPart, {}, error, error});
   }
 }
 
-Expression UncertainWorld::Declare(const plan::ErrorKind& kind, const Interval& range,
-                                   PartId part) {
+Expression UncertainWorld::Declare(const plan::ErrorKind& kind, const Interval& range, PartId part,
+                                   const ErrorSource& source) {
   if (range.low == range.high) return range.low;
-  auto& [pool, declared, kinds, owners, first_order, tight_ranges] = *variables_;
+  auto& [pool, declared, kinds, owners, sources, numbers, first_order, tight_ranges] = *variables_;
   const std::string stem = fmt::format("{}_{}", kind.stem, SymbolName(part));
   int& count = count_by_stem_[stem];
   while (true) {
@@ -71,12 +81,15 @@ Expression UncertainWorld::Declare(const plan::ErrorKind& kind, const Interval& 
     if (!known) {
       kinds.push_back(&kind);
       owners.push_back(part);
+      sources.push_back(source);
+      numbers.push_back(count);
       declared.box.push_back(range);
       return pool.Declare(name, range);
     }
     const int v = known->index();
     const Interval& its = declared.box[v];
-    if (kinds[v] == &kind && owners[v] == part && its.low == range.low && its.high == range.high) {
+    if (kinds[v] == &kind && owners[v] == part && sources[v] == source && its.low == range.low &&
+        its.high == range.high) {
       return pool.Variable(*known);
     }
   }
@@ -85,11 +98,13 @@ Expression UncertainWorld::Declare(const plan::ErrorKind& kind, const Interval& 
 ManipulatorError UncertainWorld::DrawManipulator() {
   if (only_draw_) return *only_draw_;
   const domain::PoseError& error = problem_->gripper_error;
-  const ManipulatorError draw = {
-      .x = Declare(plan::error::kX, error.x, PartId::None()),
-      .y = Declare(plan::error::kY, error.y, PartId::None()),
-      .z = Declare(plan::error::kZ, error.z, PartId::None()),
-      .theta = Declare(plan::error::kTheta, error.theta, PartId::None())};
+  const auto of_hand = [&](const plan::ErrorKind& kind, const Interval& range) {
+    return Declare(kind, range, PartId::None(), {.of = ErrorSource::Of::kHand});
+  };
+  const ManipulatorError draw = {.x = of_hand(plan::error::kX, error.x),
+                                 .y = of_hand(plan::error::kY, error.y),
+                                 .z = of_hand(plan::error::kZ, error.z),
+                                 .theta = of_hand(plan::error::kTheta, error.theta)};
   if (propagation_ == Propagation::kPaper) {
     only_draw_ = std::make_shared<const ManipulatorError>(draw);
   }
@@ -220,6 +235,29 @@ std::vector<plan::ErrorVariable> UncertainWorld::VariablesIn(
 
 const std::string& UncertainWorld::NameOf(algebra::VariableId variable) const {
   return variables_->pool.name(variable);
+}
+
+std::optional<DeclaredError> UncertainWorld::DeclaredAs(algebra::VariableId variable) const {
+  const int v = variable.index();
+  const ErrorSource& source = variables_->sources[v];
+  if (source.of == ErrorSource::Of::kDerived) return std::nullopt;
+  const domain::UncertaintyOperations& operations = problem_->workcell->uncertainty_operations();
+  const std::string owner = source.of == ErrorSource::Of::kHand ? "hand"
+                            : source.of == ErrorSource::Of::kPart
+                                ? problem_->part(variables_->owners[v]).name
+                                : operations.sensors[source.sensor].name;
+  return DeclaredError{owner + "." + CoordinateOf(*variables_->kinds[v]), variables_->numbers[v]};
+}
+
+algebra::FirstOrderForm UncertainWorld::ToFirstOrder(const Expression& expression) const {
+  algebra::FirstOrderForms& forms = variables_->first_order;
+  algebra::FirstOrderForm form = forms.Form(expression, constraints().box);
+  if (std::isfinite(form.rest)) return form;
+  const algebra::AffineForm affine = algebra::AffineFormOf(expression, constraints().box, 0);
+  form = forms.Form(affine.linear, constraints().box);
+  form.centre += (affine.rest.low + affine.rest.high) / 2;
+  form.rest = algebra::AtLeast(form.rest + Width(affine.rest) / 2);
+  return form;
 }
 
 double Magnitude(const Interval& range) {

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <cstddef>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,6 +17,22 @@
 namespace assay::uncertainty {
 
 using domain::PartId;
+
+// The declared error that bounds a variable: of a part at the start, of the hand at a commanded
+// pose, or of a sensor. All other variables are derived by this library.
+struct ErrorSource {
+  enum class Of { kDerived, kPart, kHand, kSensor };
+  Of of = Of::kDerived;
+  std::size_t sensor = 0;  // index in the workcell's sensors
+
+  bool operator==(const ErrorSource&) const = default;
+};
+
+// A variable that is an error as it was declared.
+struct DeclaredError {
+  std::string name;  // "peg.x", "hand.theta", "overhead-camera.z"
+  int draw = 1;      // errors of the hand and of a sensor are drawn anew each time
+};
 
 // The knowledge about all poses at one time of a plan instance: the world description of Spar's
 // uncertainty-reduction level. Copies share their variables, and expressions must not outlive the
@@ -56,7 +74,8 @@ class UncertainWorld {
   Expression DrawTableHeight(PartId part);
   // Returns a bounded variable that is new to this world and belongs to a part, or to the hand if
   // the part is None. Returns a number if the interval has no width.
-  Expression Declare(const plan::ErrorKind& kind, const Interval& range, PartId part);
+  Expression Declare(const plan::ErrorKind& kind, const Interval& range, PartId part,
+                     const ErrorSource& source = {});
 
   // Sets the error of the part in the hand. In sound mode, this function and SetResting condense
   // what they set: a long expression is replaced by an affine form (affine_form.h), whose
@@ -92,6 +111,10 @@ class UncertainWorld {
   // Returns the variables that occur in the expressions, with name and range.
   std::vector<plan::ErrorVariable> VariablesIn(const std::vector<Expression>& expressions) const;
   const std::string& NameOf(algebra::VariableId variable) const;
+  // Returns the declared error that the variable is. None: the variable is derived.
+  std::optional<DeclaredError> DeclaredAs(algebra::VariableId variable) const;
+  // Returns the expression to first order over the box of all variables.
+  algebra::FirstOrderForm ToFirstOrder(const Expression& expression) const;
 
  private:
   struct PartKnowledge {
@@ -105,6 +128,8 @@ class UncertainWorld {
     algebra::ConstraintSet declared = {};
     std::vector<const plan::ErrorKind*> kinds = {};  // by VariableId
     std::vector<PartId> owners = {};  // the part of each variable, by VariableId; None: the hand
+    std::vector<ErrorSource> sources = {};  // by VariableId
+    std::vector<int> numbers = {};  // among the variables of the same kind and owner, by VariableId
     algebra::FirstOrderForms first_order = {};
     std::map<int, Interval> tight_ranges = {};  // by Expression::index
   };

@@ -21,7 +21,7 @@ using algebra::Bound;
 using plan::CertifiedPrecondition;
 using plan::Relation;
 
-enum class Effort { kPropagate, kDecideFirst, kDecideAll, kCertify };
+enum class Effort { kPropagate, kDerive, kDecideFirst, kDecideAll, kCertify };
 
 class StepCertifier {
  public:
@@ -37,6 +37,11 @@ class StepCertifier {
   CertifiedStep Run() {
     Do(action_);
     return Take();
+  }
+
+  std::vector<Precondition> Derived() {
+    Do(action_);
+    return std::move(derived_);
   }
 
  private:
@@ -178,6 +183,10 @@ class StepCertifier {
   }
 
   void Require(const std::vector<Precondition>& preconditions) {
+    if (effort_ == Effort::kDerive) {
+      derived_.insert(derived_.end(), preconditions.begin(), preconditions.end());
+      return;
+    }
     for (const Precondition& precondition : preconditions) {
       if (!decides()) return;
       CertifiedPrecondition claim = certifies() ? Certified(precondition) : Decided(precondition);
@@ -264,6 +273,7 @@ class StepCertifier {
   const plan::Action& action_;
   const plan::Strategy* strategy_;
   const Theory& theory_;
+  std::vector<Precondition> derived_;
   CertifiedStep certified_;
   // Expressions of the certificate's preconditions, in the same order.
   std::vector<Expression> expressions_;
@@ -294,6 +304,12 @@ CertifiedStep CertifyStep(UncertainWorld& world, const plan::Action& action,
       plan::NotNeededIn(step.certificate.preconditions, action, strategy,
                         world.propagation() == Propagation::kPaper, theory.kinds);
   return step;
+}
+
+std::vector<Precondition> PreconditionsOf(UncertainWorld& world, const plan::Action& action,
+                                          const plan::Strategy* strategy) {
+  const algebra::BoundRequest none;
+  return StepCertifier(world, Effort::kDerive, none, action, strategy, {}).Derived();
 }
 
 std::vector<plan::Certificate> CertificatesAnew(const domain::Problem& problem,

@@ -34,6 +34,11 @@ CertifiedStep CertifyStep(UncertainWorld& world, const plan::Action& action,
                           const algebra::BoundRequest& request,
                           const plan::Strategy* strategy = nullptr, const Theory& theory = {});
 
+// Returns the preconditions of the next action, and takes the world to its state after the action,
+// as CertifyStep does. Nothing is decided.
+std::vector<Precondition> PreconditionsOf(UncertainWorld& world, const plan::Action& action,
+                                          const plan::Strategy* strategy = nullptr);
+
 // Returns the certificates of all steps of a plan by StepId. They are computed anew from the
 // problem and the actions, without resolutions. The plan must be executable
 // (planner/plan/checker/checker.h), and each of its matings must have a shaft in a hole.

@@ -12,13 +12,16 @@
 #include "planner/base/counted.h"
 #include "planner/budget/budget.h"
 #include "planner/plan/plan_files/json_layout.h"
+#include "planner/probability/distributed_errors.h"
+#include "planner/probability/failure_probability.h"
+#include "sim/cli/budget_output/budget_report.h"
+#include "sim/cli/budget_output/probability_report.h"
 #include "sim/cli/command_line/console.h"
 #include "sim/cli/command_line/progress.h"
 #include "sim/cli/command_line/stopwatch.h"
 #include "sim/cli/command_line/usage_error.h"
 #include "sim/cli/command_line/verb.h"
 #include "sim/cli/options/models_folder.h"
-#include "sim/cli/plan_output/budget_report.h"
 #include "sim/cli/tasks/output_file.h"
 #include "sim/cli/tasks/planned_problem.h"
 #include "sim/report/charts/front_chart.h"
@@ -36,13 +39,28 @@ struct Options {
   bool json = false;
 };
 
-// Returns what the scenario's key `prices` offers, or nothing without this key.
-std::vector<budget::PriceList> PricesOf(const PlannedProblem& planned) {
+// What the scenario says of smaller errors, and of the probabilities of errors.
+struct BudgetKeys {
+  std::vector<budget::PriceList> prices;
+  std::optional<probability::DistributedErrors> errors;
+};
+
+BudgetKeys KeysOf(const PlannedProblem& planned) {
   const Document scenario = Document::Load(planned.scenario);
-  const std::optional<Value> prices = scenario.root().Find("prices");
-  if (!prices) return {};
-  return budget::ReadPrices(*prices, domain::ReadUnits(scenario.root()),
-                            budget::ErrorQuantitiesOf(planned.problem));
+  const domain::Units units = domain::ReadUnits(scenario.root());
+  BudgetKeys keys;
+  if (const auto prices = scenario.root().Find("prices")) {
+    keys.prices = budget::ReadPrices(*prices, units, budget::ErrorQuantitiesOf(planned.problem));
+  }
+  if (const auto distributions = scenario.root().Find("distributions")) {
+    keys.errors = {probability::ReadDistributions(*distributions, units, planned.problem), {}};
+  }
+  if (const auto correlations = scenario.root().Find("correlations")) {
+    if (!keys.errors) keys.errors.emplace();
+    keys.errors->correlations =
+        probability::ReadCorrelations(*correlations, keys.errors->distributions);
+  }
+  return keys;
 }
 
 // Returns the groups that the option --front names.
@@ -84,15 +102,24 @@ ExitCode Execute(const Options& options) {
     return ExitCodeOf(planned.result.outcome);
   }
   const auto groups = GroupsNamed(options.front, planned.problem);
+  const BudgetKeys keys = KeysOf(planned);
+  const plan::Plan& plan = planned.result.plan;
+  std::optional<probability::FailureProbabilities> failures;
   const budget::Budget budget = [&] {
     const Progress progress("multiplying the errors of " + planned.problem.name);
-    return budget::BudgetOf(planned.problem, planned.result.plan, PricesOf(planned), groups);
+    if (keys.errors) failures = FailureProbabilitiesOf(planned.problem, plan, *keys.errors);
+    return budget::BudgetOf(planned.problem, plan, keys.prices, groups);
   }();
   if (!options.drawing.empty())
     WriteFile(options.drawing, report::SvgFile(report::FrontChart(FrontPictureOf(budget))));
   Json json = ToJson(budget);
+  std::string text = Text(budget);
+  if (failures) {
+    json["failures"] = ToJson(*failures, plan);
+    text += "\n" + Text(*failures, plan);
+  }
   json["seconds"] = stopwatch.Seconds();
-  Print(options.json ? plan::JsonText(json) : Text(budget));
+  Print(options.json ? plan::JsonText(json) : text);
   return ExitCode::kDone;
 }
 

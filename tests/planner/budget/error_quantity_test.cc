@@ -39,7 +39,7 @@ TEST(ErrorQuantity, EachHasItsMultiple) {
     ASSERT_EQ(changed.size(), declared.size());
     for (std::size_t j = 0; j < declared.size(); ++j) {
       EXPECT_EQ(changed[j].name, declared[j].name);
-      EXPECT_DOUBLE_EQ(changed[j].declared, (i == j ? 1.5 : 1) * declared[j].declared)
+      EXPECT_DOUBLE_EQ(changed[j].declared(), (i == j ? 1.5 : 1) * declared[j].declared())
           << declared[i].name;
     }
   }

@@ -1,4 +1,4 @@
-#include "sim/cli/plan_output/budget_report.h"
+#include "sim/cli/budget_output/budget_report.h"
 
 #include <fmt/format.h>
 
@@ -43,8 +43,8 @@ std::string GreatestText(const budget::Budget& budget) {
                {"multiple", Align::kRight},
                {"not proved with 1.01 times it"}});
   for (const auto& [quantity, greatest] : budget.alone) {
-    alone.Add({quantity.name, InUsualUnit(quantity, quantity.declared),
-               InUsualUnit(quantity, greatest.proved * quantity.declared), MultipleText(greatest),
+    alone.Add({quantity.name, InUsualUnit(quantity, quantity.declared()),
+               InUsualUnit(quantity, greatest.proved * quantity.declared()), MultipleText(greatest),
                ObstacleText(greatest.obstacle)});
   }
   return fmt::format(
@@ -77,14 +77,14 @@ std::string Text(const budget::Budget& budget, const budget::Bargain& bargain) {
 // shown as this quantity's error.
 const ErrorQuantity& GreatestOf(const budget::Budget& budget, const budget::QuantityGroup& group) {
   const std::size_t greatest = std::ranges::max(
-      group.quantities, {}, [&](std::size_t of) { return budget.alone[of].quantity.declared; });
+      group.quantities, {}, [&](std::size_t of) { return budget.alone[of].quantity.declared(); });
   return budget.alone[greatest].quantity;
 }
 
 std::string MultipleOf(const budget::Budget& budget, const budget::QuantityGroup& group,
                        double multiple) {
   const ErrorQuantity& quantity = GreatestOf(budget, group);
-  return InUsualUnit(quantity, multiple * quantity.declared);
+  return InUsualUnit(quantity, multiple * quantity.declared());
 }
 
 std::string Text(const budget::Budget& budget, const budget::Fronts& fronts) {
@@ -160,7 +160,7 @@ Json ToJson(const budget::Budget& budget) {
   Json json = {{"plan", ToJson(budget.of_plan)}, {"best_plan", ToJson(budget.of_best_plan)}};
   json["quantities"] = Json::array();
   for (const auto& [quantity, greatest] : budget.alone) {
-    Json entry = {{"name", quantity.name}, {"declared", quantity.declared}};
+    Json entry = {{"name", quantity.name}, {"declared", quantity.declared()}};
     entry.update(ToJson(greatest));
     json["quantities"].push_back(std::move(entry));
   }
@@ -177,7 +177,7 @@ report::FrontPicture FrontPictureOf(const budget::Budget& budget) {
   for (std::size_t i = 0; i < 2; ++i) {
     const ErrorQuantity& quantity = GreatestOf(budget, groups[i]);
     const domain::Unit unit = domain::ShownUnitOf(quantity.dimension);
-    scale[i] = quantity.declared / unit.factor;
+    scale[i] = quantity.declared() / unit.factor;
     picture.axes[i] =
         unit.name.empty() ? groups[i].name : fmt::format("{}, {}", groups[i].name, unit.name);
   }

@@ -1,0 +1,228 @@
+#include "planner/probability/failure_probability.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <utility>
+
+#include "planner/algebra/bounding_methods/first_order_form.h"
+#include "planner/base/check.h"
+#include "planner/base/input_files/input_error.h"
+#include "planner/budget/obstacle.h"
+#include "planner/probability/sum_of_errors.h"
+#include "planner/uncertainty/preconditions/bounded_claim.h"
+#include "planner/uncertainty/preconditions/certify.h"
+
+namespace assay::probability {
+namespace {
+
+using algebra::FirstOrderForm;
+using uncertainty::DeclaredError;
+using uncertainty::Precondition;
+using uncertainty::UncertainWorld;
+
+// A precondition of a step, as it is recognized in boxes of different sizes.
+using Subject = std::pair<plan::StepId, std::string>;
+
+// What is known of failures, if all errors are inside of one box.
+struct InBox {
+  double outside = 0;  // the probability that an error is outside the box, or more
+  std::map<Subject, Interval> failures = {};  // of preconditions that are not proved
+};
+
+// Finds bounds of probabilities for one box of errors.
+class BoxedPlan {
+ public:
+  // `deviations` says how many standard deviations the box has of errors that are not cut off.
+  BoxedPlan(const domain::Problem& problem, const plan::Plan& plan, const DistributedErrors& errors,
+            double deviations)
+      : plan_(plan),
+        errors_(errors),
+        deviations_(deviations),
+        problem_(budget::WithBounds(problem, BoundsOf(problem))),
+        world_(problem_, uncertainty::Propagation::kSound) {}
+
+  InBox Failures() {
+    InBox found;
+    for (const plan::StepId id : plan_.ExecutionOrder()) AddFailures(id, found.failures);
+    for (const budget::Obstacle& obstacle : budget::ObstaclesBesideCertificates(problem_, plan_)) {
+      found.failures[{StepNamed(obstacle.step), obstacle.meaning}] = {0, 1};
+    }
+    found.outside = Outside();
+    return found;
+  }
+
+ private:
+  std::vector<Interval> BoundsOf(const domain::Problem& problem) const {
+    std::vector<Interval> bounds;
+    for (const budget::ErrorQuantity& quantity : budget::ErrorQuantitiesOf(problem)) {
+      const auto found = errors_.distributions.find(quantity.name);
+      if (found == errors_.distributions.end()) {
+        bounds.push_back(quantity.bounds);
+      } else if (found->second.IsCutOff()) {
+        bounds.push_back(found->second.range);
+      } else {
+        const double most = deviations_ * found->second.deviation;
+        bounds.push_back({-most, most});
+      }
+    }
+    return bounds;
+  }
+
+  plan::StepId StepNamed(const std::string& name) const {
+    const auto step = std::ranges::find(plan_.steps, name, &plan::PlannedStep::name);
+    if (step == plan_.steps.end()) return plan::StepId::None();  // the way home
+    return plan::StepId(static_cast<std::size_t>(step - plan_.steps.begin()));
+  }
+
+  void AddFailures(plan::StepId id, std::map<Subject, Interval>& failures) {
+    const plan::PlannedStep& step = plan_.step(id);
+    const plan::Strategy* strategy = step.strategy ? &*step.strategy : nullptr;
+    for (const Precondition& precondition :
+         uncertainty::PreconditionsOf(world_, step.action, strategy)) {
+      if (plan::Absorbs(step.strategy, precondition.condition) || IsProved(precondition)) continue;
+      const Interval probability = ProbabilityOfFailure(precondition);
+      Interval& known = failures[{id, precondition.meaning}];
+      known = {std::max(known.low, probability.low), std::min(1., known.high + probability.high)};
+    }
+  }
+
+  bool IsProved(const Precondition& precondition) const {
+    return uncertainty::ClaimOf(precondition, uncertainty::BoundOf(precondition, world_, {}))
+        .holds();
+  }
+
+  // The expression is a sum of errors with distributions, plus a number, plus something that lies
+  // in [-rest, rest] and may be chosen against the plan.
+  Interval ProbabilityOfFailure(const Precondition& precondition) const {
+    const FirstOrderForm form = world_.ToFirstOrder(precondition.expression);
+    if (!std::isfinite(form.rest)) return {0, 1};
+    const double sign = precondition.relation == plan::Relation::kLess ? 1 : -1;
+    double number = sign * form.centre;
+    double rest = form.rest;
+    Correlated correlated;
+    SumOfErrors sum;
+    for (const FirstOrderForm::Slope& slope : form.slopes) {
+      const auto declared = world_.DeclaredAs(algebra::VariableId(slope.variable));
+      const ErrorDistribution* distribution = declared ? DistributionOf(declared->name) : nullptr;
+      if (distribution == nullptr) {
+        rest += std::abs(slope.value);
+        continue;
+      }
+      const Interval& range = world_.constraints().box[slope.variable];
+      const double factor = sign * 2 * slope.value / (range.high - range.low);
+      number -= factor * (range.low + range.high) / 2;
+      sum.Add(factor, *distribution);
+      correlated.push_back({*declared, factor * distribution->deviation});
+    }
+    sum.AddVariance(CovarianceOf(correlated));
+    const double limit = sign * precondition.limit - number;
+    return {sum.Beyond(limit + rest).low, sum.Beyond(limit - rest).high};
+  }
+
+  const ErrorDistribution* DistributionOf(const std::string& name) const {
+    const auto found = errors_.distributions.find(name);
+    return found == errors_.distributions.end() ? nullptr : &found->second;
+  }
+
+  // An error and the standard deviation of its share in a sum. The sign is that of its factor.
+  struct Share {
+    DeclaredError error;
+    double deviation;
+  };
+  using Correlated = std::vector<Share>;
+
+  // Returns what correlations add to the variance of a sum.
+  double CovarianceOf(const Correlated& shares) const {
+    double covariance = 0;
+    for (const Correlation& correlation : errors_.correlations) {
+      for (const Share& a : shares) {
+        for (const Share& b : shares) {
+          if (a.error.name != correlation.first || b.error.name != correlation.second) continue;
+          if (a.error.draw != b.error.draw) continue;
+          covariance += 2 * correlation.coefficient * a.deviation * b.deviation;
+        }
+      }
+    }
+    return covariance;
+  }
+
+  // Boole's inequality over all draws of errors that are not cut off.
+  double Outside() const {
+    double outside = 0;
+    for (std::size_t v = 0; v < world_.constraints().box.size(); ++v) {
+      const auto declared = world_.DeclaredAs(algebra::VariableId(static_cast<int>(v)));
+      if (!declared) continue;
+      const ErrorDistribution* distribution = DistributionOf(declared->name);
+      if (distribution == nullptr || distribution->IsCutOff()) continue;
+      outside += 2 * StandardNormalAtMost(-deviations_);
+    }
+    return std::min(1., outside);
+  }
+
+  const plan::Plan& plan_;
+  const DistributedErrors& errors_;
+  double deviations_;
+  domain::Problem problem_;
+  UncertainWorld world_;
+};
+
+// Returns nothing for a box in which the parts could not be as the problem has them.
+std::optional<InBox> FailuresInBox(const domain::Problem& problem, const plan::Plan& plan,
+                                   const DistributedErrors& errors, double deviations) {
+  try {
+    return BoxedPlan(problem, plan, errors, deviations).Failures();
+  } catch (const InputError&) {
+    return std::nullopt;
+  }
+}
+
+// Collects what boxes say of one event. Each box gives valid bounds, so the best counts.
+void Narrow(Interval& known, const Interval& in_box, double outside) {
+  known.low = std::max(known.low, in_box.low - outside);
+  known.high = std::min(known.high, std::min(1., in_box.high + outside));
+}
+
+// Returns bounds of the probability that any of some preconditions fails: at least that of one of
+// them, and at most that of all together.
+template <class IsMeant>
+Interval AnyOf(const InBox& box, const IsMeant& is_meant) {
+  Interval any = {0, 0};
+  for (const auto& [subject, probability] : box.failures) {
+    if (!is_meant(subject.first)) continue;
+    any = {std::max(any.low, probability.low), std::min(1., any.high + probability.high)};
+  }
+  return any;
+}
+
+}  // namespace
+
+FailureProbabilities FailureProbabilitiesOf(const domain::Problem& problem, const plan::Plan& plan,
+                                            const DistributedErrors& errors) {
+  std::vector<InBox> boxes;
+  for (double deviations = 1; deviations <= 7; deviations += 0.25) {
+    if (auto box = FailuresInBox(problem, plan, errors, deviations)) boxes.push_back(*box);
+  }
+  FailureProbabilities found = {{}, std::vector<Interval>(plan.steps.size(), {0, 1}), {0, 1}};
+  std::map<Subject, Interval> by_subject;
+  for (const InBox& box : boxes) {
+    for (const auto& [subject, probability] : box.failures) by_subject[subject] = {0, 1};
+  }
+  for (const InBox& box : boxes) {
+    for (auto& [subject, known] : by_subject) {
+      const auto failure = box.failures.find(subject);
+      Narrow(known, failure == box.failures.end() ? Interval{0, 0} : failure->second, box.outside);
+    }
+    for (std::size_t step = 0; step < plan.steps.size(); ++step) {
+      const auto of_step = [&](plan::StepId id) { return id == plan::StepId(step); };
+      Narrow(found.steps[step], AnyOf(box, of_step), box.outside);
+    }
+    Narrow(found.plan, AnyOf(box, [](plan::StepId) { return true; }), box.outside);
+  }
+  for (const auto& [subject, probability] : by_subject)
+    found.preconditions.push_back({subject.first, subject.second, probability});
+  return found;
+}
+
+}  // namespace assay::probability
