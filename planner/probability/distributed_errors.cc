@@ -4,6 +4,7 @@
 
 #include <Eigen/Cholesky>
 #include <algorithm>
+#include <cmath>
 
 #include "planner/budget/quantity_group.h"
 
@@ -44,16 +45,34 @@ std::vector<ErrorQuantity> PoseErrorsOf(const domain::Problem& problem) {
   return errors;
 }
 
-std::string OwnerOf(const std::string& error) { return error.substr(0, error.rfind('.')); }
+bool IsOfPart(const std::string& error, const domain::Problem& problem) {
+  const std::string owner = error.substr(0, error.rfind('.'));
+  return std::ranges::count(problem.parts, owner, &domain::Part::name) > 0;
+}
 
-void RequireCorrelatable(const Value& name,
-                         const std::map<std::string, ErrorDistribution>& distributions) {
-  const auto found = distributions.find(name.Text());
-  if (found != distributions.end() && found->second.shape == ErrorDistribution::Shape::kNormal &&
+void RequireNormal(const Value& name, const std::map<std::string, ErrorDistribution>& errors) {
+  const auto found = errors.find(name.Text());
+  if (found != errors.end() && found->second.shape == ErrorDistribution::Shape::kNormal &&
       !found->second.IsCutOff())
     return;
   name.Fail(fmt::format("'{}' has no normal distribution", name.Text()),
             "errors with {normal: DEVIATION}");
+}
+
+Correlation ReadCorrelation(const Value& item,
+                            const std::map<std::string, ErrorDistribution>& distributions,
+                            const domain::Problem& problem) {
+  const std::vector<Value> entries = item.Items();
+  if (entries.size() != 3) item.Fail("a correlation has three entries", "[ERROR, ERROR, NUMBER]");
+  for (const std::size_t i : {0U, 1U}) RequireNormal(entries[i], distributions);
+  const Correlation read = {entries[0].Text(), entries[1].Text(), entries[2].Number()};
+  const auto is_of_hand = [](const std::string& error) { return error.starts_with("hand."); };
+  const bool are_of_hand = is_of_hand(read.first) && is_of_hand(read.second);
+  const bool are_of_parts = IsOfPart(read.first, problem) && IsOfPart(read.second, problem);
+  if (read.first == read.second || (!are_of_hand && !are_of_parts))
+    item.Fail("these errors have no correlation", "two errors of parts, or two errors of the hand");
+  if (std::abs(read.coefficient) > 1) entries[2].Fail("this is no correlation", "-1 to 1");
+  return read;
 }
 
 // The errors have these correlations at once if and only if the matrix has no negative eigenvalue.
@@ -101,17 +120,11 @@ std::map<std::string, ErrorDistribution> ReadDistributions(const Value& distribu
 }
 
 std::vector<Correlation> ReadCorrelations(
-    const Value& correlations, const std::map<std::string, ErrorDistribution>& distributions) {
+    const Value& correlations, const std::map<std::string, ErrorDistribution>& distributions,
+    const domain::Problem& problem) {
   std::vector<Correlation> read;
-  for (const Value& item : correlations.Items()) {
-    const std::vector<Value> entries = item.Items();
-    if (entries.size() != 3) item.Fail("a correlation has three entries", "[ERROR, ERROR, NUMBER]");
-    for (const std::size_t i : {0U, 1U}) RequireCorrelatable(entries[i], distributions);
-    const Correlation correlation = {entries[0].Text(), entries[1].Text(), entries[2].Number()};
-    if (correlation.first == correlation.second) item.Fail("the errors are the same", "two errors");
-    if (std::abs(correlation.coefficient) > 1) entries[2].Fail("this is no correlation", "-1 to 1");
-    read.push_back(correlation);
-  }
+  for (const Value& item : correlations.Items())
+    read.push_back(ReadCorrelation(item, distributions, problem));
   if (!CanHold(read))
     correlations.Fail("no errors have all these correlations at once", "correlations that agree");
   return read;

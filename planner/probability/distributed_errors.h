@@ -41,6 +41,7 @@ std::map<std::string, ErrorDistribution> ReadDistributions(const Value& distribu
 // to parts, or both to the hand, and have normal distributions that are not cut off. Throws
 // InputError, also if no errors can have all these correlations at once.
 std::vector<Correlation> ReadCorrelations(
-    const Value& correlations, const std::map<std::string, ErrorDistribution>& distributions);
+    const Value& correlations, const std::map<std::string, ErrorDistribution>& distributions,
+    const domain::Problem& problem);
 
 }  // namespace assay::probability

@@ -58,7 +58,7 @@ BudgetKeys KeysOf(const PlannedProblem& planned) {
   if (const auto correlations = scenario.root().Find("correlations")) {
     if (!keys.errors) keys.errors.emplace();
     keys.errors->correlations =
-        probability::ReadCorrelations(*correlations, keys.errors->distributions);
+        probability::ReadCorrelations(*correlations, keys.errors->distributions, planned.problem);
   }
   return keys;
 }

@@ -13,12 +13,12 @@ namespace {
 
 using Point = std::array<double, 2>;
 
-constexpr double kWidth = 560;
-constexpr double kHeight = 460;
-constexpr double kLeft = 70;
-constexpr double kRight = kWidth - 30;
-constexpr double kTop = 24;
-constexpr double kBottom = kHeight - 56;
+// The drawing, and the room of its curves inside of it, in pixels.
+struct Frame {
+  static constexpr double width = 560, height = 460;
+  static constexpr double left = 70, right = width - 30;
+  static constexpr double top = 24, bottom = height - 56;
+};
 
 // Returns the greatest number on an axis: with all points of the front that are not far beyond the
 // declared errors.
@@ -35,9 +35,9 @@ class Chart {
  public:
   explicit Chart(const FrontPicture& picture)
       : picture_(picture),
-        across_{0, Greatest(picture, 0), kLeft, kRight},
-        up_{0, Greatest(picture, 1), kBottom, kTop},
-        svg_(Drawing(kWidth, kHeight,
+        across_{0, Greatest(picture, 0), Frame::left, Frame::right},
+        up_{0, Greatest(picture, 1), Frame::bottom, Frame::top},
+        svg_(Drawing(Frame::width, Frame::height,
                      fmt::format("Pareto front of {} and {}", picture.axes[0], picture.axes[1]))) {}
 
   Element Drawn() {
@@ -52,32 +52,35 @@ class Chart {
  private:
   void AddStyle() {
     svg_.Set("xmlns", "http://www.w3.org/2000/svg");
-    svg_.Add("style",
-             fmt::format("text{{font:13px sans-serif;fill:#333}}.axis{{stroke:#333}}"
-                         ".grid{{stroke:#ddd}}.proved{{fill:{0};fill-opacity:.18;stroke:{0};"
-                         "stroke-width:2}}.unproved{{fill:{1};fill-opacity:.12;stroke:{1}}}"
-                         ".declared{{fill:#333}}",
-                         kPredicted.light, kViolated.light));
-    AddBox(svg_, "ground", 0, 0, kWidth, kHeight);
+    svg_.Add(
+        "style",
+        fmt::format(
+            "text{{font:13px sans-serif;fill:#333}}.axis{{stroke:#333}}"
+            ".ground{{fill:#fff}}.grid{{stroke:#ddd}}.proved{{fill:{0};fill-opacity:.18;stroke:{0};"
+            "stroke-width:2}}.unproved{{fill:{1};fill-opacity:.12;stroke:{1}}}"
+            ".declared{{fill:#333}}",
+            kPredicted.light, kViolated.light));
+    AddBox(svg_, "ground", 0, 0, Frame::width, Frame::height);
     AddGrid();
   }
 
   void AddGrid() {
     for (const double tick : Ticks(across_, 6))
-      AddLine(svg_, "grid", across_.At(tick), kTop, across_.At(tick), kBottom);
+      AddLine(svg_, "grid", across_.At(tick), Frame::top, across_.At(tick), Frame::bottom);
     for (const double tick : Ticks(up_, 6))
-      AddLine(svg_, "grid", kLeft, up_.At(tick), kRight, up_.At(tick));
+      AddLine(svg_, "grid", Frame::left, up_.At(tick), Frame::right, up_.At(tick));
   }
 
   void AddAxes() {
-    AddLine(svg_, "axis", kLeft, kBottom, kRight, kBottom);
-    AddLine(svg_, "axis", kLeft, kTop, kLeft, kBottom);
+    AddLine(svg_, "axis", Frame::left, Frame::bottom, Frame::right, Frame::bottom);
+    AddLine(svg_, "axis", Frame::left, Frame::top, Frame::left, Frame::bottom);
     for (const double tick : Ticks(across_, 6))
-      AddWords(svg_, "middle", across_.At(tick), kBottom + 18, NumberText(tick));
+      AddWords(svg_, "middle", across_.At(tick), Frame::bottom + 18, NumberText(tick));
     for (const double tick : Ticks(up_, 6))
-      AddWords(svg_, "end", kLeft - 6, up_.At(tick) + 4, NumberText(tick));
-    AddWords(svg_, "middle", (kLeft + kRight) / 2, kHeight - 14, picture_.axes[0]);
-    AddWords(svg_, "start", 8, kTop - 8, picture_.axes[1]);
+      AddWords(svg_, "end", Frame::left - 6, up_.At(tick) + 4, NumberText(tick));
+    AddWords(svg_, "middle", (Frame::left + Frame::right) / 2, Frame::height - 14,
+             picture_.axes[0]);
+    AddWords(svg_, "start", 8, Frame::top - 8, picture_.axes[1]);
   }
 
   void AddDeclared() {
@@ -91,7 +94,7 @@ class Chart {
   void AddProved(const FrontCurve& curve) {
     std::vector<Point> points = curve.proved;
     std::ranges::sort(points);
-    std::string path = fmt::format("M{:.1f} {:.1f}", kLeft, kBottom);
+    std::string path = fmt::format("M{:.1f} {:.1f}", Frame::left, Frame::bottom);
     double x = 0;
     for (std::size_t i = 0; i < points.size(); ++i) {
       const Point& point = points[i];
@@ -102,7 +105,7 @@ class Chart {
       path += fmt::format("L{:.1f} {:.1f}", across_.At(point[0]), up_.At(height));
       x = point[0];
     }
-    path += fmt::format("L{:.1f} {:.1f}Z", across_.At(x), kBottom);
+    path += fmt::format("L{:.1f} {:.1f}Z", across_.At(x), Frame::bottom);
     svg_.Add("path").Set("class", "proved").Set("d", path);
     AddLabel(curve, points);
   }
@@ -112,14 +115,15 @@ class Chart {
     std::vector<Point> points = curve.unproved;
     std::ranges::sort(points);
     if (points.empty()) return;
-    std::string path = fmt::format("M{:.1f} {:.1f}", across_.At(points[0][0]), kTop);
+    std::string path = fmt::format("M{:.1f} {:.1f}", across_.At(points[0][0]), Frame::top);
     double lowest = points[0][1];
     for (const Point& point : points) {
       path += fmt::format("L{:.1f} {:.1f}", across_.At(point[0]), up_.At(lowest));
       lowest = std::min(lowest, point[1]);
       path += fmt::format("L{:.1f} {:.1f}", across_.At(point[0]), up_.At(lowest));
     }
-    path += fmt::format("L{:.1f} {:.1f}L{:.1f} {:.1f}Z", kRight, up_.At(lowest), kRight, kTop);
+    path += fmt::format("L{:.1f} {:.1f}L{:.1f} {:.1f}Z", Frame::right, up_.At(lowest), Frame::right,
+                        Frame::top);
     svg_.Add("path").Set("class", "unproved").Set("d", path);
   }
 

@@ -109,7 +109,7 @@ TEST(Prices, WrongOnesAreRefused) {
     EXPECT_THAT([&] { Read(text); }, ThrowsMessage<InputError>(HasSubstr(message))) << text;
   };
   expect("{lens.x: {1: 0}}", "'lens.x' is no error of this scenario; allowed: camera.x, camera.y");
-  expect("{camera.xz: {1: 0}}", "'camera.z' is no error");
+  expect("{camera.xz: {1: 0}}", "'camera.xz' is no error");
   expect("{camera.x: {0: 1}}", "not positive");
   expect("{camera.x: {1: -1}}", "negative");
   expect("{camera.x: {}}", "no offer");

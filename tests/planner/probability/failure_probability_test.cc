@@ -3,9 +3,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <map>
+#include <optional>
 #include <random>
 
 #include "planner/algebra/expression/evaluation.h"
@@ -18,7 +20,6 @@ namespace assay::probability::failure_probability_test {
 namespace {
 
 constexpr std::uint64_t kSeed = 32;
-constexpr double kFar = 7;  // standard deviations beyond which errors are not drawn
 
 int Asked(const char* variable, int usual) {
   const char* const asked = std::getenv(variable);
@@ -61,88 +62,84 @@ DistributedErrors RandomErrors(const domain::Problem& problem, RandomStream& ran
   return errors;
 }
 
-// Draws all errors of a plan and looks which preconditions fail. This is slow and simple.
-class Samples {
+double Drawn(const ErrorDistribution& distribution, std::mt19937_64& random) {
+  if (distribution.shape == ErrorDistribution::Shape::kUniform)
+    return std::uniform_real_distribution<>(distribution.range.low,
+                                            distribution.range.high)(random);
+  std::normal_distribution<> normal(0, distribution.deviation);
+  while (true) {
+    const double value = normal(random);
+    if (value >= distribution.range.low && value <= distribution.range.high) return value;
+  }
+}
+
+using Subject = std::pair<plan::StepId, std::string>;
+
+// One execution in which all errors are known. The planner's theory, for a box that just contains
+// these errors, says which preconditions are true. This is slow and simple.
+class Sample {
  public:
-  Samples(const Planned& planned, const DistributedErrors& errors)
-      : errors_(errors),
-        problem_(budget::WithBounds(planned.problem, Bounds(planned.problem))),
-        world_(problem_, uncertainty::Propagation::kSound) {
-    for (const plan::StepId id : planned.plan.ExecutionOrder()) {
-      const plan::PlannedStep& step = planned.plan.step(id);
-      for (auto& precondition : uncertainty::PreconditionsOf(world_, step.action))
-        preconditions_.push_back({{id, precondition.meaning}, precondition});
+  Sample(const Planned& planned, const DistributedErrors& errors, std::mt19937_64& random)
+      : random_(random) {
+    const std::vector<budget::ErrorQuantity> quantities =
+        budget::ErrorQuantitiesOf(planned.problem);
+    std::vector<Interval> bounds;
+    for (const budget::ErrorQuantity& quantity : quantities) {
+      const auto found = errors.distributions.find(quantity.name);
+      bounds.push_back(found == errors.distributions.end()
+                           ? quantity.bounds
+                           : BoundsOfDraws(quantity.name, found->second));
     }
+    problem_ = budget::WithBounds(planned.problem, bounds);
+    LookAtPreconditions(planned.plan);
   }
 
-  void Draw(std::mt19937_64& random) {
-    const auto& box = world_.constraints().box;
-    std::vector<double> values(box.size());
-    for (std::size_t v = 0; v < box.size(); ++v) values[v] = Drawn(v, box[v], random);
-    std::map<Subject, bool> fails;
-    for (const auto& [subject, precondition] : preconditions_) {
+  const std::map<Subject, bool>& fails() const { return fails_; }
+
+ private:
+  static constexpr int kDraws = 4;  // the hand's errors are drawn for each of its actions
+
+  Interval BoundsOfDraws(const std::string& name, const ErrorDistribution& distribution) {
+    std::vector<double>& draws = draws_[name];
+    for (int i = 0; i < kDraws; ++i) draws.push_back(Drawn(distribution, random_));
+    return {std::ranges::min(draws), std::ranges::max(draws)};
+  }
+
+  void LookAtPreconditions(const plan::Plan& plan) {
+    uncertainty::UncertainWorld world(*problem_, uncertainty::Propagation::kSound);
+    std::vector<std::pair<Subject, uncertainty::Precondition>> preconditions;
+    for (const plan::StepId id : plan.ExecutionOrder()) {
+      for (auto& precondition : uncertainty::PreconditionsOf(world, plan.step(id).action))
+        preconditions.push_back({{id, precondition.meaning}, precondition});
+    }
+    const std::vector<double> values = ValuesIn(world);
+    for (const auto& [subject, precondition] : preconditions) {
       const double value =
           algebra::Evaluate(precondition.expression, std::span<const double>(values));
       const bool holds = precondition.relation == plan::Relation::kLess
                              ? value < precondition.limit
                              : value > precondition.limit;
-      fails[subject] = fails[subject] || !holds;
-    }
-    bool any = false;
-    for (const auto& [subject, failed] : fails) {
-      failures_[subject] += failed ? 1 : 0;
-      any = any || failed;
-    }
-    any_ += any ? 1 : 0;
-    ++samples_;
-  }
-
-  using Subject = std::pair<plan::StepId, std::string>;
-  double ShareOf(const Subject& subject) const {
-    const auto found = failures_.find(subject);
-    return found == failures_.end() ? 0 : static_cast<double>(found->second) / samples_;
-  }
-  double ShareOfAny() const { return static_cast<double>(any_) / samples_; }
-  const std::map<Subject, int>& failures() const { return failures_; }
-
- private:
-  std::vector<Interval> Bounds(const domain::Problem& problem) const {
-    std::vector<Interval> bounds;
-    for (const budget::ErrorQuantity& quantity : budget::ErrorQuantitiesOf(problem)) {
-      const auto found = errors_.distributions.find(quantity.name);
-      if (found == errors_.distributions.end()) {
-        bounds.push_back(quantity.bounds);
-      } else if (found->second.IsCutOff()) {
-        bounds.push_back(found->second.range);
-      } else {
-        bounds.push_back({-kFar * found->second.deviation, kFar * found->second.deviation});
-      }
-    }
-    return bounds;
-  }
-
-  double Drawn(std::size_t v, const Interval& range, std::mt19937_64& random) const {
-    const auto declared = world_.DeclaredAs(algebra::VariableId(static_cast<int>(v)));
-    const auto found =
-        declared ? errors_.distributions.find(declared->name) : errors_.distributions.end();
-    if (found == errors_.distributions.end() ||
-        found->second.shape == ErrorDistribution::Shape::kUniform) {
-      return std::uniform_real_distribution<>(range.low, range.high)(random);
-    }
-    std::normal_distribution<> normal(0, found->second.deviation);
-    while (true) {
-      const double value = normal(random);
-      if (value >= range.low && value <= range.high) return value;
+      fails_[subject] = fails_[subject] || !holds;
     }
   }
 
-  const DistributedErrors& errors_;
-  domain::Problem problem_;
-  uncertainty::UncertainWorld world_;
-  std::vector<std::pair<Subject, uncertainty::Precondition>> preconditions_;
-  std::map<Subject, int> failures_;
-  int any_ = 0;
-  int samples_ = 0;
+  // What the theory leaves open has any value in its range.
+  std::vector<double> ValuesIn(const uncertainty::UncertainWorld& world) {
+    std::vector<double> values;
+    for (const Interval& range : world.constraints().box) {
+      const auto declared = world.DeclaredAs(algebra::VariableId(static_cast<int>(values.size())));
+      const auto drawn = declared ? draws_.find(declared->name) : draws_.end();
+      values.push_back(drawn != draws_.end()
+                           ? drawn->second.at(static_cast<std::size_t>(declared->draw - 1))
+                           : std::uniform_real_distribution<>(range.low, range.high)(random_));
+    }
+    return values;
+  }
+
+  std::mt19937_64& random_;
+  std::optional<domain::Problem> problem_;
+  std::map<std::string, std::vector<double>> draws_;
+  std::map<Subject, bool> fails_;
 };
 
 // The share of samples that fail lies within the bounds, up to five standard deviations of the
@@ -153,7 +150,8 @@ TEST(FailureProbability, ContainsTheShareOfSamples) {
   const Planned& planned = UncertainKnown();
   RandomStream random(kSeed, "distributions");
   std::mt19937_64 generator(kSeed);
-  const auto expect_within = [&](const Interval& bounds, double share) {
+  const auto expect_within = [&](const Interval& bounds, int failed) {
+    const double share = static_cast<double>(failed) / count;
     const double tolerance = 5 * std::sqrt(std::max(share * (1 - share), 1.0 / count) / count);
     EXPECT_LE(bounds.low, share + tolerance);
     EXPECT_GE(bounds.high, share - tolerance);
@@ -163,18 +161,25 @@ TEST(FailureProbability, ContainsTheShareOfSamples) {
     const DistributedErrors errors = RandomErrors(planned.problem, random);
     const FailureProbabilities found =
         FailureProbabilitiesOf(planned.problem, planned.plan, errors);
-    Samples samples(planned, errors);
-    for (int sample = 0; sample < count; ++sample) samples.Draw(generator);
+    std::map<Subject, int> failures;
+    int any = 0;
+    for (int sample = 0; sample < count; ++sample) {
+      bool fails = false;
+      for (const auto& [subject, failed] : Sample(planned, errors, generator).fails()) {
+        failures[subject] += failed ? 1 : 0;
+        fails = fails || failed;
+      }
+      any += fails ? 1 : 0;
+    }
     SCOPED_TRACE("seed " + std::to_string(kSeed) + ", case " + std::to_string(i));
-    expect_within(found.plan, samples.ShareOfAny());
-    std::map<Samples::Subject, Interval> known;
+    expect_within(found.plan, any);
+    std::map<Subject, Interval> known;
     for (const PreconditionFailure& failure : found.preconditions)
       known[{failure.step, failure.meaning}] = failure.probability;
-    for (const auto& [subject, failures] : samples.failures()) {
+    for (const auto& [subject, failed] : failures) {
       SCOPED_TRACE(subject.second);
-      expect_within(known.contains(subject) ? known[subject] : Interval{0, 0},
-                    samples.ShareOf(subject));
-      if (failures > 0) ++may_fail;
+      expect_within(known.contains(subject) ? known[subject] : Interval{0, 0}, failed);
+      if (failed > 0) ++may_fail;
     }
   }
   EXPECT_GT(may_fail, cases) << "the errors are too small for a test";

@@ -37,7 +37,9 @@ TEST(FrontChart, WhatIsProvedIsAStaircase) {
   ASSERT_EQ(corners.size(), 2 + 2 * 4U);
   for (std::size_t i = 1; i + 1 < corners.size(); ++i) {
     EXPECT_LE(corners[i][0], corners[i + 1][0]);
-    if (i > 1) EXPECT_LE(corners[i - 1][1], corners[i][1]) << "y grows downwards";
+    if (i > 1) {
+      EXPECT_LE(corners[i - 1][1], corners[i][1]) << "y grows downwards";
+    }
     EXPECT_TRUE(corners[i][0] == corners[i + 1][0] || corners[i][1] == corners[i + 1][1]);
   }
 }
