@@ -82,7 +82,8 @@ class BoxedPlan {
     for (const Precondition& precondition :
          uncertainty::PreconditionsOf(world_, step.action, strategy)) {
       if (plan::Absorbs(step.strategy, precondition.condition) || IsProved(precondition)) continue;
-      const Interval probability = ProbabilityOfFailure(precondition);
+      Interval probability = ProbabilityOfFailure(precondition);
+      if (!IsOfErrorsAlone(precondition)) probability.low = 0;
       Interval& known = failures[{id, precondition.meaning}];
       known = {std::max(known.low, probability.low), std::min(1., known.high + probability.high)};
     }
@@ -91,6 +92,15 @@ class BoxedPlan {
   bool IsProved(const Precondition& precondition) const {
     return uncertainty::ClaimOf(precondition, uncertainty::BoundOf(precondition, world_, {}))
         .holds();
+  }
+
+  // Returns whether expression and limit are the same for every box. Other conditions contain numbers
+  // that are the worst of the box, for example the least patch that closed pads touch. They may be
+  // true for smaller errors.
+  bool IsOfErrorsAlone(const Precondition& precondition) const {
+    const domain::Tolerances& tolerances = problem_.tolerances;
+    return precondition.condition->is_published() && tolerances.clearance == 0 &&
+           tolerances.friction == 0 && tolerances.pad_friction == 0;
   }
 
   // The expression is a sum of errors with distributions, plus a number, plus something that lies

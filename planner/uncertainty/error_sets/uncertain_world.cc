@@ -250,6 +250,7 @@ std::optional<DeclaredError> UncertainWorld::DeclaredAs(algebra::VariableId vari
 }
 
 algebra::FirstOrderForm UncertainWorld::ToFirstOrder(const Expression& expression) const {
+  if (expression.IsConstant()) return {.centre = expression.constant()};
   algebra::FirstOrderForms& forms = variables_->first_order;
   algebra::FirstOrderForm form = forms.Form(expression, constraints().box);
   if (std::isfinite(form.rest)) return form;

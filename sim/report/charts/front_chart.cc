@@ -20,15 +20,13 @@ struct Frame {
   static constexpr double top = 24, bottom = height - 56;
 };
 
-// Returns the greatest number on an axis: with all points of the front that are not far beyond the
-// declared errors.
+// Returns the greatest number on an axis. Points without an unproved one beyond them have no end.
 double Greatest(const FrontPicture& picture, std::size_t axis) {
-  constexpr double kFar = 8;  // times the declared error
   double greatest = 1.5 * picture.declared[axis];
   for (const FrontCurve& curve : picture.curves) {
-    for (const Point& point : curve.proved) greatest = std::max(greatest, 1.15 * point[axis]);
+    for (const Point& point : curve.unproved) greatest = std::max(greatest, 1.1 * point[axis]);
   }
-  return std::min(greatest, kFar * picture.declared[axis]);
+  return greatest;
 }
 
 class Chart {
@@ -44,6 +42,7 @@ class Chart {
     AddStyle();
     if (picture_.curves.size() == 1) AddUnproved(picture_.curves.front());
     for (const FrontCurve& curve : picture_.curves) AddProved(curve);
+    AddLabels();
     AddAxes();
     AddDeclared();
     return std::move(svg_);
@@ -107,7 +106,6 @@ class Chart {
     }
     path += fmt::format("L{:.1f} {:.1f}Z", across_.At(x), Frame::bottom);
     svg_.Add("path").Set("class", "proved").Set("d", path);
-    AddLabel(curve, points);
   }
 
   // Not everything is proved for the union of the quadrants beyond the unproved points.
@@ -127,10 +125,15 @@ class Chart {
     svg_.Add("path").Set("class", "unproved").Set("d", path);
   }
 
-  void AddLabel(const FrontCurve& curve, const std::vector<Point>& points) {
-    if (curve.label.empty() || points.empty()) return;
-    const Point& middle = points[points.size() / 2];
-    AddWords(svg_, "start", across_.At(middle[0]) + 4, up_.At(middle[1]) - 4, curve.label);
+  // Each curve has its label at another share of its length, so that labels do not overlap.
+  void AddLabels() {
+    const std::size_t count = picture_.curves.size();
+    for (std::size_t i = 0; i < count; ++i) {
+      const auto& [label, proved, unproved] = picture_.curves[i];
+      if (label.empty() || proved.empty()) continue;
+      const Point& at = proved[proved.size() * (i + 1) / (count + 1)];
+      AddWords(svg_, "start", across_.At(at[0]) + 4, up_.At(at[1]) - 4, label);
+    }
   }
 
   const FrontPicture& picture_;

@@ -22,6 +22,9 @@ std::string Scenario(const std::string& prices) {
          prices;
 }
 
+const std::string kDistributions =
+    "distributions: {peg.xy: {normal: 0.005}, hand.theta: {normal: 0.001, within: 0.004}}\n"
+    "correlations: [[peg.x, peg.y, 0.5]]\n";
 const std::string kPrices =
     "prices:\n  hand.x: {0.001: 0}\n  peg.theta: {20: 0, 0.001: 50, 0.0005: 400}\n";
 
@@ -47,7 +50,7 @@ class BudgetVerb : public ::testing::Test {
   }
 
   const Folder folder_;
-  const std::string scenario_ = folder_.Write("priced.yaml", Scenario(kPrices));
+  const std::string scenario_ = folder_.Write("priced.yaml", Scenario(kPrices + kDistributions));
   const std::string drawing_ = folder_ / "front.svg";
 };
 
@@ -95,8 +98,39 @@ TEST_F(BudgetVerb, HasAFrontThatIsProvedOnOneSide) {
     EXPECT_GE(1.01 * points.front()["proved"][1].get<double>(), quantity["proved"].get<double>());
   }
   for (const Json& point : points) {
-    if (point.contains("unproved")) EXPECT_TRUE(point.contains("obstacle"));
+    if (point.contains("unproved")) {
+      EXPECT_TRUE(point.contains("obstacle"));
+    }
   }
+}
+
+TEST_F(BudgetVerb, BoundsProbabilities) {
+  const Json& failures = Budget()["failures"];
+  EXPECT_EQ(failures["steps"].size(), 2U);
+  EXPECT_LE(failures["plan"]["least"], failures["plan"]["most"]);
+  for (const Json& step : failures["steps"]) EXPECT_LE(step["most"], failures["plan"]["most"]);
+}
+
+TEST_F(BudgetVerb, ChecksDistributions) {
+  const auto refused = [&](const std::string& keys) {
+    const Ended ended = Assay({"budget", folder_.Write("wrong.yaml", Scenario(keys))});
+    EXPECT_EQ(ended.code, 3) << keys;
+    return ended.err;
+  };
+  EXPECT_THAT(refused("distributions: {clearance: uniform}\n"),
+              HasSubstr("'clearance' is no error of a pose"));
+  EXPECT_THAT(refused("distributions: {peg.x: {normal: -1}}\n"), HasSubstr("not positive"));
+  EXPECT_THAT(refused("distributions: {peg.xy: uniform, peg.y: uniform}\n"),
+              HasSubstr("two distributions"));
+  EXPECT_THAT(refused("distributions: {peg.x: uniform}\ncorrelations: [[peg.x, peg.y, 0.5]]\n"),
+              HasSubstr("no normal distribution"));
+  const std::string normal = "distributions: {peg.xy: {normal: 1}, block.x: {normal: 1}}\n";
+  EXPECT_THAT(refused(normal + "correlations: [[peg.x, peg.x, 0.5]]\n"),
+              HasSubstr("no correlation"));
+  EXPECT_THAT(refused(normal + "correlations: [[peg.x, peg.y, 2]]\n"), HasSubstr("-1 to 1"));
+  EXPECT_THAT(refused(normal + "correlations: [[peg.x, peg.y, 0.9], [peg.y, block.x, 0.9], "
+                               "[peg.x, block.x, -0.9]]\n"),
+              HasSubstr("at once"));
 }
 
 TEST_F(BudgetVerb, ChecksTheErrorsOfItsFront) {
