@@ -23,6 +23,15 @@ using plan::Relation;
 
 enum class Effort { kPropagate, kDerive, kDecideFirst, kDecideAll, kCertify };
 
+// Returns the first-order bound on the side of the limit, if the request allows methods of its
+// kind.
+std::optional<Bound> FirstOrder(const Precondition& precondition, const UncertainWorld& world,
+                                const algebra::BoundRequest& request) {
+  if (request.highest < algebra::BoundingMethod::kCentred) return std::nullopt;
+  return precondition.relation == Relation::kLess ? world.FirstOrderAbove(precondition.expression)
+                                                  : world.FirstOrderBelow(precondition.expression);
+}
+
 class StepCertifier {
  public:
   StepCertifier(UncertainWorld& world, Effort effort, const algebra::BoundRequest& request,
@@ -201,7 +210,7 @@ class StepCertifier {
   // The bounding methods would stop at the first method that proves the claim, and its bound would
   // be looser.
   CertifiedPrecondition Certified(const Precondition& precondition) {
-    std::optional<Bound> bound = FirstOrder(precondition);
+    std::optional<Bound> bound = FirstOrder(precondition, world_, request_);
     if (!bound || !ClaimOf(precondition, *bound).holds()) bound = Searched(precondition);
     CertifiedPrecondition claim = ClaimOf(precondition, *bound);
     Detail(precondition, *bound, claim);
@@ -218,13 +227,6 @@ class StepCertifier {
     Tighten({.value = seen->bound, .method = algebra::BoundingMethod::kCentred},
             precondition.relation, bound);
     return bound;
-  }
-
-  std::optional<Bound> FirstOrder(const Precondition& precondition) {
-    if (request_.highest < algebra::BoundingMethod::kCentred) return std::nullopt;
-    return precondition.relation == Relation::kLess
-               ? world_.FirstOrderAbove(precondition.expression)
-               : world_.FirstOrderBelow(precondition.expression);
   }
 
   CertifiedPrecondition Decided(const Precondition& precondition) const {
