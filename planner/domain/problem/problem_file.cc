@@ -92,10 +92,10 @@ ProblemFile::ProblemFile(const Document& scenario, const ModelPath& models,
   ASSAY_CHECK(std::isfinite(overrides.error_scale) && overrides.error_scale >= 0);
   scenario.RequireFormat("assay-scenario/1");
   const Value& root = scenario.root();
-  root.AllowOnly({"format", "title", "description", "units", "workcell", "rules", "clearance",
-                  "tolerances", "parts", "gripper", "sensing", "resolvers", "mating_errors",
-                  "initially", "goal", "simulation", "knowledge", "prices", "distributions",
-                  "correlations"});
+  root.AllowOnly({"format",     "title",     "description",   "units",         "workcell",
+                  "rules",      "clearance", "tolerances",    "parts",         "gripper",
+                  "sensing",    "resolvers", "mating_errors", "initially",     "goal",
+                  "simulation", "knowledge", "prices",        "distributions", "correlations"});
   // Both are shown on one line.
   problem_.name = Show(std::filesystem::path(root.Place().file).stem().string());
   problem_.title = Show(ReadOptionalText(root, "title"));
