@@ -11,6 +11,7 @@
 #include "planner/base/input_files/input_error.h"
 #include "planner/budget/obstacle.h"
 #include "planner/probability/sum_of_errors.h"
+#include "planner/uncertainty/error_sets/sensing.h"
 #include "planner/uncertainty/preconditions/bounded_claim.h"
 #include "planner/uncertainty/preconditions/certify.h"
 
@@ -31,21 +32,50 @@ struct InBox {
   std::map<Subject, Interval> failures = {};  // of preconditions that are not proved
 };
 
+const domain::SensorModel& SensorOf(const domain::Problem& problem, const std::string& name) {
+  const domain::SensorModel* const sensor =
+      problem.workcell->uncertainty_operations().FindSensor(name);
+  ASSAY_CHECK(sensor != nullptr, "the workcell has no sensor '{}'", name);
+  return *sensor;
+}
+
+// The box of the errors whose distributions are not cut off.
+struct Box {
+  double deviations;      // standard deviations on either side
+  bool is_never_smaller;  // true: no error has less room than it is declared to have
+};
+
+// Returns boxes of many sizes. A box that is smaller than declared proves more, and a box that is
+// not is one for which looks measure as planned.
+std::vector<Box> Boxes() {
+  std::vector<Box> boxes;
+  for (double deviations = 1; deviations <= 7; deviations += 0.25) {
+    boxes.push_back({deviations, true});
+    boxes.push_back({deviations, false});
+  }
+  return boxes;
+}
+
 // Finds bounds of probabilities for one box of errors.
 class BoxedPlan {
  public:
-  // `deviations` says how many standard deviations the box has of errors that are not cut off.
   BoxedPlan(const domain::Problem& problem, const plan::Plan& plan, const DistributedErrors& errors,
-            double deviations)
-      : plan_(plan),
+            const Box& box)
+      : declared_(problem),
+        plan_(plan),
         errors_(errors),
-        deviations_(deviations),
+        box_(box),
         problem_(budget::WithBounds(problem, BoundsOf(problem))),
         world_(problem_, uncertainty::Propagation::kSound) {}
 
-  InBox Failures() {
+  // Returns nothing if looks would replace other coordinates than they do in the plan.
+  std::optional<InBox> Failures() {
     InBox found;
-    for (const plan::StepId id : plan_.ExecutionOrder()) AddFailures(id, found.failures);
+    for (const plan::StepId id : plan_.ExecutionOrder()) {
+      const plan::PlannedStep& step = plan_.step(id);
+      if (!step.action.sensor.empty() && !LooksAsPlanned(step)) return std::nullopt;
+      AddFailures(id, found.failures);
+    }
     for (const budget::Obstacle& obstacle : budget::ObstaclesBesideCertificates(problem_, plan_)) {
       found.failures[{StepNamed(obstacle.step), obstacle.meaning}] = {0, 1};
     }
@@ -63,11 +93,30 @@ class BoxedPlan {
       } else if (found->second.IsCutOff()) {
         bounds.push_back(found->second.range);
       } else {
-        const double most = deviations_ * found->second.deviation;
-        bounds.push_back({-most, most});
+        const double most = box_.deviations * found->second.deviation;
+        const Interval errors = {-most, most};
+        bounds.push_back(box_.is_never_smaller ? Hull(errors, quantity.bounds) : errors);
       }
     }
     return bounds;
+  }
+
+  // An execution takes over what a sensor measures if the plan's certificate says that the sensor
+  // knows better.
+  bool LooksAsPlanned(const plan::PlannedStep& look) const {
+    const plan::ErrorSet& planned = look.certificate.before.front();
+    const domain::SensorModel& promised = SensorOf(declared_, look.action.sensor);
+    const domain::SensorModel& in_box = SensorOf(problem_, look.action.sensor);
+    const uncertainty::RestingError& error = world_.resting_in_world(look.action.part);
+    const auto agree = [&](const Interval& planned_error, const Interval& planned_promise,
+                           const uncertainty::Expression& its_error, const Interval& its_promise) {
+      return uncertainty::TakesOver(planned_error, planned_promise) ==
+             uncertainty::TakesOver(world_.TightRangeOf(its_error), its_promise);
+    };
+    return agree(planned.x, promised.x, error.displacement[0], in_box.x) &&
+           agree(planned.y, promised.y, error.displacement[1], in_box.y) &&
+           agree(planned.z, promised.z, error.displacement[2], in_box.z) &&
+           agree(planned.theta, promised.theta, error.theta, in_box.theta);
   }
 
   plan::StepId StepNamed(const std::string& name) const {
@@ -94,9 +143,9 @@ class BoxedPlan {
         .holds();
   }
 
-  // Returns whether expression and limit are the same for every box. Other conditions contain numbers
-  // that are the worst of the box, for example the least patch that closed pads touch. They may be
-  // true for smaller errors.
+  // Returns whether expression and limit are the same for every box. Other conditions contain
+  // numbers that are the worst of the box, for example the least patch that closed pads touch. They
+  // may be true for smaller errors.
   bool IsOfErrorsAlone(const Precondition& precondition) const {
     const domain::Tolerances& tolerances = problem_.tolerances;
     return precondition.condition->is_published() && tolerances.clearance == 0 &&
@@ -166,23 +215,27 @@ class BoxedPlan {
       if (!declared) continue;
       const ErrorDistribution* distribution = DistributionOf(declared->name);
       if (distribution == nullptr || distribution->IsCutOff()) continue;
-      outside += 2 * StandardNormalAtMost(-deviations_);
+      const Interval& range = world_.constraints().box[v];
+      outside += StandardNormalAtMost(range.low / distribution->deviation) +
+                 StandardNormalAtMost(-range.high / distribution->deviation);
     }
     return std::min(1., outside);
   }
 
+  const domain::Problem& declared_;
   const plan::Plan& plan_;
   const DistributedErrors& errors_;
-  double deviations_;
+  Box box_;
   domain::Problem problem_;
   UncertainWorld world_;
 };
 
-// Returns nothing for a box in which the parts could not be as the problem has them.
+// Returns nothing for a box in which the parts could not be as the problem has them, or in which
+// the plan would be executed otherwise.
 std::optional<InBox> FailuresInBox(const domain::Problem& problem, const plan::Plan& plan,
-                                   const DistributedErrors& errors, double deviations) {
+                                   const DistributedErrors& errors, const Box& box) {
   try {
-    return BoxedPlan(problem, plan, errors, deviations).Failures();
+    return BoxedPlan(problem, plan, errors, box).Failures();
   } catch (const InputError&) {
     return std::nullopt;
   }
@@ -211,8 +264,8 @@ Interval AnyOf(const InBox& box, const IsMeant& is_meant) {
 FailureProbabilities FailureProbabilitiesOf(const domain::Problem& problem, const plan::Plan& plan,
                                             const DistributedErrors& errors) {
   std::vector<InBox> boxes;
-  for (double deviations = 1; deviations <= 7; deviations += 0.25) {
-    if (auto box = FailuresInBox(problem, plan, errors, deviations)) boxes.push_back(*box);
+  for (const Box& box : Boxes()) {
+    if (auto failures = FailuresInBox(problem, plan, errors, box)) boxes.push_back(*failures);
   }
   FailureProbabilities found = {{}, std::vector<Interval>(plan.steps.size(), {0, 1}), {0, 1}};
   std::map<Subject, Interval> by_subject;

@@ -56,6 +56,12 @@ void AddPlans(py::module_& module) {
           py::arg("step"))
       .def("proofs",
            [](const PlanHandle& plan) { return ToPython(Unlocked([&] { return plan.Proofs(); })); })
+      .def(
+          "budget",
+          [](const PlanHandle& plan, const std::vector<std::string>& front) {
+            return ToPython(Unlocked([&] { return plan.Budget(front); }));
+          },
+          py::arg("front"))
       .def("check",
            [](const PlanHandle& plan) {
              return ToPython(Unlocked([&] { return plan.CheckedToJson(); }));

@@ -11,6 +11,7 @@
 #include "planner/plan/plan_files/json_layout.h"
 #include "planner/plan/plan_files/plan_file.h"
 #include "planner/verify/proof.h"
+#include "sim/cli/budget_output/budgeted_plan.h"
 #include "sim/cli/command_line/usage_error.h"
 #include "sim/cli/options/resolver_option.h"
 #include "sim/cli/plan_output/explanation.h"
@@ -158,6 +159,10 @@ Json PlanHandle::Proofs() const {
     }
   }
   return steps;
+}
+
+Json PlanHandle::Budget(const std::vector<std::string>& front) const {
+  return cli::ToJson(cli::BudgetOf(planned_, front), plan());
 }
 
 const plan::CheckReport& PlanHandle::Checked() const {

@@ -60,6 +60,9 @@ class PlanHandle {
   std::string Explanation(int executed) const;
   // Returns the cost of each variable to each precondition, in the order of execution.
   nlohmann::ordered_json Proofs() const;
+  // Returns the errors that the plan can bear. `front` names the groups of a Pareto front, or
+  // nothing.
+  nlohmann::ordered_json Budget(const std::vector<std::string>& front) const;
   // Checks the plan, once.
   const plan::CheckReport& Checked() const;
   nlohmann::ordered_json CheckedToJson() const;  // with a text for people

@@ -4,18 +4,12 @@
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <optional>
-#include <set>
 #include <string>
 #include <vector>
 
-#include "planner/base/counted.h"
-#include "planner/budget/budget.h"
 #include "planner/plan/plan_files/json_layout.h"
-#include "planner/probability/distributed_errors.h"
-#include "planner/probability/failure_probability.h"
 #include "sim/cli/budget_output/budget_report.h"
-#include "sim/cli/budget_output/probability_report.h"
+#include "sim/cli/budget_output/budgeted_plan.h"
 #include "sim/cli/command_line/console.h"
 #include "sim/cli/command_line/progress.h"
 #include "sim/cli/command_line/stopwatch.h"
@@ -29,8 +23,6 @@
 namespace assay::cli {
 namespace budget_verb {
 
-using Json = nlohmann::ordered_json;
-
 struct Options {
   std::filesystem::path input;
   domain::ModelPath models;
@@ -38,55 +30,6 @@ struct Options {
   std::filesystem::path drawing;
   bool json = false;
 };
-
-// What the scenario says of smaller errors, and of the probabilities of errors.
-struct BudgetKeys {
-  std::vector<budget::PriceList> prices;
-  std::optional<probability::DistributedErrors> errors;
-};
-
-BudgetKeys KeysOf(const PlannedProblem& planned) {
-  const Document scenario = Document::Load(planned.scenario);
-  const domain::Units units = domain::ReadUnits(scenario.root());
-  BudgetKeys keys;
-  if (const auto prices = scenario.root().Find("prices")) {
-    keys.prices = budget::ReadPrices(*prices, units, budget::ErrorQuantitiesOf(planned.problem));
-  }
-  if (const auto distributions = scenario.root().Find("distributions")) {
-    keys.errors = {probability::ReadDistributions(*distributions, units, planned.problem), {}};
-  }
-  if (const auto correlations = scenario.root().Find("correlations")) {
-    if (!keys.errors) keys.errors.emplace();
-    keys.errors->correlations =
-        probability::ReadCorrelations(*correlations, keys.errors->distributions, planned.problem);
-  }
-  return keys;
-}
-
-// Returns the groups that the option --front names.
-std::vector<budget::QuantityGroup> GroupsNamed(const std::vector<std::string>& names,
-                                               const domain::Problem& problem) {
-  if (names.size() == 1 || names.size() > 3) {
-    throw UsageError(fmt::format("--front has {}; allowed: two or three, such as hand.xy,peg.theta",
-                                 Counted(names.size(), "error")));
-  }
-  const auto quantities = budget::ErrorQuantitiesOf(problem);
-  std::vector<budget::QuantityGroup> groups;
-  std::set<std::size_t> named;
-  for (const std::string& name : names) {
-    const auto group = budget::FindGroup(name, quantities);
-    if (!group) {
-      throw UsageError(fmt::format("--front: '{}' is no error of this scenario; allowed: {}", name,
-                                   budget::NamesOf(quantities)));
-    }
-    for (const std::size_t of : group->quantities) {
-      if (named.insert(of).second) continue;
-      throw UsageError(fmt::format("--front names '{}' twice", quantities[of].name));
-    }
-    groups.push_back(*group);
-  }
-  return groups;
-}
 
 ExitCode Execute(const Options& options) {
   const Stopwatch stopwatch;
@@ -101,25 +44,18 @@ ExitCode Execute(const Options& options) {
                            options.input.string()));
     return ExitCodeOf(planned.result.outcome);
   }
-  const auto groups = GroupsNamed(options.front, planned.problem);
-  const BudgetKeys keys = KeysOf(planned);
-  const plan::Plan& plan = planned.result.plan;
-  std::optional<probability::FailureProbabilities> failures;
-  const budget::Budget budget = [&] {
+  const BudgetedPlan budgeted = [&] {
     const Progress progress("multiplying the errors of " + planned.problem.name);
-    if (keys.errors) failures = FailureProbabilitiesOf(planned.problem, plan, *keys.errors);
-    return budget::BudgetOf(planned.problem, plan, keys.prices, groups);
+    return BudgetOf(planned, options.front);
   }();
-  if (!options.drawing.empty())
-    WriteFile(options.drawing, report::SvgFile(report::FrontChart(FrontPictureOf(budget))));
-  Json json = ToJson(budget);
-  std::string text = Text(budget);
-  if (failures) {
-    json["failures"] = ToJson(*failures, plan);
-    text += "\n" + Text(*failures, plan);
+  if (!options.drawing.empty()) {
+    WriteFile(options.drawing,
+              report::SvgFile(report::FrontChart(FrontPictureOf(budgeted.budget))));
   }
+  const plan::Plan& plan = planned.result.plan;
+  nlohmann::ordered_json json = ToJson(budgeted, plan);
   json["seconds"] = stopwatch.Seconds();
-  Print(options.json ? plan::JsonText(json) : text);
+  Print(options.json ? plan::JsonText(json) : Text(budgeted, plan));
   return ExitCode::kDone;
 }
 

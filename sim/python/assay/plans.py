@@ -191,6 +191,14 @@ class Plan:
         raise WrongUsage(f"there is no step {step!r}; allowed: 1 to {len(self._actions)}, or an id "
                          f"such as {self._actions[0]['id']}")
 
+    def budget(self, *, front: Iterable[str] = ()) -> dict[str, Any]:
+        """Returns the errors that the plan can bear, as `assay budget --json` prints them.
+
+        front: two or three errors whose Pareto front is wanted, such as ["hand.xy", "peg.theta"].
+        Raises WrongUsage if the plan has no such errors.
+        """
+        return self._handle.budget(list(front))
+
     def check(self) -> Check:
         """Checks the plan by the independent checker, and computes its certificates again."""
         return Check(self._handle.check())

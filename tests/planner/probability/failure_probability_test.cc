@@ -213,6 +213,20 @@ TEST(FailureProbability, OfSmallNormalErrorsIsBoundedByTheirTails) {
   EXPECT_GE(found.plan.high, found.plan.low);
 }
 
+// A plan with looks is executed as its certificates say, however small the errors are.
+TEST(FailureProbability, CountsOnLooksAsPlanned) {
+  Planned planned = {constraint_posting::LoadScenario("uncertain-sensing"), {}};
+  planned.plan = assembly::MakeCertifiedPlan(planned.problem, {}, {}).plan;
+  ASSERT_EQ(planned.plan.errors, 0);
+  DistributedErrors errors;
+  for (const domain::Part& part : planned.problem.parts)
+    errors.distributions[part.name + ".x"] = Normal(part.error.x.high / 5);
+  EXPECT_LT(FailureProbabilitiesOf(planned.problem, planned.plan, errors).plan.high, 1e-4);
+  for (const domain::Part& part : planned.problem.parts)
+    errors.distributions[part.name + ".x"] = Normal(1e-6 * part.error.x.high);
+  EXPECT_LT(FailureProbabilitiesOf(planned.problem, planned.plan, errors).plan.high, 1e-9);
+}
+
 // Errors that are correlated so that they cancel each other fail less often.
 TEST(FailureProbability, CorrelationsCount) {
   const Planned& planned = UncertainKnown();

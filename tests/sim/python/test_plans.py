@@ -96,6 +96,17 @@ def test_a_right_plan_passes_its_check(known):
     assert repr(check) in program("plan", KNOWN, "--check").stdout
 
 
+def test_a_budget_is_that_of_the_program(tmp_path):
+    file = tmp_path / "jigs.yaml"
+    file.write_text(re.sub("sensing: .*", "resolvers: [squeezing]", KNOWN.read_text()))
+    budget = assay.Scenario(file).plan().budget()
+    told = json.loads(program("budget", file, "--json").stdout)
+    del told["seconds"]
+    assert budget == told
+    with pytest.raises(assay.WrongUsage, match="'nut.x' is no error"):
+        assay.Scenario(file).plan().budget(front=["peg.x", "nut.x"])
+
+
 def test_a_wrong_plan_fails_its_check_and_is_not_executed(tmp_path, known):
     wrong = json.loads(json.dumps(known.json))
     wrong["actions"][0]["certificate"]["preconditions"][0]["bound"] -= 1
