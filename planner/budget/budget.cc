@@ -19,7 +19,7 @@ class Multiples {
 
   GreatestMultiple OfBestPlan() const {
     return FindGreatestMultiple(
-        [&](double multiple) { return ObstacleOfBestPlan(WithErrorsTimes(problem_, multiple)); });
+        [&](double multiple) { return PlanAnew(WithErrorsTimes(problem_, multiple)).obstacle; });
   }
 
   std::vector<OneError> Alone() const {
@@ -35,9 +35,9 @@ class Multiples {
 
   Bargain BargainFor(const std::vector<PriceList>& prices) const {
     constexpr int kMostProofs = 2000;
+    std::vector<plan::Plan> known = {plan_};
     const auto is_proved = [&](const Purchase& purchase) {
-      const std::vector<double> multiples = MultiplesOf(prices, purchase, quantities_);
-      return !ObstacleOfBestPlan(WithErrorsTimes(problem_, multiples));
+      return IsProved(WithErrorsTimes(problem_, MultiplesOf(prices, purchase, quantities_)), known);
     };
     return {prices, FindCheapestProof(prices, is_proved, kMostProofs)};
   }
@@ -55,6 +55,18 @@ class Multiples {
   }
 
  private:
+  // The planner may miss a plan for small errors that it finds for greater ones. A plan that is
+  // proved for some errors is proved for all smaller ones, so all plans that were found count.
+  static bool IsProved(const domain::Problem& problem, std::vector<plan::Plan>& known) {
+    for (const plan::Plan& plan : known) {
+      if (!ObstacleOfPlan(problem, plan)) return true;
+    }
+    PlannedAnew planned = PlanAnew(problem);
+    if (planned.obstacle) return false;
+    known.push_back(std::move(planned.result.plan));
+    return true;
+  }
+
   struct Multiplied {
     const QuantityGroup* group;
     double multiple;

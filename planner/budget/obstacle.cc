@@ -57,13 +57,17 @@ std::optional<Obstacle> ObstacleOfPlan(const domain::Problem& problem, const pla
   }
 }
 
-std::optional<Obstacle> ObstacleOfBestPlan(const domain::Problem& problem) {
+PlannedAnew PlanAnew(const domain::Problem& problem) {
   try {
-    const plan::PlanResult result = assembly::MakeCertifiedPlan(problem, {}, {});
-    if (result.outcome != Outcome::kFound) return Obstacle{"", "no plan is found"};
-    return ObstacleOfPlan(problem, result.plan);
+    PlannedAnew planned = {assembly::MakeCertifiedPlan(problem, {}, {}), {}};
+    if (planned.result.outcome != Outcome::kFound) {
+      planned.obstacle = Obstacle{"", "no plan is found"};
+    } else {
+      planned.obstacle = ObstacleOfPlan(problem, planned.result.plan);
+    }
+    return planned;
   } catch (const InputError& error) {
-    return Obstacle{"", error.what()};
+    return {{}, Obstacle{"", error.what()}};
   }
 }
 

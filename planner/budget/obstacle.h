@@ -24,7 +24,11 @@ std::optional<Obstacle> ObstacleOfPlan(const domain::Problem& problem, const pla
 std::vector<Obstacle> ObstaclesBesideCertificates(const domain::Problem& problem,
                                                   const plan::Plan& plan);
 
-// Makes a plan for the problem, and returns the first obstacle in it.
-std::optional<Obstacle> ObstacleOfBestPlan(const domain::Problem& problem);
+// Makes a plan for the problem, and returns it with the first obstacle in it.
+struct PlannedAnew {
+  plan::PlanResult result;
+  std::optional<Obstacle> obstacle;
+};
+PlannedAnew PlanAnew(const domain::Problem& problem);
 
 }  // namespace assay::budget

@@ -10,6 +10,7 @@
 #include "planner/base/check.h"
 #include "planner/base/input_files/input_error.h"
 #include "planner/budget/obstacle.h"
+#include "planner/numeric/interval_arithmetic.h"
 #include "planner/probability/sum_of_errors.h"
 #include "planner/uncertainty/error_sets/sensing.h"
 #include "planner/uncertainty/preconditions/bounded_claim.h"

@@ -129,6 +129,19 @@ std::vector<std::string> GlidingNotCovered(const domain::Problem& problem, const
   return names;
 }
 
+// A look needs more than bounded errors: the camera must see the part, and tell it from others.
+std::vector<std::string> LooksNotCovered(const domain::Problem& problem, const Plan& plan) {
+  std::vector<std::string> names;
+  for (const StepId id : plan.ExecutionOrder()) {
+    const Action& action = plan.step(id).action;
+    if (action.sensor.empty()) continue;
+    std::string name = fmt::format("whether {} finds {} where it is looked for", action.sensor,
+                                   problem.part(action.part).name);
+    if (std::ranges::count(names, name) == 0) names.push_back(std::move(name));
+  }
+  return names;
+}
+
 }  // namespace
 
 std::vector<int> StepsWithUnprovedWays(const Plan& plan) {
@@ -148,6 +161,7 @@ std::vector<std::string> NotCovered(const domain::Problem& problem, const Plan& 
   std::vector<std::string> all = StartsNotCovered(problem);
   std::ranges::move(RestNotCovered(problem), std::back_inserter(all));
   std::ranges::move(GlidingNotCovered(problem, plan), std::back_inserter(all));
+  std::ranges::move(LooksNotCovered(problem, plan), std::back_inserter(all));
   std::ranges::move(WaysNotCovered(plan), std::back_inserter(all));
   for (const StepId id : plan.ExecutionOrder()) {
     const PlannedStep& step = plan.step(id);

@@ -32,14 +32,14 @@ class StandingConditions {
         hold_(hold),
         X_WorldPart_(X_WorldPart),
         standings_(StandingsOf(world, part, X_WorldPart)),
-        edges_(TippingEdgesOf(standings_)),
+        edges_(TippingEdgesOf(SureStandingsOf(world, part, X_WorldPart, released))),
         off_(OnParts() ? ReachOf(world, part, released) + ReachOfSupports() : 0) {}
 
   // Returns the ratio that must be below 1 for a part that leans by `tilt` to fall back.
   double FallRatio(double tilt) const {
     return WorstOf([&](const TippingEdge& edge, const geometry::MassProperties& mass) {
       const Vector3 center = X_WorldPart_ * mass.center;
-      const double inside = -edge.Beyond(center) - off_;
+      const double inside = -edge.Beyond(center);
       if (!(inside > 0)) return kNothingBorne;
       return (center.z() - Level()) * std::tan(std::min(tilt, kSteep)) / inside;
     });
@@ -75,9 +75,9 @@ class StandingConditions {
     if (!grip.touches) return kNothingBorne;
     const Vector2& center = grip.friction.center();
     const Vector3 middle = X_WorldPart_ * hold_.X_PartTool * Vector3(center.x(), 0, center.y());
-    const double beside = off.shift.norm() + off.turn * hold_.width + off_;
+    const double beside = off.shift.norm() + off.turn * hold_.width;
     return WorstOf([&](const TippingEdge& edge, const geometry::MassProperties& mass) {
-      const double inside = -edge.Beyond(X_WorldPart_ * mass.center) - off_;
+      const double inside = -edge.Beyond(X_WorldPart_ * mass.center);
       if (!(inside > 0)) return kNothingBorne;
       const double beyond = std::max(0.0, edge.Beyond(middle) + beside);
       const double by_weight = GreatestPress() * beyond / (mass.mass * kGravity * inside);
@@ -217,21 +217,6 @@ Push PushOf(const UncertainWorld& world, const domain::Mating& mating,
   push.down = weight + plan::kGreatestPush * -way.z();
   push.aside = plan::kGreatestPush * way.head<2>().norm();
   return push;
-}
-
-// Returns the weights of the parts that already stand on this one; each acts somewhere in its patch
-// of contact.
-std::vector<Push> WeightsOn(const UncertainWorld& world, PartId part) {
-  std::vector<Push> weights;
-  for (int p = 0; p < static_cast<int>(world.problem().parts.size()); ++p) {
-    const PartId other(p);
-    if (other == part || other == world.in_hand()) continue;
-    for (const Standing& standing : StandingsOf(world, other, world.X_WorldPart(other))) {
-      if (standing.on != part) continue;
-      weights.push_back({standing.at, GreatestWeight(world.problem(), other), 0});
-    }
-  }
-  return weights;
 }
 
 }  // namespace

@@ -41,6 +41,37 @@ Pressing PressingOver(const TippingEdge& edge, double level, const std::vector<P
   return pressing;
 }
 
+// Returns the greatest distance by which a part with this error at X_WorldPart is displaced against
+// another part, compared with where the plan has both. A part in the hand will come to X_WorldPart
+// with the believed pose of what it comes to.
+double DisplacedAgainst(const UncertainWorld& world, PartId part, const Pose& X_WorldPart,
+                        const RestingError& error, PartId other) {
+  const bool is_held = world.in_hand() == part;
+  const RestingError its = is_held ? world.resting(other) : world.about_plan(other);
+  const SymbolicVector arm =
+      AsVector(X_WorldPart.translation() - world.X_WorldPart(other).translation());
+  const SymbolicVector carried = its.displacement + algebra::RotationZ(its.theta) * arm - arm;
+  const auto most = [&](const Expression& e) { return Magnitude(world.TightRangeOf(e)); };
+  return std::hypot(most(error.displacement[0] - carried[0]),
+                    most(error.displacement[1] - carried[1])) +
+         world.problem().part(part).model->shape().radius() * most(error.theta - its.theta);
+}
+
+// Returns the weight of a part and of all that stands on it. `levels` is the greatest number of
+// parts that are looked at, one above the other.
+double LoadOf(const UncertainWorld& world, PartId part, std::size_t levels) {
+  double load = GreatestWeight(world.problem(), part);
+  if (levels == 0) return load;
+  for (int p = 0; p < static_cast<int>(world.problem().parts.size()); ++p) {
+    const PartId other(p);
+    if (other == part || other == world.in_hand()) continue;
+    const auto stands_on_it = [&](const Standing& standing) { return standing.on == part; };
+    if (std::ranges::any_of(StandingsOf(world, other, world.X_WorldPart(other)), stands_on_it))
+      load += LoadOf(world, other, levels - 1);
+  }
+  return load;
+}
+
 // Returns what a pushed part passes on to a part that it stands on: the pushes and its weight.
 Push PassedOn(const UncertainWorld& world, PartId part, const Standing& standing,
               const std::vector<Push>& pushes) {
@@ -56,10 +87,11 @@ Push PassedOn(const UncertainWorld& world, PartId part, const Standing& standing
 double TippingDown(const UncertainWorld& world, PartId part, double clamp,
                    const std::vector<Push>& pushes, double off, std::size_t levels) {
   const Pose& X_WorldPart = world.X_WorldPart(part);
-  const std::vector<Standing> standings = StandingsOf(world, part, X_WorldPart);
-  const std::vector<TippingEdge> edges = TippingEdgesOf(standings);
+  const RestingError error = world.about_plan(part);
+  const std::vector<Standing> sure = SureStandingsOf(world, part, X_WorldPart, error);
+  const std::vector<TippingEdge> edges = TippingEdgesOf(sure);
   if (edges.empty() || levels == 0) return kNothingBorne;
-  const double level = standings.front().at.front().z();
+  const double level = sure.front().at.front().z();
   double ratio = 0;
   for (const geometry::MassProperties& mass : PossibleMasses(world.problem(), part)) {
     for (const TippingEdge& edge : edges) {
@@ -69,11 +101,14 @@ double TippingDown(const UncertainWorld& world, PartId part, double clamp,
       ratio = std::max(ratio, moment / ((mass.mass * kGravity + clamp) * inside));
     }
   }
-  for (const Standing& standing : standings) {
+  for (const Standing& standing : StandingsOf(world, part, X_WorldPart)) {
     if (standing.on.IsNone()) continue;
-    Push on = PassedOn(world, part, standing, pushes);
-    on.down += clamp;
-    ratio = std::max(ratio, TippingDown(world, standing.on, 0, {on}, off, levels - 1));
+    std::vector<Push> on = WeightsOn(world, standing.on, part);
+    on.push_back(PassedOn(world, part, standing, pushes));
+    on.back().down += clamp;
+    const double moved =
+        std::max(off, DisplacedAgainst(world, part, X_WorldPart, error, standing.on));
+    ratio = std::max(ratio, TippingDown(world, standing.on, 0, on, moved, levels - 1));
   }
   return std::min(ratio, kNothingBorne);
 }
@@ -96,6 +131,46 @@ std::vector<Standing> StandingsOf(const UncertainWorld& world, PartId part,
     if (!at.empty()) standings.push_back({other, std::move(at)});
   }
   return standings;
+}
+
+std::vector<Standing> SureStandingsOf(const UncertainWorld& world, PartId part,
+                                      const Pose& X_WorldPart, const RestingError& error) {
+  const domain::Problem& problem = world.problem();
+  const PartModel& model = *problem.part(part).model;
+  std::vector<Standing> sure;
+  for (Standing& standing : StandingsOf(world, part, X_WorldPart)) {
+    if (standing.on.IsNone()) {
+      sure.push_back(std::move(standing));
+      continue;
+    }
+    const double moved = DisplacedAgainst(world, part, X_WorldPart, error, standing.on) +
+                         problem.tolerances.clearance;
+    Standing smaller = {standing.on, {}};
+    for (const std::vector<Vector3>& area :
+         domain::AreasOfContact(model, X_WorldPart, *problem.part(standing.on).model,
+                                world.X_WorldPart(standing.on))) {
+      std::vector<Vector2> shadow;
+      for (const Vector3& p : area) shadow.emplace_back(p.head<2>());
+      for (const Vector2& p : geometry::Inset(geometry::Hull2(shadow), moved))
+        smaller.at.emplace_back(p.x(), p.y(), area.front().z());
+    }
+    if (!smaller.at.empty()) sure.push_back(std::move(smaller));
+  }
+  return sure;
+}
+
+std::vector<Push> WeightsOn(const UncertainWorld& world, PartId part, PartId except) {
+  std::vector<Push> weights;
+  const std::size_t levels = world.problem().parts.size();
+  for (int p = 0; p < static_cast<int>(levels); ++p) {
+    const PartId other(p);
+    if (other == part || other == except || other == world.in_hand()) continue;
+    for (const Standing& standing : StandingsOf(world, other, world.X_WorldPart(other))) {
+      if (standing.on != part) continue;
+      weights.push_back({standing.at, LoadOf(world, other, levels), 0});
+    }
+  }
+  return weights;
 }
 
 Polygon SupportOf(const std::vector<Standing>& standings) {

@@ -20,6 +20,15 @@ struct Standing {
 std::vector<Standing> StandingsOf(const UncertainWorld& world, PartId part,
                                   const Pose& X_WorldPart);
 
+// Returns contacts on which the part stands whatever the errors are. `error` is the part's error at
+// X_WorldPart: about_plan if it rests, and what it will have if it is in the hand. Each area of
+// contact with another part is smaller on all sides by as much as both parts may be displaced
+// against each other, and by the tolerance of the clearance, which moves the rims of holes. An area
+// that is not wide enough is left out. The contacts are in the frame of the planned part, so the
+// place of its centre of mass above them is certain, too.
+std::vector<Standing> SureStandingsOf(const UncertainWorld& world, PartId part,
+                                      const Pose& X_WorldPart, const RestingError& error);
+
 // Returns the support of a part, in world x and y: the convex hull of its contacts.
 geometry::Polygon SupportOf(const std::vector<Standing>& standings);
 
@@ -44,11 +53,16 @@ struct Push {
 
 // Returns the moment with which the pushes tip a part, divided by the moment with which its weight
 // resists. The result is the greatest ratio over all edges of this part and of the parts that it
-// stands on. If it is below 1, none of these parts tips. The part's fixture (domain::Part::clamp)
-// helps to press it down. `off` is the greatest distance, in metres, of the pushes from their
-// planned places.
+// stands on. If it is below 1, none of these parts tips. The weights of other parts that stand on
+// them count as pushes. The part's fixture (domain::Part::clamp) helps to press it down. `off` is
+// the greatest distance, in metres, of the pushes from their planned places.
 double TippingRatio(const UncertainWorld& world, PartId part, const std::vector<Push>& pushes,
                     double off);
+
+// Returns the weights of what already stands on a part; each acts somewhere in a patch of contact.
+// The part `except` is left out, with what stands on it.
+std::vector<Push> WeightsOn(const UncertainWorld& world, PartId part,
+                            PartId except = PartId::None());
 // Returns the ratio of the force that pushes the part aside to the friction that keeps it. The
 // friction is the least within its tolerance.
 double SlidingRatio(const domain::Problem& problem, PartId part, const std::vector<Push>& pushes);
