@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
+#include <numbers>
 
 #include "planner/domain/parts/part_model.h"
 #include "planner/domain/resting/face_contact.h"
+#include "planner/geometry/planar_region.h"
 #include "planner/geometry/polygon.h"
 #include "planner/geometry/solids/mass_properties.h"
 #include "planner/uncertainty/error_sets/possible_masses.h"
@@ -55,6 +58,45 @@ double DisplacedAgainst(const UncertainWorld& world, PartId part, const Pose& X_
   return std::hypot(most(error.displacement[0] - carried[0]),
                     most(error.displacement[1] - carried[1])) +
          world.problem().part(part).model->shape().radius() * most(error.theta - its.theta);
+}
+
+// Returns a polygon around the circle about a point.
+Polygon Around(const Vector2& center, double radius) {
+  constexpr int kSides = 16;
+  Polygon around;
+  for (int i = 0; i < kSides; ++i) {
+    const double angle = 2 * std::numbers::pi * i / kSides;
+    around.push_back(center + radius / std::cos(std::numbers::pi / kSides) *
+                                  Vector2(std::cos(angle), std::sin(angle)));
+  }
+  return around;
+}
+
+bool IsCovered(const Polygon& polygon, const std::vector<Polygon>& by) {
+  geometry::Patches left = {polygon};
+  for (const Polygon& area : by) left = geometry::Without(left, area);
+  return std::ranges::all_of(left,
+                             [](const Polygon& rest) { return geometry::Area(rest) < 1e-12; });
+}
+
+// Returns points, in world x and y, that are in some of the areas after these have been moved by up
+// to `moved` in any direction. Areas that lie beside each other count as one.
+std::vector<Vector2> SurelyTouching(const std::vector<std::vector<Vector3>>& areas, double moved) {
+  std::vector<Polygon> shadows;
+  std::vector<Vector2> corners;
+  for (const std::vector<Vector3>& area : areas) {
+    std::vector<Vector2> shadow;
+    for (const Vector3& p : area) shadow.emplace_back(p.head<2>());
+    corners.insert(corners.end(), shadow.begin(), shadow.end());
+    shadows.push_back(geometry::Hull2(shadow));
+  }
+  std::vector<Vector2> sure;
+  for (const Polygon& shadow : shadows)
+    std::ranges::copy(geometry::Inset(shadow, moved), std::back_inserter(sure));
+  for (const Vector2& p : geometry::Inset(geometry::Hull2(corners), moved)) {
+    if (IsCovered(Around(p, moved), shadows)) sure.push_back(p);
+  }
+  return sure;
 }
 
 // Returns the weight of a part and of all that stands on it. `levels` is the greatest number of
@@ -145,15 +187,11 @@ std::vector<Standing> SureStandingsOf(const UncertainWorld& world, PartId part,
     }
     const double moved = DisplacedAgainst(world, part, X_WorldPart, error, standing.on) +
                          problem.tolerances.clearance;
+    const auto areas = domain::AreasOfContact(model, X_WorldPart, *problem.part(standing.on).model,
+                                              world.X_WorldPart(standing.on));
     Standing smaller = {standing.on, {}};
-    for (const std::vector<Vector3>& area :
-         domain::AreasOfContact(model, X_WorldPart, *problem.part(standing.on).model,
-                                world.X_WorldPart(standing.on))) {
-      std::vector<Vector2> shadow;
-      for (const Vector3& p : area) shadow.emplace_back(p.head<2>());
-      for (const Vector2& p : geometry::Inset(geometry::Hull2(shadow), moved))
-        smaller.at.emplace_back(p.x(), p.y(), area.front().z());
-    }
+    for (const Vector2& p : SurelyTouching(areas, moved))
+      smaller.at.emplace_back(p.x(), p.y(), standing.at.front().z());
     if (!smaller.at.empty()) sure.push_back(std::move(smaller));
   }
   return sure;
