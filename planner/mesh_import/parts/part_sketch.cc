@@ -74,22 +74,26 @@ void AddBody(const BodyShape& body, PartSketch& sketch) {
 Eigen::AlignedBox3d BoundsOf(const PartSketch& sketch) {
   Eigen::AlignedBox3d bounds;
   for (const SketchSolid& solid : sketch.solids) {
-    for (const geometry::ConvexHull& piece : solid.pieces) {
-      for (const Vector3& vertex : piece.vertices) bounds.extend(vertex);
-    }
-    if (!solid.post) continue;
-    for (const bool top : {false, true}) {
-      const Contour& contour = top ? solid.post->at_high : solid.post->at_low;
-      for (const Vector2& corner : contour.Outline(32)) {
-        bounds.extend(solid.R_PartLocal *
-                      Vector3(corner.x(), corner.y(), top ? solid.post->high : solid.post->low));
-      }
-    }
+    for (const Vector3& corner : solid.Corners(32)) bounds.extend(corner);
   }
   return bounds;
 }
 
 }  // namespace
+
+std::vector<Vector3> SketchSolid::Corners(int sides) const {
+  std::vector<Vector3> corners;
+  for (const geometry::ConvexHull& piece : pieces)
+    corners.insert(corners.end(), piece.vertices.begin(), piece.vertices.end());
+  if (!post) return corners;
+  for (const bool top : {false, true}) {
+    for (const Vector2& corner : (top ? post->at_high : post->at_low).Outline(sides)) {
+      corners.emplace_back(R_PartLocal *
+                           Vector3(corner.x(), corner.y(), top ? post->high : post->low));
+    }
+  }
+  return corners;
+}
 
 bool PartSketch::CanBeMated() const {
   return std::ranges::any_of(features, [](const SketchFeature& feature) {

@@ -1,7 +1,9 @@
 #include "planner/mesh_import/sections/stepped_columns.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <limits>
 #include <utility>
 
 #include "planner/mesh_import/sections/section_reader.h"
@@ -13,6 +15,8 @@ constexpr std::size_t kMostSteppedLevels = 3000;
 constexpr int kMostPartsOfLayer = 64;
 constexpr double kThinnestStep = 1e-4;  // metres, as a part file permits
 constexpr double kRoughness = 0.125;    // of the outline of a step, as a share of the step
+// Sections that differ by at most this share of a step are nearly even.
+constexpr double kNearlyEven = 0.125;
 
 using Curves = std::vector<Column>;  // of one section
 
@@ -41,6 +45,57 @@ bool AreAlike(const Curves& a, Curves b, double within) {
     b.erase(match);
     return true;
   });
+}
+
+// Returns the curves of all sections that are most like one curve.
+std::vector<const Column*> LikeCurves(const Column& curve,
+                                      const std::vector<const Curves*>& sections) {
+  std::vector<const Column*> alike;
+  for (const Curves* section : sections) {
+    const Column* nearest = nullptr;
+    double least = std::numeric_limits<double>::infinity();
+    for (const Column& other : *section) {
+      const double off =
+          (other.at_low.center - curve.at_low.center).norm() +
+          std::abs(other.at_low.Area() - curve.at_low.Area()) / std::sqrt(curve.at_low.Area());
+      if (other.is_hole != curve.is_hole || off >= least) continue;
+      nearest = &other;
+      least = off;
+    }
+    if (nearest != nullptr) alike.push_back(nearest);
+  }
+  return alike;
+}
+
+// Returns by how much a section has material beyond a column: outside of an outline, or inside of a
+// hole.
+double MaterialBeyond(const Column& column, const Column& section) {
+  constexpr int kCorners = 48;
+  double beyond = 0;
+  for (const Vector2& p : section.at_low.Outline(kCorners)) {
+    if (column.at_low.Contains(p) == column.is_hole)
+      beyond = std::max(beyond, column.at_low.DistanceTo(p));
+  }
+  return beyond;
+}
+
+// Returns a column that nothing of nearly even sections reaches beyond by more than rounding, or
+// else a step. A circle takes in all sections. Of other curves the one with the most material is
+// taken.
+Column NearlyEvenColumn(const Column& curve, const std::vector<const Curves*>& sections,
+                        double tolerance) {
+  const std::vector<const Column*> alike = LikeCurves(curve, sections);
+  const double sign = curve.is_hole ? -1 : 1;
+  Column column = **std::ranges::max_element(
+      alike, {}, [&](const Column* of) { return sign * of->at_low.Area(); });
+  double beyond = 0;
+  for (const Column* of : alike) beyond = std::max(beyond, MaterialBeyond(column, *of));
+  column.is_step = beyond > tolerance;
+  if (column.at_low.IsCircle() && beyond > 0) {
+    column.at_low.radius += sign * beyond;
+    column.is_step = false;
+  }
+  return column;
 }
 
 class StepBuilder {
@@ -99,11 +154,27 @@ class StepBuilder {
     begin_ = layer.high;
   }
 
-  // Returns how many layers one step can stand for.
+  // Returns how many layers one after the other are nearly even, if they are not thin together.
+  std::size_t CountOfNearlyEven(std::size_t first) const {
+    std::size_t end = first;
+    const auto is_alike = [&](const Curves& curves) {
+      return AreAlike(layers_[first].bottom, curves, kNearlyEven * rules_.most_step);
+    };
+    while (end < layers_.size() && !layers_[end].IsEven() && is_alike(layers_[end].bottom) &&
+           is_alike(layers_[end].top))
+      ++end;
+    const bool is_thin =
+        end == first || layers_[end - 1].high - layers_[first].low <= rules_.most_step;
+    return is_thin ? 0 : end - first;
+  }
+
+  // Returns how many layers one step can stand for. A step ends before nearly even layers.
   std::size_t CountFrom(std::size_t first) const {
+    if (const std::size_t count = CountOfNearlyEven(first); count > 0) return count;
     bool are_alike = true;
     std::size_t end = first;
     for (; end < layers_.size() && !layers_[end].IsEven(); ++end) {
+      if (end > first && CountOfNearlyEven(end) > 0) break;
       for (const Curves* curves : {&layers_[end].bottom, &layers_[end].top})
         are_alike = are_alike && AreAlike(layers_[first].bottom, *curves, rules_.most_step);
       if (!are_alike && layers_[end].high - begin_ > rules_.most_step) break;
@@ -147,23 +218,33 @@ class StepBuilder {
     if (high - begin_ < kThinnestStep) return;
     const Curves& least =
         **std::ranges::min_element(sections, {}, [](const Curves* c) { return MaterialOf(*c); });
-    for (Column column : least) {
+    const bool is_nearly_even = std::ranges::all_of(sections, [&](const Curves* curves) {
+      return AreAlike(least, *curves, kNearlyEven * rules_.most_step);
+    });
+    for (const Column& curve : least) {
+      Column column = is_nearly_even ? NearlyEvenColumn(curve, sections, rules_.tolerance)
+                                     : StepOf(curve, sections);
       column.low = begin_;
       column.high = high;
-      column.is_step = !std::ranges::all_of(sections, [&](const Curves* curves) {
-        return std::ranges::any_of(*curves, [&](const Column& other) {
-          return other.is_hole == column.is_hole &&
-                 AreEqual(other.at_low, column.at_low, rules_.tolerance);
-        });
-      });
-      if (column.is_step && !column.at_low.IsCircle())
-        column.at_low =
-            FitContour(column.at_low.corners, {.tolerance = kRoughness * rules_.most_step});
       if (column.at_low.Bounds().sizes().minCoeff() < kThinnestStep) continue;
       column.at_high = column.at_low;
       Append(result_.columns, std::move(column), rules_.tolerance);
     }
     begin_ = high;
+  }
+
+  // Returns a column for sections that differ. It is no step if this curve of theirs is the same.
+  Column StepOf(Column column, const std::vector<const Curves*>& sections) const {
+    column.is_step = !std::ranges::all_of(sections, [&](const Curves* curves) {
+      return std::ranges::any_of(*curves, [&](const Column& other) {
+        return other.is_hole == column.is_hole &&
+               AreEqual(other.at_low, column.at_low, rules_.tolerance);
+      });
+    });
+    if (column.is_step && !column.at_low.IsCircle())
+      column.at_low =
+          FitContour(column.at_low.corners, {.tolerance = kRoughness * rules_.most_step});
+    return column;
   }
 
   const ColumnRules rules_;

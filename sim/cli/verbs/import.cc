@@ -20,6 +20,7 @@
 #include "planner/domain/parts/part_file.h"
 #include "planner/mesh_import/parts/account.h"
 #include "planner/mesh_import/parts/mated_pair.h"
+#include "planner/mesh_import/parts/mated_scenario.h"
 #include "planner/mesh_import/parts/part_import.h"
 #include "sim/cli/command_line/console.h"
 #include "sim/cli/command_line/progress.h"
