@@ -60,8 +60,10 @@ Exposure ExposureSampler::OfEnd(const Matrix3& R, const Post& post, bool top) co
 
 Exposure ExposureSampler::OfMouth(const Matrix3& R, const Post& post, bool top) const {
   const double height = top ? post.high : post.low;
+  const Contour& contour = top ? post.at_high : post.at_low;
   Exposure exposure;
   for (const Vector2& at : PointsOfEnd(post, top)) {
+    if (contour.DistanceTo(at) <= margin_) continue;
     const auto is_free = [&](double above) {
       return !sketch_.Contains(R * Vector3(at.x(), at.y(), height + above));
     };

@@ -40,7 +40,8 @@ struct Meeting {
   PlacedFeature shaft;
   PlacedFeature hole;
   MatedFeatures mated;
-  double reach = 0;  // of the held part below the mouth, metres
+  double reach = 0;        // of the held part below the mouth, metres
+  bool is_inside = false;  // or else the shaft has passed the hole
 };
 
 const SketchFeature& FeatureOf(const ImportedPart& part, int number) {
@@ -122,7 +123,7 @@ double ReachOf(const PartSketch& sketch, const PlacedFeature& shaft) {
 std::optional<Meeting> Meet(const PlacedFeature& shaft, const PlacedFeature& hole) {
   if ((shaft.axis + hole.axis).norm() > kOpposite) return std::nullopt;
   const double depth = EndAlong(hole) + EndAlong(shaft);  // the axes are opposite
-  if (depth <= 0 || depth - shaft.post->Height() >= hole.post->Height()) return std::nullopt;
+  if (depth <= 0) return std::nullopt;
   MatedFeatures mated{.shaft = shaft.number,
                       .hole = hole.number,
                       .mouth = hole.axis,
@@ -130,7 +131,10 @@ std::optional<Meeting> Meet(const PlacedFeature& shaft, const PlacedFeature& hol
                       .gaps = GapsBetween(shaft, hole)};
   const double width = hole.post->at_low.Bounds().sizes().minCoeff();
   if (mated.LeastGap() < kTightest || mated.LeastGap() > kWidestPlay * width) return std::nullopt;
-  return Meeting{.shaft = shaft, .hole = hole, .mated = std::move(mated)};
+  return Meeting{.shaft = shaft,
+                 .hole = hole,
+                 .mated = std::move(mated),
+                 .is_inside = depth - shaft.post->Height() < hole.post->Height()};
 }
 
 bool IsWithin(const PlacedFeature& inner, const PlacedFeature& outer) {
@@ -148,10 +152,10 @@ bool IsWithin(const PlacedFeature& inner, const PlacedFeature& outer) {
 bool Implies(const Meeting& first, const Meeting& later) {
   const bool has_same_hole = first.mated.hole == later.mated.hole;
   const bool has_same_shaft = first.mated.shaft == later.mated.shaft;
-  if (has_same_hole == has_same_shaft) return false;
-  if (has_same_hole)
-    return first.mated.depth > later.mated.depth && IsWithin(later.shaft, first.shaft);
-  return first.mated.depth > later.mated.depth && IsWithin(first.hole, later.hole);
+  if (has_same_hole == has_same_shaft || first.mated.depth <= later.mated.depth ||
+      (later.is_inside && !first.is_inside))
+    return false;
+  return has_same_hole ? IsWithin(later.shaft, first.shaft) : IsWithin(first.hole, later.hole);
 }
 
 // Returns how far the axes of a shaft and its hole are apart.
@@ -160,8 +164,9 @@ double BesideOf(const Meeting& meeting) {
   return (axis - meeting.hole.post->at_low.center).norm();
 }
 
-// Returns the meetings of two parts, the tightest first; among equally tight ones the one for which
-// the held part moves least.
+// Returns the meetings of two parts: those of shafts that are in their holes first, then those in
+// straight holes, which have walls along the motion, then the tightest, then those for which the
+// held part moves least.
 std::vector<Meeting> MeetingsOf(const PartSketch& held, const PartSketch& fixed) {
   std::vector<Meeting> meetings;
   const auto holes = PlacedFeatures(fixed, SketchFeature::Kind::kHole);
@@ -174,8 +179,10 @@ std::vector<Meeting> MeetingsOf(const PartSketch& held, const PartSketch& fixed)
     }
   }
   std::ranges::stable_sort(meetings, {}, [](const Meeting& meeting) {
-    return std::tuple(meeting.mated.LeastGap(), meeting.reach, meeting.mated.depth);
+    return std::tuple(!meeting.is_inside, !meeting.hole.post->is_straight, meeting.mated.LeastGap(),
+                      meeting.reach, meeting.mated.depth);
   });
+  if (!meetings.empty() && !meetings.front().is_inside) meetings.clear();
   return meetings;
 }
 
@@ -188,8 +195,10 @@ void LeaveOneMotion(std::vector<Meeting>& meetings) {
     return (meeting.mated.mouth - all.front().mated.mouth).norm() > kOpposite ||
            std::ranges::any_of(all, implies);
   });
-  const auto is_beside = [](const Meeting& meeting) { return BesideOf(meeting) > kMostBeside; };
-  const auto others = std::ranges::remove_if(meetings.begin() + 1, meetings.end(), is_beside);
+  const auto is_needless = [](const Meeting& meeting) {
+    return BesideOf(meeting) > kMostBeside || !meeting.hole.post->is_straight;
+  };
+  const auto others = std::ranges::remove_if(meetings.begin() + 1, meetings.end(), is_needless);
   meetings.erase(others.begin(), others.end());
 }
 
@@ -198,8 +207,10 @@ MatedPair PairOf(const ImportedPart& held, const ImportedPart& fixed) {
   std::vector<Meeting> meetings = MeetingsOf(held.sketch, fixed.sketch);
   if (meetings.empty()) return pair;
   LeaveOneMotion(meetings);
-  for (const Meeting& meeting : meetings) pair.features.push_back(meeting.mated);
-  pair.reach = meetings.front().reach;
+  for (const Meeting& meeting : meetings) {
+    pair.features.push_back(meeting.mated);
+    pair.reach = std::max(pair.reach, meeting.reach);
+  }
   return pair;
 }
 

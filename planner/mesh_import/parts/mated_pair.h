@@ -29,8 +29,8 @@ struct MatedPair {
   // hole. It has no features that follow from others, for example of a shaft behind an equally wide
   // one.
   std::vector<MatedFeatures> features;
-  // How far the held part reaches into the first hole, below its mouth, metres. What stands on the
-  // tip of the shaft counts.
+  // How far the held part reaches below the outermost mouth, metres. What stands on the tip of a
+  // shaft counts.
   double reach = 0;
   // How far the held part is moved on from where its file has it, to where something stops it,
   // metres.

@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <utility>
 
+#include "planner/mesh_import/sections/narrows.h"
+#include "planner/mesh_import/sections/nearly_even.h"
 #include "planner/mesh_import/sections/section_reader.h"
 
 namespace assay::mesh_import {
@@ -15,10 +16,6 @@ constexpr std::size_t kMostSteppedLevels = 3000;
 constexpr int kMostPartsOfLayer = 64;
 constexpr double kThinnestStep = 1e-4;  // metres, as a part file permits
 constexpr double kRoughness = 0.125;    // of the outline of a step, as a share of the step
-// Sections that differ by at most this share of a step are nearly even.
-constexpr double kNearlyEven = 0.125;
-
-using Curves = std::vector<Column>;  // of one section
 
 // The part of a mesh between two neighbouring levels.
 struct Layer {
@@ -47,57 +44,6 @@ bool AreAlike(const Curves& a, Curves b, double within) {
   });
 }
 
-// Returns the curves of all sections that are most like one curve.
-std::vector<const Column*> LikeCurves(const Column& curve,
-                                      const std::vector<const Curves*>& sections) {
-  std::vector<const Column*> alike;
-  for (const Curves* section : sections) {
-    const Column* nearest = nullptr;
-    double least = std::numeric_limits<double>::infinity();
-    for (const Column& other : *section) {
-      const double off =
-          (other.at_low.center - curve.at_low.center).norm() +
-          std::abs(other.at_low.Area() - curve.at_low.Area()) / std::sqrt(curve.at_low.Area());
-      if (other.is_hole != curve.is_hole || off >= least) continue;
-      nearest = &other;
-      least = off;
-    }
-    if (nearest != nullptr) alike.push_back(nearest);
-  }
-  return alike;
-}
-
-// Returns by how much a section has material beyond a column: outside of an outline, or inside of a
-// hole.
-double MaterialBeyond(const Column& column, const Column& section) {
-  constexpr int kCorners = 48;
-  double beyond = 0;
-  for (const Vector2& p : section.at_low.Outline(kCorners)) {
-    if (column.at_low.Contains(p) == column.is_hole)
-      beyond = std::max(beyond, column.at_low.DistanceTo(p));
-  }
-  return beyond;
-}
-
-// Returns a column that nothing of nearly even sections reaches beyond by more than rounding, or
-// else a step. A circle takes in all sections. Of other curves the one with the most material is
-// taken.
-Column NearlyEvenColumn(const Column& curve, const std::vector<const Curves*>& sections,
-                        double tolerance) {
-  const std::vector<const Column*> alike = LikeCurves(curve, sections);
-  const double sign = curve.is_hole ? -1 : 1;
-  Column column = **std::ranges::max_element(
-      alike, {}, [&](const Column* of) { return sign * of->at_low.Area(); });
-  double beyond = 0;
-  for (const Column* of : alike) beyond = std::max(beyond, MaterialBeyond(column, *of));
-  column.is_step = beyond > tolerance;
-  if (column.at_low.IsCircle() && beyond > 0) {
-    column.at_low.radius += sign * beyond;
-    column.is_step = false;
-  }
-  return column;
-}
-
 class StepBuilder {
  public:
   StepBuilder(const TriangleMesh& mesh, const ColumnRules& rules)
@@ -120,6 +66,7 @@ class StepBuilder {
     for (Column& column : result_.columns) {
       if (column.high == begin_) column.high = layers_.back().high;
     }
+    FillNarrows(result_.columns);
     return std::move(result_);
   }
 
@@ -137,11 +84,14 @@ class StepBuilder {
     return layer;
   }
 
-  // A thin layer whose columns taper is one facet of a rounded edge.
+  // A thin layer whose columns taper is one facet of a rounded edge. One that hardly tapers is
+  // nearly even.
   bool IsEven(const std::vector<Column>& columns, double thickness) const {
     if (thickness < kThinnestStep) return false;
     return std::ranges::all_of(columns, [&](const Column& column) {
-      return column.is_straight || (column.at_low.IsCircle() && thickness > rules_.most_step);
+      return column.is_straight ||
+             (column.at_low.IsCircle() && thickness > rules_.most_step &&
+              std::abs(column.at_high.radius - column.at_low.radius) > MostOfNearlyEven(rules_));
     });
   }
 
@@ -158,7 +108,7 @@ class StepBuilder {
   std::size_t CountOfNearlyEven(std::size_t first) const {
     std::size_t end = first;
     const auto is_alike = [&](const Curves& curves) {
-      return AreAlike(layers_[first].bottom, curves, kNearlyEven * rules_.most_step);
+      return AreAlike(layers_[first].bottom, curves, MostOfNearlyEven(rules_));
     };
     while (end < layers_.size() && !layers_[end].IsEven() && is_alike(layers_[end].bottom) &&
            is_alike(layers_[end].top))
@@ -219,11 +169,11 @@ class StepBuilder {
     const Curves& least =
         **std::ranges::min_element(sections, {}, [](const Curves* c) { return MaterialOf(*c); });
     const bool is_nearly_even = std::ranges::all_of(sections, [&](const Curves* curves) {
-      return AreAlike(least, *curves, kNearlyEven * rules_.most_step);
+      return AreAlike(least, *curves, MostOfNearlyEven(rules_));
     });
     for (const Column& curve : least) {
-      Column column = is_nearly_even ? NearlyEvenColumn(curve, sections, rules_.tolerance)
-                                     : StepOf(curve, sections);
+      Column column =
+          is_nearly_even ? NearlyEvenColumn(curve, sections, rules_) : StepOf(curve, sections);
       column.low = begin_;
       column.high = high;
       if (column.at_low.Bounds().sizes().minCoeff() < kThinnestStep) continue;
@@ -241,6 +191,7 @@ class StepBuilder {
                AreEqual(other.at_low, column.at_low, rules_.tolerance);
       });
     });
+    if (column.is_step) column.beyond = MaterialBeyond(column, LikeCurves(column, sections));
     if (column.is_step && !column.at_low.IsCircle())
       column.at_low =
           FitContour(column.at_low.corners, {.tolerance = kRoughness * rules_.most_step});
