@@ -14,6 +14,27 @@ constexpr double kStep = 2e-5;            // metres; a seat is no thinner than t
 constexpr double kExact = 1e-6;           // metres
 constexpr double kRoundedOverlap = 1e-6;  // overlap of parts that touch, metres
 
+// Returns a way on which parts are apart, up to kExact before one on which they meet.
+template <class Meet>
+double Apart(double apart, double met, const Meet& meet) {
+  while (std::abs(met - apart) > kExact) {
+    const double middle = (apart + met) / 2;
+    (meet(middle) ? met : apart) = middle;
+  }
+  return apart;
+}
+
+// Returns the way, against the direction, after which parts that overlap are apart; 0 if they
+// overlap everywhere.
+template <class Meet>
+double WayBack(double farthest, const Meet& meet) {
+  double met = 0;
+  for (double back = -kStep; back >= -farthest; met = back, back -= kStep) {
+    if (!meet(back)) return Apart(back, met, meet) - kExact;
+  }
+  return 0;
+}
+
 }  // namespace
 
 std::optional<double> WayToSeat(const PartModel& held, const PartModel& fixed,
@@ -27,7 +48,7 @@ std::optional<double> WayToSeat(const PartModel& held, const PartModel& fixed,
                           FarthestAlong(Transformed(held.pieces(), X_FixedHeld), direction);
   const double longest = std::min(to_table, farthest);
   double free = 0;
-  if (meet(free)) return 0;
+  if (meet(free)) return WayBack(farthest, meet);
   double met = kStep;
   while (met < longest && !meet(met)) {
     free = met;
@@ -36,11 +57,7 @@ std::optional<double> WayToSeat(const PartModel& held, const PartModel& fixed,
   if (met >= longest) {
     return std::abs(to_table) <= farthest ? std::optional(to_table) : std::nullopt;
   }
-  while (met - free > kExact) {
-    const double middle = (free + met) / 2;
-    (meet(middle) ? met : free) = middle;
-  }
-  return free;
+  return Apart(free, met, meet);
 }
 
 }  // namespace assay::domain

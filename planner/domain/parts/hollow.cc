@@ -16,15 +16,11 @@ using geometry::ConvexHull;
 
 constexpr double kSameSide = 1e-6;  // greatest difference of unit vectors that should be equal
 
-// Returns the face in which a pocket ends on the side that looks in a direction. Returns None if
-// the pocket ends inside the part, or if the pockets leave nothing of this side.
+// Returns the face in which a pocket ends on the side that looks in a direction: an end of its
+// solid, or the floor of a wider pocket. Returns None if the pocket ends inside the part, or if the
+// pockets leave nothing of this face.
 FaceId EndOf(const PartModel& model, const Hollow& hollow, const Vector3& direction) {
-  const double end = FarthestAlong(hollow.clipped, direction);
-  const std::vector<Side> borders = SidesTowards(hollow.solid.whole, direction);
-  const auto border = std::ranges::find_if(
-      borders, [&](const Side& side) { return std::abs(side.offset - end) < kRounding; });
-  return border == borders.end() ? FaceId::None()
-                                 : FindFace(model.faces(), border->normal, border->offset);
+  return FindFace(model.faces(), direction, FarthestAlong(hollow.clipped, direction));
 }
 
 // Returns the hull of the cross-sections of solids just inside a face, in the x and y of the face's

@@ -19,8 +19,9 @@ struct Hollow {
 };
 Hollow HollowOf(const PartSolids& solids, const PartSolids::Pocket& pocket);
 
-// Returns where the first pocket opens in a direction, if the other pockets leave it open. Returns
-// none if they do not all end in one plane, or if the mouth is covered.
+// Returns where the first pocket opens in a direction, if the other pockets leave it open. It opens
+// to the outside, or into a wider pocket. Returns none if the pockets do not all end in one plane,
+// or if the mouth is covered.
 std::optional<Mouth> FindMouth(const PartModel& model, std::span<const Hollow> hollows,
                                const Vector3& direction);
 // Returns the centre of the pocket in the plane of the face in which it opens.

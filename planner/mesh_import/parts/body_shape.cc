@@ -13,6 +13,7 @@
 #include "planner/mesh_import/decomposition/convex_decomposition.h"
 #include "planner/mesh_import/decomposition/piece_distance.h"
 #include "planner/mesh_import/repair/shells.h"
+#include "planner/mesh_import/sections/common_axis.h"
 #include "planner/mesh_import/sections/extrusion_axis.h"
 #include "planner/mesh_import/sections/stack_distance.h"
 #include "planner/mesh_import/sections/stepped_columns.h"
@@ -62,11 +63,12 @@ Attempt TryAxis(const TriangleMesh& body, const Vector3& axis, Cut cut) {
     return found.line > 0 ? fmt::format("triangle {} (line {})", found.number, found.line)
                           : fmt::format("triangle {}", found.number);
   };
-  const Columns columns = cut(local, rules);
+  Columns columns = cut(local, rules);
   if (!columns.reason.empty()) {
     shape.reason = fmt::format("{} (at {})", columns.reason, at(columns.triangle));
     return attempt;
   }
+  GiveCommonAxes(columns.columns, rules.tolerance);
   shape.stack = StackOf(columns.columns, rules);
   shape.reason = shape.stack.reason;
   if (shape.reason.empty() && shape.stack.Count() > kMostPosts)

@@ -7,26 +7,19 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <tuple>
 #include <utility>
-
-#include "planner/mesh_import/parts/resting_pose.h"
 
 namespace assay::mesh_import {
 namespace {
 
-constexpr double kOpposite = 1e-4;        // radians
-constexpr double kTightest = -1e-5;       // metres: a gap that counts as rounding
-constexpr double kWidestPlay = 0.35;      // share of the width of the hole
-constexpr double kBeforeMouth = 0.02;     // metres that the mating motion begins before the mouth
-constexpr double kLeastClearance = 1e-6;  // metres, as a scenario file permits
-constexpr double kClampForce = 300;       // newtons
+constexpr double kOpposite = 1e-4;           // radians
+constexpr double kTightest = -1e-5;          // metres: a gap that counts as rounding
+constexpr double kWidestPlay = 0.35;         // share of the width of the hole
+constexpr double kSameOutline = 1e-6;        // metres, between outlines that count as equal
+constexpr double kMostBeside = 0.9e-3;       // metres between axes, as a scenario permits
 constexpr double kGreatestNarrowing = 0.25;  // share of a gap that polygons may take
 constexpr int kMostSidesOfCircle = 128;      // more make a hole's collision slow
-// The gripper for small parts takes parts of this width, if they are no longer, in metres.
-constexpr double kSmallWidth = 0.03;
-constexpr double kSmallLength = 0.1;
-const Vector2 kFixedPlace(0.6, 0.05);  // on the table, metres
-const Vector2 kHeldPlace(0.5, -0.2);
 
 // A feature with its post, in the frame of the files.
 struct PlacedFeature {
@@ -34,6 +27,21 @@ struct PlacedFeature {
   const Post* post = nullptr;
   Matrix3 R_FileLocal;
   Vector3 axis;
+
+  // Returns a point of the section of another post in the section of this one.
+  Vector2 InSection(const PlacedFeature& other, const Vector2& p) const {
+    const Vector3 in_file = other.R_FileLocal * Vector3(p.x(), p.y(), other.post->low);
+    return (R_FileLocal.transpose() * in_file).head<2>();
+  }
+};
+
+// A shaft and a hole that meet.
+struct Meeting {
+  PlacedFeature shaft;
+  PlacedFeature hole;
+  MatedFeatures mated;
+  double reach = 0;        // of the held part below the mouth, metres
+  bool is_inside = false;  // or else the shaft has passed the hole
 };
 
 const SketchFeature& FeatureOf(const ImportedPart& part, int number) {
@@ -73,10 +81,7 @@ std::vector<double> GapsBetween(const PlacedFeature& shaft, const PlacedFeature&
   constexpr int kSides = 128;
   const Contour& around = hole.post->at_low;
   const Contour& outline = shaft.post->at_low;
-  const auto in_hole = [&](const Vector2& p) -> Vector2 {
-    const Vector3 in_file = shaft.R_FileLocal * Vector3(p.x(), p.y(), shaft.post->low);
-    return (hole.R_FileLocal.transpose() * in_file).head<2>();
-  };
+  const auto in_hole = [&](const Vector2& p) { return hole.InSection(shaft, p); };
   if (around.IsCircle() && outline.IsCircle()) {
     const double off = (in_hole(outline.center) - around.center).norm();
     return {around.radius - outline.radius - off, around.radius - outline.radius + off};
@@ -100,10 +105,25 @@ std::vector<double> GapsBetween(const PlacedFeature& shaft, const PlacedFeature&
   return gaps;
 }
 
-std::optional<MatedFeatures> Mate(const PlacedFeature& shaft, const PlacedFeature& hole) {
+// Returns how far solids of a part reach along the axis of a shaft, if they are in line with it.
+double ReachOf(const PartSketch& sketch, const PlacedFeature& shaft) {
+  constexpr int kSides = 32;
+  double reach = EndAlong(shaft);
+  for (const SketchSolid& solid : sketch.solids) {
+    for (const Vector3& corner : solid.Corners(kSides)) {
+      const Vector3 in_file = sketch.R_FilePart * corner;
+      const Vector3 p = shaft.R_FileLocal.transpose() * in_file;
+      if (shaft.post->at_low.Contains(p.head<2>()))
+        reach = std::max(reach, shaft.axis.dot(in_file));
+    }
+  }
+  return reach;
+}
+
+std::optional<Meeting> Meet(const PlacedFeature& shaft, const PlacedFeature& hole) {
   if ((shaft.axis + hole.axis).norm() > kOpposite) return std::nullopt;
   const double depth = EndAlong(hole) + EndAlong(shaft);  // the axes are opposite
-  if (depth <= 0 || depth - shaft.post->Height() >= hole.post->Height()) return std::nullopt;
+  if (depth <= 0) return std::nullopt;
   MatedFeatures mated{.shaft = shaft.number,
                       .hole = hole.number,
                       .mouth = hole.axis,
@@ -111,69 +131,87 @@ std::optional<MatedFeatures> Mate(const PlacedFeature& shaft, const PlacedFeatur
                       .gaps = GapsBetween(shaft, hole)};
   const double width = hole.post->at_low.Bounds().sizes().minCoeff();
   if (mated.LeastGap() < kTightest || mated.LeastGap() > kWidestPlay * width) return std::nullopt;
-  return mated;
+  return Meeting{.shaft = shaft,
+                 .hole = hole,
+                 .mated = std::move(mated),
+                 .is_inside = depth - shaft.post->Height() < hole.post->Height()};
+}
+
+bool IsWithin(const PlacedFeature& inner, const PlacedFeature& outer) {
+  constexpr int kSides = 64;
+  const Contour& around = outer.post->at_low;
+  return std::ranges::all_of(inner.post->at_low.Outline(kSides), [&](const Vector2& corner) {
+    const Vector2 p = outer.InSection(inner, corner);
+    return around.Contains(p) || around.DistanceTo(p) <= kSameOutline;
+  });
+}
+
+// Returns whether what holds of one meeting holds of another one, too: the hole is the same, and a
+// shaft as wide as this one goes before it, or the shaft is the same, and it has come through a
+// hole as narrow as this one.
+bool Implies(const Meeting& first, const Meeting& later) {
+  const bool has_same_hole = first.mated.hole == later.mated.hole;
+  const bool has_same_shaft = first.mated.shaft == later.mated.shaft;
+  if (has_same_hole == has_same_shaft || first.mated.depth <= later.mated.depth ||
+      (later.is_inside && !first.is_inside))
+    return false;
+  return has_same_hole ? IsWithin(later.shaft, first.shaft) : IsWithin(first.hole, later.hole);
+}
+
+// Returns how far the axes of a shaft and its hole are apart.
+double BesideOf(const Meeting& meeting) {
+  const Vector2 axis = meeting.hole.InSection(meeting.shaft, meeting.shaft.post->at_low.center);
+  return (axis - meeting.hole.post->at_low.center).norm();
+}
+
+// Returns the meetings of two parts: those of shafts that are in their holes first, then those in
+// straight holes, which have walls along the motion, then the tightest, then those for which the
+// held part moves least.
+std::vector<Meeting> MeetingsOf(const PartSketch& held, const PartSketch& fixed) {
+  std::vector<Meeting> meetings;
+  const auto holes = PlacedFeatures(fixed, SketchFeature::Kind::kHole);
+  for (const PlacedFeature& shaft : PlacedFeatures(held, SketchFeature::Kind::kShaft)) {
+    for (const PlacedFeature& hole : holes) {
+      std::optional<Meeting> meeting = Meet(shaft, hole);
+      if (!meeting) continue;
+      meeting->reach = EndAlong(hole) + ReachOf(held, shaft);
+      meetings.push_back(*std::move(meeting));
+    }
+  }
+  std::ranges::stable_sort(meetings, {}, [](const Meeting& meeting) {
+    return std::tuple(!meeting.is_inside, !meeting.hole.post->is_straight, meeting.mated.LeastGap(),
+                      meeting.reach, meeting.mated.depth);
+  });
+  if (!meetings.empty() && !meetings.front().is_inside) meetings.clear();
+  return meetings;
+}
+
+// Leaves those meetings that the motion of the first one brings about, without those that follow
+// from others.
+void LeaveOneMotion(std::vector<Meeting>& meetings) {
+  const std::vector<Meeting> all = meetings;
+  std::erase_if(meetings, [&](const Meeting& meeting) {
+    const auto implies = [&](const Meeting& other) { return Implies(other, meeting); };
+    return (meeting.mated.mouth - all.front().mated.mouth).norm() > kOpposite ||
+           std::ranges::any_of(all, implies);
+  });
+  const auto is_needless = [](const Meeting& meeting) {
+    return BesideOf(meeting) > kMostBeside || !meeting.hole.post->is_straight;
+  };
+  const auto others = std::ranges::remove_if(meetings.begin() + 1, meetings.end(), is_needless);
+  meetings.erase(others.begin(), others.end());
 }
 
 MatedPair PairOf(const ImportedPart& held, const ImportedPart& fixed) {
   MatedPair pair{.held = &held, .fixed = &fixed, .features = {}};
-  const auto holes = PlacedFeatures(fixed.sketch, SketchFeature::Kind::kHole);
-  for (const PlacedFeature& shaft : PlacedFeatures(held.sketch, SketchFeature::Kind::kShaft)) {
-    for (const PlacedFeature& hole : holes) {
-      if (const std::optional<MatedFeatures> mated = Mate(shaft, hole))
-        pair.features.push_back(*mated);
-    }
+  std::vector<Meeting> meetings = MeetingsOf(held.sketch, fixed.sketch);
+  if (meetings.empty()) return pair;
+  LeaveOneMotion(meetings);
+  for (const Meeting& meeting : meetings) {
+    pair.features.push_back(meeting.mated);
+    pair.reach = std::max(pair.reach, meeting.reach);
   }
-  std::ranges::stable_sort(pair.features, {}, [](const MatedFeatures& mated) {
-    return std::pair(mated.LeastGap(), mated.depth);
-  });
-  // A shaft that goes through its hole has a tip on either side.
-  const auto is_the_same = [&](const MatedFeatures& a, const MatedFeatures& b) {
-    return FeatureOf(fixed, a.hole).of == FeatureOf(fixed, b.hole).of &&
-           a.LeastGap() == b.LeastGap();
-  };
-  const auto repeated = std::ranges::unique(pair.features, is_the_same);
-  pair.features.erase(repeated.begin(), repeated.end());
   return pair;
-}
-
-// `places` is the number of decimal places.
-std::string NumbersText(const Vector3& v, double unit, int places = 6) {
-  const auto number = [&](double value) {
-    const double scale = std::pow(10, places);
-    return fmt::format("{:.{}g}", std::round(value / unit * scale) / scale + 0.0, places);
-  };
-  return fmt::format("[{}, {}, {}]", number(v.x()), number(v.y()), number(v.z()));
-}
-
-std::string PoseText(const Matrix3& R, const Vector3& position) {
-  constexpr int kPlaces = 9;  // axes are to be orthonormal to 1e-6
-  return fmt::format("{{columns: [{}, {}, {}, {}]}}", NumbersText(R.col(0), 1, kPlaces),
-                     NumbersText(R.col(1), 1, kPlaces), NumbersText(R.col(2), 1, kPlaces),
-                     NumbersText(position, 1e-3));
-}
-
-std::string PartLine(const ImportedPart& part, const Vector3& down, const Vector2& at,
-                     const std::string& more) {
-  const geometry::Pose X_WorldPart = OnTable(part, down, at);
-  return fmt::format("  {0}:\n    model: {0}\n    pose: {1}\n{2}", part.sketch.name,
-                     PoseText(X_WorldPart.linear(), X_WorldPart.translation()), more);
-}
-
-// Returns the workcell whose gripper suits a part.
-std::string WorkcellFor(const ImportedPart& held) {
-  const Vector3 extents = ExtentsOf(held);
-  const bool is_small = extents.minCoeff() <= kSmallWidth && extents.maxCoeff() <= kSmallLength;
-  return is_small ? "puma762-small-jaw" : "puma762-table";
-}
-
-// Returns that direction of a part which points down on the table if the part rests as nearly as
-// it can with another direction down.
-Vector3 DownOf(const ImportedPart& part, const Vector3& wanted) {
-  const std::vector<RestingPose> poses = RestingPosesOf(part);
-  if (poses.empty()) return -Vector3::UnitZ();
-  return std::ranges::max_element(poses, {},
-                                  [&](const RestingPose& pose) { return pose.down.dot(wanted); })
-      ->down;
 }
 
 // Returns the radii of a round shaft and its hole; 0 for other shapes.
@@ -233,29 +271,6 @@ int SidesFor(const MatedPair& pair) {
       sides += 4;
   }
   return sides;
-}
-
-std::string ScenarioText(const MatedPair& pair) {
-  const ImportedPart& held = *pair.held;
-  const ImportedPart& fixed = *pair.fixed;
-  const MatedFeatures& mated = pair.features.front();
-  const Vector3 down = pair.MatingDirection();
-  const Matrix3 R_FixedHeld = pair.X_FixedHeld().linear();
-  std::string text = fmt::format(
-      "format: assay-scenario/1\ntitle: {0} into {1}\nunits: {{length: mm, angle: degree}}\n"
-      "workcell: {2}\nclearance: {3}  # as in the files: no hole is widened\nparts:\n",
-      held.sketch.name, fixed.sketch.name, WorkcellFor(held),
-      Millimetres(std::max(mated.LeastGap(), kLeastClearance)));
-  text += PartLine(fixed, DownOf(fixed, down), kFixedPlace,
-                   fmt::format("    clamp: {:.0f}  # newtons of a fixture\n", kClampForce));
-  text += PartLine(held, DownOf(held, R_FixedHeld.transpose() * down), kHeldPlace, "");
-  text += fmt::format(
-      "goal:\n  - assembled:\n      held: {}\n      fixed: {}\n      features: [[{}], [{}]]\n"
-      "      pose: {}\n      mating_vector: {}\n",
-      held.sketch.name, fixed.sketch.name, mated.shaft, mated.hole,
-      PoseText(R_FixedHeld, pair.way_to_seat * down),
-      NumbersText((mated.depth + pair.way_to_seat + kBeforeMouth) * down, 1e-3));
-  return text;
 }
 
 std::vector<std::string> AccountOf(const MatedPair& pair) {

@@ -25,7 +25,13 @@ struct MatedFeatures {
 struct MatedPair {
   const ImportedPart* held = nullptr;   // the part with the shaft
   const ImportedPart* fixed = nullptr;  // the part with the hole
-  std::vector<MatedFeatures> features;  // the tightest first, of these the least deep
+  // What one motion brings about, the tightest first: layers of the held part in layers of the
+  // hole. It has no features that follow from others, for example of a shaft behind an equally wide
+  // one.
+  std::vector<MatedFeatures> features;
+  // How far the held part reaches below the outermost mouth, metres. What stands on the tip of a
+  // shaft counts.
+  double reach = 0;
   // How far the held part is moved on from where its file has it, to where something stops it,
   // metres.
   double way_to_seat = 0;
@@ -45,10 +51,6 @@ std::optional<MatedPair> FindMating(const ImportedPart& a, const ImportedPart& b
 // have now, and so many that they narrow no gap of a round shaft by more than a quarter, as far as
 // 128 sides suffice.
 int SidesFor(const MatedPair& pair);
-
-// Returns a scenario in which the parts lie on the table and are assembled. The fixed part lies
-// with its hole up if it can rest so, and the held part stands as nearly as it can as it is mated.
-std::string ScenarioText(const MatedPair& pair);
 
 // Tells people what mates, in full sentences.
 std::vector<std::string> AccountOf(const MatedPair& pair);

@@ -4,20 +4,21 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+#include <limits>
 #include <string>
 #include <utility>
 
 #include "planner/geometry/hull.h"
+#include "planner/geometry/polygon.h"
+#include "planner/mesh_import/parts/exposure.h"
 
 namespace assay::mesh_import {
 namespace {
 
-constexpr double kOutside = 1e-5;  // distance of a sample from a surface, as a share of the size
-constexpr int kSamples = 9;        // of a surface, along each of its directions
 constexpr std::size_t kMostSides = 12;  // of a polygon whose sides become features
 constexpr double kLeastSide = 0.1;      // length of such a side, as a share of the greatest width
 constexpr double kLeastFacet = 0.04;    // area of a hull's facet that is a feature, as a share
+constexpr int kShadowSides = 48;
 
 std::string Length(double metres) { return fmt::format("{:.6g}", std::round(metres * 1e6) / 1e3); }
 
@@ -47,18 +48,20 @@ std::string FormOf(const Contour& contour, const char* noun) {
   return noun;
 }
 
-// How much of a surface is outside of all solids.
-struct Exposure {
-  int points = 0;
-  int exposed = 0;
-  bool Some() const { return exposed > 0; }
-  bool All() const { return points > 0 && exposed == points; }
-  bool None() const { return exposed == 0; }
-};
+// Returns whether a contour has no corner inside its hull. In a part file, a hole that opens into
+// another pocket has none.
+bool HasNoNiche(const Contour& contour) {
+  constexpr double kRounding = 1e-7;  // metres
+  const geometry::Polygon hull = geometry::Hull2(contour.corners);
+  return contour.IsCircle() || std::ranges::all_of(contour.corners, [&](const Vector2& corner) {
+           return geometry::Depth(hull, corner) <= kRounding;
+         });
+}
 
 class FeatureFinder {
  public:
-  explicit FeatureFinder(PartSketch& sketch) : sketch_(sketch), margin_(kOutside * sketch.size) {}
+  explicit FeatureFinder(PartSketch& sketch)
+      : sketch_(sketch), sampler_(sketch), margin_(sampler_.margin()) {}
 
   void Find() {
     for (const SketchSolid& solid : sketch_.solids) {
@@ -100,56 +103,11 @@ class FeatureFinder {
     return sketch_.solids.size() > 1 ? " of " + solid.name : "";
   }
 
-  // Samples an end of a post. Only points that the contour has count, and those for which a pocket
-  // leaves material beside the end.
-  Exposure EndExposure(const Matrix3& R, const Post& post, bool top, bool on_material) const {
-    const Contour& contour = top ? post.at_high : post.at_low;
-    const Eigen::AlignedBox2d bounds = contour.Bounds();
-    const double sign = top ? 1 : -1;
-    const double height = top ? post.high : post.low;
-    Exposure exposure;
-    for (int i = 0; i < kSamples; ++i) {
-      for (int j = 0; j < kSamples; ++j) {
-        const Vector2 share((i + 0.5) / kSamples, (j + 0.5) / kSamples);
-        const Vector2 at = bounds.min() + share.cwiseProduct(bounds.sizes());
-        if (!contour.Contains(at)) continue;
-        const auto point = [&](double above) -> Vector3 {
-          return R * Vector3(at.x(), at.y(), height + sign * above);
-        };
-        if (on_material && !sketch_.Contains(point(-margin_))) continue;
-        ++exposure.points;
-        exposure.exposed += !sketch_.Contains(point(margin_));
-      }
-    }
-    return exposure;
-  }
-
-  // Samples the side between two corners of a post's outline.
-  Exposure SideExposure(const Matrix3& R, const Post& post, const Vector2& a,
-                        const Vector2& b) const {
-    const Vector2 outward = Vector2((b - a).y(), (a - b).x()).normalized();
-    Exposure exposure;
-    for (int i = 0; i < kSamples; ++i) {
-      for (int j = 0; j < kSamples; ++j) {
-        const Vector2 at = a + (i + 0.5) / kSamples * (b - a);
-        const double height = post.low + (j + 0.5) / kSamples * post.Height();
-        const auto point = [&](double out) -> Vector3 {
-          const Vector2 p = at + out * outward;
-          return R * Vector3(p.x(), p.y(), height);
-        };
-        if (!sketch_.Contains(point(-2 * margin_))) continue;
-        ++exposure.points;
-        exposure.exposed += !sketch_.Contains(point(2 * margin_));
-      }
-    }
-    return exposure;
-  }
-
   void AddFaces(const SketchSolid& solid) {
     const Post& post = *solid.post;
     const Vector3 axis = solid.R_PartLocal.col(2);
     for (const bool top : {true, false}) {
-      if (!EndExposure(solid.R_PartLocal, post, top, true).Some()) continue;
+      if (!sampler_.OfEnd(solid.R_PartLocal, post, top).Some()) continue;
       const Vector3 normal = top ? axis : Vector3(-axis);
       AddFace(solid, normal, top ? post.high : -post.low,
               fmt::format("end{} toward {}", OfSolid(solid), Toward(normal)));
@@ -161,7 +119,7 @@ class FeatureFinder {
       const Vector2& a = corners[i];
       const Vector2& b = corners[(i + 1) % corners.size()];
       if ((b - a).norm() < kLeastSide * width ||
-          !SideExposure(solid.R_PartLocal, post, a, b).Some())
+          !sampler_.OfSide(solid.R_PartLocal, post, a, b).Some())
         continue;
       const Vector2 outward = Vector2((b - a).y(), (a - b).x()).normalized();
       const Vector3 normal = solid.R_PartLocal * Vector3(outward.x(), outward.y(), 0);
@@ -197,8 +155,10 @@ class FeatureFinder {
   void AddHole(const SketchPocket& entry) {
     const Post& post = entry.pocket.post;
     const SketchSolid& solid = sketch_.solids[static_cast<std::size_t>(entry.solid)];
-    const bool opens_high = entry.pocket.reaches_high && IsMouth(solid.R_PartLocal, post, true);
-    const bool opens_low = entry.pocket.reaches_low && IsMouth(solid.R_PartLocal, post, false);
+    const bool opens_high = (entry.pocket.reaches_high || HasNoNiche(post.at_high)) &&
+                            IsMouth(solid.R_PartLocal, post, true);
+    const bool opens_low = (entry.pocket.reaches_low || HasNoNiche(post.at_low)) &&
+                           IsMouth(solid.R_PartLocal, post, false);
     const char* noun = post.mouth ? "slot" : "hole";
     std::string what = FormOf(
         post.is_straight || post.at_high.Area() > post.at_low.Area() ? post.at_high : post.at_low,
@@ -224,7 +184,8 @@ class FeatureFinder {
     }
   }
 
-  // Returns whether a pocket ends here, with nothing before its mouth, and not in another pocket.
+  // Returns whether a pocket has an end through which a shaft can come from outside: the end is in
+  // the part's outside, or in the floor of wider pockets.
   bool IsMouth(const Matrix3& R, const Post& post, bool top) const {
     const Contour& contour = top ? post.at_high : post.at_low;
     const Vector3 beyond = R * Vector3(contour.center.x(), contour.center.y(),
@@ -233,7 +194,8 @@ class FeatureFinder {
       const SketchSolid& solid = sketch_.solids[static_cast<std::size_t>(other.solid)];
       return other.pocket.post.Contains(solid.R_PartLocal.transpose() * beyond);
     });
-    return !goes_on && EndExposure(R, post, top, false).All();
+    if (!sampler_.OfMouth(R, post, top).All()) return false;
+    return !goes_on || (sampler_.AroundRim(R, post, top).All() && sampler_.SeesOut(R, post, top));
   }
 
   // A slot is undercut if it is wider than its mouth, as a T-slot is.
@@ -254,32 +216,17 @@ class FeatureFinder {
     return high - low > mouth_high - mouth_low + margin;
   }
 
-  bool HasFreeSides(const SketchSolid& solid) const {
-    // The sides of the polygon around a circle touch it in their middles.
-    constexpr int kSides = 48;
-    Contour around = solid.post->at_low;
-    around.radius /= std::cos(std::numbers::pi / kSides);
-    const std::vector<Vector2> outline = around.Outline(kSides);
-    for (std::size_t i = 0; i < outline.size(); ++i) {
-      const Exposure side = SideExposure(solid.R_PartLocal, *solid.post, outline[i],
-                                         outline[(i + 1) % outline.size()]);
-      if (side.points > 0 && !side.All()) return false;
-    }
-    return true;
-  }
-
-  // A hollow solid is a shaft, too, unless a slot opens its sides.
+  // Adds a shaft for each end of a layer with free sides that can go first into a hole as wide as
+  // the layer. A hollow layer is a shaft, too, unless a slot opens its sides.
   void AddShafts(std::size_t index) {
     const SketchSolid& solid = sketch_.solids[index];
     const Post& post = *solid.post;
     const bool is_slotted = std::ranges::any_of(sketch_.pockets, [&](const SketchPocket& pocket) {
       return pocket.solid == static_cast<int>(index) && pocket.pocket.post.mouth;
     });
-    if (is_slotted || !HasFreeSides(solid)) return;
+    if (is_slotted || !sampler_.OfSides(solid.R_PartLocal, post).All()) return;
     for (const bool top : {true, false}) {
-      const Exposure tip = EndExposure(solid.R_PartLocal, post, top, true);
-      const Exposure foot = EndExposure(solid.R_PartLocal, post, !top, true);
-      if (!tip.All() || (!foot.None() && sketch_.solids.size() > 1)) continue;
+      if (!sampler_.OfRim(solid.R_PartLocal, post, top).All() || !GoesFirst(solid, top)) continue;
       const Chamfer& chamfer = top ? post.chamfer_high : post.chamfer_low;
       const Vector3 axis = (top ? 1 : -1) * solid.R_PartLocal.col(2);
       Add(Kind::kShaft, solid.name, axis,
@@ -289,7 +236,37 @@ class FeatureFinder {
     }
   }
 
+  // Returns whether the solids that reach beyond an end of a layer are within its outline, or are
+  // wholly beside it.
+  bool GoesFirst(const SketchSolid& layer, bool top) const {
+    const Post& post = *layer.post;
+    const double sign = top ? 1 : -1;
+    const double end = sign * (top ? post.high : post.low);
+    const std::vector<Vector2> outline = post.at_low.Outline(kShadowSides);
+    return std::ranges::none_of(sketch_.solids, [&](const SketchSolid& other) {
+      std::vector<Vector2> shadow;
+      double reach = -std::numeric_limits<double>::infinity();
+      for (const Vector3& corner : other.Corners(kShadowSides)) {
+        const Vector3 p = layer.R_PartLocal.transpose() * corner;
+        shadow.push_back(p.head<2>());
+        reach = std::max(reach, sign * p.z());
+      }
+      if (&other == &layer || reach <= end + margin_) return false;
+      const geometry::Polygon around = geometry::Hull2(shadow);
+      const auto is_in = [&](const Vector2& p) { return post.at_low.Contains(p); };
+      const auto is_beside = [&](const Vector2& p) {
+        return !is_in(p) && post.at_low.DistanceTo(p) > 2 * margin_;
+      };
+      const bool is_in_line =
+          std::ranges::any_of(shadow, is_in) || std::ranges::any_of(outline, [&](const Vector2& p) {
+            return geometry::Depth(around, p) > 2 * margin_;
+          });
+      return is_in_line && std::ranges::any_of(shadow, is_beside);
+    });
+  }
+
   PartSketch& sketch_;
+  const ExposureSampler sampler_;
   const double margin_;
   std::vector<std::pair<Vector3, double>> planes_;  // normals and offsets of the faces
 };

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "planner/geometry/hull.h"
 
@@ -49,6 +50,22 @@ void NamePockets(std::vector<SketchPocket>& pockets) {
   }
 }
 
+// Rounds the lengths of a post as the part file gives them. Normals of its sides then fit the file.
+Post Rounded(Post post) {
+  const auto round = [](double& metres) {
+    constexpr double kDigit = 1e-7;  // metres
+    metres = std::round(metres / kDigit) * kDigit;
+  };
+  for (Contour* contour : {&post.at_low, &post.at_high}) {
+    for (Vector2& corner : contour->corners) std::ranges::for_each(corner, round);
+    std::ranges::for_each(contour->center, round);
+    round(contour->radius);
+  }
+  round(post.low);
+  round(post.high);
+  return post;
+}
+
 void AddBody(const BodyShape& body, PartSketch& sketch) {
   const Matrix3 R_PartFile = sketch.R_FilePart.transpose();
   if (!body.is_stack) {
@@ -63,33 +80,40 @@ void AddBody(const BodyShape& body, PartSketch& sketch) {
   }
   const int first = static_cast<int>(sketch.solids.size());
   for (const Post& post : body.stack.solids) {
-    sketch.solids.push_back(
-        {.name = {}, .R_PartLocal = R_PartFile * body.R_FileLocal, .post = post, .pieces = {}});
+    sketch.solids.push_back({.name = {},
+                             .R_PartLocal = R_PartFile * body.R_FileLocal,
+                             .post = Rounded(post),
+                             .pieces = {}});
   }
   for (const StackPocket& pocket : body.stack.pockets) {
     sketch.pockets.push_back({.name = {}, .solid = first + pocket.solid, .pocket = pocket});
+    sketch.pockets.back().pocket.post = Rounded(pocket.post);
   }
 }
 
 Eigen::AlignedBox3d BoundsOf(const PartSketch& sketch) {
   Eigen::AlignedBox3d bounds;
   for (const SketchSolid& solid : sketch.solids) {
-    for (const geometry::ConvexHull& piece : solid.pieces) {
-      for (const Vector3& vertex : piece.vertices) bounds.extend(vertex);
-    }
-    if (!solid.post) continue;
-    for (const bool top : {false, true}) {
-      const Contour& contour = top ? solid.post->at_high : solid.post->at_low;
-      for (const Vector2& corner : contour.Outline(32)) {
-        bounds.extend(solid.R_PartLocal *
-                      Vector3(corner.x(), corner.y(), top ? solid.post->high : solid.post->low));
-      }
-    }
+    for (const Vector3& corner : solid.Corners(32)) bounds.extend(corner);
   }
   return bounds;
 }
 
 }  // namespace
+
+std::vector<Vector3> SketchSolid::Corners(int sides) const {
+  std::vector<Vector3> corners;
+  for (const geometry::ConvexHull& piece : pieces)
+    corners.insert(corners.end(), piece.vertices.begin(), piece.vertices.end());
+  if (!post) return corners;
+  for (const bool top : {false, true}) {
+    for (const Vector2& corner : (top ? post->at_high : post->at_low).Outline(sides)) {
+      corners.emplace_back(R_PartLocal *
+                           Vector3(corner.x(), corner.y(), top ? post->high : post->low));
+    }
+  }
+  return corners;
+}
 
 bool PartSketch::CanBeMated() const {
   return std::ranges::any_of(features, [](const SketchFeature& feature) {

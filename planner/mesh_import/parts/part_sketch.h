@@ -15,6 +15,10 @@ struct SketchSolid {
   Matrix3 R_PartLocal = Matrix3::Identity();  // of the post: its z is the axis of extrusion
   std::optional<Post> post;                   // or else the pieces
   std::vector<geometry::ConvexHull> pieces;   // in the frame of the part
+
+  // Returns the corners of the solid in the frame of the part, without its chamfers. A circle has
+  // `sides` corners.
+  std::vector<Vector3> Corners(int sides) const;
 };
 
 struct SketchPocket {

@@ -22,15 +22,8 @@ constexpr int kSidesOfCircle = 120;
 std::vector<Vector3> OutermostPoints(const ImportedPart& part) {
   std::vector<Vector3> points;
   for (const SketchSolid& solid : part.sketch.solids) {
-    for (const geometry::ConvexHull& piece : solid.pieces)
-      points.insert(points.end(), piece.vertices.begin(), piece.vertices.end());
-    if (!solid.post) continue;
-    for (const bool top : {false, true}) {
-      const Contour& contour = top ? solid.post->at_high : solid.post->at_low;
-      const double height = top ? solid.post->high : solid.post->low;
-      for (const Vector2& corner : contour.Outline(kSidesOfCircle))
-        points.push_back(solid.R_PartLocal * Vector3(corner.x(), corner.y(), height));
-    }
+    const std::vector<Vector3> corners = solid.Corners(kSidesOfCircle);
+    points.insert(points.end(), corners.begin(), corners.end());
   }
   return points;
 }

@@ -17,6 +17,7 @@ struct Column {
   Contour at_high = {};
   bool is_straight = true;
   bool is_step = false;  // whether it stands for sections that are not equal; straight, then
+  double beyond = 0;     // by how much material of a step's sections reaches beyond it, metres
   std::optional<Vector2> mouth = {};  // of a notch in a side: the outward normal of the side
 
   const Contour& At(bool top) const { return top ? at_high : at_low; }

@@ -114,6 +114,7 @@ void Append(std::vector<Column>& columns, Column column, double tolerance) {
     columns.push_back(std::move(column));
   } else {
     earlier->high = column.high;
+    earlier->beyond = std::max(earlier->beyond, column.beyond);
     earlier->at_high = earlier->is_straight ? earlier->at_low : column.at_high;
   }
 }

@@ -222,6 +222,22 @@ Vector2 CentroidOf(std::span<const Vector2> polygon) {
   return area == 0 ? polygon[0] : Vector2(polygon[0] + sum / area);
 }
 
+// Leaves out corners at which a curve turns back on itself.
+void LeaveOutSpikes(std::vector<Vector2>& corners, double tolerance) {
+  for (std::size_t i = 0; i < corners.size() && corners.size() > 3;) {
+    const std::size_t count = corners.size();
+    const Vector2& before = corners[(i + count - 1) % count];
+    const Vector2& after = corners[(i + 1) % count];
+    if (DistanceToEdge(after, before, corners[i]) > tolerance &&
+        DistanceToEdge(before, corners[i], after) > tolerance) {
+      ++i;
+      continue;
+    }
+    corners.erase(corners.begin() + static_cast<std::ptrdiff_t>(i));
+    i = 0;
+  }
+}
+
 }  // namespace
 
 Eigen::AlignedBox2d Contour::Bounds() const {
@@ -294,6 +310,7 @@ std::vector<Vector2> Simplified(std::span<const Vector2> curve, double tolerance
 
 Contour FitContour(std::span<const Vector2> curve, const ContourFit& fit) {
   std::vector<Vector2> corners = Simplified(curve, fit.tolerance);
+  LeaveOutSpikes(corners, fit.tolerance);
   if (geometry::SignedArea(corners) < 0) std::ranges::reverse(corners);
   if (std::optional<Contour> circle = AsCircle(corners, fit.tolerance)) return *std::move(circle);
   if (std::optional<Contour> rectangle = AsRectangle(corners, fit)) return *std::move(rectangle);

@@ -154,6 +154,19 @@ class StackBuilder {
     }
   }
 
+  // Returns whether a larger pocket of a solid has taken all of a hole already, as around a boss in
+  // the larger pocket. The hole is one of the boss then.
+  bool IsInLargerPocket(const Post& hole, int solid, double low, double high) const {
+    return std::ranges::any_of(stack_.pockets, [&](const StackPocket& larger) {
+      const Post& post = larger.post;
+      return larger.solid == solid && post.low <= low + rules_.tolerance &&
+             post.high >= high - rules_.tolerance &&
+             std::ranges::all_of(hole.at_low.Outline(12), [&](const Vector2& p) {
+               return post.at_low.Contains(p) && post.at_high.Contains(p);
+             });
+    });
+  }
+
   // Cuts a hole from each solid that it goes through.
   void CutHole(const Post& hole) {
     for (std::size_t i = 0; i < stack_.solids.size(); ++i) {
@@ -161,7 +174,8 @@ class StackBuilder {
       const double low = std::max(hole.low, solid.low);
       const double high = std::min(hole.high, solid.high);
       if (high - low <= rules_.tolerance || !solid.at_low.Contains(hole.at_low.center) ||
-          solid.at_low.Area() <= hole.at_low.Area())
+          solid.at_low.Area() <= hole.at_low.Area() ||
+          IsInLargerPocket(hole, static_cast<int>(i), low, high))
         continue;
       StackPocket pocket = {.post = hole,
                             .solid = static_cast<int>(i),

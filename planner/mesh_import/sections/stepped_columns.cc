@@ -1,9 +1,12 @@
 #include "planner/mesh_import/sections/stepped_columns.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <utility>
 
+#include "planner/mesh_import/sections/narrows.h"
+#include "planner/mesh_import/sections/nearly_even.h"
 #include "planner/mesh_import/sections/section_reader.h"
 
 namespace assay::mesh_import {
@@ -13,8 +16,6 @@ constexpr std::size_t kMostSteppedLevels = 3000;
 constexpr int kMostPartsOfLayer = 64;
 constexpr double kThinnestStep = 1e-4;  // metres, as a part file permits
 constexpr double kRoughness = 0.125;    // of the outline of a step, as a share of the step
-
-using Curves = std::vector<Column>;  // of one section
 
 // The part of a mesh between two neighbouring levels.
 struct Layer {
@@ -65,6 +66,7 @@ class StepBuilder {
     for (Column& column : result_.columns) {
       if (column.high == begin_) column.high = layers_.back().high;
     }
+    FillNarrows(result_.columns);
     return std::move(result_);
   }
 
@@ -82,11 +84,14 @@ class StepBuilder {
     return layer;
   }
 
-  // A thin layer whose columns taper is one facet of a rounded edge.
+  // A thin layer whose columns taper is one facet of a rounded edge. One that hardly tapers is
+  // nearly even.
   bool IsEven(const std::vector<Column>& columns, double thickness) const {
     if (thickness < kThinnestStep) return false;
     return std::ranges::all_of(columns, [&](const Column& column) {
-      return column.is_straight || (column.at_low.IsCircle() && thickness > rules_.most_step);
+      return column.is_straight ||
+             (column.at_low.IsCircle() && thickness > rules_.most_step &&
+              std::abs(column.at_high.radius - column.at_low.radius) > MostOfNearlyEven(rules_));
     });
   }
 
@@ -99,11 +104,27 @@ class StepBuilder {
     begin_ = layer.high;
   }
 
-  // Returns how many layers one step can stand for.
+  // Returns how many layers one after the other are nearly even, if they are not thin together.
+  std::size_t CountOfNearlyEven(std::size_t first) const {
+    std::size_t end = first;
+    const auto is_alike = [&](const Curves& curves) {
+      return AreAlike(layers_[first].bottom, curves, MostOfNearlyEven(rules_));
+    };
+    while (end < layers_.size() && !layers_[end].IsEven() && is_alike(layers_[end].bottom) &&
+           is_alike(layers_[end].top))
+      ++end;
+    const bool is_thin =
+        end == first || layers_[end - 1].high - layers_[first].low <= rules_.most_step;
+    return is_thin ? 0 : end - first;
+  }
+
+  // Returns how many layers one step can stand for. A step ends before nearly even layers.
   std::size_t CountFrom(std::size_t first) const {
+    if (const std::size_t count = CountOfNearlyEven(first); count > 0) return count;
     bool are_alike = true;
     std::size_t end = first;
     for (; end < layers_.size() && !layers_[end].IsEven(); ++end) {
+      if (end > first && CountOfNearlyEven(end) > 0) break;
       for (const Curves* curves : {&layers_[end].bottom, &layers_[end].top})
         are_alike = are_alike && AreAlike(layers_[first].bottom, *curves, rules_.most_step);
       if (!are_alike && layers_[end].high - begin_ > rules_.most_step) break;
@@ -147,23 +168,34 @@ class StepBuilder {
     if (high - begin_ < kThinnestStep) return;
     const Curves& least =
         **std::ranges::min_element(sections, {}, [](const Curves* c) { return MaterialOf(*c); });
-    for (Column column : least) {
+    const bool is_nearly_even = std::ranges::all_of(sections, [&](const Curves* curves) {
+      return AreAlike(least, *curves, MostOfNearlyEven(rules_));
+    });
+    for (const Column& curve : least) {
+      Column column =
+          is_nearly_even ? NearlyEvenColumn(curve, sections, rules_) : StepOf(curve, sections);
       column.low = begin_;
       column.high = high;
-      column.is_step = !std::ranges::all_of(sections, [&](const Curves* curves) {
-        return std::ranges::any_of(*curves, [&](const Column& other) {
-          return other.is_hole == column.is_hole &&
-                 AreEqual(other.at_low, column.at_low, rules_.tolerance);
-        });
-      });
-      if (column.is_step && !column.at_low.IsCircle())
-        column.at_low =
-            FitContour(column.at_low.corners, {.tolerance = kRoughness * rules_.most_step});
       if (column.at_low.Bounds().sizes().minCoeff() < kThinnestStep) continue;
       column.at_high = column.at_low;
       Append(result_.columns, std::move(column), rules_.tolerance);
     }
     begin_ = high;
+  }
+
+  // Returns a column for sections that differ. It is no step if this curve of theirs is the same.
+  Column StepOf(Column column, const std::vector<const Curves*>& sections) const {
+    column.is_step = !std::ranges::all_of(sections, [&](const Curves* curves) {
+      return std::ranges::any_of(*curves, [&](const Column& other) {
+        return other.is_hole == column.is_hole &&
+               AreEqual(other.at_low, column.at_low, rules_.tolerance);
+      });
+    });
+    if (column.is_step) column.beyond = MaterialBeyond(column, LikeCurves(column, sections));
+    if (column.is_step && !column.at_low.IsCircle())
+      column.at_low =
+          FitContour(column.at_low.corners, {.tolerance = kRoughness * rules_.most_step});
+    return column;
   }
 
   const ColumnRules rules_;

@@ -20,6 +20,7 @@
 #include "planner/domain/parts/part_file.h"
 #include "planner/mesh_import/parts/account.h"
 #include "planner/mesh_import/parts/mated_pair.h"
+#include "planner/mesh_import/parts/mated_scenario.h"
 #include "planner/mesh_import/parts/part_import.h"
 #include "sim/cli/command_line/console.h"
 #include "sim/cli/command_line/progress.h"
@@ -116,7 +117,7 @@ ExitCode ImportPart(const Options& options) {
 }
 
 // Returns how far the held part of a pair is from its seat, in metres. It is 0 if the part is
-// seated already, or if no seat is near.
+// seated already, or if no seat is near, and negative if the parts overlap in their files.
 double WayToSeat(const mesh_import::MatedPair& pair, const fs::path& folder) {
   constexpr double kFarthestSeat = 1e-3;  // metres
   const auto model = [&](const mesh_import::ImportedPart& part) {
@@ -125,7 +126,7 @@ double WayToSeat(const mesh_import::MatedPair& pair, const fs::path& folder) {
   const double way = domain::WayToSeat(*model(*pair.held), *model(*pair.fixed), pair.X_FixedHeld(),
                                        pair.MatingDirection(), kFarthestSeat)
                          .value_or(0);
-  return std::abs(way) <= domain::kSeatGap ? 0 : way;
+  return way >= 0 && way <= domain::kSeatGap ? 0 : way;
 }
 
 // Imports two parts and writes a scenario beside the folder of models that holds them.

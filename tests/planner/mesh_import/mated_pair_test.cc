@@ -1,4 +1,5 @@
 #include "planner/mesh_import/parts/mated_pair.h"
+#include "planner/mesh_import/parts/mated_scenario.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

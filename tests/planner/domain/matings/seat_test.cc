@@ -35,6 +35,13 @@ TEST(WayToSeat, EndsAtTheFloorOfAHole) {
   EXPECT_NEAR(WayFrom(8e-3, 12).value(), 0, 2e-6);
 }
 
+// A pin that is 0.05 mm in the floor goes back. One that is 5 mm in it stays.
+TEST(WayToSeat, GoesBackOutOfTheFloor) {
+  EXPECT_NEAR(WayFrom(7.95e-3, 12).value(), -0.05e-3, 3e-6);
+  EXPECT_LT(WayFrom(7.95e-3, 12).value(), -0.05e-3 + 1e-6);
+  EXPECT_EQ(WayFrom(3e-3, 12).value(), 0);
+}
+
 // The table is where the lower side of the plate is.
 TEST(WayToSeat, EndsAtTheTableUnderAThroughHole) {
   EXPECT_NEAR(WayFrom(0.2e-3, 20).value(), 0.2e-3, 1e-12);

@@ -316,6 +316,31 @@ TEST(PartFileTest, AMouthMustBeOpen) {
   }
 }
 
+// A hole may open into a wider pocket of the same solid. Its mouth is then in the floor of that
+// pocket. A pocket that only touches this floor's plane elsewhere has no mouth there.
+TEST(PartFileTest, AHoleMayOpenIntoAWiderOne) {
+  const auto with_bore = [](const std::string& bore) {
+    return With("  slot: {cut_from: body, box: [[45, 10, 5], [60, 30, 15]], widen: [y]}\n",
+                "  slot: {cut_from: body, box: [[45, 10, 5], [60, 30, 15]], widen: [y]}\n"
+                "  bore: {cut_from: body, box: " +
+                    bore + "}\n");
+  };
+  const auto as_hole = [](std::string text, const std::string& axis) {
+    return text.replace(text.find("hole: slot, axis: [1, 0, 0]"), 27, "hole: bore, axis: " + axis);
+  };
+  const std::string counterbored = with_bore("[[30, 14, 6], [45, 26, 14]]");
+  const auto part = ParsePart(as_hole(counterbored, "+x"), 0.001);
+  const Feature& hole = *part->FindFeature(FeatureNumber(3));
+  ASSERT_EQ(hole.mouths.size(), 1u);
+  EXPECT_NEAR(geometry::Area(hole.mouths[0].outline), 12 * 8 * 1e-6, 1e-12);
+  EXPECT_EQ(hole.walls.size(), 5u) << "four sides and the floor";
+  EXPECT_LT((hole.X_PartFeature.translation() - Vector3(0.045, 0.02, 0.01)).norm(), 1e-9);
+  EXPECT_THAT(ErrorOf(as_hole(counterbored, "-x")), HasSubstr("no open mouth"));
+  EXPECT_THAT(ErrorOf(as_hole(with_bore("[[30, 2, 6], [45, 8, 14]]"), "+x")),
+              HasSubstr("no open mouth"))
+      << "it ends in the plane of the slot's floor, beside the slot";
+}
+
 // With a bush in the mouth, the hole is the intersection of slot and bore.
 TEST(PartFileTest, AHoleMayGoThroughSeveralSolids) {
   const auto with_bush = [](const std::string& bore, const std::string& hole) {
