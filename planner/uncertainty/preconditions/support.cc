@@ -72,13 +72,6 @@ Polygon Around(const Vector2& center, double radius) {
   return around;
 }
 
-bool IsCovered(const Polygon& polygon, const std::vector<Polygon>& by) {
-  geometry::Patches left = {polygon};
-  for (const Polygon& area : by) left = geometry::Without(left, area);
-  return std::ranges::all_of(left,
-                             [](const Polygon& rest) { return geometry::Area(rest) < 1e-12; });
-}
-
 // Returns points, in world x and y, that are in some of the areas after these have been moved by up
 // to `moved` in any direction. Areas that lie beside each other count as one.
 std::vector<Vector2> SurelyTouching(const std::vector<std::vector<Vector3>>& areas, double moved) {
@@ -94,7 +87,7 @@ std::vector<Vector2> SurelyTouching(const std::vector<std::vector<Vector3>>& are
   for (const Polygon& shadow : shadows)
     std::ranges::copy(geometry::Inset(shadow, moved), std::back_inserter(sure));
   for (const Vector2& p : geometry::Inset(geometry::Hull2(corners), moved)) {
-    if (IsCovered(Around(p, moved), shadows)) sure.push_back(p);
+    if (geometry::Fills(shadows, Around(p, moved))) sure.push_back(p);
   }
   return sure;
 }

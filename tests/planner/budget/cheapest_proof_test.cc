@@ -80,9 +80,10 @@ TEST(CheapestProof, SaysThatItsBudgetEnded) {
   EXPECT_FALSE(answer.purchase);
 }
 
-const std::vector<ErrorQuantity> kQuantities = {{"camera.x", domain::Dimension::kLength, {-0.001, 0.001}},
-                                                {"camera.y", domain::Dimension::kLength, {-0.001, 0.001}},
-                                                {"hand.theta", domain::Dimension::kAngle, {-0.1, 0.1}}};
+const std::vector<ErrorQuantity> kQuantities = {
+    {"camera.x", domain::Dimension::kLength, {-0.001, 0.001}},
+    {"camera.y", domain::Dimension::kLength, {-0.001, 0.001}},
+    {"hand.theta", domain::Dimension::kAngle, {-0.1, 0.1}}};
 
 std::vector<PriceList> Read(const std::string& text) {
   return ReadPrices(Document::Parse(text, "prices.yaml").root(),

@@ -8,9 +8,10 @@ namespace {
 
 using ::testing::ElementsAre;
 
-const std::vector<ErrorQuantity> kQuantities = {{"camera.x", domain::Dimension::kLength, {-0.001, 0.001}},
-                                                {"camera.y", domain::Dimension::kLength, {-0.001, 0.001}},
-                                                {"clearance", domain::Dimension::kLength, {-0.1, 0.1}}};
+const std::vector<ErrorQuantity> kQuantities = {
+    {"camera.x", domain::Dimension::kLength, {-0.001, 0.001}},
+    {"camera.y", domain::Dimension::kLength, {-0.001, 0.001}},
+    {"clearance", domain::Dimension::kLength, {-0.1, 0.1}}};
 
 TEST(QuantityGroup, HasOneQuantityOrSeveralCoordinates) {
   EXPECT_THAT(FindGroup("clearance", kQuantities)->quantities, ElementsAre(2U));

@@ -111,8 +111,8 @@ TEST(PartImport, FootWithStem) {
   const ImportedPart part = PartOfMesh(FootWithStem(RectangleOf(40, 30), CircleOf(6, 48), 10, 35));
   EXPECT_EQ(part.Pieces(), 2);
   EXPECT_EQ(WhatOf(part).back(), "round shaft, 12 mm, 25 mm long, tip toward +z");
-  // The faces are the shoulder, the tip, the base and four sides. The foot is a shaft, too: with the
-  // stem ahead it could go into a rectangular hole.
+  // The faces are the shoulder, the tip, the base and four sides. The foot is a shaft, too: with
+  // the stem ahead it could go into a rectangular hole.
   ASSERT_EQ(WhatOf(part).size(), 7u + 3);
   EXPECT_EQ(WhatOf(part)[7], "rectangular shaft, 40 x 30 mm, 10 mm long, tip toward +z");
   EXPECT_EQ(WhatOf(part)[8], "rectangular shaft, 40 x 30 mm, 10 mm long, tip toward -z");
