@@ -14,7 +14,9 @@ namespace assay::python {
 
 namespace py = pybind11;
 
-void AddPlans(py::module_& module) {
+namespace {
+
+void AddSettings(py::module_& module) {
   py::class_<PlanSettings>(module, "PlanSettings")
       .def(py::init<>())
       .def_readwrite("scenario", &PlanSettings::scenario)
@@ -30,6 +32,9 @@ void AddPlans(py::module_& module) {
         return ToPython(Unlocked([&] { return Described(settings); }));
       },
       py::arg("settings"));
+}
+
+void AddHandle(py::module_& module) {
   py::class_<PlanHandle, std::shared_ptr<PlanHandle>>(module, "Plan")
       .def_static(
           "make",
@@ -67,6 +72,13 @@ void AddPlans(py::module_& module) {
              return ToPython(Unlocked([&] { return plan.CheckedToJson(); }));
            })
       .def("error_box", [](const PlanHandle& plan) { return ToPython(ErrorBoxOf(plan)); });
+}
+
+}  // namespace
+
+void AddPlans(py::module_& module) {
+  AddSettings(module);
+  AddHandle(module);
 }
 
 }  // namespace assay::python

@@ -90,6 +90,25 @@ std::vector<std::vector<Vector3>> AreasOfContact(const PartModel& upper, const P
   return areas;
 }
 
+std::vector<std::vector<Vector3>> FacesInContact(const PartModel& upper, const Pose& X_WorldUpper,
+                                                 const PartModel& lower, const Pose& X_WorldLower) {
+  std::vector<std::vector<Vector3>> patches;
+  const Pose X_LowerUpper = X_WorldLower.inverse() * X_WorldUpper;
+  for (const Face& other : lower.faces()) {
+    const bool touches = std::ranges::any_of(upper.faces(), [&](const Face& face) {
+      return (X_WorldUpper.linear() * face.normal).z() <= kLooksDown &&
+             !AreasOf(face, X_LowerUpper, other).empty();
+    });
+    if (!touches) continue;
+    for (const Polygon& patch : other.patches) {
+      std::vector<Vector3>& corners = patches.emplace_back();
+      for (const Vector2& p : patch)
+        corners.push_back(X_WorldLower * other.X_PartFace * Vector3(p.x(), p.y(), 0));
+    }
+  }
+  return patches;
+}
+
 std::vector<Vector3> CornersOfContact(const PartModel& upper, const Pose& X_WorldUpper,
                                       const PartModel& lower, const Pose& X_WorldLower) {
   std::vector<Vector3> corners;

@@ -26,7 +26,13 @@ std::vector<std::vector<geometry::Vector3>> AreasOfContact(const PartModel& uppe
                                                            const geometry::Pose& X_WorldUpper,
                                                            const PartModel& lower,
                                                            const geometry::Pose& X_WorldLower);
-// Returns the corners of all these areas. Returns none if there are no areas.
+// Returns the convex patches, by their corners in the world, of all faces of the lower part on
+// which faces of the upper part lie. They also have what lies beside the areas of contact.
+std::vector<std::vector<geometry::Vector3>> FacesInContact(const PartModel& upper,
+                                                           const geometry::Pose& X_WorldUpper,
+                                                           const PartModel& lower,
+                                                           const geometry::Pose& X_WorldLower);
+// Returns the corners of all areas of contact. Returns none if there are no areas.
 std::vector<geometry::Vector3> CornersOfContact(const PartModel& upper,
                                                 const geometry::Pose& X_WorldUpper,
                                                 const PartModel& lower,

@@ -44,52 +44,81 @@ Pressing PressingOver(const TippingEdge& edge, double level, const std::vector<P
   return pressing;
 }
 
-// Returns the greatest distance by which a part with this error at X_WorldPart is displaced against
-// another part, compared with where the plan has both. A part in the hand will come to X_WorldPart
-// with the believed pose of what it comes to.
-double DisplacedAgainst(const UncertainWorld& world, PartId part, const Pose& X_WorldPart,
-                        const RestingError& error, PartId other) {
+// A bound of how far a part with this error at X_WorldPart is displaced against another part,
+// compared with where the plan has both.
+struct Displaced {
+  double shift = 0;  // of the part's origin, metres
+  double turn = 0;   // about the vertical through it, radians
+
+  double At(const Vector2& from_origin) const { return shift + turn * from_origin.norm(); }
+};
+
+// A part in the hand will come to X_WorldPart with the believed pose of what it comes to.
+Displaced DisplacedAgainst(const UncertainWorld& world, PartId part, const Pose& X_WorldPart,
+                           const RestingError& error, PartId other) {
   const bool is_held = world.in_hand() == part;
   const RestingError its = is_held ? world.resting(other) : world.about_plan(other);
   const SymbolicVector arm =
       AsVector(X_WorldPart.translation() - world.X_WorldPart(other).translation());
   const SymbolicVector carried = its.displacement + algebra::RotationZ(its.theta) * arm - arm;
   const auto most = [&](const Expression& e) { return Magnitude(world.TightRangeOf(e)); };
-  return std::hypot(most(error.displacement[0] - carried[0]),
-                    most(error.displacement[1] - carried[1])) +
-         world.problem().part(part).model->shape().radius() * most(error.theta - its.theta);
+  return {std::hypot(most(error.displacement[0] - carried[0]),
+                     most(error.displacement[1] - carried[1])),
+          most(error.theta - its.theta)};
 }
+
+// Returns the greatest distance by which a point of a contact is displaced.
+double FarthestOf(const Displaced& displaced, const Standing& standing, const Pose& X_WorldPart) {
+  double farthest = displaced.shift;
+  for (const Vector3& p : standing.at)
+    farthest = std::max(farthest, displaced.At((p - X_WorldPart.translation()).head<2>()));
+  return farthest;
+}
+
+// Circles are bounded by polygons around them, whose corners are farther out by this factor.
+constexpr int kSides = 16;
+const double kOutOfCircle = 1 / std::cos(std::numbers::pi / kSides);
 
 // Returns a polygon around the circle about a point.
 Polygon Around(const Vector2& center, double radius) {
-  constexpr int kSides = 16;
   Polygon around;
   for (int i = 0; i < kSides; ++i) {
     const double angle = 2 * std::numbers::pi * i / kSides;
-    around.push_back(center + radius / std::cos(std::numbers::pi / kSides) *
-                                  Vector2(std::cos(angle), std::sin(angle)));
+    around.push_back(center + kOutOfCircle * radius * Vector2(std::cos(angle), std::sin(angle)));
   }
   return around;
 }
 
-// Returns points, in world x and y, that are in some of the areas after these have been moved by up
-// to `moved` in any direction. Areas that lie beside each other count as one.
-std::vector<Vector2> SurelyTouching(const std::vector<std::vector<Vector3>>& areas, double moved) {
+// Returns the shadows in world x and y.
+std::vector<Polygon> ShadowsOf(const std::vector<std::vector<Vector3>>& areas) {
   std::vector<Polygon> shadows;
-  std::vector<Vector2> corners;
   for (const std::vector<Vector3>& area : areas) {
     std::vector<Vector2> shadow;
     for (const Vector3& p : area) shadow.emplace_back(p.head<2>());
-    corners.insert(corners.end(), shadow.begin(), shadow.end());
     shadows.push_back(geometry::Hull2(shadow));
   }
-  std::vector<Vector2> sure;
-  for (const Polygon& shadow : shadows)
-    std::ranges::copy(geometry::Inset(shadow, moved), std::back_inserter(sure));
-  for (const Vector2& p : geometry::Inset(geometry::Hull2(corners), moved)) {
-    if (geometry::Fills(shadows, Around(p, moved))) sure.push_back(p);
+  return shadows;
+}
+
+// Returns points of the upper part's areas of contact that are on the lower faces, however these
+// are displaced by `moved` or less. The points are corners of the areas, or are inside of their
+// hull.
+std::vector<Vector2> SurelyTouching(const std::vector<Polygon>& areas,
+                                    const std::vector<Polygon>& lower, double moved) {
+  std::vector<Vector2> corners;
+  for (const Polygon& area : areas) std::ranges::copy(area, std::back_inserter(corners));
+  std::vector<Vector2> candidates = corners;
+  const double inside = kOutOfCircle * moved + kOnTheEdge;
+  for (const Polygon& area : areas)
+    std::ranges::copy(geometry::Inset(area, inside), std::back_inserter(candidates));
+  for (const Vector2& p : geometry::Inset(geometry::Hull2(corners), inside)) {
+    const auto has = [&](const Polygon& area) { return geometry::Depth(area, p) >= 0; };
+    if (std::ranges::any_of(areas, has)) candidates.push_back(p);
   }
-  return sure;
+  std::erase_if(candidates, [&](const Vector2& p) {
+    return moved > kOnTheEdge && !geometry::Fills(lower, Around(p, moved));
+  });
+  return candidates;
 }
 
 // Returns the weight of a part and of all that stands on it. `levels` is the greatest number of
@@ -141,8 +170,8 @@ double TippingDown(const UncertainWorld& world, PartId part, double clamp,
     std::vector<Push> on = WeightsOn(world, standing.on, part);
     on.push_back(PassedOn(world, part, standing, pushes));
     on.back().down += clamp;
-    const double moved =
-        std::max(off, DisplacedAgainst(world, part, X_WorldPart, error, standing.on));
+    const Displaced displaced = DisplacedAgainst(world, part, X_WorldPart, error, standing.on);
+    const double moved = std::max(off, FarthestOf(displaced, standing, X_WorldPart));
     ratio = std::max(ratio, TippingDown(world, standing.on, 0, on, moved, levels - 1));
   }
   return std::min(ratio, kNothingBorne);
@@ -178,12 +207,15 @@ std::vector<Standing> SureStandingsOf(const UncertainWorld& world, PartId part,
       sure.push_back(std::move(standing));
       continue;
     }
-    const double moved = DisplacedAgainst(world, part, X_WorldPart, error, standing.on) +
+    const PartModel& other = *problem.part(standing.on).model;
+    const Pose& X_WorldOther = world.X_WorldPart(standing.on);
+    const double moved = FarthestOf(DisplacedAgainst(world, part, X_WorldPart, error, standing.on),
+                                    standing, X_WorldPart) +
                          problem.tolerances.clearance;
-    const auto areas = domain::AreasOfContact(model, X_WorldPart, *problem.part(standing.on).model,
-                                              world.X_WorldPart(standing.on));
+    const auto areas = ShadowsOf(domain::AreasOfContact(model, X_WorldPart, other, X_WorldOther));
+    const auto faces = ShadowsOf(domain::FacesInContact(model, X_WorldPart, other, X_WorldOther));
     Standing smaller = {standing.on, {}};
-    for (const Vector2& p : SurelyTouching(areas, moved))
+    for (const Vector2& p : SurelyTouching(areas, faces, moved))
       smaller.at.emplace_back(p.x(), p.y(), standing.at.front().z());
     if (!smaller.at.empty()) sure.push_back(std::move(smaller));
   }

@@ -21,11 +21,11 @@ std::vector<Standing> StandingsOf(const UncertainWorld& world, PartId part,
                                   const Pose& X_WorldPart);
 
 // Returns contacts on which the part stands whatever the errors are. `error` is the part's error at
-// X_WorldPart: about_plan if it rests, and what it will have if it is in the hand. Each area of
-// contact with another part is smaller on all sides by as much as both parts may be displaced
-// against each other, and by the tolerance of the clearance, which moves the rims of holes. An area
-// that is not wide enough is left out. The contacts are in the frame of the planned part, so the
-// place of its centre of mass above them is certain, too.
+// X_WorldPart: about_plan if it rests, and what it will have if it is in the hand. A point of
+// contact with another part is sure if the faces below it still cover it after they have been
+// displaced against the part as far as the errors allow, and after the tolerance of the clearance
+// has moved the rims of holes. The contacts are in the frame of the planned part, so the place of
+// its centre of mass above them is certain, too.
 std::vector<Standing> SureStandingsOf(const UncertainWorld& world, PartId part,
                                       const Pose& X_WorldPart, const RestingError& error);
 

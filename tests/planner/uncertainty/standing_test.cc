@@ -69,6 +69,7 @@ TEST(Support, WhatStandsOnAnotherPassesItsPushOn) {
   upper.name = "upper";
   upper.X_WorldPart = geometry::Translation(kInch / 2, 0, 6.5 * kInch) * upper.X_WorldPart;
   problem.parts.push_back(upper);
+  for (domain::Part& part : problem.parts) part.error = {};
   const PartId top(static_cast<int>(problem.parts.size()) - 1);
   const UncertainWorld world(problem, Propagation::kSound);
   const std::vector<Standing> standings = StandingsOf(world, top, upper.X_WorldPart);
@@ -80,6 +81,27 @@ TEST(Support, WhatStandsOnAnotherPassesItsPushOn) {
   EXPECT_NEAR(TippingRatio(world, top, {}, 0), 0, 1e-6);
   const Vector3 beyond = upper.X_WorldPart * Vector3(3 * kInch, 0, 0);
   EXPECT_GT(TippingRatio(world, top, {Down(beyond, 5)}, 0), 0);
+}
+
+// The upper block stands with its edge 2 mm inside of the lower one's edge. If the blocks may be
+// displaced against each other by more than that, it is not sure that this edge bears anything.
+TEST(Support, DisplacedPartsBearLess) {
+  const auto ratio = [](double error) {
+    domain::Problem problem = UprightBlock({});
+    domain::Part upper = problem.part(kBlock);
+    upper.name = "upper";
+    upper.X_WorldPart = geometry::Translation(0, 0, 6.5 * kInch) * upper.X_WorldPart;
+    problem.parts.push_back(upper);
+    for (domain::Part& part : problem.parts) part.error = {};
+    problem.parts.back().error.x = {-error, error};
+    const UncertainWorld world(problem, Propagation::kSound);
+    const PartId top(static_cast<int>(problem.parts.size()) - 1);
+    const Vector3 edge = upper.X_WorldPart * Vector3(0, 0, 0);
+    return TippingRatio(world, top, {Down(edge + Vector3(0.3, 0, 0), 0.1)}, 0);
+  };
+  EXPECT_GT(ratio(0.002), ratio(0));
+  EXPECT_GT(ratio(0.01), ratio(0.002));
+  EXPECT_EQ(ratio(1), kNothingBorne) << "the blocks may be a metre apart";
 }
 
 double RatioOf(const UncertainWorld& world, const std::vector<Precondition>& conditions,
