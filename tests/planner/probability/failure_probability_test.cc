@@ -145,8 +145,8 @@ class Sample {
 // The share of samples that fail lies within the bounds, up to five standard deviations of the
 // share. ASSAY_PROBABILITY_CASES and ASSAY_PROBABILITY_SAMPLES ask for more.
 TEST(FailureProbability, ContainsTheShareOfSamples) {
-  const int cases = Asked("ASSAY_PROBABILITY_CASES", 3);
-  const int count = Asked("ASSAY_PROBABILITY_SAMPLES", 500);
+  const int cases = Asked("ASSAY_PROBABILITY_CASES", 1);
+  const int count = Asked("ASSAY_PROBABILITY_SAMPLES", 200);
   const Planned& planned = UncertainKnown();
   RandomStream random(kSeed, "distributions");
   std::mt19937_64 generator(kSeed);
