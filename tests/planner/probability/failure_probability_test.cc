@@ -15,6 +15,7 @@
 #include "planner/base/random.h"
 #include "planner/uncertainty/preconditions/certify.h"
 #include "tests/planner/constraint_posting/scenarios.h"
+#include "tests/planner/probability/drawn.h"
 
 namespace assay::probability::failure_probability_test {
 namespace {
@@ -60,17 +61,6 @@ DistributedErrors RandomErrors(const domain::Problem& problem, RandomStream& ran
     }
   }
   return errors;
-}
-
-double Drawn(const ErrorDistribution& distribution, std::mt19937_64& random) {
-  if (distribution.shape == ErrorDistribution::Shape::kUniform)
-    return std::uniform_real_distribution<>(distribution.range.low,
-                                            distribution.range.high)(random);
-  std::normal_distribution<> normal(0, distribution.deviation);
-  while (true) {
-    const double value = normal(random);
-    if (value >= distribution.range.low && value <= distribution.range.high) return value;
-  }
 }
 
 using Subject = std::pair<plan::StepId, std::string>;

@@ -7,6 +7,7 @@
 #include <random>
 
 #include "planner/base/random.h"
+#include "tests/planner/probability/drawn.h"
 
 namespace assay::probability::sum_of_errors_test {
 namespace {
@@ -87,17 +88,6 @@ TEST(SumOfErrors, CutOffDistributionsComeCloseToThoseThatAreNot) {
     const Interval bounds = cut.Beyond(limit);
     ExpectContains(bounds, whole.Beyond(limit).high);
     EXPECT_LT(bounds.high, 1.1 * bounds.low);
-  }
-}
-
-double Drawn(const ErrorDistribution& distribution, std::mt19937_64& random) {
-  if (distribution.shape == ErrorDistribution::Shape::kUniform)
-    return std::uniform_real_distribution<>(distribution.range.low,
-                                            distribution.range.high)(random);
-  std::normal_distribution<> normal(0, distribution.deviation);
-  while (true) {
-    const double value = normal(random);
-    if (value >= distribution.range.low && value <= distribution.range.high) return value;
   }
 }
 
