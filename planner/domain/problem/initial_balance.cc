@@ -45,7 +45,7 @@ class InitialBalance {
   void Check() const {
     for (std::size_t i = 0; i < problem_.parts.size(); ++i) {
       const PartId id(i);
-      if (BaseOf(id) != id || problem_.part(id).clamp > 0) continue;
+      if (BaseOf(id) != id) continue;
       CheckRests(id);
       CheckRestsWithErrors(id);
       CheckAssemblyRests(id);
@@ -136,8 +136,7 @@ void InitialBalance::CheckRests(PartId id) const {
   if (inside > kRounding) return;
   EntryOf(id).Fail(
       fmt::format("part '{}' {}", part.name, WhyItFalls(part, stands_on, inside)),
-      "a pose in which it stands on the table or on other parts, a mating of 'initially', or "
-      "a fixture ('clamp')");
+      "a pose in which it stands on the table or on other parts, or a mating of 'initially'");
 }
 
 // The area of contact of two parts is eroded by the greatest displacement of the parts against each
@@ -191,7 +190,7 @@ void InitialBalance::CheckAssemblyRests(PartId base) const {
       fmt::format("parts {}, which are assembled at the start, fall over: their common centre of "
                   "mass is {} beside what they stand on",
                   fmt::join(names, ", "), InFileUnit(-inside)),
-      "a pose in which they stand, or a fixture ('clamp')");
+      "a pose in which they stand");
 }
 
 }  // namespace

@@ -19,11 +19,13 @@ std::vector<geometry::MassProperties> PossibleMasses(const domain::Problem& prob
 }
 
 double GreatestWeight(const domain::Problem& problem, domain::PartId part) {
-  double greatest = 0;
-  for (const geometry::MassProperties& mass : PossibleMasses(problem, part)) {
-    greatest = std::max(greatest, mass.mass);
-  }
-  return greatest * kGravity;
+  return std::ranges::max(PossibleMasses(problem, part), {}, &geometry::MassProperties::mass).mass *
+         kGravity;
+}
+
+double LeastWeight(const domain::Problem& problem, domain::PartId part) {
+  return std::ranges::min(PossibleMasses(problem, part), {}, &geometry::MassProperties::mass).mass *
+         kGravity;
 }
 
 }  // namespace assay::uncertainty

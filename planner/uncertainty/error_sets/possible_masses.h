@@ -14,7 +14,8 @@ using kinematics::kGravity;
 // straight to first order.
 std::vector<geometry::MassProperties> PossibleMasses(const domain::Problem& problem,
                                                      domain::PartId part);
-// Returns the greatest weight of PossibleMasses, in newtons.
+// Return the greatest and the least weight of PossibleMasses, in newtons.
 double GreatestWeight(const domain::Problem& problem, domain::PartId part);
+double LeastWeight(const domain::Problem& problem, domain::PartId part);
 
 }  // namespace assay::uncertainty

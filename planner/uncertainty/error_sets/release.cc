@@ -2,18 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 #include "planner/algebra/expression/simplify.h"
 #include "planner/domain/matings/shaft_fit.h"
 #include "planner/domain/parts/part_model.h"
 #include "planner/geometry/collision.h"
-#include "planner/geometry/solids/mass_properties.h"
 #include "planner/plan/certificates/pushing.h"
 #include "planner/uncertainty/error_sets/axis_angle.h"
-#include "planner/uncertainty/error_sets/possible_masses.h"
-#include "planner/uncertainty/error_sets/turn_of_push.h"
 #include "planner/uncertainty/pads/touching_cells.h"
 
 namespace assay::uncertainty {
@@ -49,22 +45,6 @@ bool SlidesInSeat(const domain::Problem& problem, const domain::Mating& mating,
                                    problem.part(mating.fixed).model->friction()) -
                           problem.tolerances.friction;
   return motion.head<2>().norm() > friction * -motion.z();
-}
-
-// Returns whether the push of a mating may drag its fixed part along the table.
-bool Drags(const domain::Problem& problem, const domain::Mating& mating) {
-  const domain::Part& fixed = problem.part(mating.fixed);
-  const double own = fixed.model->friction();
-  const double between = std::max(own, problem.part(mating.held).model->friction());
-  // The least load on the table, in newtons: it begins as the part's least weight, and the pushes
-  // are added later.
-  double keeping = std::numeric_limits<double>::infinity();
-  for (const geometry::MassProperties& mass : PossibleMasses(problem, mating.fixed)) {
-    keeping = std::min(keeping, mass.mass * kGravity);
-  }
-  keeping += fixed.clamp + plan::kGreatestPush;
-  return (between + problem.tolerances.friction) * plan::kGreatestPush >=
-         (own - problem.tolerances.friction) * keeping;
 }
 
 }  // namespace
@@ -163,37 +143,6 @@ RestingError LedToSeat(UncertainWorld& world, domain::MatingId id) {
     along = along + declare(plan::error::kPlay, play.shift);
   error.theta = fixed.theta + declare(plan::error::kTurn, play.turn);
   return error;
-}
-
-Drag DragOfFixed(const UncertainWorld& world, domain::MatingId id, const plan::Hold& hold,
-                 const ManipulatorError& draw) {
-  const domain::Problem& problem = world.problem();
-  const domain::Mating& mating = problem.mating(id);
-  const Pose& X_WorldFixed = world.X_WorldPart(mating.fixed);
-  const Pose X_WorldHeld = X_WorldFixed * mating.X_FixedHeld;
-  double way = problem.workcell->rules().lateral_compliance;
-  if (!ComesUpright(world, hold, X_WorldHeld)) {
-    const Vector3 up = VerticalInTool(X_WorldHeld * hold.X_PartTool);
-    way += problem.part(mating.held).model->shape().radius() * LeaningOf(world, up, draw).levelling;
-  }
-  if (way == 0 || !Drags(problem, mating)) return {};
-  return {way, TurnOfPush(world, mating.fixed, X_WorldFixed, way)};
-}
-
-void DragFixed(UncertainWorld& world, domain::MatingId id, const plan::Hold& hold,
-               const ManipulatorError& draw) {
-  if (world.propagation() == Propagation::kPaper) return;
-  const domain::Mating& mating = world.problem().mating(id);
-  const auto [way, turn] = DragOfFixed(world, id, hold, draw);
-  if (way == 0) return;
-  RestingError error = world.resting(mating.fixed);
-  for (const int axis : {0, 1}) {
-    error.displacement[axis] =
-        error.displacement[axis] + world.Declare(plan::error::kDrag, {-way, way}, mating.fixed);
-  }
-  error.theta = error.theta + world.Declare(plan::error::kThetaDrag, {-turn, turn}, mating.fixed);
-  const BelievedShift shift = world.shift(mating.fixed);
-  world.SetResting(mating.fixed, Pose(world.X_WorldPart(mating.fixed)), error, shift);
 }
 
 }  // namespace assay::uncertainty

@@ -49,18 +49,4 @@ RestingError ReleaseInSeat(UncertainWorld& world, domain::MatingId mating, const
 // whatever the hand does. So it is displaced like the fixed part, plus the play between the two.
 RestingError LedToSeat(UncertainWorld& world, domain::MatingId mating);
 
-// The greatest movement of a fixed part that a mating drags along. A held part moves when it lands
-// leaning in its seat, or when it yields to the seat's walls. It drags the fixed part by the same
-// distance if friction between the two exceeds what keeps the fixed part in place.
-struct Drag {
-  double way = 0;   // metres, along x and along y each
-  double turn = 0;  // radians
-};
-Drag DragOfFixed(const UncertainWorld& world, domain::MatingId mating, const plan::Hold& hold,
-                 const ManipulatorError& draw);
-// Adds the movement that DragOfFixed returns to the error of the fixed part. (Paper mode leaves
-// this movement out.)
-void DragFixed(UncertainWorld& world, domain::MatingId mating, const plan::Hold& hold,
-               const ManipulatorError& draw);
-
 }  // namespace assay::uncertainty

@@ -12,10 +12,10 @@
 #include "planner/geometry/solids/mass_properties.h"
 #include "planner/uncertainty/error_sets/axis_angle.h"
 #include "planner/uncertainty/error_sets/possible_masses.h"
-#include "planner/uncertainty/error_sets/turn_of_push.h"
 #include "planner/uncertainty/pads/contact_patch.h"
 #include "planner/uncertainty/pads/grip.h"
 #include "planner/uncertainty/pads/roll_of_part.h"
+#include "planner/uncertainty/standing/turn_of_push.h"
 
 namespace assay::uncertainty {
 namespace {

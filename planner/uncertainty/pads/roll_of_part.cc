@@ -13,7 +13,7 @@
 #include "planner/uncertainty/error_sets/possible_masses.h"
 #include "planner/uncertainty/pads/contact_patch.h"
 #include "planner/uncertainty/pads/grip.h"
-#include "planner/uncertainty/preconditions/support.h"
+#include "planner/uncertainty/standing/support.h"
 
 namespace assay::uncertainty {
 namespace {

@@ -13,6 +13,7 @@
 #include "planner/uncertainty/error_sets/sensing.h"
 #include "planner/uncertainty/error_sets/squeezing.h"
 #include "planner/uncertainty/preconditions/bounded_claim.h"
+#include "planner/uncertainty/standing/dragging.h"
 
 namespace assay::uncertainty {
 namespace {
@@ -115,11 +116,16 @@ class StepCertifier {
                                            : ReleaseInSeat(world_, assemble.mating, assemble.hold,
                                                            work.X_ToolGrasp, work.draw);
     });
-    if (strategy_ == nullptr) DragFixed(world_, assemble.mating, assemble.hold, work.draw);
+    std::vector<Drag> drags;
+    if (strategy_ == nullptr) drags = DragsOf(world_, assemble.mating, assemble.hold, work.draw);
+    DragAlong(world_, drags);
     world_.SetResting(mating.held, work.X_WorldPart, work.released,
                       world_.ShiftAt(mating.fixed, work.X_WorldPart.translation()));
     After(mating.held);
     After(mating.fixed);
+    for (const Drag& drag : drags) {
+      if (drag.part != mating.fixed) After(drag.part);
+    }
   }
 
   void Sense(const plan::Action& sense) {

@@ -14,7 +14,7 @@
 #include "planner/uncertainty/error_sets/squeezing.h"
 #include "planner/uncertainty/pads/touching_cells.h"
 #include "planner/uncertainty/preconditions/precondition.h"
-#include "planner/uncertainty/preconditions/support.h"
+#include "planner/uncertainty/standing/support.h"
 
 namespace assay::uncertainty {
 namespace {

@@ -5,6 +5,7 @@
 #include "planner/domain/matings/shaft_fit.h"
 #include "planner/uncertainty/error_sets/mating_end.h"
 #include "planner/uncertainty/error_sets/release.h"
+#include "planner/uncertainty/standing/dragging.h"
 
 namespace assay::uncertainty {
 namespace {
@@ -74,7 +75,8 @@ std::vector<Precondition> StandingPart(const HandWork& work) {
 }
 
 std::vector<Precondition> FixedPart(const HandWork& work) {
-  return FixedPreconditions(work.world, work.action.mating, work.released, work.strategy);
+  return FixedPreconditions(work.world, work.action.mating, work.hold, work.draw, work.released,
+                            work.strategy);
 }
 
 std::vector<Precondition> PlaceOfMated(const HandWork& work) {
@@ -82,7 +84,7 @@ std::vector<Precondition> PlaceOfMated(const HandWork& work) {
   const bool is_led = work.strategy != nullptr;
   return PlacePreconditions(
       work.world, mating, work.released,
-      is_led ? Drag() : DragOfFixed(work.world, mating, work.hold, work.draw));
+      is_led ? Drag{} : DragOfFixed(work.world, mating, work.hold, work.draw));
 }
 
 constexpr auto kDerivations =

@@ -15,6 +15,7 @@
 #include "planner/uncertainty/pads/touching_cells.h"
 #include "planner/uncertainty/preconditions/clearance.h"
 #include "planner/uncertainty/preconditions/precondition.h"
+#include "planner/uncertainty/standing/dragging.h"
 
 namespace assay::uncertainty {
 namespace {
@@ -78,15 +79,17 @@ class HandConditions {
         tool_(tool) {}
 
   // Requires clearance from all parts that rest except `but`. The hand's way does not depend on the
-  // believed poses of these parts, but on a believed pose that has moved by `shift`.
+  // believed poses of these parts, but on a believed pose that has moved by `shift`. Some of these
+  // parts may be dragged along.
   void RequireClearOfOthers(const std::vector<PartId>& but, const BelievedShift& shift,
-                            const Vector3& way_in) {
+                            const Vector3& way_in, const std::vector<Drag>& drags) {
     const PossibleFrame tool = Shifted(world_, tool_, shift);
     const std::vector<Body> bodies = Swept(tool, WayOf(world_, way_in, shift.turn));
     for (int p = 0; p < static_cast<int>(world_.problem().parts.size()); ++p) {
       const PartId other(p);
       if (std::ranges::count(but, other) > 0) continue;
-      RequireClear(tool, bodies, FrameOf(world_, other), other, other, Vector3::Zero());
+      const double dragged = ReachOfDrag(world_.problem(), drags, other);
+      RequireClear(tool, bodies, FrameOf(world_, other), other, other, Vector3::Constant(dragged));
     }
   }
 
@@ -231,7 +234,7 @@ std::vector<Precondition> HandClearanceAtGrasp(const UncertainWorld& world, Part
   const Pose X_WorldTool = world.X_WorldPart(part) * hold.X_PartTool;
   HandConditions conditions(world, part, hold, CommandedTool(world, X_WorldTool, draw));
   conditions.RequireClearOfOthers({part}, world.ShiftAt(part, X_WorldTool.translation()),
-                                  Vector3::Zero());
+                                  Vector3::Zero(), {});
   conditions.RequireClearOfTaken();
   conditions.RequireClearOfHeld(
       held, Vector3::Zero(),
@@ -242,7 +245,7 @@ std::vector<Precondition> HandClearanceAtGrasp(const UncertainWorld& world, Part
 std::vector<Precondition> HandClearanceAtPutdown(const UncertainWorld& world,
                                                  const LettingGo& work) {
   HandConditions conditions(world, work.part, work.hold, ToolAtEnd(world, work));
-  conditions.RequireClearOfOthers({work.part}, {}, Vector3::Zero());
+  conditions.RequireClearOfOthers({work.part}, {}, Vector3::Zero(), {});
   conditions.RequireClearOfHeld(world.held(), MovesAsLetGo(world, work),
                                 HandConditions::Leaves::kYes);
   return conditions.Take();
@@ -254,13 +257,14 @@ std::vector<Precondition> HandClearanceAtMating(const UncertainWorld& world, dom
   const PossibleFrame tool = is_led ? ToolLed(world, work) : ToolAtEnd(world, work);
   const Vector3 moves =
       MovesAsLetGo(world, work).array() + world.problem().workcell->rules().lateral_compliance;
-  const Drag drag = is_led ? Drag{} : DragOfFixed(world, id, work.hold, work.draw);
-  const double dragged =
-      drag.way + world.problem().part(mating.fixed).model->shape().radius() * drag.turn;
+  const std::vector<Drag> drags =
+      is_led ? std::vector<Drag>() : DragsOf(world, id, work.hold, work.draw);
+  const double dragged = ReachOfDrag(world.problem(), drags, mating.fixed);
   const Vector3 way_in = -LengthOfWay(world, id, work.farther) * work.motion;
   HandConditions conditions(world, work.part, work.hold, tool);
   conditions.RequireClearOfOthers({mating.held, mating.fixed},
-                                  world.ShiftAt(mating.fixed, tool.planned.translation()), way_in);
+                                  world.ShiftAt(mating.fixed, tool.planned.translation()), way_in,
+                                  drags);
   conditions.RequireClearOfFixed(mating.fixed, way_in, moves.array() + dragged);
   conditions.RequireClearOfHeld(world.held(), moves, HandConditions::Leaves::kYes);
   return conditions.Take();

@@ -12,6 +12,7 @@
 #include "planner/uncertainty/pads/touching_cells.h"
 #include "planner/uncertainty/preconditions/clearance.h"
 #include "planner/uncertainty/preconditions/precondition.h"
+#include "planner/uncertainty/preconditions/touching_ahead.h"
 
 namespace assay::uncertainty {
 namespace {
@@ -98,16 +99,16 @@ class PassingConditions {
         way_(way) {}
 
   // Requires clearance from the fixed part. Shafts and the walls of their holes are left out.
-  // Pieces that lie ahead of the held part even at its seat are left out, too, because the first
-  // contact with them is the seat itself.
+  // Pieces that lie ahead of the held part even at its seat are left out, too: the condition `fixed
+  // stands` allows for the push on them (FirstTouches).
   void RequireClearOfFixed(bool to_seat) {
     const std::vector<ShaftFit> fits = domain::FitsOf(world_.problem(), mating_);
     const std::vector<FitPieces> pieces(fits.begin(), fits.end());
     const auto are_to_meet = [&](const ConvexHull& of_held, const ConvexHull& of_fixed) {
-      return to_seat &&
-             (IsAhead(of_fixed, of_held) || std::ranges::any_of(pieces, [&](const FitPieces& fit) {
-                return fit.Has(of_held, of_fixed);
-              }));
+      return to_seat && (LiesAhead(mating_, of_fixed, of_held) ||
+                         std::ranges::any_of(pieces, [&](const FitPieces& fit) {
+                           return fit.Has(of_held, of_fixed);
+                         }));
     };
     const PossibleFrame fixed = BelievedFrameOf(world_, mating_.fixed);
     const Clearance clearance = ClearOf(mating_.fixed, PartId::None(), way_.end, fixed);
@@ -156,12 +157,6 @@ class PassingConditions {
   std::vector<Precondition> Take() { return conditions_.Take(); }
 
  private:
-  bool IsAhead(const ConvexHull& of_fixed, const ConvexHull& of_held) const {
-    const Vector3 motion = mating_.mating_vector.normalized();
-    const double front = GreatestAlong(Transformed(of_held, mating_.X_FixedHeld), motion);
-    return front < -GreatestAlong(of_fixed, -motion) + kInPlane;
-  }
-
   Clearance ClearOf(PartId part, PartId neighbour, const PossibleFrame& held,
                     const PossibleFrame& other) const {
     const domain::Problem& problem = world_.problem();

@@ -9,8 +9,8 @@
 #include "planner/domain/matings/shaft_fit.h"
 #include "planner/domain/parts/part_model.h"
 #include "planner/numeric/interval_arithmetic.h"
-#include "planner/uncertainty/error_sets/release.h"
 #include "planner/uncertainty/preconditions/precondition.h"
+#include "planner/uncertainty/standing/dragging.h"
 
 namespace assay::uncertainty {
 namespace {

@@ -8,7 +8,7 @@
 
 namespace assay::uncertainty {
 
-struct Drag;  // planner/uncertainty/error_sets/release.h
+struct Drag;  // planner/uncertainty/standing/dragging.h
 
 // An uncertainty-reduction precondition: expression < limit, or expression > limit, for all values
 // of its variables.
@@ -96,6 +96,7 @@ std::vector<Precondition> StandingPreconditions(const UncertainWorld& world, Par
 
 // Returns the preconditions of the fixed part, for assemble: kFixedStands and kFixedStays.
 std::vector<Precondition> FixedPreconditions(const UncertainWorld& world, domain::MatingId mating,
+                                             const plan::Hold& hold, const ManipulatorError& draw,
                                              const RestingError& released,
                                              const plan::Strategy* strategy);
 

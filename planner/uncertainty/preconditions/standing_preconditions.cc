@@ -15,7 +15,8 @@
 #include "planner/uncertainty/error_sets/release.h"
 #include "planner/uncertainty/pads/grip.h"
 #include "planner/uncertainty/preconditions/precondition.h"
-#include "planner/uncertainty/preconditions/support.h"
+#include "planner/uncertainty/preconditions/touching_ahead.h"
+#include "planner/uncertainty/standing/support.h"
 
 namespace assay::uncertainty {
 namespace {
@@ -194,19 +195,44 @@ std::vector<Vector3> MouthsOf(const UncertainWorld& world, const domain::Mating&
   return corners;
 }
 
-// Returns the push of the mating on the fixed part. A straight mating pushes along its vector where
-// the parts touch at the end. If it ends on the table, the parts touch at the hole's walls alone. A
+// Returns the greatest angle, in radians, by which the parts of a straight mating lean against each
+// other at the seat: a turn about the mating vector is no lean.
+double LeanAgainstFixed(const UncertainWorld& world, const domain::Mating& mating,
+                        const plan::Hold& hold, const ManipulatorError& draw) {
+  const Pose& X_WorldFixed = world.X_WorldPart(mating.fixed);
+  const Vector3 motion = mating.mating_vector.normalized();
+  const Vector3 in_tool = (mating.X_FixedHeld * hold.X_PartTool).linear().transpose() * motion;
+  const double of_fixed = MostOf(world, world.resting(mating.fixed).theta);
+  return LeaningOf(world, in_tool, draw).tilt +
+         SwingOf(of_fixed, (X_WorldFixed.linear() * motion).z());
+}
+
+// Returns the points of the fixed part on which the straight mating may push, in the world: where
+// the parts touch in their seat, and where they may touch before it because they lean. If the
+// mating ends on the table, the parts touch at the hole's walls alone. What is pushed may be
+// elsewhere by `off` metres.
+std::vector<Vector3> PushedAt(const UncertainWorld& world, const domain::Mating& mating,
+                              double lean, double off) {
+  const Pose& X_WorldFixed = world.X_WorldPart(mating.fixed);
+  std::vector<Vector3> at;
+  if (mating.ends_on_table) at = MouthsOf(world, mating);
+  for (const Standing& standing :
+       StandingsOf(world, mating.held, X_WorldFixed * mating.X_FixedHeld)) {
+    if (standing.on == mating.fixed) std::ranges::copy(standing.at, std::back_inserter(at));
+  }
+  if (lean == 0) return at;
+  for (const Vector3& p : FirstTouches(world.problem(), mating, lean, off))
+    at.push_back(X_WorldFixed * p);
+  return at;
+}
+
+// Returns the push of the mating on the fixed part. A straight mating pushes along its vector. A
 // strategy pushes in any direction, wherever the parts may touch on the way.
-Push PushOf(const UncertainWorld& world, const domain::Mating& mating,
+Push PushOf(const UncertainWorld& world, const domain::Mating& mating, std::vector<Vector3> at,
             const plan::Strategy* strategy) {
   const Pose& X_WorldFixed = world.X_WorldPart(mating.fixed);
   const double weight = GreatestWeight(world.problem(), mating.held);
-  Push push;
-  if (mating.ends_on_table) push.at = MouthsOf(world, mating);
-  for (const Standing& standing :
-       StandingsOf(world, mating.held, X_WorldFixed * mating.X_FixedHeld)) {
-    if (standing.on == mating.fixed) std::ranges::copy(standing.at, std::back_inserter(push.at));
-  }
+  Push push = {.at = std::move(at)};
   if (strategy != nullptr) {
     push.at.push_back(X_WorldFixed * strategy->X_FixedStart.translation());
     push.down = weight + plan::kStrategyPush;
@@ -240,14 +266,15 @@ std::vector<Precondition> StandingPreconditions(const UncertainWorld& world, Par
 }
 
 std::vector<Precondition> FixedPreconditions(const UncertainWorld& world, domain::MatingId id,
+                                             const plan::Hold& hold, const ManipulatorError& draw,
                                              const RestingError& released,
                                              const plan::Strategy* strategy) {
-  const domain::Problem& problem = world.problem();
-  const domain::Mating& mating = problem.mating(id);
+  const domain::Mating& mating = world.problem().mating(id);
   const double off = ReachOf(world, mating.held, released) +
                      ReachOf(world, mating.fixed, world.resting(mating.fixed));
+  const double lean = strategy == nullptr ? LeanAgainstFixed(world, mating, hold, draw) : 0;
   std::vector<Push> pushes = WeightsOn(world, mating.fixed);
-  pushes.push_back(PushOf(world, mating, strategy));
+  pushes.push_back(PushOf(world, mating, PushedAt(world, mating, lean, off), strategy));
   const bool touch = !pushes.back().at.empty();
   Preconditions conditions;
   conditions.Less(plan::condition::kFixedStands,
@@ -255,7 +282,7 @@ std::vector<Precondition> FixedPreconditions(const UncertainWorld& world, domain
                   touch ? TippingRatio(world, mating.fixed, pushes, off) : kNothingBorne, 1);
   conditions.Less(plan::condition::kFixedStays,
                   "the push of the mating does not push the fixed part aside",
-                  SlidingRatio(problem, mating.fixed, pushes), 1);
+                  SlidingRatio(world, mating.fixed, pushes), 1);
   return conditions.Take();
 }
 

@@ -203,6 +203,23 @@ std::vector<MeasuredMargin> InPlace(const MeasuredStep& step) {
   return {{.subject = {}, .observed = room, .is_at_least_the_margin = false}};
 }
 
+// The fixed part leans by less than a part that begins to tip.
+std::vector<MeasuredMargin> FixedStands(const MeasuredStep& step) {
+  constexpr double kTips = 2e-3;  // radians; contacts in the engine yield by less
+  const StepEvents& events = step.events();
+  if (events.begun == nullptr || events.end == nullptr) return {};
+  const auto up_in_fixed = [&](const execution::Snapshot& snapshot) -> Vector3 {
+    const Pose& X_WorldFixed = snapshot.parts[step.mating().fixed.index()].truth;
+    return X_WorldFixed.linear().row(2).transpose();
+  };
+  double lean = 0;
+  for (const execution::Snapshot* snapshot : {events.reached, events.acted, events.end}) {
+    if (snapshot == nullptr) continue;
+    lean = std::max(lean, up_in_fixed(*events.begun).cross(up_in_fixed(*snapshot)).norm());
+  }
+  return {{.subject = {}, .observed = 1 - lean / kTips, .is_at_least_the_margin = false}};
+}
+
 }  // namespace
 
 std::vector<Measurement> MatingMeasurements() {
@@ -214,7 +231,7 @@ std::vector<Measurement> MatingMeasurements() {
           {plan::condition::kInPlace, InPlace},
           {plan::condition::kTipShift, TipShift},
           {plan::condition::kTipTurn, TipTurn},
-          {plan::condition::kFixedStands},
+          {plan::condition::kFixedStands, FixedStands},
           {plan::condition::kFixedStays}};
 }
 

@@ -12,7 +12,7 @@
 #include "planner/uncertainty/error_sets/possible_masses.h"
 #include "planner/uncertainty/error_sets/squeezing.h"
 #include "planner/uncertainty/preconditions/precondition.h"
-#include "planner/uncertainty/preconditions/support.h"
+#include "planner/uncertainty/standing/support.h"
 #include "tests/planner/domain/scenario.h"
 #include "tests/planner/uncertainty/part_on_table.h"
 #include "tests/scratch_file.h"
@@ -52,14 +52,13 @@ TEST(Support, AClampHoldsBesides) {
   OnEnd block;
   const Push push = {{block.Center() + Vector3(0.05, 0, 0)}, 20, 3};
   const double free = TippingRatio(block.world, kBlock, {push}, 0);
-  const double sliding = SlidingRatio(block.problem, kBlock, {push});
+  const double sliding = SlidingRatio(block.world, kBlock, {push});
   block.problem.parts[kBlock.index()].clamp = block.Weight();
   const UncertainWorld clamped(block.problem, Propagation::kSound);
   EXPECT_NEAR(TippingRatio(clamped, kBlock, {push}, 0), free / 2, 1e-9);
   const double least = block.problem.part(kBlock).model->friction();
   EXPECT_NEAR(3 / sliding, least * (20 + block.Weight()), 1e-9);
-  EXPECT_NEAR(3 / SlidingRatio(block.problem, kBlock, {push}), least * (20 + 2 * block.Weight()),
-              1e-9);
+  EXPECT_NEAR(3 / SlidingRatio(clamped, kBlock, {push}), least * (20 + 2 * block.Weight()), 1e-9);
 }
 
 // Two blocks: the upper one stands on the end of the lower one, half an inch to the side.
@@ -270,8 +269,9 @@ TEST(Standing, WhatLeansFallsBackUnlessItIsTooTall) {
 TEST(FixedPart, IsNotTippedByAShaftThatEndsOnTheTable) {
   const domain::Problem problem = domain::LoadScenario("key-bar");
   UncertainWorld world(problem, Propagation::kSound);
+  const plan::Hold hold = HoldFromAbove(problem, Vector3::UnitY());
   const std::vector<Precondition> conditions =
-      FixedPreconditions(world, domain::MatingId(0), {}, nullptr);
+      FixedPreconditions(world, domain::MatingId(0), hold, {0, 0, 0, 0}, {}, nullptr);
   EXPECT_LT(RatioOf(world, conditions, plan::condition::kFixedStands), 1e-6);
   EXPECT_LT(RatioOf(world, conditions, plan::condition::kFixedStays), 1e-6);
 }

@@ -1,4 +1,4 @@
-#include "planner/uncertainty/preconditions/support.h"
+#include "planner/uncertainty/standing/support.h"
 
 #include <algorithm>
 #include <cmath>
@@ -177,6 +177,36 @@ double TippingDown(const UncertainWorld& world, PartId part, double clamp,
   return std::min(ratio, kNothingBorne);
 }
 
+// Returns the least coefficient of friction between a part and what it stands on. The engine takes
+// the greater one of two parts, and tables count as smooth.
+double LeastFriction(const domain::Problem& problem, PartId part, const Standing& standing) {
+  double friction = problem.part(part).model->friction();
+  if (!standing.on.IsNone())
+    friction = std::max(friction, problem.part(standing.on).model->friction());
+  return friction - problem.tolerances.friction;
+}
+
+// `push.down` is the least force that presses the part down besides its weight. `levels` is the
+// greatest number of parts that are looked at, one below the other.
+double SlidingDown(const UncertainWorld& world, PartId part, Push push, std::size_t levels) {
+  if (push.aside == 0) return 0;
+  if (levels == 0) return kNothingBorne;
+  const domain::Problem& problem = world.problem();
+  push.down += LeastWeight(problem, part);
+  const std::vector<Standing> standings = StandingsOf(world, part, world.X_WorldPart(part));
+  double ratio = standings.empty() ? kNothingBorne : 0;
+  for (const Standing& standing : standings) {
+    const double friction = LeastFriction(problem, part, standing);
+    ratio = std::max(ratio, friction > 0 ? push.aside / (friction * push.down) : kNothingBorne);
+    if (standing.on.IsNone()) continue;
+    // One of several parts below may have to bear the whole push aside, and nothing of the load.
+    const Push below = {
+        .at = {}, .down = standings.size() == 1 ? push.down : 0, .aside = push.aside};
+    ratio = std::max(ratio, SlidingDown(world, standing.on, below, levels - 1));
+  }
+  return std::min(ratio, kNothingBorne);
+}
+
 }  // namespace
 
 std::vector<Standing> StandingsOf(const UncertainWorld& world, PartId part,
@@ -262,20 +292,14 @@ double TippingRatio(const UncertainWorld& world, PartId part, const std::vector<
   return TippingDown(world, part, problem.part(part).clamp, pushes, off, problem.parts.size());
 }
 
-double SlidingRatio(const domain::Problem& problem, PartId part, const std::vector<Push>& pushes) {
-  double aside = 0;
-  double down = std::numeric_limits<double>::infinity();
-  for (const geometry::MassProperties& mass : PossibleMasses(problem, part)) {
-    down = std::min(down, mass.mass * kGravity);
-  }
-  down += problem.part(part).clamp;
+double SlidingRatio(const UncertainWorld& world, PartId part, const std::vector<Push>& pushes) {
+  Push all;
   for (const Push& push : pushes) {
-    aside += push.aside;
-    down += push.down;
+    all.down += push.down;
+    all.aside += push.aside;
   }
-  const double friction = problem.part(part).model->friction() - problem.tolerances.friction;
-  if (aside == 0) return 0;
-  return friction > 0 ? std::min(kNothingBorne, aside / (friction * down)) : kNothingBorne;
+  all.down += world.problem().part(part).clamp;
+  return SlidingDown(world, part, all, world.problem().parts.size());
 }
 
 }  // namespace assay::uncertainty

@@ -1,4 +1,4 @@
-#include "planner/uncertainty/error_sets/turn_of_push.h"
+#include "planner/uncertainty/standing/turn_of_push.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "planner/uncertainty/error_sets/turn_of_push.h"
+#include "planner/uncertainty/standing/turn_of_push.h"
 
 #include <Eigen/LU>
 #include <algorithm>
@@ -13,7 +13,7 @@
 #include "planner/geometry/polygon.h"
 #include "planner/geometry/solids/mass_properties.h"
 #include "planner/uncertainty/error_sets/possible_masses.h"
-#include "planner/uncertainty/preconditions/support.h"
+#include "planner/uncertainty/standing/support.h"
 
 namespace assay::uncertainty {
 namespace {
@@ -49,15 +49,15 @@ double RadiusOfFriction(const geometry::Polygon& support,
 
 // Returns whether p is in the triangle, up to rounding.
 bool IsInTriangle(const std::array<Vector2, 3>& t, const Vector2& p) {
-  constexpr double kRim = 1e-12;  // square metres
+  constexpr double kOnSide = 1e-12;  // square metres
   int left = 0;
   int right = 0;
   for (std::size_t i = 0; i < 3; ++i) {
     const Vector2 side = t[(i + 1) % 3] - t[i];
     const Vector2 to = p - t[i];
     const double area = side.x() * to.y() - side.y() * to.x();
-    left += area >= -kRim ? 1 : 0;
-    right += area <= kRim ? 1 : 0;
+    left += area >= -kOnSide ? 1 : 0;
+    right += area <= kOnSide ? 1 : 0;
   }
   return left == 3 || right == 3;
 }

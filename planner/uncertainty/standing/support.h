@@ -64,7 +64,8 @@ double TippingRatio(const UncertainWorld& world, PartId part, const std::vector<
 std::vector<Push> WeightsOn(const UncertainWorld& world, PartId part,
                             PartId except = PartId::None());
 // Returns the ratio of the force that pushes the part aside to the friction that keeps it. The
-// friction is the least within its tolerance.
-double SlidingRatio(const domain::Problem& problem, PartId part, const std::vector<Push>& pushes);
+// friction is the least within its tolerance. The result is the greatest ratio of this part and of
+// the parts that it stands on. If it is below 1, none of these parts slides.
+double SlidingRatio(const UncertainWorld& world, PartId part, const std::vector<Push>& pushes);
 
 }  // namespace assay::uncertainty
