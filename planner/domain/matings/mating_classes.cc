@@ -51,6 +51,7 @@ bool EndsAboveTable(const Problem& problem, const Mating& mating, const Pose& X_
 }
 
 bool HidesMatingFeatures(const Problem& problem, const Mating& mating, StablePoseId pose_of_fixed) {
+  if (pose_of_fixed.IsNone()) return false;
   const PartModel& fixed = *problem.part(mating.fixed).model;
   const StablePose& pose = fixed.stable_poses()[pose_of_fixed.index()];
   return std::ranges::any_of(mating.features, [&](const auto& pair) {
@@ -102,10 +103,11 @@ std::vector<int> GraspList(const Problem& problem, const Mating& mating) {
 
 namespace {
 
-bool AllowsMating(const Problem& problem, const Mating& mating, StablePoseId pose) {
-  const Part& fixed = problem.part(mating.fixed);
+// `pose` is the fixed part's stable pose, and X_WorldFixed a pose of this kind.
+bool AllowsMating(const Problem& problem, const Mating& mating, StablePoseId pose,
+                  const Pose& X_WorldFixed) {
   return !HidesMatingFeatures(problem, mating, pose) &&
-         InFrictionCone(problem, mating, fixed.model->stable_poses()[pose.index()].X_TablePart);
+         InFrictionCone(problem, mating, X_WorldFixed);
 }
 
 }  // namespace
@@ -114,9 +116,11 @@ std::vector<int> PositionList(const Problem& problem, const Mating& mating) {
   const Part& fixed = problem.part(mating.fixed);
   std::vector<int> labels;
   for (int p = 0; p < InitialLabel(fixed); ++p) {
-    if (AllowsMating(problem, mating, StablePoseId(p))) labels.push_back(p);
+    const Pose& X_TablePart = fixed.model->stable_poses()[static_cast<std::size_t>(p)].X_TablePart;
+    if (AllowsMating(problem, mating, StablePoseId(p), X_TablePart)) labels.push_back(p);
   }
-  if (!fixed.position_class.IsNone() && AllowsMating(problem, mating, fixed.position_class)) {
+  if (!fixed.position_class.IsNone() &&
+      AllowsMating(problem, mating, fixed.position_class, fixed.X_WorldPart)) {
     labels.push_back(InitialLabel(fixed));
   }
   return labels;

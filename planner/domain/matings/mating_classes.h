@@ -31,7 +31,8 @@ double HeightOfMated(const Problem& problem, const Mating& mating, const Pose& X
 // end the held part's lowest point is level with the table.
 bool EndsAboveTable(const Problem& problem, const Mating& mating, const Pose& X_WorldFixed);
 // Returns whether a stable pose of the fixed part hides one of its mating features. The
-// far mouth of a through hole may be hidden: the shaft enters at the other one.
+// far mouth of a through hole may be hidden: the shaft enters at the other one. No pose (None)
+// hides nothing.
 bool HidesMatingFeatures(const Problem& problem, const Mating& mating, StablePoseId pose_of_fixed);
 // Returns whether a grasp leaves the held part's mating features free. It may touch a shaft where
 // the shaft is outside of its hole at the end of the mating.

@@ -294,6 +294,7 @@ TEST_F(PegAndBlock, OnlyTheBackLeavesTheHoleUpAndFree) {
   }
   EXPECT_TRUE(HidesMatingFeatures(problem_, mating, Named(problem_, block_, "face-down")));
   EXPECT_FALSE(HidesMatingFeatures(problem_, mating, Named(problem_, block_, "on-side")));
+  EXPECT_FALSE(HidesMatingFeatures(problem_, mating, domain::StablePoseId::None()));
 }
 
 TEST_F(PegAndBlock, GraspsOnTheShaftDoNotLeaveTheMatingFeaturesFree) {
