@@ -98,7 +98,8 @@ def test_a_right_plan_passes_its_check(known):
 
 def test_a_budget_is_that_of_the_program(tmp_path):
     file = tmp_path / "jigs.yaml"
-    file.write_text(re.sub("sensing: .*", "resolvers: [squeezing]", KNOWN.read_text()))
+    known = SCENARIOS / "uncertain-known.yaml"
+    file.write_text(re.sub("sensing: .*", "resolvers: [squeezing]", known.read_text()))
     budget = assay.Scenario(file).plan().budget()
     told = json.loads(program("budget", file, "--json").stdout)
     del told["seconds"]
