@@ -48,8 +48,8 @@ std::string FormOf(const Contour& contour, const char* noun) {
   return noun;
 }
 
-// Returns whether a contour has no corner inside its hull. In a part file, a hole that opens into
-// another pocket has none.
+// Returns whether a contour has no corner inside its hull. In a part file, a hole has none, or
+// its mouth would count as covered.
 bool HasNoNiche(const Contour& contour) {
   constexpr double kRounding = 1e-7;  // metres
   const geometry::Polygon hull = geometry::Hull2(contour.corners);
@@ -155,10 +155,10 @@ class FeatureFinder {
   void AddHole(const SketchPocket& entry) {
     const Post& post = entry.pocket.post;
     const SketchSolid& solid = sketch_.solids[static_cast<std::size_t>(entry.solid)];
-    const bool opens_high = (entry.pocket.reaches_high || HasNoNiche(post.at_high)) &&
-                            IsMouth(solid.R_PartLocal, post, true);
-    const bool opens_low = (entry.pocket.reaches_low || HasNoNiche(post.at_low)) &&
-                           IsMouth(solid.R_PartLocal, post, false);
+    const bool opens_high =
+        (post.mouth || HasNoNiche(post.at_high)) && IsMouth(solid.R_PartLocal, post, true);
+    const bool opens_low =
+        (post.mouth || HasNoNiche(post.at_low)) && IsMouth(solid.R_PartLocal, post, false);
     const char* noun = post.mouth ? "slot" : "hole";
     std::string what = FormOf(
         post.is_straight || post.at_high.Area() > post.at_low.Area() ? post.at_high : post.at_low,
@@ -195,7 +195,8 @@ class FeatureFinder {
       return other.pocket.post.Contains(solid.R_PartLocal.transpose() * beyond);
     });
     if (!sampler_.OfMouth(R, post, top).All()) return false;
-    return !goes_on || (sampler_.AroundRim(R, post, top).All() && sampler_.SeesOut(R, post, top));
+    if (!goes_on) return true;
+    return sampler_.AroundRim(R, post, top).All() && sampler_.SeesOut(R, post, top);
   }
 
   // A slot is undercut if it is wider than its mouth, as a T-slot is.
