@@ -15,6 +15,7 @@
 #include "planner/uncertainty/pads/contact_patch.h"
 #include "planner/uncertainty/pads/grip.h"
 #include "planner/uncertainty/pads/roll_of_part.h"
+#include "planner/uncertainty/standing/tilting.h"
 #include "planner/uncertainty/standing/turn_of_push.h"
 
 namespace assay::uncertainty {
@@ -123,6 +124,8 @@ class Closing {
     if (jams_ && !(turn_ < SteepestTurn(world, part, hold))) turn_ = kRightAngle;
     lever_ = LeverOfTurn(world, part, hold, turn_);
     way_ = turn_ + pushed_turn_;
+    if (!is_straight())
+      tilted_ = MovedByTilt(world, part, hold, SwingOf(hand_, up_.z()), Displaced());
     // If the hand points straight down, its error is a turn about the vertical, which does not tilt
     // the pads.
     roll_ = RollOfPart(world, part, hold, {turn_, is_straight() ? 0 : hand_, Displaced()});
@@ -312,13 +315,14 @@ class Closing {
   }
 
   // Returns how far the grasped point moves, in the part's own axes, when the part turns about
-  // points on its faces that the pads reach.
+  // points on its faces that the pads reach, and tilts on its support.
   Vector3 WaysOfGraspedPoint() const {
     const Vector3 about(TurnAbout(0), TurnAbout(1), TurnAbout(2));
     const Vector3 arm(2 * pad_x_, lever_, 2 * pad_z_);
-    return {about.z() * arm.y() + about.y() * arm.z() + roll_.way,
-            about.z() * arm.x() + about.x() * arm.z(),
-            about.x() * arm.y() + about.y() * arm.x() + roll_.way};
+    const Vector3 turned(about.z() * arm.y() + about.y() * arm.z() + roll_.way,
+                         about.z() * arm.x() + about.x() * arm.z(),
+                         about.x() * arm.y() + about.y() * arm.x() + roll_.way);
+    return turned + tilted_;
   }
 
   Vector3 up_;  // the vertical, in the tool's axes
@@ -331,7 +335,8 @@ class Closing {
   double pushed_turn_ = 0;  // by the first pad
   double lever_ = 0;        // of the turn, from the middle of the pads
   double turn_ = 0;
-  double way_ = 0;  // the total turn of the part, there and back
+  double way_ = 0;                    // the total turn of the part, there and back
+  Vector3 tilted_ = Vector3::Zero();  // movement of the grasped point as the part tilts
   Roll roll_;
   bool jams_ = false;
   bool stay_on_faces_ = false;  // the pads lie wholly on their faces, even if the part is displaced

@@ -34,7 +34,7 @@ namespace assay::uncertainty {
 //     by as much across the pads, and along them.
 //   - A part that is turned may roll about the closing direction (RollOfPart).
 //   - In a tool that leans, a rotation about the vertical has a component about each of the tool's
-//     axes.
+//     axes. A part whose faces follow the hand's own error then tilts, on an edge of its support.
 HeldError ClosePads(UncertainWorld& world, PartId part, const plan::Hold& hold,
                     const ManipulatorError& draw);
 
