@@ -42,10 +42,12 @@ std::vector<std::string> Hypotheses(const Problem& problem, const RelaxedProblem
   const domain::Workcell& workcell = *problem.workcell;
   return {
       fmt::format(
-          "actions: pickup, putdown and assemble along straight lines by {}, in any "
-          "configuration of the arm; each part is in one hand, rests, or is mated; hand and "
-          "parts stay above the height of the table, also beside it",
-          RobotsText(problem)),
+          "actions: pickup, putdown and assemble by {}, in any configuration of the arm; straight "
+          "down from {:.4g} mm above the table, and then {:.4g} mm along the tool; each part is in "
+          "one hand, rests, or is mated; hand and parts stay above the height of the table, also "
+          "beside it",
+          RobotsText(problem), 1e3 * workcell.rules().safe_height,
+          1e3 * workcell.rules().approach_distance),
       fmt::format("grasps: {}; between parallel faces, approach directions every {:.4g} deg; on "
                   "round sides, along and across the axis",
                   GraspsText(relaxed), workcell.rules().approach_step * 180 / std::numbers::pi),
