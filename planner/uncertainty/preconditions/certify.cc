@@ -123,9 +123,8 @@ class StepCertifier {
                       world_.ShiftAt(mating.fixed, work.X_WorldPart.translation()));
     After(mating.held);
     After(mating.fixed);
-    for (const Drag& drag : drags) {
+    for (const Drag& drag : drags)
       if (drag.part != mating.fixed) After(drag.part);
-    }
   }
 
   void Sense(const plan::Action& sense) {

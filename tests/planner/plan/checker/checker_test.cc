@@ -496,10 +496,9 @@ TEST(Check, FindsABlockThatWouldSlideWhenMating) {
 
 TEST(Check, FindsAPartOnTheMatingPath) {
   Start start;
-  start.other_parts =
-      "  brick: {model: brick, pose: {columns: [[1, 0, 0], [0, 1, 0], [0, 0, 1], "
-      "[21.6, 9.25, 7]]}, clamp: 1}\n";
-  const domain::Problem problem = PegAndBlock(start);
+  start.other_parts = "  brick: {model: brick, pose: {stable: upright, at: [40, 12]}}\n";
+  domain::Problem problem = PegAndBlock(start);
+  problem.parts.back().X_WorldPart = Translation(0.54864, 0.23495, 0.1778);
   EXPECT_THAT(Check(problem, TwoSteps(problem), kAllOrders).flaws,
               FlawAt(0, "peg overlaps brick by"));
 }
