@@ -16,6 +16,7 @@ using ::testing::AllOf;
 using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 ImportedPart PartOfMesh(const TriangleMesh& mesh, const ImportOptions& options = {}) {
   return Import({Written("made.obj", ObjText(mesh))}, "made-part", options);
@@ -142,6 +143,17 @@ TEST(PartImport, ConcaveOutline) {
   EXPECT_EQ(part.Pieces(), 1);
   EXPECT_THAT(part.PartFile(), HasSubstr("prism: {outline: ["));
   EXPECT_NEAR(VolumeInFile(FileOf(part).root()), 40 * (10 * 12 + 24 * 8), 1e-3);
+}
+
+// A shaft could stand in a corner of an angled pocket, and not in its hull. The pocket stays in the
+// part, and is no hole of it.
+TEST(PartImport, AnAngledPocketIsNoHole) {
+  const Curve angled = {{-8, -8}, {8, -8}, {8, 0}, {0, 0}, {0, 8}, {-8, 8}};
+  const Curve block = RectangleOf(40, 30);
+  const ImportedPart part =
+      PartOfMesh(Through({{0, block}, {12, block}}, {{{0, angled}, {12, angled}}}));
+  EXPECT_THAT(WhatOf(part), Not(Contains(HasSubstr("hole"))));
+  EXPECT_NEAR(VolumeInFile(FileOf(part).root()), 12 * (40 * 30 - 16 * 16 + 8 * 8), 1e-3);
 }
 
 TEST(PartImport, RoundedRectangleBecomesABox) {
