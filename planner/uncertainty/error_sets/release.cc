@@ -11,21 +11,29 @@
 #include "planner/plan/certificates/pushing.h"
 #include "planner/uncertainty/error_sets/axis_angle.h"
 #include "planner/uncertainty/pads/touching_cells.h"
+#include "planner/uncertainty/standing/tilting.h"
 
 namespace assay::uncertainty {
 namespace {
+
+constexpr double kAcross = 1e-9;  // cosine of the angle between two directions across each other
 
 Expression SameOrOppositeSense(const Vector3& up, const Expression& theta) {
   return up.z() < 0 ? -theta : theta;
 }
 
-// Adds the errors that arise when the table sets a leaning part upright.
-void SetUpright(UncertainWorld& world, PartId part, const Leaning& leaning, RestingError& error) {
+// Adds the errors that arise when a leaning part comes to stand upright at X_WorldPart. The table
+// levels the part between the pads, or the part falls as the pads let it go.
+void SetUpright(UncertainWorld& world, PartId part, const Pose& X_WorldPart, const Leaning& leaning,
+                RestingError& error) {
   const auto declare = [&](const plan::ErrorKind& kind, double magnitude) {
     return world.Declare(kind, {-magnitude, magnitude}, part);
   };
-  error.theta = declare(plan::error::kTheta, leaning.twist);
-  const double settled = world.problem().part(part).model->shape().radius() * leaning.levelling;
+  const double by_fall = TurnByFall(world, part, X_WorldPart) * leaning.tilt;
+  const double theta = std::max(leaning.twist, leaning.turn + by_fall);
+  error.theta = declare(plan::error::kTheta, std::min(theta, std::numbers::pi));
+  const double settled = world.problem().part(part).model->shape().radius() *
+                         std::max(leaning.levelling, leaning.tilt + by_fall);
   for (Expression& along : error.displacement)
     along = along + declare(plan::error::kSettle, settled);
 }
@@ -62,6 +70,7 @@ Leaning LeaningOf(const UncertainWorld& world, const Vector3& up, const Manipula
   Leaning leaning;
   for (const int axis : {0, 1, 2}) leaning.tilt += SwingOf(turned[axis], up[axis]);
   turned.array() += leaning.tilt * turned.sum();
+  leaning.turn = up.cwiseAbs().dot(turned);
   for (const int axis : {0, 1, 2}) {
     if (up[axis] == 0) continue;
     const double twist = std::min(std::numbers::pi, turned[axis] / std::abs(up[axis]));
@@ -89,6 +98,28 @@ double SlideOfPads(const UncertainWorld& world, const ManipulatorError& draw,
   return 2 * std::min(doubt, travel) + plan::kBeyondContact;
 }
 
+namespace {
+
+// Adds the movement of a part that pads push aside as they slide down on it along `motion`, a unit
+// vector.
+void SlideAside(UncertainWorld& world, PartId part, const plan::Hold& hold,
+                const ManipulatorError& draw, const Pose& X_WorldPart, const Vector3& motion,
+                RestingError& error) {
+  if (world.propagation() == Propagation::kPaper) return;
+  const Vector3 closing = (X_WorldPart * hold.X_PartTool).linear().col(1);
+  const Vector3 aside = closing - closing.dot(motion) * motion;
+  const double slide = SlideOfPads(world, draw, error);
+  if (slide == 0 || std::abs(closing.dot(motion)) < kAcross) return;
+  const Vector3 pushed = slide * std::abs(closing.dot(motion)) / aside.squaredNorm() * aside;
+  for (const int axis : {0, 1, 2}) {
+    const double most = std::abs(pushed[axis]);
+    error.displacement[axis] =
+        error.displacement[axis] + world.Declare(plan::error::kSettle, {-most, most}, part);
+  }
+}
+
+}  // namespace
+
 RestingError Release(UncertainWorld& world, PartId part, const plan::Hold& hold,
                      const Transform& X_ToolGrasp, const ManipulatorError& draw,
                      const Pose& X_WorldPart) {
@@ -100,8 +131,16 @@ RestingError Release(UncertainWorld& world, PartId part, const plan::Hold& hold,
   const Vector3 up = VerticalInTool(X_WorldTool);
   error.theta = SameOrOppositeSense(up, draw.theta + world.held().skew);
   if (world.propagation() == Propagation::kSound && !ComesUpright(world, hold, X_WorldPart)) {
-    SetUpright(world, part, LeaningOf(world, up, draw), error);
+    SetUpright(world, part, X_WorldPart, LeaningOf(world, up, draw), error);
   }
+  return error;
+}
+
+RestingError ReleaseOnTable(UncertainWorld& world, PartId part, const plan::Hold& hold,
+                            const Transform& X_ToolGrasp, const ManipulatorError& draw,
+                            const Pose& X_WorldPart) {
+  RestingError error = Release(world, part, hold, X_ToolGrasp, draw, X_WorldPart);
+  SlideAside(world, part, hold, draw, X_WorldPart, -Vector3::UnitZ(), error);
   return error;
 }
 
@@ -114,6 +153,7 @@ RestingError ReleaseInSeat(UncertainWorld& world, domain::MatingId id, const pla
   if (world.propagation() == Propagation::kPaper) return error;
   const Vector3 along = X_WorldFixed.linear() * mating.mating_vector.normalized();
   if (SlidesInSeat(world.problem(), mating, along)) return LedToSeat(world, id);
+  SlideAside(world, mating.held, hold, draw, X_WorldHeld, along, error);
   Yield(world, mating.held, error);
   const SymbolicVector motion = AsVector(along);
   const SymbolicVector seat = PossiblePose(X_WorldFixed, world.resting(mating.fixed)) *

@@ -19,7 +19,8 @@ bool ComesUpright(const UncertainWorld& world, const plan::Hold& hold, const Pos
 // give way about the approach vector, the part may not be turned at all.
 struct Leaning {
   double tilt = 0;   // how far the part leans
-  double twist = 0;  // turn about the vertical that is left after the table has levelled the part
+  double turn = 0;   // turn about the vertical before the table levels the part
+  double twist = 0;  // turn about the vertical that is left after the levelling between the pads
   double levelling = 0;  // angle of the levelling, by which the part's points move
 };
 // Returns the leaning of a part whose tool has the vertical `up` in its axes. `draw` is the hand's
@@ -38,6 +39,13 @@ double SlideOfPads(const UncertainWorld& world, const ManipulatorError& draw,
 RestingError Release(UncertainWorld& world, PartId part, const plan::Hold& hold,
                      const Transform& X_ToolGrasp, const ManipulatorError& draw,
                      const Pose& X_WorldPart);
+
+// Returns the error of a part that is lowered to the table and let go there. Pads may slide down on
+// the part (SlideOfPads). If the direction in which they close is not horizontal, they push the
+// part aside like a wedge, by as much as they come nearer to it.
+RestingError ReleaseOnTable(UncertainWorld& world, PartId part, const plan::Hold& hold,
+                            const Transform& X_ToolGrasp, const ManipulatorError& draw,
+                            const Pose& X_WorldPart);
 
 // Returns the error of a part after the hand has let it go in the seat of a mating. Along the
 // mating motion the part stands where its seat is, and the seat is displaced like the fixed part.

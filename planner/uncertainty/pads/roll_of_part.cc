@@ -61,6 +61,22 @@ class TouchedRegion {
     return heights;
   }
 
+  // Returns the least extent of this region in any direction, in metres.
+  double LeastWidth() const {
+    double least = IsEmpty() ? 0 : kWithoutEnd;
+    for (std::size_t i = 0; i < corners_.size(); ++i) {
+      const Vector2& from = corners_[i];
+      const Vector2 along = (corners_[(i + 1) % corners_.size()] - from).normalized();
+      double extent = 0;
+      for (const Vector2& p : corners_) {
+        extent =
+            std::max(extent, std::abs(along.x() * (p - from).y() - along.y() * (p - from).x()));
+      }
+      least = std::min(least, extent);
+    }
+    return least;
+  }
+
   // Returns the tangent of the angle between x and the normal of the edge that follows this end
   // upwards (1) or downwards (-1).
   double SlopeAfterEnd(double side, double upwards) const {
@@ -112,53 +128,132 @@ struct TurningPads {
   }
 };
 
-// The support of a part, seen from its centre of mass: x is horizontal along the pads, y is the
-// closing direction.
+// How the pads hold a part, in a frame about the middle of the pads: x is horizontal along the
+// pads, y is the closing direction.
+struct Grasp {
+  Eigen::AlignedBox2d held;  // where the pads may touch the part
+  double width = 0;          // distance of the two pads from each other, metres
+  double apart = 0;          // least distance of their contacts from each other along them, metres
+};
+
+// The support of a part and what the pads hold of it, seen from the part's centre of mass: x is
+// horizontal along the pads, y is the closing direction.
 class SupportBetweenPads {
  public:
-  SupportBetweenPads(const Polygon& support, const Vector2& center, const Vector2& closing) {
+  // `center` is the centre of mass, and `middle` the middle of the pads, in the support's axes.
+  SupportBetweenPads(const Polygon& support, const Vector2& center, const Vector2& closing,
+                     const Grasp& grasp, const Vector2& middle)
+      : grasp_(grasp) {
     const Vector2 along(closing.y(), -closing.x());
+    const auto from_center = [&](const Vector2& p) -> Vector2 {
+      return {along.dot(p - center), closing.dot(p - center)};
+    };
     for (const Vector2& p : support) {
-      corners_.emplace_back(along.dot(p - center), closing.dot(p - center));
+      corners_.push_back(from_center(p));
+      reach_.extend(corners_.back());
     }
+    grasp_.held.translate(from_center(middle));
   }
 
-  // Returns the roll for each radian of the tilt: the greatest tangent of the angle between x and
-  // an edge at which the pressure may arrive. The pressure moves by up to `way` metres along y, at
-  // an angle of up to `friction_angle` against y. `turned` is the greatest angle between this frame
-  // and the true directions, in radians.
+  // Returns the roll for each radian of the tilt. The couples of the pads move the pressure by up
+  // to `way` metres along y, at an angle of up to `friction_angle` against y, until the part tips.
+  // `turned` is the greatest angle between this frame and the true directions, in radians.
   double RollPerTilt(double friction_angle, double way, double turned) const {
-    double steepest = 0;
+    Region region = {friction_angle + turned, way};
+    if (SteepestEdge(region, turned) < 0) return 0;
+    region.way = kWithoutEnd;
+    const double by_weight = SteepestEdge(region, turned);
+    region.x = {std::min(0.0, grasp_.held.min().x()), std::max(0.0, grasp_.held.max().x())};
+    region.y = std::max(-grasp_.held.min().y(), grasp_.held.max().y());
+    const double by_grasp = std::max(SteepestEdge(region, turned), RollAboutGrasp(turned));
+    return std::max(by_weight, std::min(by_grasp, RollByGripsWork()));
+  }
+
+ private:
+  // Where the pressure of the support may arrive: within a double cone about y with this half
+  // angle, up to `way` from its tip. The tip is anywhere in this interval of x, at most y from 0.
+  struct Region {
+    double angle = 0;
+    double way = 0;
+    Interval x = {0, 0};
+    double y = 0;
+
+    bool Contains(const Vector2& p) const {
+      const double beside = std::max({0.0, x.low - p.x(), p.x() - x.high});
+      return std::abs(p.y()) <= way * kRounding &&
+             beside <= std::tan(angle) * (std::abs(p.y()) + y) * kRounding;
+    }
+    // The distance from the cone is linear between the points where the edge crosses the end of an
+    // interval or the axis x.
+    bool Meets(const Vector2& a, const Vector2& b) const {
+      if (!(angle < kRightAngle)) return true;
+      std::vector<Vector2> points = {a, b};
+      const auto add_crossing = [&](double from, double to, double at) {
+        const double share = (at - from) / (to - from);
+        if (share > 0 && share < 1) points.push_back(a + share * (b - a));
+      };
+      for (const double at : {x.low, x.high}) add_crossing(a.x(), b.x(), at);
+      for (const double at : {0.0, way, -way}) add_crossing(a.y(), b.y(), at);
+      return std::ranges::any_of(points, [&](const Vector2& p) { return Contains(p); });
+    }
+  };
+
+  // Returns how far the part rolls, for each radian of the tilt, if points that are `apart` from
+  // each other stay at their heights.
+  static double RollAlong(const Vector2& apart, double turned) {
+    const double angle = std::atan2(std::abs(apart.y()), std::abs(apart.x())) + turned;
+    return angle < kRightAngle ? std::tan(angle) : kWithoutEnd;
+  }
+
+  // Returns the roll per tilt about the steepest edge of the support that meets the region; -1 if
+  // there is none.
+  double SteepestEdge(const Region& region, double turned) const {
+    double steepest = -1;
     for (std::size_t i = 0; i < corners_.size(); ++i) {
       const Vector2& a = corners_[i];
       const Vector2& b = corners_[(i + 1) % corners_.size()];
-      if (!MayArrive(a, b, friction_angle + turned, way)) continue;
-      const double angle = std::atan2(std::abs(b.y() - a.y()), std::abs(b.x() - a.x())) + turned;
-      steepest = std::max(steepest, angle < kRightAngle ? std::tan(angle) : kWithoutEnd);
+      if (region.Meets(a, b)) steepest = std::max(steepest, RollAlong(b - a, turned));
     }
     return steepest;
   }
 
- private:
-  // Returns whether the double cone about y with this half angle meets the edge within `way` of its
-  // tip. The distance from the cone is linear between the points where the edge crosses an axis or
-  // an end of the cone.
-  static bool MayArrive(const Vector2& a, const Vector2& b, double angle, double way) {
-    if (!(angle < kRightAngle)) return true;
-    std::vector<Vector2> points = {a, b};
-    const auto add_crossing = [&](double from, double to, double at) {
-      const double share = (at - from) / (to - from);
-      if (share > 0 && share < 1) points.push_back(a + share * (b - a));
-    };
-    add_crossing(a.x(), b.x(), 0);
-    for (const double at : {0.0, way, -way}) add_crossing(a.y(), b.y(), at);
-    return std::ranges::any_of(points, [&](const Vector2& p) {
-      return std::abs(p.y()) <= way * kRounding &&
-             std::abs(p.x()) <= std::tan(angle) * std::abs(p.y()) * kRounding;
-    });
+  // Returns the roll per tilt if the pads hold points of the part beside its support at the height
+  // where they are, so that the part rolls about these points and a corner of the support.
+  double RollAboutGrasp(double turned) const {
+    const double sticks_out = std::max(grasp_.held.max().x() - reach_.max().x(),
+                                       reach_.min().x() - grasp_.held.min().x());
+    if (sticks_out <= kSameEnd) return 0;
+    const double x =
+        grasp_.held.max().x() < reach_.min().x() ? grasp_.held.max().x() : grasp_.held.min().x();
+    if (reach_.min().x() <= x && x <= reach_.max().x()) return kWithoutEnd;
+    double roll = 0;
+    for (const Vector2& corner : corners_) {
+      roll = std::max(roll, RollAlong({corner.x() - x, FarthestAlongY(corner)}, turned));
+    }
+    return roll;
+  }
+
+  // Returns the greatest roll per tilt that the friction of the pads may cause. The part moves so
+  // that its contacts slide no farther than necessary. If it does not roll, the tilt moves the
+  // contacts of both pads along these, up and down by half of their distance, and lifts the middle
+  // between them by the height of the corner on which the part stands. A roll moves them across
+  // this direction, and is limited by the sum of the two ways.
+  double RollByGripsWork() const {
+    double way = grasp_.width;
+    for (const Vector2& corner : corners_) {
+      way = std::max(way, 2 * std::abs(corner.y() - grasp_.held.center().y()));
+    }
+    return way / grasp_.apart;
+  }
+
+  double FarthestAlongY(const Vector2& corner) const {
+    return std::max(std::abs(corner.y() - grasp_.held.min().y()),
+                    std::abs(corner.y() - grasp_.held.max().y()));
   }
 
   Polygon corners_;
+  Eigen::AlignedBox2d reach_;
+  Grasp grasp_;
 };
 
 // The pads and the support of a part that is turned until its faces lie flat on the pads.
@@ -168,6 +263,7 @@ class TurnBetweenPads {
                   const TurnedPart& turned)
       : problem_(world.problem()),
         part_(part),
+        hold_(hold),
         width_(hold.width),
         turned_(turned),
         X_WorldPart_(world.X_WorldPart(part)),
@@ -182,9 +278,10 @@ class TurnBetweenPads {
   // for the lean of the hand.
   double AngleOfRoll() const {
     if (left_.IsEmpty() || right_.IsEmpty() || up_.y() != 0) return ByWork(turned_.turn);
-    const double tilt = turned_.hand_turn + turned_.turn * TiltPerTurn();
-    return RollWith(WayOfPressure(), tilt, turned_.turn) +
-           RollWith(kWithoutEnd, turned_.hand_turn, turned_.hand_turn);
+    const double lean = SwingOf(turned_.hand_turn, up_.z());
+    const double tilt = lean + turned_.turn * TiltPerTurn();
+    return RollWith(WayOfPressure(), MiddleOfContacts(), tilt, turned_.turn) +
+           RollWith(kWithoutEnd, Grasped(), lean, lean);
   }
 
   // Returns the greatest distance of a contact from the axis through the middle of the pads.
@@ -197,9 +294,10 @@ class TurnBetweenPads {
   double ByWork(double turn) const { return turn == 0 ? 0 : turn / friction_.low; }
 
   // Returns the greatest roll while the pads turn the part by up to `turn` and tilt it by up to
-  // `tilt` radians. They move the pressure of the support by up to `way` metres.
-  double RollWith(double way, double tilt, double turn) const {
-    const double per_tilt = RollPerTilt(way);
+  // `tilt` radians. They hold it within `held`, and move the pressure of the support by up to
+  // `way` metres.
+  double RollWith(double way, const Eigen::AlignedBox2d& held, double tilt, double turn) const {
+    const double per_tilt = RollPerTilt(way, held);
     if (per_tilt == 0) return 0;
     return per_tilt < kWithoutEnd ? std::min(per_tilt * tilt, ByWork(turn)) : ByWork(turn);
   }
@@ -221,16 +319,45 @@ class TurnBetweenPads {
     return couple * friction * (FarthestFrom(Vector3::UnitZ()) + Pad().norm() + turned_.off);
   }
 
-  double RollPerTilt(double way) const {
+  double RollPerTilt(double way, const Eigen::AlignedBox2d& held) const {
     const Polygon support = SupportOf(standings_);
     if (support.size() < 3) return kWithoutEnd;
+    const Vector2 surely = (Pad() - Vector2::Constant(turned_.off)).cwiseMax(0);
+    const TouchedRegion opposite(OppositePatch(Model(), hold_, surely), up_);
+    const Grasp grasp = {.held = held, .width = width_, .apart = opposite.LeastWidth()};
     double roll = 0;
     for (const geometry::MassProperties& mass : PossibleMasses(problem_, part_)) {
       const SupportBetweenPads between(support, (X_WorldPart_ * mass.center).head<2>(),
-                                       X_WorldTool_.linear().col(1).head<2>());
+                                       X_WorldTool_.linear().col(1).head<2>(), grasp,
+                                       X_WorldTool_.translation().head<2>());
       roll = std::max(roll, between.RollPerTilt(std::atan(friction_.high), way, turned_.turn));
     }
     return roll;
+  }
+
+  // Returns the places midway between the two contacts while the pads turn the part: one is at the
+  // end of the first pad's region, the other at the opposite end of the second pad's region. x is
+  // horizontal along the pads, y is the closing direction.
+  Eigen::AlignedBox2d MiddleOfContacts() const {
+    Eigen::AlignedBox2d middle;
+    for (const double x : {left_.Reach(1) - right_.Reach(-1), right_.Reach(1) - left_.Reach(-1)}) {
+      middle.extend(Vector2(x / 2 - turned_.off, 0));
+      middle.extend(Vector2(x / 2 + turned_.off, 0));
+    }
+    return middle;
+  }
+
+  // Returns what the pads may touch of the part: x is horizontal along the pads, y is the closing
+  // direction.
+  Eigen::AlignedBox2d Grasped() const {
+    const Vector2 pad = Pad() + Vector2::Constant(turned_.off);
+    Eigen::AlignedBox2d grasped;
+    for (const double side : {-1.0, 1.0}) {
+      const TouchedRegion region(TouchedPatch(Model(), hold_, side, pad), up_);
+      grasped.extend(Vector2(-region.Reach(-1), side * width_ / 2));
+      grasped.extend(Vector2(region.Reach(1), side * width_ / 2));
+    }
+    return grasped;
   }
 
   // Returns the greatest distance of a contact from the line through the middle of the pads along a
@@ -247,6 +374,7 @@ class TurnBetweenPads {
 
   const domain::Problem& problem_;
   PartId part_;
+  const plan::Hold& hold_;
   double width_;
   TurnedPart turned_;
   Pose X_WorldPart_;

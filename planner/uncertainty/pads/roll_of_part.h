@@ -28,6 +28,10 @@ struct Roll {
 //   - If this edge is at one of the part's ends, the part tilts about the horizontal direction
 //     along the pads, until the pads touch it along edges of theirs or of its faces. An edge of the
 //     support that is not quite along this direction makes the part roll by a share of the tilt.
+//     The friction of the pads may be far greater than the part's weight. It then keeps the grasped
+//     points at their height while the part tilts. The pressure may come to any edge between the
+//     centre of mass and the pads. If the pads hold the part beside its support, it rolls about
+//     the grasped points and a corner of the support.
 //   - If the edge is along the closing direction, the part rolls without such an end. Only the work
 //     of the pads bounds this roll: they press with N through the length that they close, and the
 //     part slides on them against mu N. Points of contact that are a distance d from each other

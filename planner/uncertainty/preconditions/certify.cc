@@ -95,8 +95,8 @@ class StepCertifier {
     work.table = world_.DrawTableHeight(putdown.part);
     Before(putdown.part, work.X_ToolGrasp);
     RequireAll(work, [&] {
-      work.released = Release(world_, putdown.part, putdown.hold, work.X_ToolGrasp, work.draw,
-                              work.X_WorldPart);
+      work.released = ReleaseOnTable(world_, putdown.part, putdown.hold, work.X_ToolGrasp,
+                                     work.draw, work.X_WorldPart);
       Expression& height = work.released.displacement[2];
       work.farther = height - work.table;
       height = work.table;

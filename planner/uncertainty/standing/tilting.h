@@ -13,4 +13,14 @@ namespace assay::uncertainty {
 Vector3 MovedByTilt(const UncertainWorld& world, PartId part, const plan::Hold& hold, double tilt,
                     double off);
 
+// Returns the greatest turn about the vertical for each radian of the fall of a part that leans and
+// falls back on its support. X_WorldPart is the pose in which the part stands.
+//
+// The part falls about an axis that is not a principal one of its inertia. The pads as they leave,
+// and the corners that touch one after the other, determine which horizontal axis it is. On a
+// smooth support, no force has a moment about the vertical through the centre of mass. On a rough
+// support that holds a corner, none has a moment about the vertical through this corner. The
+// angular momentum about this vertical stays zero, so the part turns about it.
+double TurnByFall(const UncertainWorld& world, PartId part, const Pose& X_WorldPart);
+
 }  // namespace assay::uncertainty

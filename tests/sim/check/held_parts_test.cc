@@ -2,19 +2,15 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
-#include <sstream>
 
-#include "planner/assembly/certified_plan.h"
 #include "planner/base/random.h"
-#include "planner/domain/problem/problem_file.h"
 #include "sim/check/trial_verdicts/trial.h"
 #include "sim/noise/error_box.h"
 #include "sim/noise/sampling.h"
-#include "tests/scratch_file.h"
+#include "tests/sim/check/random_scenes.h"
 
 // Checks the precondition `holding` against the engine, for parts of many weights between pads of
 // many frictions and forces.
@@ -26,13 +22,8 @@ namespace fs = std::filesystem;
 constexpr std::uint64_t kSeed = 27;
 const fs::path kModels = ASSAY_SOURCE_DIR "/models";
 
-// Returns the number in the environment variable `name`, or `otherwise` without it. For a longer
-// test: ASSAY_HELD_SCENES=500 scenes, and ASSAY_HELD_CORNERS=20 corners of each proved one.
-// ASSAY_HELD_FIRST=160 leaves out the scenes before this one.
-int Asked(const char* name, int otherwise) {
-  const char* count = std::getenv(name);
-  return count == nullptr ? otherwise : std::atoi(count);
-}
+// For a longer test: ASSAY_HELD_SCENES=500 scenes, and ASSAY_HELD_CORNERS=20 corners of each proved
+// one. ASSAY_HELD_FIRST=160 leaves out the scenes before this one.
 
 // The quantities that differ between scenes. `tolerance` is a fraction of the pads' friction.
 struct Draw {
@@ -70,10 +61,9 @@ Draw DrawScene(RandomStream& random) {
 
 // Returns a folder of the stock models in which the peg has `density` times its usual density.
 fs::path ModelsWith(double density) {
-  const fs::path folder = ScratchFile(fmt::format("models-{:.17g}", density));
-  fs::create_directories(folder / "parts/peg");
-  for (const char* same : {"grippers", "robots", "workcells", "parts/block"}) {
-    if (!fs::exists(folder / same)) fs::create_directory_symlink(kModels / same, folder / same);
+  const fs::path folder = ModelsWithPart(fmt::format("models-{:.17g}", density), "peg");
+  if (!fs::exists(folder / "parts/block")) {
+    fs::create_directory_symlink(kModels / "parts/block", folder / "parts/block");
   }
   std::ifstream stock(kModels / "parts/peg/part.yaml");
   std::ofstream own(folder / "parts/peg/part.yaml");
@@ -121,20 +111,6 @@ goal:
                              ModelsWith(draw.density));
 }
 
-struct Planned {
-  domain::Problem problem;
-  plan::Plan plan;
-  bool is_proved = false;
-};
-
-Planned PlanFor(const Draw& draw) {
-  Planned planned{ProblemOf(draw), {}, false};
-  const plan::PlanResult result = assembly::MakeCertifiedPlan(planned.problem, {}, {});
-  planned.is_proved = result.outcome == Outcome::kFound && result.plan.errors == 0;
-  planned.plan = result.plan;
-  return planned;
-}
-
 Verdict AtCorner(const Planned& planned, int corner) {
   const Experiment experiment{planned.problem, planned.plan};
   const auto box = noise::ErrorBox(planned.problem, planned.plan);
@@ -156,7 +132,7 @@ TEST(HeldParts, WhatIsProvedKeepsToItAtTheCorners) {
   for (int scene = 0; scene < scenes; ++scene) {
     const Draw draw = DrawScene(random);
     if (scene < first) continue;
-    const Planned planned = PlanFor(draw);
+    const Planned planned = PlanFor(ProblemOf(draw), {});
     if (!planned.is_proved) continue;
     ++proved;
     std::cout << "scene " << scene << " is proved\n" << std::flush;

@@ -56,7 +56,9 @@ stable_poses: {{flat: [0, 0, -1]}}
 
 // Returns the roll of the bar, which lies flat. The pads close on its ends at half its height, in a
 // hand that leans by `lean` radians. The pads are squares of 16 mm.
-Roll RollOf(const Bar& bar, double pad_friction, double lean, const TurnedPart& turned = kTurned) {
+// The pads are `aside` metres from the middle of the ends.
+Roll RollOf(const Bar& bar, double pad_friction, double lean, const TurnedPart& turned = kTurned,
+            double aside = 0) {
   domain::Problem problem = UprightBlock({});
   problem.parts[kBlock.index()].model = ModelOf(bar);
   domain::WorkcellRules rules = problem.workcell->rules();
@@ -64,7 +66,7 @@ Roll RollOf(const Bar& bar, double pad_friction, double lean, const TurnedPart& 
   problem.workcell = problem.workcell->WithRules(rules);
   const UncertainWorld world(problem, Propagation::kSound);
   plan::Hold hold = HoldFromAbove(problem, Vector3::UnitX());
-  hold.X_PartTool.translation() = Vector3(0, 0, 0.015);
+  hold.X_PartTool.translation() = Vector3(0, aside, 0.015);
   hold.X_PartTool = hold.X_PartTool * geometry::RotationY(lean);
   hold.width = 2 * kHalfLength;
   return RollOfPart(world, kBlock, hold, turned);
@@ -76,7 +78,7 @@ Roll RollOf(const Bar& bar, double pad_friction, double lean, const TurnedPart& 
 TEST(RollOfPart, ABarRollsIfThePadsFrictionLeadsToItsLongEdges) {
   EXPECT_LT(RollOf({}, 0.22, 0.5).angle, 0.1 * kTurned.turn);
   EXPECT_NEAR(RollOf({}, 0.28, 0.5).angle, kTurned.turn / 0.28, 1e-12);
-  EXPECT_NEAR(RollOf({.half_width = 0.013}, 0.30, 0.5).angle, kTurned.turn * kTurned.turn, 1e-4);
+  EXPECT_NEAR(RollOf({.half_width = 0.04}, 0.30, 0.5).angle, kTurned.turn * kTurned.turn, 1e-4);
 }
 
 // The grasped point is 15 mm above the support, and 10 mm beside its long edges.
@@ -103,6 +105,18 @@ TEST(RollOfPart, ObliqueEndsTurnAShareOfTheHandsTiltIntoRoll) {
   const double upright = std::numbers::pi / 2;
   EXPECT_NEAR(RollOf(bar, 0.1, upright, tilted).angle, 2 * 0.0005 * 40 / 80, 2e-6);
   EXPECT_EQ(RollOf(bar, 0.1, upright, {.turn = 0.001}).angle, 0);
+}
+
+// The pads of 16 mm hold the bar between 12 and 28 mm beside its middle, and its foot reaches 3 mm.
+// As the hand tilts the part onto an end of its foot, one of the two contacts rises by the tilt
+// times 80 mm, and the other one stays. Contacts that are 16 mm from each other slide by as much
+// together, if the part rolls by 80 / 16 times the tilt.
+TEST(RollOfPart, PadsBesideTheSupportTurnTheHandsTiltIntoRoll) {
+  const TurnedPart tilted = {.turn = 0.0005, .hand_turn = 0.0005, .off = 0};
+  const Bar bar = {.half_width = 0.03, .foot = 0.003, .table_friction = 1e-3};
+  const double upright = std::numbers::pi / 2;
+  EXPECT_NEAR(RollOf(bar, 0.05, upright, tilted, 0.02).angle, 0.0005 * 80 / 16, 1e-5);
+  EXPECT_NEAR(RollOf({.half_width = 0.04}, 0.05, upright, tilted, 0.02).angle, 0, 1e-6);
 }
 
 TEST(RollOfPart, APartThatIsNotTurnedDoesNotRoll) { EXPECT_EQ(RollOf({}, 0.28, 0.5, {}).angle, 0); }

@@ -3,10 +3,16 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <fstream>
 #include <random>
+#include <vector>
 
+#include "planner/domain/parts/part_file.h"
 #include "planner/domain/parts/part_model.h"
 #include "tests/planner/uncertainty/part_on_table.h"
+#include "tests/scratch_file.h"
 
 namespace assay::uncertainty::tilting_test {
 namespace {
@@ -46,6 +52,73 @@ TEST(MovedByTilt, BoundsTheWayAboutEachCornerOfTheSupport) {
     }
   }
   EXPECT_GT(most_of_bound, 0.9);
+}
+
+struct Box {
+  Vector3 low;
+  Vector3 high;
+};
+const std::vector<Box> kBoxes = {{{-0.02, -0.02, 0}, {0.02, 0.02, 0.08}},
+                                 {{0.02, -0.01, 0.05}, {0.06, 0.03, 0.07}}};
+
+// Returns a problem with an upright bar. An arm high on one side gives it products of inertia.
+domain::Problem BarWithArm() {
+  const auto file = ScratchFile("bar.yaml");
+  std::ofstream(file) << R"(format: assay-part/1
+name: bar
+initial: B
+units: {length: mm, angle: degree}
+density: 700
+friction: 0.3
+solids:
+  bar: {box: [[-20, -20, 0], [20, 20, 80]]}
+  arm: {box: [[20, -10, 50], [60, 30, 70]]}
+features:
+  1: {face: bar, normal: +z, what: top}
+)";
+  domain::Problem problem = UprightBlock({});
+  problem.parts[kBlock.index()].model = domain::PartFile::Load(file, 0.001);
+  return problem;
+}
+
+// Returns the angular momentum about the vertical through a point, by a sum over small cubes.
+double VerticalMomentum(const Vector3& point, const Vector3& omega) {
+  constexpr double kSide = 0.002;
+  double sum = 0;
+  for (const Box& box : kBoxes) {
+    for (double x = box.low.x() + kSide / 2; x < box.high.x(); x += kSide) {
+      for (double y = box.low.y() + kSide / 2; y < box.high.y(); y += kSide) {
+        for (double z = box.low.z() + kSide / 2; z < box.high.z(); z += kSide) {
+          const Vector3 arm = Vector3(x, y, z) - point;
+          sum += arm.cross(omega.cross(arm)).z();
+        }
+      }
+    }
+  }
+  return sum;
+}
+
+// A part that falls about any horizontal axis, without momentum about the vertical through its
+// centre of mass or through a corner of its support, turns by no more than the bound. For one of
+// the corners and axes, it turns by almost as much.
+TEST(TurnByFall, KeepsTheMomentumAboutTheVerticalAtZero) {
+  const domain::Problem problem = BarWithArm();
+  const UncertainWorld world(problem, Propagation::kSound);
+  const domain::PartModel& model = *problem.part(kBlock).model;
+  std::vector<Vector3> points = {model.mass().center};
+  for (const Vector3& corner : model.corners()) {
+    if (corner.z() < 1e-9) points.push_back(corner);
+  }
+  ASSERT_EQ(points.size(), 5u);
+  double most = 0;
+  for (const Vector3& point : points) {
+    const double by_spin = VerticalMomentum(point, Vector3::UnitZ());
+    for (double axis = 0; axis < 3.15; axis += 0.1) {
+      const double by_fall = VerticalMomentum(point, Vector3(std::cos(axis), std::sin(axis), 0));
+      most = std::max(most, std::abs(by_fall / by_spin));
+    }
+  }
+  EXPECT_NEAR(TurnByFall(world, kBlock, Pose::Identity()), most, 0.01 * most);
 }
 
 }  // namespace
