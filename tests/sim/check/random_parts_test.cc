@@ -136,7 +136,7 @@ void ExpectToKeepItsCertificate(const Planned& planned, int corners, const std::
 TEST(RandomParts, WhatIsProvedKeepsToItAtTheCorners) {
   const int corners = Asked("ASSAY_RANDOM_PARTS_CORNERS", 1);
   const int first = Asked("ASSAY_RANDOM_PARTS_FIRST", 0);
-  const int scenes = Asked("ASSAY_RANDOM_PARTS", 40);
+  const int scenes = Asked("ASSAY_RANDOM_PARTS", 28);
   int proved = 0;
   for (int number = first; number < first + scenes; ++number) {
     RandomStream random(kSeed, fmt::format("random part {}", number));

@@ -72,6 +72,34 @@ TEST(Release, LeaningTheTableMayAddToTheHandsTurn) {
   EXPECT_LE(Magnitude(world.TightRangeOf(error.theta)), 1.01 * std::max(twist, fallen));
 }
 
+// Pads that close on a tilted direction are two inclined planes. If they slide down by s on a part
+// that stands, they push it aside by s tan(tilt), as the wedge of a known angle does.
+TEST(ReleaseOnTable, PadsThatSlideDownPushThePartAsideLikeAWedge) {
+  for (const double tilt : {0.0, 0.1, 0.3}) {
+    for (const double grip_force : {20.0, 1000.0}) {
+      domain::Problem problem = UprightBlock({});
+      domain::WorkcellRules rules = problem.workcell->rules();
+      rules.grip_force = grip_force;  // with a friction of 0.05: 2 N or 100 N
+      problem.workcell = problem.workcell->WithRules(rules);
+      plan::Hold hold = HoldFromAbove(problem, Vector3::UnitX());
+      hold.X_PartTool = geometry::RotationY(tilt) * hold.X_PartTool;
+      UncertainWorld world(problem, Propagation::kSound);
+      const auto [draw, error] = LetGo(world, hold);
+      const Transform grasp = PossibleGrasp(world.held(), draw, world.propagation());
+      const RestingError on_table =
+          ReleaseOnTable(world, kBlock, hold, grasp, draw, world.X_WorldPart(kBlock));
+      const double slide = grip_force > 20 ? 0 : SlideOfPads(world, draw, error);
+      EXPECT_EQ(slide > 0, grip_force == 20);
+      const auto most = [&](const Expression& along) {
+        return Magnitude(world.TightRangeOf(along));
+      };
+      EXPECT_NEAR(most(on_table.displacement[0]) - most(error.displacement[0]),
+                  slide * std::tan(tilt), 1e-4 * slide + 1e-12);
+      EXPECT_NEAR(most(on_table.displacement[1]), most(error.displacement[1]), 1e-12);
+    }
+  }
+}
+
 // Returns the yaw that is left after the table levels the part with the least work. The resistance
 // of the pads to each axis is `weights` times the angle for friction. For springs
 // (LeftAfterSprings) the resistance is half of `weights` times the square of the angle.
