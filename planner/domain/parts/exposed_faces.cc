@@ -74,10 +74,28 @@ double Breadth(const Polygon& polygon) {
   return least;
 }
 
+// Returns a box about the sides of a plane and what is next to them, in the part's axes.
+Eigen::AlignedBox3d BoxAbout(const Plane& plane) {
+  constexpr double kNext = 1e-6;  // metres, more than kProbe
+  Eigen::AlignedBox3d box;
+  for (const Polygon& side : plane.sides) {
+    for (const Vector2& p : side) box.extend(plane.face.X_PartFace * Vector3(p.x(), p.y(), 0));
+  }
+  return {box.min().array() - kNext, box.max().array() + kNext};
+}
+
+bool Reaches(const ConvexHull& solid, const Eigen::AlignedBox3d& box) {
+  Eigen::AlignedBox3d reach;
+  for (const Vector3& vertex : solid.vertices) reach.extend(vertex);
+  return reach.intersects(box);
+}
+
 // Returns the union of the sides without the areas that solids cover.
 geometry::Patches Exposed(const Plane& plane, std::span<const ConvexHull> solids) {
+  const Eigen::AlignedBox3d near = BoxAbout(plane);
   std::vector<Polygon> covers;
   for (const ConvexHull& solid : solids) {
+    if (!Reaches(solid, near)) continue;
     Polygon cover = CrossSection(solid, plane.face, kProbe);
     if (cover.size() >= 3) covers.push_back(std::move(cover));
   }

@@ -3,10 +3,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-
-#include "planner/mesh_import/parts/resting_pose.h"
 
 namespace assay::mesh_import {
 namespace {
@@ -17,6 +16,7 @@ constexpr double kClampForce = 300;       // newtons
 // The gripper for small parts takes parts of this width, if they are no longer, in metres.
 constexpr double kSmallWidth = 0.03;
 constexpr double kSmallLength = 0.1;
+constexpr int kSidesOfCircle = 120;
 const Vector2 kFixedPlace(0.6, 0.05);  // on the table, metres
 const Vector2 kHeldPlace(0.5, -0.2);
 
@@ -36,28 +36,15 @@ std::string PoseText(const Matrix3& R, const Vector3& position) {
                      NumbersText(position, 1e-3));
 }
 
-std::string PartLine(const ImportedPart& part, const Vector3& down, const Vector2& at,
-                     const std::string& more) {
-  const geometry::Pose X_WorldPart = OnTable(part, down, at);
-  return fmt::format("  {0}:\n    model: {0}\n    pose: {1}\n{2}", part.sketch.name,
-                     PoseText(X_WorldPart.linear(), X_WorldPart.translation()), more);
-}
-
 // Returns the workcell whose gripper suits a part.
 std::string WorkcellFor(const ImportedPart& held) {
-  const Vector3 extents = ExtentsOf(held);
+  Eigen::AlignedBox3d bounds;
+  for (const SketchSolid& solid : held.sketch.solids) {
+    for (const Vector3& corner : solid.Corners(kSidesOfCircle)) bounds.extend(corner);
+  }
+  const Vector3 extents = bounds.sizes();
   const bool is_small = extents.minCoeff() <= kSmallWidth && extents.maxCoeff() <= kSmallLength;
   return is_small ? "puma762-small-jaw" : "puma762-table";
-}
-
-// Returns that direction of a part which points down on the table if the part rests as nearly as
-// it can with another direction down.
-Vector3 DownOf(const ImportedPart& part, const Vector3& wanted) {
-  const std::vector<RestingPose> poses = RestingPosesOf(part);
-  if (poses.empty()) return -Vector3::UnitZ();
-  return std::ranges::max_element(poses, {},
-                                  [&](const RestingPose& pose) { return pose.down.dot(wanted); })
-      ->down;
 }
 
 // Returns the numbers of the features that mate, those of the held part or those of the fixed one.
@@ -69,7 +56,7 @@ std::string NumbersOf(const MatedPair& pair, int MatedFeatures::*number) {
 
 }  // namespace
 
-std::string ScenarioText(const MatedPair& pair) {
+std::string ScenarioText(const MatedPair& pair, const StartingPose& starting_pose) {
   const ImportedPart& held = *pair.held;
   const ImportedPart& fixed = *pair.fixed;
   const MatedFeatures& mated = pair.features.front();
@@ -80,9 +67,13 @@ std::string ScenarioText(const MatedPair& pair) {
       "workcell: {2}\nclearance: {3}  # as in the files: no hole is widened\nparts:\n",
       held.sketch.name, fixed.sketch.name, WorkcellFor(held),
       Millimetres(std::max(mated.LeastGap(), kLeastClearance)));
-  text += PartLine(fixed, DownOf(fixed, down), kFixedPlace,
-                   fmt::format("    clamp: {:.0f}  # newtons of a fixture\n", kClampForce));
-  text += PartLine(held, DownOf(held, R_FixedHeld.transpose() * down), kHeldPlace, "");
+  const auto add_part = [&](const ImportedPart& part, const Vector3& wanted, const Vector2& at) {
+    text += fmt::format("  {0}:\n    model: {0}\n    pose: {1}\n", part.sketch.name,
+                        starting_pose(part, wanted, at));
+  };
+  add_part(fixed, down, kFixedPlace);
+  text += fmt::format("    clamp: {:.0f}  # newtons of a fixture\n", kClampForce);
+  add_part(held, R_FixedHeld.transpose() * down, kHeldPlace);
   text += fmt::format(
       "goal:\n  - assembled:\n      held: {}\n      fixed: {}\n      features: [{}, {}]\n"
       "      pose: {}\n      mating_vector: {}\n",

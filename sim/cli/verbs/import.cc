@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cctype>
 #include <cmath>
@@ -18,6 +19,7 @@
 #include "planner/domain/matings/mating_classes.h"
 #include "planner/domain/matings/seat.h"
 #include "planner/domain/parts/part_file.h"
+#include "planner/geometry/pose.h"
 #include "planner/mesh_import/parts/account.h"
 #include "planner/mesh_import/parts/mated_pair.h"
 #include "planner/mesh_import/parts/mated_scenario.h"
@@ -35,6 +37,9 @@ namespace assay::cli {
 namespace import_verb {
 
 namespace fs = std::filesystem;
+using geometry::Matrix3;
+using geometry::Vector2;
+using geometry::Vector3;
 using mesh_import::MeshUnit;
 
 struct Options {
@@ -118,15 +123,35 @@ ExitCode ImportPart(const Options& options) {
 
 // Returns how far the held part of a pair is from its seat, in metres. It is 0 if the part is
 // seated already, or if no seat is near, and negative if the parts overlap in their files.
-double WayToSeat(const mesh_import::MatedPair& pair, const fs::path& folder) {
+double WayToSeat(const mesh_import::MatedPair& pair, const domain::PartModel& held,
+                 const domain::PartModel& fixed) {
   constexpr double kFarthestSeat = 1e-3;  // metres
-  const auto model = [&](const mesh_import::ImportedPart& part) {
-    return domain::PartFile::Load(folder / part.sketch.name / "part.yaml", 0);
-  };
-  const double way = domain::WayToSeat(*model(*pair.held), *model(*pair.fixed), pair.X_FixedHeld(),
-                                       pair.MatingDirection(), kFarthestSeat)
-                         .value_or(0);
+  const double way =
+      domain::WayToSeat(held, fixed, pair.X_FixedHeld(), pair.MatingDirection(), kFarthestSeat)
+          .value_or(0);
   return way >= 0 && way <= domain::kSeatGap ? 0 : way;
+}
+
+// Returns the text of a pose on the table with the middle of the part at x and y. It is the stable
+// pose in which `down`, a direction of the part, points down as nearly as possible. The part is
+// turned about the vertical as if the shortest turn had pointed that direction down.
+std::string StablePoseText(const domain::PartModel& model, const Vector3& down, const Vector2& at) {
+  const auto& poses = model.stable_poses();
+  if (poses.empty()) return "{columns: [[1, 0, 0], [0, 1, 0], [0, 0, 1], [0, 0, 0]]}";
+  const domain::StablePose& pose = *std::ranges::min_element(
+      poses, {}, [&](const domain::StablePose& p) { return (p.X_TablePart.linear() * down).z(); });
+  const Matrix3 R_TablePart = pose.X_TablePart.linear();
+  const Matrix3 shortest = Eigen::Quaterniond::FromTwoVectors(
+                               R_TablePart.transpose() * -Vector3::UnitZ(), -Vector3::UnitZ())
+                               .toRotationMatrix();
+  const Vector3 x = shortest * R_TablePart.transpose() * Vector3::UnitX();
+  const double yaw = std::atan2(x.y(), x.x());
+  Eigen::AlignedBox3d bounds;
+  for (const Vector3& corner : model.corners())
+    bounds.extend(geometry::RotationZ(yaw) * pose.X_TablePart * corner);
+  const Vector2 origin = (at - bounds.center().head<2>()) / kLengthUnit.factor;
+  return fmt::format("{{stable: {}, at: [{:.6g}, {:.6g}], yaw: {:.6g}}}", pose.label, origin.x(),
+                     origin.y(), yaw / kDegree + 0.0);
 }
 
 // Imports two parts and writes a scenario beside the folder of models that holds them.
@@ -158,9 +183,19 @@ ExitCode ImportPair(const Options& options) {
   std::string text;
   for (const mesh_import::ImportedPart& part : parts)
     text += WritePart(part, options.folder / "models/parts" / part.sketch.name);
-  pair->way_to_seat = WayToSeat(*pair, options.folder / "models/parts");
+  const auto model_of = [&](const mesh_import::ImportedPart& part) {
+    return domain::PartFile::Load(options.folder / "models/parts" / part.sketch.name / "part.yaml",
+                                  0);
+  };
+  const auto held = model_of(*pair->held);
+  const auto fixed = model_of(*pair->fixed);
+  pair->way_to_seat = WayToSeat(*pair, *held, *fixed);
   for (const std::string& sentence : mesh_import::AccountOf(*pair)) text += sentence + "\n";
-  WriteFile(scenario, mesh_import::ScenarioText(*pair));
+  const auto pose = [&](const mesh_import::ImportedPart& part, const Vector3& down,
+                        const Vector2& at) {
+    return StablePoseText(&part == pair->held ? *held : *fixed, down, at);
+  };
+  WriteFile(scenario, mesh_import::ScenarioText(*pair, pose));
   text += fmt::format("{}\n", scenario.string());
   Print(text + WorkText(parts[0].triangles + parts[1].triangles,
                         parts[0].Pieces() + parts[1].Pieces(), seconds));

@@ -127,7 +127,7 @@ domain::Problem BlockIntoBase() {
 // Everywhere else this path keeps more than the least clearance, and it is proved all the same.
 TEST(PlanCheck, ConfirmsWaysThatEndNearAPart) {
   domain::Problem problem = BlockIntoBase();
-  for (const double from : {0.0130, 0.0145, 0.0200}) {
+  for (const double from : {0.0140, 0.0155, 0.0200}) {
     problem.matings.front().mating_vector = {0, 0, -from};
     const plan::PlanResult result = MakeCertifiedPlan(problem, {}, {});
     ASSERT_EQ(result.outcome, Outcome::kFound) << from;

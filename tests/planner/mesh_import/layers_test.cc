@@ -2,13 +2,13 @@
 #include <gtest/gtest.h>
 
 #include "planner/mesh_import/parts/mated_pair.h"
-#include "planner/mesh_import/parts/mated_scenario.h"
 #include "planner/mesh_import/parts/part_import.h"
 #include "planner/mesh_import/repair/mesh_repair.h"
 #include "planner/mesh_import/sections/common_axis.h"
 #include "planner/mesh_import/sections/narrows.h"
 #include "planner/mesh_import/sections/stepped_columns.h"
 #include "tests/planner/mesh_import/made_mesh.h"
+#include "tests/planner/mesh_import/scenario_of.h"
 
 // Shafts and holes that are one layer of several.
 namespace assay::mesh_import {
@@ -87,7 +87,7 @@ TEST(Layers, AMatingNamesTheLayersThatMeet) {
     EXPECT_NEAR(pair->features[i].depth, depths[i], 1e-7) << i;
   }
   EXPECT_NEAR(pair->reach, 16e-3, 1e-7);
-  EXPECT_THAT(ScenarioText(*pair), HasSubstr("mating_vector: [0, 0, -36]"));
+  EXPECT_THAT(ScenarioOf(*pair), HasSubstr("mating_vector: [0, 0, -36]"));
 }
 
 // The second layer of a grooved pin follows the first one through the same hole.

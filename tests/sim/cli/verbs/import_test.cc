@@ -106,7 +106,8 @@ TEST(ImportTest, MatedPartsBecomeAScenario) {
                                          "are 0.2, 0.2, 0.2, 0.2 mm."),
                                HasSubstr(folder / "own/bar-into-socket.yaml")));
   EXPECT_THAT(TextOf(folder / "own/bar-into-socket.yaml"),
-              AllOf(HasSubstr("clearance: 0.2  #"), HasSubstr("held: bar\n")));
+              AllOf(HasSubstr("clearance: 0.2  #"), HasSubstr("held: bar\n"),
+                    ::testing::ContainsRegex("model: bar\n    pose: .stable: [A-Z]P[0-9]+, at: ")));
   // The planner reads the boxes, and the engine finds the clearance that the files have.
   const Ended checked = Assay({"check", folder / "own/bar-into-socket.yaml"});
   EXPECT_EQ(checked.err, "");
