@@ -32,12 +32,16 @@ void KeepOrder(plan::Plan& plan) {
   }
 }
 
+// Returns whether error sets were computed. They were not if the plan was made without regard to
+// uncertainty, or if it comes from the first phase, which writes only why it moved parts away. Each
+// step starts from the error set of a part.
+bool IsComputed(const plan::Certificate& certificate) { return !certificate.before.empty(); }
+
 // The preconditions of the way home belong to the last step.
 void AddConditions(StepId id, const WayCertainty& certainty, plan::Plan& plan) {
   const StepId owner = id.IsNone() ? plan.ExecutionOrder().back() : id;
   plan::Certificate& certificate = plan.steps[owner.index()].certificate;
-  // the plan was made without regard to uncertainty
-  if (certificate == plan::Certificate{}) return;
+  if (!IsComputed(certificate)) return;
   std::vector<plan::CertifiedPrecondition>& all = certificate.preconditions;
   const auto conditions = WayConditions(certainty, WayOf(id));
   all.insert(all.end(), conditions.begin(), conditions.end());
@@ -46,7 +50,7 @@ void AddConditions(StepId id, const WayCertainty& certainty, plan::Plan& plan) {
 // Lists in each certificate the preconditions about ways that are not proved.
 void AddExcuses(plan::Plan& plan, uncertainty::Propagation propagation) {
   for (plan::PlannedStep& step : plan.steps) {
-    if (step.certificate == plan::Certificate{}) continue;
+    if (!IsComputed(step.certificate)) continue;
     step.certificate.not_needed = plan::NotNeededIn(
         step.certificate.preconditions, step.action, step.strategy ? &*step.strategy : nullptr,
         propagation == uncertainty::Propagation::kPaper);
