@@ -10,6 +10,7 @@
 #include <string>
 
 #include "planner/assembly/certified_plan.h"
+#include "planner/assembly/travel/travel_plan.h"
 #include "planner/plan/certificates/condition_table.h"
 #include "tests/planner/constraint_posting/scenarios.h"
 #include "tests/scratch_file.h"
@@ -132,6 +133,22 @@ TEST(PlanCheck, ConfirmsWaysThatEndNearAPart) {
     const plan::PlanResult result = MakeCertifiedPlan(problem, {}, {});
     ASSERT_EQ(result.outcome, Outcome::kFound) << from;
     EXPECT_THAT(assembly::Check(problem, result.plan, 10).flaws, IsEmpty()) << from;
+  }
+}
+
+// The first phase says why it moves a part away before anything is certified. Such a plan gets its
+// travels, and no preconditions.
+TEST(PlanCheck, APlanThatIsNotCertifiedYetGetsTravelsAlone) {
+  const domain::Problem problem = constraint_posting::LoadScenario("spar-fig13");
+  plan::Plan plan = MakeCertifiedPlan(problem, {}, {}).plan;
+  for (plan::PlannedStep& step : plan.steps) {
+    step.certificate = {};
+    step.certificate.resolutions.push_back({.resolver = "moving", .why = "a part is in the way"});
+  }
+  TravelEffort effort;
+  EXPECT_FALSE(AddTravels(problem, effort, plan));
+  for (const plan::PlannedStep& step : plan.steps) {
+    EXPECT_THAT(step.certificate.preconditions, IsEmpty());
   }
 }
 
