@@ -110,6 +110,7 @@ void SlideAside(UncertainWorld& world, PartId part, const plan::Hold& hold,
   const Vector3 aside = closing - closing.dot(motion) * motion;
   const double slide = SlideOfPads(world, draw, error);
   if (slide == 0 || std::abs(closing.dot(motion)) < kAcross) return;
+  if (aside.norm() < kAcross) return;  // such pads bear the part, and do not slide along it
   const Vector3 pushed = slide * std::abs(closing.dot(motion)) / aside.squaredNorm() * aside;
   for (const int axis : {0, 1, 2}) {
     const double most = std::abs(pushed[axis]);

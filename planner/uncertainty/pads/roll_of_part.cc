@@ -237,7 +237,7 @@ class SupportBetweenPads {
   // that its contacts slide no farther than necessary. If it does not roll, the tilt moves the
   // contacts of both pads along these, up and down by half of their distance, and lifts the middle
   // between them by the height of the corner on which the part stands. A roll moves them across
-  // this direction, and is limited by the sum of the two ways.
+  // this direction, by no more than the greater of these two ways.
   double RollByGripsWork() const {
     double way = grasp_.width;
     for (const Vector2& corner : corners_) {
@@ -264,7 +264,6 @@ class TurnBetweenPads {
       : problem_(world.problem()),
         part_(part),
         hold_(hold),
-        width_(hold.width),
         turned_(turned),
         X_WorldPart_(world.X_WorldPart(part)),
         X_WorldTool_(X_WorldPart_ * hold.X_PartTool),
@@ -313,8 +312,8 @@ class TurnBetweenPads {
   double WayOfPressure() const {
     const double angle = std::atan(friction_.high) + turned_.turn;
     const double couple =
-        std::max(TurningPads{left_, right_, turned_.off}.CouplePerMoment(width_, angle),
-                 TurningPads{right_, left_, turned_.off}.CouplePerMoment(width_, angle));
+        std::max(TurningPads{left_, right_, turned_.off}.CouplePerMoment(hold_.width, angle),
+                 TurningPads{right_, left_, turned_.off}.CouplePerMoment(hold_.width, angle));
     const double friction = Model().friction() + problem_.tolerances.friction;
     return couple * friction * (FarthestFrom(Vector3::UnitZ()) + Pad().norm() + turned_.off);
   }
@@ -324,7 +323,7 @@ class TurnBetweenPads {
     if (support.size() < 3) return kWithoutEnd;
     const Vector2 surely = (Pad() - Vector2::Constant(turned_.off)).cwiseMax(0);
     const TouchedRegion opposite(OppositePatch(Model(), hold_, surely), up_);
-    const Grasp grasp = {.held = held, .width = width_, .apart = opposite.LeastWidth()};
+    const Grasp grasp = {.held = held, .width = hold_.width, .apart = opposite.LeastWidth()};
     double roll = 0;
     for (const geometry::MassProperties& mass : PossibleMasses(problem_, part_)) {
       const SupportBetweenPads between(support, (X_WorldPart_ * mass.center).head<2>(),
@@ -354,8 +353,8 @@ class TurnBetweenPads {
     Eigen::AlignedBox2d grasped;
     for (const double side : {-1.0, 1.0}) {
       const TouchedRegion region(TouchedPatch(Model(), hold_, side, pad), up_);
-      grasped.extend(Vector2(-region.Reach(-1), side * width_ / 2));
-      grasped.extend(Vector2(region.Reach(1), side * width_ / 2));
+      grasped.extend(Vector2(-region.Reach(-1), side * hold_.width / 2));
+      grasped.extend(Vector2(region.Reach(1), side * hold_.width / 2));
     }
     return grasped;
   }
@@ -375,7 +374,6 @@ class TurnBetweenPads {
   const domain::Problem& problem_;
   PartId part_;
   const plan::Hold& hold_;
-  double width_;
   TurnedPart turned_;
   Pose X_WorldPart_;
   Pose X_WorldTool_;
