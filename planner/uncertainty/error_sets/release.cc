@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "planner/algebra/expression/simplify.h"
@@ -22,18 +23,24 @@ Expression SameOrOppositeSense(const Vector3& up, const Expression& theta) {
   return up.z() < 0 ? -theta : theta;
 }
 
+constexpr double kUnlimited = std::numeric_limits<double>::infinity();
+constexpr domain::SeatPlay kNoSeat = {.shift = kUnlimited, .turn = kUnlimited, .spin = kUnlimited};
+
 // Adds the errors that arise when a leaning part comes to stand upright at X_WorldPart. The table
-// levels the part between the pads, or the part falls as the pads let it go.
+// levels the part between the pads, or the part falls as the pads let it go. The walls of a seat
+// with this play hold a part that falls.
 void SetUpright(UncertainWorld& world, PartId part, const Pose& X_WorldPart, const Leaning& leaning,
-                RestingError& error) {
+                const domain::SeatPlay& play, RestingError& error) {
   const auto declare = [&](const plan::ErrorKind& kind, double magnitude) {
     return world.Declare(kind, {-magnitude, magnitude}, part);
   };
-  const double by_fall = TurnByFall(world, part, X_WorldPart) * leaning.tilt;
+  const Fall fall = FallOf(world, part, X_WorldPart);
+  const double by_fall = std::min(fall.turn * leaning.tilt, 2 * play.turn);
   const double theta = std::max(leaning.twist, leaning.turn + by_fall);
   error.theta = declare(plan::error::kTheta, std::min(theta, std::numbers::pi));
-  const double settled = world.problem().part(part).model->shape().radius() *
-                         std::max(leaning.levelling, leaning.tilt + by_fall);
+  const double radius = world.problem().part(part).model->shape().radius();
+  const double fallen = std::min(fall.way * leaning.tilt, 2 * play.shift);
+  const double settled = std::max(radius * leaning.levelling, fallen);
   for (Expression& along : error.displacement)
     along = along + declare(plan::error::kSettle, settled);
 }
@@ -119,11 +126,10 @@ void SlideAside(UncertainWorld& world, PartId part, const plan::Hold& hold,
   }
 }
 
-}  // namespace
-
-RestingError Release(UncertainWorld& world, PartId part, const plan::Hold& hold,
-                     const Transform& X_ToolGrasp, const ManipulatorError& draw,
-                     const Pose& X_WorldPart) {
+// Returns the error of a part after the hand has let it go, in a seat with this play.
+RestingError ReleaseWithin(UncertainWorld& world, PartId part, const plan::Hold& hold,
+                           const Transform& X_ToolGrasp, const ManipulatorError& draw,
+                           const Pose& X_WorldPart, const domain::SeatPlay& play) {
   const Pose X_WorldTool = X_WorldPart * hold.X_PartTool;
   const Transform released = PossibleHeldPose(X_WorldTool, X_ToolGrasp, hold.X_PartTool);
   RestingError error;
@@ -132,9 +138,17 @@ RestingError Release(UncertainWorld& world, PartId part, const plan::Hold& hold,
   const Vector3 up = VerticalInTool(X_WorldTool);
   error.theta = SameOrOppositeSense(up, draw.theta + world.held().skew);
   if (world.propagation() == Propagation::kSound && !ComesUpright(world, hold, X_WorldPart)) {
-    SetUpright(world, part, X_WorldPart, LeaningOf(world, up, draw), error);
+    SetUpright(world, part, X_WorldPart, LeaningOf(world, up, draw), play, error);
   }
   return error;
+}
+
+}  // namespace
+
+RestingError Release(UncertainWorld& world, PartId part, const plan::Hold& hold,
+                     const Transform& X_ToolGrasp, const ManipulatorError& draw,
+                     const Pose& X_WorldPart) {
+  return ReleaseWithin(world, part, hold, X_ToolGrasp, draw, X_WorldPart, kNoSeat);
 }
 
 RestingError ReleaseOnTable(UncertainWorld& world, PartId part, const plan::Hold& hold,
@@ -150,7 +164,10 @@ RestingError ReleaseInSeat(UncertainWorld& world, domain::MatingId id, const pla
   const domain::Mating& mating = world.problem().mating(id);
   const Pose& X_WorldFixed = world.X_WorldPart(mating.fixed);
   const Pose X_WorldHeld = X_WorldFixed * mating.X_FixedHeld;
-  RestingError error = Release(world, mating.held, hold, X_ToolGrasp, draw, X_WorldHeld);
+  const domain::SeatPlay play =
+      domain::PlayInSeat(world.problem(), mating, world.problem().tolerances.clearance);
+  RestingError error =
+      ReleaseWithin(world, mating.held, hold, X_ToolGrasp, draw, X_WorldHeld, play);
   if (world.propagation() == Propagation::kPaper) return error;
   const Vector3 along = X_WorldFixed.linear() * mating.mating_vector.normalized();
   if (SlidesInSeat(world.problem(), mating, along)) return LedToSeat(world, id);

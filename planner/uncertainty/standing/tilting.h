@@ -13,14 +13,26 @@ namespace assay::uncertainty {
 Vector3 MovedByTilt(const UncertainWorld& world, PartId part, const plan::Hold& hold, double tilt,
                     double off);
 
-// Returns the greatest turn about the vertical for each radian of the fall of a part that leans and
-// falls back on its support. X_WorldPart is the pose in which the part stands.
+// The greatest motion of a part, for each radian by which it leans, that is let go and falls back on
+// its support.
+struct Fall {
+  double turn = 0;  // radians about the vertical
+  double way = 0;   // of the part's origin, metres
+};
+// Returns the motion of a part that falls to X_WorldPart, the pose in which it stands.
 //
 // The part falls about an axis that is not a principal one of its inertia. The pads as they leave,
 // and the corners that touch one after the other, determine which horizontal axis it is. On a
 // smooth support, no force has a moment about the vertical through the centre of mass. On a rough
 // support that holds a corner, none has a moment about the vertical through this corner. The
 // angular momentum about this vertical stays zero, so the part turns about it.
-double TurnByFall(const UncertainWorld& world, PartId part, const Pose& X_WorldPart);
+//
+// Then the part may rock from side to side. Each corner that strikes a rough support may push the
+// part, which turns until the next corner strikes. The energy of the fall bounds the speed of this
+// turn, and each stroke leaves less energy (Housner, "The behavior of inverted pendulum structures
+// during earthquakes", 1963).
+//
+// A turn about a corner of the support moves the part's origin.
+Fall FallOf(const UncertainWorld& world, PartId part, const Pose& X_WorldPart);
 
 }  // namespace assay::uncertainty

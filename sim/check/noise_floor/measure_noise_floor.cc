@@ -32,7 +32,10 @@ class NoiselessExecution {
       execution::StepExecution step(plan_, id, execution_);
       if (step.Approach()) return;
       if (holds_still) HoldStill(id);
-      if (step.Work()) return;
+      if (step.Attempt()) return;
+      // Pads that squeeze a part leave it where they held it.
+      if (holds_still && plan_.step(id).action.Is(domain::kSqueeze)) HoldStill(id);
+      if (step.Finish()) return;
       if (holds_still) HoldStill(id);
     }
   }

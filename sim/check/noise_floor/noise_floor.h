@@ -25,8 +25,9 @@ struct ClaimNoiseFloor {
 struct StepNoiseFloor {
   std::vector<ClaimNoiseFloor> components = {};
   double arm = 1;
-  double penetration = 0;  // depth of the deepest contact while the hand is kept still
-  double lag = 0;          // distance of the hand from its commanded place
+  // Depth of the deepest contact while the hand is kept still, which it is also while it squeezes.
+  double penetration = 0;
+  double lag = 0;  // distance of the hand from its commanded place
   double lag_turn = 0;
 };
 

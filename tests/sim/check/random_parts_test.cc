@@ -11,6 +11,7 @@
 
 #include "planner/base/random.h"
 #include "planner/domain/parts/part_file.h"
+#include "planner/plan/certificates/not_covered.h"
 #include "sim/check/noise_floor/measure_noise_floor.h"
 #include "sim/check/trial_verdicts/trial.h"
 #include "sim/noise/error_box.h"
@@ -116,7 +117,8 @@ std::optional<domain::Problem> ProblemOf(Scene& scene, RandomStream& random,
   }
 }
 
-// Every corner of the error box succeeds and stays within all that is claimed.
+// Every corner of the error box stays within all that is claimed. It succeeds, unless the plan
+// names a way of the arm as not proved.
 void ExpectToKeepItsCertificate(const Planned& planned, int corners, const std::string& scene) {
   const auto box = noise::ErrorBox(planned.problem, planned.plan);
   const NoiseFloor gate = MeasureNoiseFloor(planned.problem, planned.plan, {});
@@ -125,8 +127,10 @@ void ExpectToKeepItsCertificate(const Planned& planned, int corners, const std::
         noise::Sample(planned.problem, box, noise::Mode::kVertices, kSeed, corner);
     const Trial trial =
         RunTrial({.problem = planned.problem, .plan = planned.plan, .gate = gate}, noise, {});
-    EXPECT_EQ(trial.verdict.outcome, TrialOutcome::kSucceeded)
-        << scene << "corner " << corner << ": " << trial.verdict.reason;
+    if (plan::StepsWithUnprovedWays(planned.plan).empty()) {
+      EXPECT_EQ(trial.verdict.outcome, TrialOutcome::kSucceeded)
+          << scene << "corner " << corner << ": " << trial.verdict.reason;
+    }
     for (const Claim& claim : trial.claims) {
       EXPECT_FALSE(claim.IsViolated()) << scene << "corner " << corner << ": " << claim.name;
     }

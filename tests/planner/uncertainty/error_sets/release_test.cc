@@ -67,7 +67,7 @@ TEST(Release, LeaningTheTableMayAddToTheHandsTurn) {
   const double twist = 2 * std::atan(std::tan(10 * errors.hand / 2) / std::cos(lean));
   const double fallen =
       10 * errors.hand *
-      (std::cos(lean) + std::sin(lean) * TurnByFall(world, kBlock, world.X_WorldPart(kBlock)));
+      (std::cos(lean) + std::sin(lean) * FallOf(world, kBlock, world.X_WorldPart(kBlock)).turn);
   EXPECT_GE(Magnitude(world.TightRangeOf(error.theta)), std::max(twist, fallen) - 1e-7);
   EXPECT_LE(Magnitude(world.TightRangeOf(error.theta)), 1.01 * std::max(twist, fallen));
 }
