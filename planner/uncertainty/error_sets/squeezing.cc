@@ -118,8 +118,7 @@ class Closing {
     const double theta = Magnitude(world.RangeOf(world.resting(part).theta));
     pushed_turn_ = TurnOfFirstPad(world, part, hold, theta + hand_);
     turn_ = AtMostRight(theta + pushed_turn_ + hand_);
-    // The greatest friction covers every case: smoother pads let the part slip until it lies flat,
-    // and a flat part is one of the results that jammed pads may leave.
+    // The greatest friction covers every case: jammed pads may also leave the part flat.
     const double length = ContactLength() - LengthAgainstSupport(world, part, hold, Displaced());
     jams_ = !(turn_ + std::atan(pad_friction_.high) < std::atan(length / hold.width)) ||
             !(pad_friction_.high < kSurelyFlat * length / hold.width);

@@ -280,6 +280,7 @@ std::vector<TippingEdge> TippingEdgesOf(const std::vector<Standing>& standings) 
   std::vector<TippingEdge> edges;
   for (std::size_t i = 0; i < region.size(); ++i) {
     const Vector2 along = region[(i + 1) % region.size()] - region[i];
+    if (along.norm() < kOnTheEdge) continue;  // rounding, whose direction means nothing
     const Vector2 outward = Vector2(along.y(), -along.x()).normalized();
     edges.push_back({outward, outward.dot(region[i])});
   }

@@ -14,7 +14,8 @@ namespace {
 
 using geometry::Matrix3;
 
-constexpr double kAnyTurn = 1e6;  // for each radian of lean, of a part that does not stand
+constexpr double kAtTheEdge = 1e-9;  // metres
+constexpr double kAnyTurn = 1e6;     // for each radian of lean, of a part that does not stand
 
 // A part that rocks on its support.
 struct RockingPart {
@@ -70,9 +71,12 @@ struct RockingSide {
 double TurnByRocking(const RockingPart& part, const TippingEdge& edge) {
   const Vector3 axis(-edge.outward.y(), edge.outward.x(), 0);
   double opposite = 0;  // distance of the farthest corner from the centre of mass
-  for (const Vector3& arm : part.arms)
-    opposite = std::max(opposite, edge.outward.dot(arm.head<2>()));
-  const double height = part.arms.front().z();
+  double height = 0;    // of the centre of mass above the edge
+  for (const Vector3& arm : part.arms) {
+    const double behind = edge.outward.dot(arm.head<2>());
+    opposite = std::max(opposite, behind);
+    if (edge.offset + behind < kAtTheEdge) height = std::max(height, arm.z());
+  }
   const double inertia = axis.dot(part.inertia * axis) + part.mass * height * height;
   const double turn_inertia = 1 / part.inertia.inverse()(2, 2);
   const RockingSide near(inertia, part.mass, edge.offset, opposite);

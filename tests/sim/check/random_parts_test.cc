@@ -11,11 +11,6 @@
 
 #include "planner/base/random.h"
 #include "planner/domain/parts/part_file.h"
-#include "planner/plan/certificates/not_covered.h"
-#include "sim/check/noise_floor/measure_noise_floor.h"
-#include "sim/check/trial_verdicts/trial.h"
-#include "sim/noise/error_box.h"
-#include "sim/noise/sampling.h"
 #include "tests/sim/check/random_scenes.h"
 
 // Checks all that certificates claim about parts of random shapes, which are picked up in one
@@ -23,23 +18,10 @@
 namespace assay::check::random_parts_test {
 namespace {
 
-using geometry::Vector3;
-
 constexpr std::uint64_t kSeed = 27;
 
 // For a longer test: ASSAY_RANDOM_PARTS=500 scenes, and ASSAY_RANDOM_PARTS_CORNERS=20 corners of
 // each proved one. ASSAY_RANDOM_PARTS_FIRST=160 leaves out the scenes before this one.
-
-// Returns one of these values.
-template <typename T, std::size_t n>
-T OneOf(RandomStream& random, const std::array<T, n>& values) {
-  return values[random.Index(static_cast<int>(n))];
-}
-
-std::string BoxText(const std::string& name, const Vector3& low, const Vector3& high) {
-  return fmt::format("  {}: {{box: [[{}, {}, {}], [{}, {}, {}]]}}\n", name, low.x(), low.y(),
-                     low.z(), high.x(), high.y(), high.z());
-}
 
 // Returns the file of a block with up to three arms, which are boxes that stick out of its sides.
 std::string PartText(RandomStream& random) {
@@ -117,26 +99,6 @@ std::optional<domain::Problem> ProblemOf(Scene& scene, RandomStream& random,
   }
 }
 
-// Every corner of the error box stays within all that is claimed. It succeeds, unless the plan
-// names a way of the arm as not proved.
-void ExpectToKeepItsCertificate(const Planned& planned, int corners, const std::string& scene) {
-  const auto box = noise::ErrorBox(planned.problem, planned.plan);
-  const NoiseFloor gate = MeasureNoiseFloor(planned.problem, planned.plan, {});
-  for (int corner = 1; corner <= corners; ++corner) {
-    const noise::Noise noise =
-        noise::Sample(planned.problem, box, noise::Mode::kVertices, kSeed, corner);
-    const Trial trial =
-        RunTrial({.problem = planned.problem, .plan = planned.plan, .gate = gate}, noise, {});
-    if (plan::StepsWithUnprovedWays(planned.plan).empty()) {
-      EXPECT_EQ(trial.verdict.outcome, TrialOutcome::kSucceeded)
-          << scene << "corner " << corner << ": " << trial.verdict.reason;
-    }
-    for (const Claim& claim : trial.claims) {
-      EXPECT_FALSE(claim.IsViolated()) << scene << "corner " << corner << ": " << claim.name;
-    }
-  }
-}
-
 TEST(RandomParts, WhatIsProvedKeepsToItAtTheCorners) {
   const int corners = Asked("ASSAY_RANDOM_PARTS_CORNERS", 1);
   const int first = Asked("ASSAY_RANDOM_PARTS_FIRST", 0);
@@ -153,7 +115,7 @@ TEST(RandomParts, WhatIsProvedKeepsToItAtTheCorners) {
     ++proved;
     std::cout << "scene " << number << " is proved\n" << std::flush;
     ExpectToKeepItsCertificate(
-        planned, corners,
+        planned, kSeed, corners,
         fmt::format("seed {}, scene {}\n{}\n{}\n", kSeed, number, scene.part, scene.scenario));
   }
   EXPECT_GT(proved, 0);
