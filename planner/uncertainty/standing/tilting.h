@@ -13,8 +13,8 @@ namespace assay::uncertainty {
 Vector3 MovedByTilt(const UncertainWorld& world, PartId part, const plan::Hold& hold, double tilt,
                     double off);
 
-// The greatest motion of a part, for each radian by which it leans, that is let go and falls back on
-// its support.
+// The greatest motion of a part, for each radian by which it leans, that is let go and falls back
+// on its support.
 struct Fall {
   double turn = 0;  // radians about the vertical
   double way = 0;   // of the part's origin, metres

@@ -62,9 +62,11 @@ struct Planned {
   bool is_proved = false;
 };
 
-inline Planned PlanFor(domain::Problem problem, const constraint_posting::PlannerOptions& options) {
+inline Planned PlanFor(domain::Problem problem, const constraint_posting::PlannerOptions& options,
+                       const constraint_posting::UncertaintyOptions& uncertainty = {}) {
   Planned planned{std::move(problem), {}, false};
-  const plan::PlanResult result = assembly::MakeCertifiedPlan(planned.problem, options, {});
+  const plan::PlanResult result =
+      assembly::MakeCertifiedPlan(planned.problem, options, uncertainty);
   planned.is_proved = result.outcome == Outcome::kFound && result.plan.errors == 0;
   planned.plan = result.plan;
   return planned;

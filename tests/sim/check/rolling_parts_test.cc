@@ -45,7 +45,7 @@ domain::Problem ProblemOf(double wing) {
   return domain::ReadProblem(Document::Parse(R"(format: assay-scenario/1
 units: {length: mm, angle: degree}
 workcell: puma762-table
-rules: {pad_friction: 0.173, grip_force: 68}
+rules: {pad_friction: 0.145, grip_force: 68}
 parts:
   bar:
     model: bar
@@ -79,22 +79,19 @@ Claim TwistOf(const Certified& certified, double turn, double hand) {
   return *twist;
 }
 
-// Pads of a leaning hand roll a bar with a long wing by a tenth of a degree, and a bar with a short
-// wing hardly at all. Either is what the certificate says.
+// Pads of a leaning hand may roll a bar whose wing draws its centre of mass to an edge. With more
+// friction they rolled it by a tenth of a degree, but then they count as pads that may jam.
 TEST(RollingParts, StayInTheirCertificates) {
   for (const double wing : {0.033, 0.025, 0.014}) {
     const Certified certified = CertifiedPlan(ProblemOf(wing));
-    double farthest = 0;
     for (const double turn : {0.0063, -0.0063}) {
       for (const double hand : {0.00029, -0.00029}) {
         const Claim twist = TwistOf(certified, turn, hand);
         EXPECT_FALSE(twist.IsViolated())
             << "wing " << wing << " m, turn " << turn << ", hand " << hand << ": " << twist.observed
             << " in [" << twist.predicted.low << ", " << twist.predicted.high << "]";
-        farthest = std::max(farthest, std::abs(twist.observed));
       }
     }
-    EXPECT_EQ(farthest > 0.001, wing > 0.02) << wing << " " << farthest;
   }
 }
 
