@@ -164,11 +164,12 @@ RestingError ReleaseInSeat(UncertainWorld& world, domain::MatingId id, const pla
   const domain::Mating& mating = world.problem().mating(id);
   const Pose& X_WorldFixed = world.X_WorldPart(mating.fixed);
   const Pose X_WorldHeld = X_WorldFixed * mating.X_FixedHeld;
+  if (world.propagation() == Propagation::kPaper)
+    return Release(world, mating.held, hold, X_ToolGrasp, draw, X_WorldHeld);
   const domain::SeatPlay play =
       domain::PlayInSeat(world.problem(), mating, world.problem().tolerances.clearance);
   RestingError error =
       ReleaseWithin(world, mating.held, hold, X_ToolGrasp, draw, X_WorldHeld, play);
-  if (world.propagation() == Propagation::kPaper) return error;
   const Vector3 along = X_WorldFixed.linear() * mating.mating_vector.normalized();
   if (SlidesInSeat(world.problem(), mating, along)) return LedToSeat(world, id);
   SlideAside(world, mating.held, hold, draw, X_WorldHeld, along, error);

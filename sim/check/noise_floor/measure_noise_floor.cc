@@ -35,7 +35,7 @@ class NoiselessExecution {
       if (step.Attempt()) return;
       // Pads that squeeze a part leave it where they held it.
       if (holds_still && plan_.step(id).action.Is(domain::kSqueeze)) HoldStill(id);
-      if (step.Finish()) return;
+      if (step.Complete()) return;
       if (holds_still) HoldStill(id);
     }
   }

@@ -150,6 +150,10 @@ Progress StepExecution::TakeUpNoise() {
 
 Progress StepExecution::Work() {
   if (Progress failure = Attempt()) return failure;
+  return Complete();
+}
+
+Progress StepExecution::Complete() {
   for (std::string error = Verify(); !error.empty(); error = Verify()) {
     if (Progress failure = TryAgain(error)) return failure;
   }

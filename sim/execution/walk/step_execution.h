@@ -38,6 +38,8 @@ class StepExecution {
   Progress TryAgain(const std::string& error);
   // Moves the tool away.
   Progress Finish();
+  // Executes the rest of the work after an attempt: verifications, recoveries, and Finish.
+  Progress Complete();
 
  private:
   enum class Phase { kApproach, kAdvance, kAct, kDepart };

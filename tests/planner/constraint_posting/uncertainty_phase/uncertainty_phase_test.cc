@@ -32,7 +32,6 @@ using plan::Plan;
 using plan::PlannedStep;
 using plan::StepId;
 using ::testing::Each;
-using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 using ::testing::Not;
 using ::testing::SizeIs;
